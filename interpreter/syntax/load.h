@@ -1,0 +1,47 @@
+#pragma once
+
+// Reads an agent's program with everything that it includes, before it is checked and compiled.
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/support/diagnostics.h"
+#include "interpreter/syntax/ast.h"
+
+namespace jaywalk {
+
+/// Where included files are looked for, after the folder of the including file.
+struct IncludePath {
+  /// Folders, in order (`aslSourcePath` of a project, `--include`).
+  std::vector<std::string> folders;
+  /// Prefixes and what stands for them: `$jasonJar` → a folder (`--map`).
+  std::vector<std::pair<std::string, std::string>> mapped;
+};
+
+/// A program's files. The first is the program itself; an include directive leads to another.
+/// Files are in the order in which they were first included; each is parsed once per inclusion.
+struct SourceTree {
+  std::vector<std::unique_ptr<ast::File>> files;
+  /// The file that each `include` directive (by its component's address) stands for. An include
+  /// that could not be read has no entry; its diagnostic has been added.
+  std::unordered_map<const ast::Component*, const ast::File*> includes;
+
+  [[nodiscard]] const ast::File& main() const { return *files.front(); }
+};
+
+/// Includes nested deeper than this, or more in number, are refused (a file that includes itself).
+inline constexpr int kMaxIncludeDepth = 64;
+inline constexpr int kMaxIncludedFiles = 1000;
+
+/// Reads and parses the program at `path`. Always returns a tree with at least one file; whether it
+/// can be used, the diagnostics tell. A missing include is a warning, as in Jason.
+[[nodiscard]] SourceTree load_agent(const std::string& path, const IncludePath& include_path,
+                                    Diagnostics& diagnostics);
+
+/// The same for a text that is in memory already; includes are relative to the source's name.
+[[nodiscard]] SourceTree load_agent(SourcePtr source, const IncludePath& include_path,
+                                    Diagnostics& diagnostics);
+
+}  // namespace jaywalk

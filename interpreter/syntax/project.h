@@ -1,0 +1,48 @@
+#pragma once
+
+// The project file, `.mas2j`: which agents a multi-agent system consists of.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+/// A Java class with parameters, `jason.bb.IndexedBB("student(key,_)")`, as written.
+struct ProjectClass {
+  std::string name;
+  std::vector<std::string> parameters;
+  SourceSpan where;
+};
+
+struct ProjectOption {
+  std::string name;
+  std::string value;  // strings without their quotes
+  SourceSpan where;   // of the value's content, so that errors inside point there
+};
+
+struct ProjectAgent {
+  std::string name;
+  std::string file;  // as written, with the extension; empty: `name`.asl
+  std::vector<ProjectOption> options;
+  std::optional<ProjectClass> arch_class, agent_class, belief_base_class;
+  int count = 1;  // `#n`
+  std::string at;
+  SourceSpan where;
+};
+
+struct Project {
+  SourcePtr source;
+  std::string name;
+  std::optional<ProjectClass> infrastructure, environment, execution_control;
+  std::vector<ProjectAgent> agents;
+  std::vector<std::pair<std::string, ProjectClass>> directives;
+  std::vector<std::string> class_path, asl_source_path;
+};
+
+/// Parses a project; diagnostics as for programs. A result is returned only if there are no errors.
+[[nodiscard]] std::optional<Project> parse_project(SourcePtr source, Diagnostics& diagnostics);
+
+}  // namespace jaywalk

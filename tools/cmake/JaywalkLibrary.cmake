@@ -1,0 +1,25 @@
+# How every target of the project is built.
+
+# Warnings, sanitizers and the include root (the project's folder) for one target.
+function(jaywalk_configure_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                         $<$<BOOL:${JAYWALK_WERROR}>:-Werror>)
+  if(JAYWALK_SANITIZERS)
+    target_compile_options(${target} PRIVATE -fsanitize=${JAYWALK_SANITIZERS}
+                           -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${JAYWALK_SANITIZERS})
+  endif()
+endfunction()
+
+# jaywalk_add_library(name SOURCES file... [PUBLIC lib...] [PRIVATE lib...])
+# A static library jaywalk_<name> with the alias jaywalk::<name>.
+function(jaywalk_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(jaywalk_${name} STATIC ${ARG_SOURCES})
+  add_library(jaywalk::${name} ALIAS jaywalk_${name})
+  target_include_directories(jaywalk_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  target_link_libraries(jaywalk_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  set_target_properties(jaywalk_${name} PROPERTIES EXPORT_NAME ${name})
+  jaywalk_configure_target(jaywalk_${name})
+endfunction()

@@ -1,0 +1,19 @@
+# The options of the build; all begin with JAYWALK_ and default to what a consumer wants.
+
+option(JAYWALK_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(JAYWALK_WERROR "Treat warnings as errors" OFF)
+set(JAYWALK_SANITIZERS "" CACHE STRING "Sanitizers to build with, as in -fsanitize= (address,undefined)")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(JAYWALK_CCACHE ccache)
+if(JAYWALK_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${JAYWALK_CCACHE}")
+endif()
