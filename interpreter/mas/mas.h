@@ -1,0 +1,123 @@
+#pragma once
+
+// A multi-agent system: agents, their messages, a clock and perhaps an environment. It runs in
+// ticks; within a tick everything happens in a fixed order, so that a run is a function of the
+// programs, the environment and the seed:
+//
+//   1. every agent perceives the world as the last tick left it;
+//   2. rounds: every active agent reasons until it is idle or has chosen an action; then messages
+//      are delivered, in the order (sender, sequence); again, until no agent has anything to do;
+//   3. the actions chosen, at most one for each agent, take effect at once; their results reach the
+//      agents in the next tick's reasoning, before anything else;
+//   4. the environment advances, the clock moves on by one tick.
+//
+// Without an environment a step is one reasoning cycle of every active agent, and when all are idle
+// the clock jumps to the next timer.
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/mas/environment.h"
+#include "interpreter/program/program.h"
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+class Agent;
+class Trace;
+
+/// A belief given from outside: it takes the place of the program's initial beliefs of that name
+/// and arity (`radius(15)`: radius/1). Arguments are numbers and atoms.
+struct Parameter {
+  Predicate predicate{};
+  std::vector<Value> args;
+};
+
+struct AgentSpec {
+  std::string name;
+  std::shared_ptr<const Program> program;
+  std::vector<Parameter> parameters;
+};
+
+struct MasOptions {
+  /// Every agent's random stream derives from it and from the agent's number.
+  std::uint64_t seed = 0;
+  /// Reasoning cycles of one agent in one tick, or without time passing, before the run is stopped.
+  std::uint64_t max_cycles_per_tick = 100'000'000;
+  /// Reasoning cycles of one agent in all; 0: no limit.
+  std::uint64_t max_cycles = 0;
+  /// Ticks of the environment; 0: no limit.
+  std::uint64_t max_ticks = 0;
+  /// Message rounds within one tick.
+  std::uint32_t max_rounds = 10'000;
+  /// Heap of one agent in bytes, and the most inferences that one query may take.
+  std::uint64_t max_heap_bytes = std::uint64_t{1} << 30U;
+  std::uint64_t max_inferences = 1'000'000'000;
+  /// Timers follow the wall clock.
+  bool realtime = false;
+  /// Where `.print` and its kin write; called with whole lines `[agent] text` without line break.
+  std::function<void(std::string_view line)> print;
+  /// Warnings and errors of the run (an intention that failed, an unknown action).
+  std::function<void(std::string_view line)> log;
+  /// Measures the CPU time that agents spend reasoning (metric M5); off, no clock is read.
+  bool measure_cpu = false;
+};
+
+enum class RunEnd {
+  stopped,    // `.stopMAS`
+  idle,       // every agent is idle, no timer and no message pending
+  finished,   // the environment says so
+  limit,      // max_cycles, max_ticks or max_rounds
+  looping,    // an agent reasoned max_cycles_per_tick cycles within one tick
+};
+
+struct RunOutcome {
+  RunEnd end = RunEnd::idle;
+  std::uint64_t ticks = 0;
+  std::uint64_t cycles = 0;
+  int exit_code = 0;       // given to .stopMAS
+  std::string message;     // of limit and looping: which agent, doing what
+};
+
+class Mas {
+ public:
+  /// `symbols` is the table into which the programs were compiled; it must not change any more.
+  /// `environment` may be null; it must outlive the system.
+  Mas(std::shared_ptr<const SymbolTable> symbols, MasOptions options, Environment* environment);
+  ~Mas();
+  Mas(const Mas&) = delete;
+  Mas& operator=(const Mas&) = delete;
+
+  /// Names that are taken get a suffix, as in Jason (`ann_1`).
+  AgentId add_agent(const AgentSpec& spec);
+
+  /// Runs to the end.
+  RunOutcome run();
+  /// Runs one tick (without an environment: one cycle of every active agent); false: it has ended.
+  bool step();
+  [[nodiscard]] const RunOutcome& outcome() const;
+
+  [[nodiscard]] std::size_t agent_count() const;
+  [[nodiscard]] const Agent& agent(AgentId id) const;
+  [[nodiscard]] const std::string& agent_name(AgentId id) const;
+  [[nodiscard]] double now_ms() const;
+  /// Seconds of CPU spent in reasoning so far (0 unless measured).
+  [[nodiscard]] double reasoning_cpu_s() const;
+  /// What an agent is after, for people: each intention's goals, the outermost first
+  /// ("test_av > cross > step(right)"), in the order of the intentions.
+  [[nodiscard]] std::vector<std::string> describe_intentions(AgentId id) const;
+  /// The agent's beliefs as texts, in the order of the belief base.
+  [[nodiscard]] std::vector<std::string> describe_beliefs(AgentId id) const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,81 @@
+#pragma once
+
+// Interned names. A Symbol is a text; a Predicate is what Jason calls a predicate indicator:
+// namespace, strong negation, functor and arity. `~p/1` and `n::p/1` are predicates of their own.
+// Ids are dense and depend on the order of interning: nothing that the user sees may depend on
+// them; order by text instead.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace jaywalk {
+
+enum class Symbol : std::uint32_t {};
+enum class Predicate : std::uint32_t {};
+
+/// The symbols that the engine itself needs; every table has them under these ids.
+namespace names {
+#define JAYWALK_SYMBOL(id, text) id,
+enum class Index : std::uint32_t {
+#include "interpreter/term/names.def"
+};
+#undef JAYWALK_SYMBOL
+#define JAYWALK_SYMBOL(id, text) inline constexpr Symbol id{static_cast<std::uint32_t>(Index::id)};
+#include "interpreter/term/names.def"
+#undef JAYWALK_SYMBOL
+}  // namespace names
+
+struct Signature {
+  Symbol ns = names::default_ns;
+  Symbol functor = names::empty;
+  std::uint16_t arity = 0;
+  bool negated = false;
+
+  friend bool operator==(const Signature&, const Signature&) = default;
+};
+
+/// Interns texts and signatures. A table may extend another, frozen one: programs that are shared
+/// by many runs are compiled into one base table; each run adds its own names in a layer above it,
+/// so that runs on several threads never write to shared memory.
+class SymbolTable {
+ public:
+  SymbolTable();
+  /// A layer above `base`, which must not change any more.
+  explicit SymbolTable(std::shared_ptr<const SymbolTable> base);
+  SymbolTable(const SymbolTable&) = delete;
+  SymbolTable& operator=(const SymbolTable&) = delete;
+
+  Symbol symbol(std::string_view text);
+  Predicate predicate(const Signature& signature);
+  /// A predicate of the default namespace; `~` before the functor means strong negation.
+  Predicate predicate(std::string_view functor, std::uint16_t arity);
+
+  [[nodiscard]] std::string_view text(Symbol symbol) const;
+  [[nodiscard]] const Signature& signature(Predicate predicate) const;
+  [[nodiscard]] std::string_view functor(Predicate predicate) const;
+  [[nodiscard]] std::size_t symbol_count() const { return first_symbol_ + texts_.size(); }
+  [[nodiscard]] std::size_t predicate_count() const { return first_predicate_ + signatures_.size(); }
+
+ private:
+  struct SignatureHash {
+    std::size_t operator()(const Signature& signature) const;
+  };
+
+  const Symbol* find(std::string_view text) const;
+  const Predicate* find(const Signature& signature) const;
+
+  std::shared_ptr<const SymbolTable> base_;
+  std::uint32_t first_symbol_ = 0;
+  std::uint32_t first_predicate_ = 0;
+  std::deque<std::string> texts_;  // a deque, since the map's keys point into it
+  std::deque<Signature> signatures_;
+  std::unordered_map<std::string_view, Symbol> symbols_;
+  std::unordered_map<Signature, Predicate, SignatureHash> predicates_;
+};
+
+}  // namespace jaywalk
