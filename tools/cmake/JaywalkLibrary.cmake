@@ -6,8 +6,9 @@ function(jaywalk_configure_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                          $<$<BOOL:${JAYWALK_WERROR}>:-Werror>)
   if(JAYWALK_SANITIZERS)
+    # -O1: instrumented code without any optimisation is too slow for the scenario tests.
     target_compile_options(${target} PRIVATE -fsanitize=${JAYWALK_SANITIZERS}
-                           -fno-sanitize-recover=all -fno-omit-frame-pointer)
+                           -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
     target_link_options(${target} PUBLIC -fsanitize=${JAYWALK_SANITIZERS})
   endif()
 endfunction()

@@ -1,0 +1,3 @@
+#include <boost/spirit/home/x3.hpp>
+#include <boost/program_options.hpp>
+#include "experiment/trial.h"
