@@ -1,0 +1,197 @@
+#include "interpreter/support/diagnostics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+// Lines are shown in a window of this many characters around the place that is meant.
+constexpr std::size_t kShownBefore = 60;
+constexpr std::size_t kShownCharacters = 100;
+
+bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+// The byte at which the character `characters` before `at` begins.
+std::size_t step_back(std::string_view line, std::size_t at, std::size_t characters) {
+  while (at > 0 && characters > 0) {
+    --at;
+    if (begins_character(line[at])) --characters;
+  }
+  return at;
+}
+
+std::size_t step_forward(std::string_view line, std::size_t at, std::size_t characters) {
+  while (at < line.size()) {
+    if (begins_character(line[at])) {
+      if (characters == 0) break;
+      --characters;
+    }
+    ++at;
+  }
+  return at;
+}
+
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+// Control characters would move the caret or the terminal's cursor.
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  std::replace_if(
+      shown.begin(), shown.end(),
+      [](char c) { return (static_cast<unsigned char>(c) < 0x20U && c != '\t') || c == '\x7F'; },
+      '?');
+  return shown;
+}
+
+// Blanks as wide as the text; tabs stay tabs, so that they are as wide as in the line above.
+std::string blanks_like(std::string_view text) {
+  std::string blanks;
+  for (const char c : text) {
+    if (begins_character(c)) blanks += c == '\t' ? '\t' : ' ';
+  }
+  return blanks;
+}
+
+struct Paint {
+  Colour colour;
+
+  [[nodiscard]] std::string operator()(std::string_view code, std::string_view text) const {
+    if (colour == Colour::off) return std::string(text);
+    return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+  }
+};
+
+constexpr std::string_view kBold = "1";
+constexpr std::string_view kGreen = "1;32";
+
+std::string_view code_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "1;31";
+    case Severity::warning:
+      return "1;35";
+    case Severity::note:
+      return "1;36";
+  }
+  return "";
+}
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "error";
+    case Severity::warning:
+      return "warning";
+    case Severity::note:
+      return "note";
+  }
+  return "";
+}
+
+// The line of the text that is meant, and below it the caret.
+std::string excerpt(const Source& source, Span span, Paint paint) {
+  const std::string_view line = source.line(source.position(span.begin).line);
+  const auto line_begin = static_cast<std::size_t>(line.data() - source.text().data());
+  const std::size_t caret = std::min<std::size_t>(span.begin - line_begin, line.size());
+  const std::size_t last = std::clamp<std::size_t>(span.end - line_begin, caret, line.size());
+
+  std::size_t begin = 0;
+  std::size_t end = line.size();
+  if (character_count(line) > kShownCharacters) {
+    begin = step_back(line, caret, kShownBefore);
+    end = step_forward(line, begin, kShownCharacters);
+  }
+  const std::string_view before = begin > 0 ? "..." : "";
+  const std::string_view after = end < line.size() ? "..." : "";
+
+  const std::size_t marked = character_count(line.substr(caret, std::min(last, end) - caret));
+  std::string mark(std::max<std::size_t>(marked, 1), '~');
+  mark.front() = '^';
+  return fmt::format("  {}{}{}\n  {}{}{}\n", before, printable(line.substr(begin, end - begin)),
+                     after, std::string(before.size(), ' '),
+                     blanks_like(line.substr(begin, caret - begin)), paint(kGreen, mark));
+}
+
+}  // namespace
+
+std::string render(const Diagnostic& diagnostic, Colour colour) {
+  const Paint paint{colour};
+  std::string place = diagnostic.subject;
+  if (diagnostic.where.source) {
+    const auto [line, column] = diagnostic.where.source->position(diagnostic.where.span.begin);
+    place = fmt::format("{}:{}:{}", diagnostic.where.source->name(), line, column);
+  }
+  std::string text = place.empty() ? std::string() : paint(kBold, place + ":") + " ";
+  text += fmt::format(
+      "{} {}",
+      paint(code_of(diagnostic.severity), fmt::format("{}:", name_of(diagnostic.severity))),
+      paint(kBold, printable(diagnostic.message)));
+  if (!diagnostic.code.empty()) text += fmt::format(" [{}]", diagnostic.code);
+  text += '\n';
+  if (diagnostic.where.source) {
+    text += excerpt(*diagnostic.where.source, diagnostic.where.span, paint);
+  }
+  if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", printable(diagnostic.hint));
+  return text;
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::error) ++errors_;
+  if (diagnostic.severity == Severity::warning) ++warnings_;
+  if (items_.size() < kLimit) items_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::error(SourceSpan where, std::string message, std::string hint) {
+  add({.severity = Severity::error,
+       .message = std::move(message),
+       .where = std::move(where),
+       .hint = std::move(hint),
+       .code = {},
+       .subject = {}});
+}
+
+void Diagnostics::warning(SourceSpan where, std::string code, std::string message,
+                          std::string hint) {
+  add({.severity = Severity::warning,
+       .message = std::move(message),
+       .where = std::move(where),
+       .hint = std::move(hint),
+       .code = std::move(code),
+       .subject = {}});
+}
+
+void Diagnostics::error(std::string subject, std::string message, std::string hint) {
+  add({.severity = Severity::error,
+       .message = std::move(message),
+       .where = {},
+       .hint = std::move(hint),
+       .code = {},
+       .subject = std::move(subject)});
+}
+
+void Diagnostics::append(Diagnostics other) {
+  errors_ += other.errors_;
+  warnings_ += other.warnings_;
+  const std::size_t room = kLimit - items_.size();
+  const auto taken = static_cast<std::ptrdiff_t>(std::min(room, other.items_.size()));
+  std::move(other.items_.begin(), other.items_.begin() + taken, std::back_inserter(items_));
+}
+
+std::string Diagnostics::render(Colour colour) const {
+  std::string text;
+  for (const Diagnostic& item : items_) text += jaywalk::render(item, colour);
+  const std::size_t shown_errors_and_warnings = static_cast<std::size_t>(
+      std::count_if(items_.begin(), items_.end(),
+                    [](const Diagnostic& item) { return item.severity != Severity::note; }));
+  const std::size_t hidden = errors_ + warnings_ - shown_errors_and_warnings;
+  if (hidden > 0) text += fmt::format("... and {} more\n", hidden);
+  return text;
+}
+
+}  // namespace jaywalk

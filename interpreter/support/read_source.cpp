@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{64} << 10U;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+Diagnostics failure(const std::string& path, std::string message, std::string hint = {}) {
+  Diagnostics diagnostics;
+  diagnostics.error(path, std::move(message), std::move(hint));
+  return diagnostics;
+}
+
+// How many bytes the character at `at` has, or 0 if it is not one (RFC 3629: no overlong forms, no
+// surrogates, nothing above U+10FFFF).
+std::size_t character_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
+  };
+  const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80U) return 1;
+  if (lead >= 0xC2U && lead <= 0xDFU) return continues(1) ? 2 : 0;
+  if (lead >= 0xE0U && lead <= 0xEFU) {
+    const bool overlong = lead == 0xE0U && byte(1) < 0xA0U;
+    const bool surrogate = lead == 0xEDU && byte(1) > 0x9FU;
+    return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (lead >= 0xF0U && lead <= 0xF4U) {
+    const bool overlong = lead == 0xF0U && byte(1) < 0x90U;
+    const bool too_large = lead == 0xF4U && byte(1) > 0x8FU;
+    return continues(1) && continues(2) && continues(3) && !overlong && !too_large ? 4 : 0;
+  }
+  return 0;
+}
+
+std::optional<std::size_t> first_bad_byte(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    if (length == 0) return at;
+    at += length;
+  }
+  return std::nullopt;
+}
+
+// Reads at most one byte more than `max_bytes`; works for pipes, too, whose size nobody knows.
+std::string read_at_most(std::istream& stream, std::size_t max_bytes) {
+  std::string text;
+  std::string block(kBlock, '\0');
+  while (text.size() <= max_bytes && stream) {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<SourcePtr> read_source(const std::string& path, std::size_t max_bytes) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return failure(path, "no such file");
+  if (std::filesystem::is_directory(status)) {
+    return failure(path, "this is a folder, a file was expected");
+  }
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    return failure(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+  }
+  std::string text = read_at_most(stream, max_bytes);
+  if (stream.bad()) return failure(path, "cannot be read to its end");
+  if (text.size() > max_bytes) {
+    return failure(path, fmt::format("larger than {} bytes", max_bytes));
+  }
+  if (const std::optional<std::size_t> bad = first_bad_byte(text)) {
+    const auto value = static_cast<unsigned>(static_cast<unsigned char>(text[*bad]));
+    return failure(
+        path,
+        fmt::format(
+            "not UTF-8 text: unexpected byte 0x{:02X} at offset {} (line {})", value, *bad,
+            1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*bad), '\n')),
+        "save the file in the encoding UTF-8");
+  }
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return SourcePtr(std::make_shared<const Source>(path, std::move(text)));
+}
+
+}  // namespace jaywalk
