@@ -1,0 +1,90 @@
+#pragma once
+
+// The world of the case study: pedestrians beside a straight road on which an automated vehicle
+// (AV) drives at constant speed. A test asks whether some pedestrian gets into the precondition
+// zone in front of it. Read parameters.h before; percepts.def lists what agents perceive and do.
+//
+// Tick t, in this order: all agents perceive what tick t - 1 left; all moves take effect at once;
+// costs are charged on the new positions; the AV sweeps the zone ahead of where it stood after
+// tick t - 1, cell by cell, until it meets a pedestrian; then it moves; then the test may end.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "env/crossing/parameters.h"
+#include "env/crossing/vocabulary.h"
+#include "interpreter/mas/environment.h"
+
+namespace jaywalk {
+
+struct PedestrianOutcome {
+  double cost = 0;
+  double reward = 0;
+};
+
+/// What came of a test.
+struct CrossingResult {
+  /// The precondition was met.
+  bool success = false;
+  /// The ticks that it took, until success or in all.
+  int ticks = 0;
+  /// The nearest occupied cell of the zone when the precondition was met.
+  std::optional<int> hit_cell;
+  /// Each agent's, in their order, as the next two.
+  std::vector<PedestrianOutcome> pedestrians;
+  std::vector<Position> start;
+  /// Who was in the hit cell, as indices.
+  std::vector<std::size_t> hit_by;
+
+  /// Rewards less costs, as mean over all agents.
+  [[nodiscard]] double score() const;
+};
+
+class Crossing final : public Environment {
+ public:
+  /// One agent for each start cell; AgentId is its index.
+  /// REQUIRES: parameters without problems(), start cells on the grid. Parameters and vocabulary
+  /// must outlive the world.
+  Crossing(const CrossingParameters& parameters, const CrossingVocabulary& vocabulary,
+           std::vector<Position> start);
+
+  void perceive(AgentId agent, Percepts& percepts) const override;
+  void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;
+  void advance() override;
+  [[nodiscard]] bool finished() const override;
+  [[nodiscard]] double tick_ms() const override { return parameters_.tick_s * 1000; }
+
+  [[nodiscard]] const CrossingParameters& parameters() const { return parameters_; }
+  /// Ticks that have passed.
+  [[nodiscard]] int ticks() const { return ticks_; }
+  [[nodiscard]] std::span<const Position> positions() const { return positions_; }
+  /// The cell of the AV's leading edge; its body lies behind it.
+  [[nodiscard]] int av_edge() const;
+  /// The cell from which the zone and distances are measured.
+  [[nodiscard]] int av_cell() const { return origin_; }
+  /// The cells of the zone that the next tick tests.
+  [[nodiscard]] Interval zone_cells() const;
+  [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
+  /// What has come of the test so far; final once it is finished.
+  [[nodiscard]] const CrossingResult& result() const { return result_; }
+
+ private:
+  ActionResult act(const ActionRequest& action);
+  void charge_costs();
+  void sweep_zone();
+  [[nodiscard]] bool in_zone(Position position, Interval cells) const;
+
+  const CrossingParameters& parameters_;
+  const CrossingVocabulary& vocabulary_;
+  Grid grid_;
+  Interval zone_rows_;
+  Interval zone_ahead_;
+  std::vector<Position> positions_;
+  std::vector<int> acted_in_;  // the tick of each agent's last action
+  int ticks_ = 0;
+  int origin_ = 0;
+  CrossingResult result_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,146 @@
+#include "env/crossing/parameters.h"
+
+#include <cassert>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+// Keeps what is a whole number by design (1.33 s · 6 cells/s excepted) from being rounded away.
+constexpr double kEpsilon = 1e-9;
+
+int floor_to_int(double value) { return static_cast<int>(std::floor(value + kEpsilon)); }
+int ceil_to_int(double value) { return static_cast<int>(std::ceil(value - kEpsilon)); }
+
+void check_av(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const AvParameters& av = parameters.av;
+  const int rows = grid(parameters).rows;
+  if (av.rows.empty() || av.rows.first < 0 || av.rows.last >= rows) {
+    found.push_back({"world.av.rows", fmt::format("rows {} to {} are not within the grid's 0 to {}",
+                                                  av.rows.first, av.rows.last, rows - 1)});
+  } else if (parameters.zone.rows == ZoneRows::lane && av_lane(parameters).empty()) {
+    found.push_back(
+        {"world.zone.rows", fmt::format("row {} of the AV lies in no lane that the zone "
+                                        "could cover",
+                                        av.rows.first)});
+  }
+  if (zone_origin(parameters, 0) >= parameters.road_end) {
+    found.push_back(
+        {"world.road_end",
+         fmt::format("the AV has passed cell {} before the first tick", parameters.road_end)});
+  }
+}
+
+void check_zone(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const ZoneParameters& zone = parameters.zone;
+  const int rows = grid(parameters).rows;
+  const Interval given = zone.given_rows;
+  if (zone.rows == ZoneRows::given && (given.empty() || given.first < 0 || given.last >= rows)) {
+    found.push_back(
+        {"world.zone.rows", fmt::format("rows {} to {} are not within the grid's 0 to {}",
+                                        given.first, given.last, rows - 1)});
+  }
+  const Interval ahead = zone_ahead(parameters);
+  if (ahead.empty()) {
+    found.push_back({zone.ahead ? "world.zone.ahead" : "world.zone.ttc",
+                     fmt::format("no cell lies in the zone: its first is {}, its last {} ahead",
+                                 ahead.first, ahead.last)});
+  }
+}
+
+void check_spawn(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const Grid bounds = grid(parameters);
+  int cells = 0;
+  for (const auto& [row, count] : parameters.spawn.dead_zones) {
+    if (row < 0 || row >= bounds.rows || band_kind(parameters, row) != BandKind::pavement) {
+      found.push_back({"world.spawn.dead_zones",
+                       fmt::format("row {} is not a row of a pavement, where agents spawn", row)});
+    }
+  }
+  for (int row = 0; row < bounds.rows; ++row) {
+    if (band_kind(parameters, row) != BandKind::pavement) continue;
+    const auto dead = parameters.spawn.dead_zones.find(row);
+    const int first = dead == parameters.spawn.dead_zones.end() ? 0 : dead->second;
+    cells += first < bounds.cells ? bounds.cells - first : 0;
+  }
+  if (cells == 0) {
+    found.push_back({"world.spawn.dead_zones", "no cell of a pavement is left to spawn on"});
+  }
+}
+
+}  // namespace
+
+Grid grid(const CrossingParameters& parameters) {
+  int rows = 0;
+  for (const Band& band : parameters.bands) rows += band.rows;
+  return {rows, parameters.length};
+}
+
+std::vector<Interval> band_rows(const CrossingParameters& parameters) {
+  std::vector<Interval> result;
+  int first = 0;
+  for (const Band& band : parameters.bands) {
+    result.push_back({first, first + band.rows - 1});
+    first += band.rows;
+  }
+  return result;
+}
+
+BandKind band_kind(const CrossingParameters& parameters, int row) {
+  for (const Band& band : parameters.bands) {
+    if (row < band.rows) return band.kind;
+    row -= band.rows;
+  }
+  assert(false && "the row lies on the grid");
+  return BandKind::pavement;
+}
+
+Interval av_lane(const CrossingParameters& parameters) {
+  const std::vector<Interval> rows = band_rows(parameters);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (parameters.bands[i].kind == BandKind::lane && rows[i].contains(parameters.av.rows.first)) {
+      return rows[i];
+    }
+  }
+  return {};
+}
+
+Interval zone_rows(const CrossingParameters& parameters) {
+  switch (parameters.zone.rows) {
+    case ZoneRows::lane:
+      return av_lane(parameters);
+    case ZoneRows::av:
+      return parameters.av.rows;
+    case ZoneRows::given:
+      return parameters.zone.given_rows;
+  }
+  return {};
+}
+
+Interval zone_ahead(const CrossingParameters& parameters) {
+  const ZoneParameters& zone = parameters.zone;
+  if (zone.ahead) return *zone.ahead;
+  // The middle of the k-th cell ahead is reached after (k - 1/2) / speed.
+  const double cells_per_second = parameters.av.speed / parameters.tick_s;
+  return {ceil_to_int(zone.ttc.from * cells_per_second + 0.5),
+          floor_to_int(zone.ttc.to * cells_per_second + 0.5)};
+}
+
+int zone_origin(const CrossingParameters& parameters, int ticks) {
+  const AvParameters& av = parameters.av;
+  const int ahead =
+      parameters.zone.origin == ZoneOrigin::stopping_distance ? av.stopping_distance : 0;
+  return av.start + ahead + floor_to_int(av.speed * ticks);
+}
+
+std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
+  std::vector<ParameterProblem> found;
+  check_av(parameters, found);
+  check_zone(parameters, found);
+  check_spawn(parameters, found);
+  return found;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,34 @@
+#pragma once
+
+// The worlds that a scenario can name, with the words by which agents perceive and act in them.
+// Each is a row of environments.def; the rows also feed `list environments`, the reference and the
+// checker, which suggests the right word for a misspelt one.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace jaywalk {
+
+/// A percept or an action. The name and arity are those of its form: `at(X,Y)` is at/2.
+struct EnvironmentWord {
+  std::string_view form;
+  std::string_view meaning;
+};
+
+struct EnvironmentKind {
+  std::string_view name;
+  std::string_view summary;
+  std::span<const EnvironmentWord> percepts;
+  std::span<const EnvironmentWord> actions;
+};
+
+[[nodiscard]] std::span<const EnvironmentKind> environments();
+/// Null if there is none of that name.
+[[nodiscard]] const EnvironmentKind* find_environment(std::string_view name);
+
+/// The functor of a form, `at` of `at(X,Y)`, and its number of arguments.
+[[nodiscard]] std::string_view functor(const EnvironmentWord& word);
+[[nodiscard]] int arity(const EnvironmentWord& word);
+
+}  // namespace jaywalk

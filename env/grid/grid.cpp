@@ -1,0 +1,42 @@
+#include "env/grid/grid.h"
+
+#include <array>
+
+namespace jaywalk {
+namespace {
+
+struct DirectionRow {
+  std::string_view name;
+  int dx;
+  int dy;
+};
+
+// In the order of the enumerators.
+constexpr std::array<DirectionRow, kDirectionCount> kDirections{{
+    {"left", -1, 0},
+    {"right", 1, 0},
+    {"forward", 0, 1},
+    {"back", 0, -1},
+}};
+
+const DirectionRow& row(Direction direction) {
+  return kDirections[static_cast<std::size_t>(direction)];
+}
+
+}  // namespace
+
+std::string_view name(Direction direction) { return row(direction).name; }
+
+std::optional<Direction> find_direction(std::string_view name) {
+  for (std::size_t i = 0; i < kDirections.size(); ++i) {
+    if (kDirections[i].name == name) return static_cast<Direction>(i);
+  }
+  return std::nullopt;
+}
+
+Position neighbour(Position position, Direction direction) {
+  const DirectionRow& step = row(direction);
+  return {position.x + step.dx, position.y + step.dy};
+}
+
+}  // namespace jaywalk
