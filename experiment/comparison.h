@@ -1,0 +1,25 @@
+#pragma once
+
+// The results of a comparison as they are shown and written: by report/ as a table or a picture, by
+// export/ as files.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiment/summary.h"
+
+namespace jaywalk {
+
+struct Comparison {
+  /// The scenario's file, as given by the user.
+  std::string scenario;
+  std::uint64_t seed = 0;
+  std::uint64_t tests = 0;
+  /// In the order of behaviours, then of the numbers of agents.
+  std::vector<Summary> summaries;
+  /// False if the user ended it before all of its tests were run.
+  bool complete = true;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,61 @@
+#pragma once
+
+// Behaviours x numbers of agents x tests, run in parallel and summed up. The outcome is a function
+// of the tests alone: it does not depend on the number of threads. How one test is run is the
+// caller's business (see trial.h); so this file knows neither scenarios nor agents.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/summary.h"
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+/// Which test: the index of its behaviour in the plan, the number of agents, its number from 0.
+struct TestCase {
+  std::size_t behaviour = 0;
+  std::uint32_t agents = 1;
+  std::uint64_t number = 0;
+};
+
+/// Runs one test. Called from several threads at once.
+using TestFunction = std::function<Result<TestResult>(const TestCase&)>;
+
+struct ExperimentPlan {
+  std::vector<std::string> behaviours;
+  std::vector<std::uint32_t> agents;
+  std::uint64_t tests = 1000;
+  /// REQUIRES: at least 1.
+  unsigned threads = 1;
+};
+
+struct Progress {
+  std::uint64_t done = 0;
+  std::uint64_t total = 0;
+};
+
+enum class Proceed { yes, no };
+
+/// Called from the thread that runs the experiment, some times a second and at the end; may end it.
+using ProgressFunction = std::function<Proceed(const Progress&)>;
+
+struct ExperimentOutcome {
+  /// The pairs of behaviour and number of agents all of whose tests are finished, in the order of
+  /// the plan. Their code lines are left to the caller.
+  std::vector<Summary> summaries;
+  Progress progress;
+  /// The first test (in the plan's order) that could not be run, with the reason.
+  std::optional<TestCase> failed_test;
+  Diagnostics failure;
+
+  [[nodiscard]] bool complete() const { return progress.done == progress.total; }
+};
+
+[[nodiscard]] ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction& test,
+                                               const ProgressFunction& progress);
+
+}  // namespace jaywalk

@@ -1,0 +1,14 @@
+#pragma once
+
+// A comparison as JSON: what was compared, then an object for each behaviour and number of agents
+// with the fields of the CSV and what the paper published. What does not exist is null.
+
+#include <string>
+
+#include "experiment/comparison.h"
+
+namespace jaywalk {
+
+[[nodiscard]] std::string to_json(const Comparison& comparison);
+
+}  // namespace jaywalk

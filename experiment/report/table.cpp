@@ -1,0 +1,92 @@
+#include "experiment/report/table.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "experiment/measures/measures.h"
+#include "experiment/published/published.h"
+
+namespace jaywalk {
+namespace {
+
+enum class Interval95 { shown, hidden };
+
+/// A measure in the table: its value, perhaps its interval, and the paper's value.
+struct Column {
+  std::string_view measure;
+  std::string_view title;
+  int width;
+  int decimals;
+  Interval95 interval;
+};
+
+constexpr std::array kColumns = {
+    Column{"accuracy", "accuracy %", 10, 1, Interval95::shown},
+    Column{"score", "score", 7, 2, Interval95::shown},
+    Column{"combined_normalised", "combined", 8, 3, Interval95::hidden},
+    Column{"ticks_all", "ticks", 6, 2, Interval95::hidden},
+    Column{"cpu", "CPU µs", 8, 1, Interval95::hidden},
+};
+
+constexpr int kAgentsWidth = 6;
+constexpr int kIntervalWidth = 16;
+constexpr int kPaperWidth = 7;
+
+std::string decimal(std::optional<double> value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "-";
+}
+
+std::string interval_text(const Estimate& estimate, int decimals) {
+  if (!estimate.low || !estimate.high) return {};
+  return fmt::format("{:.{}f} to {:.{}f}", *estimate.low, decimals, *estimate.high, decimals);
+}
+
+std::string heading() {
+  std::string line = fmt::format("{:>{}}", "agents", kAgentsWidth);
+  for (const Column& column : kColumns) {
+    line += fmt::format("  {:>{}}", column.title, column.width);
+    if (column.interval == Interval95::shown) {
+      line += fmt::format("  {:>{}}", "95 % interval", kIntervalWidth);
+    }
+    line += fmt::format("{:>{}}", "paper", kPaperWidth);
+  }
+  return line + '\n';
+}
+
+std::string row(const Summary& summary) {
+  std::string line = fmt::format("{:>{}}", summary.agents, kAgentsWidth);
+  for (const Column& column : kColumns) {
+    const Measure& measure = *find_measure(column.measure);
+    const Estimate ours = measure.estimate(summary);
+    line += fmt::format("  {:>{}}", decimal(ours.value, column.decimals), column.width);
+    if (column.interval == Interval95::shown) {
+      line += fmt::format("  {:>{}}", interval_text(ours, column.decimals), kIntervalWidth);
+    }
+    const auto paper = published_figure(measure, summary.behaviour, summary.agents);
+    line += fmt::format("{:>{}}", decimal(paper ? paper->value : std::nullopt, column.decimals),
+                        kPaperWidth);
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string render_table(const Comparison& comparison) {
+  std::string table;
+  const std::string* behaviour = nullptr;
+  for (const Summary& summary : comparison.summaries) {
+    if (behaviour == nullptr || *behaviour != summary.behaviour) {
+      behaviour = &summary.behaviour;
+      if (!table.empty()) table += '\n';
+      table += fmt::format("{} ({} lines of AgentSpeak)\n", *behaviour, summary.code_lines);
+      table += heading();
+    }
+    table += row(summary);
+  }
+  return table;
+}
+
+}  // namespace jaywalk

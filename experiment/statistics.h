@@ -1,0 +1,38 @@
+#pragma once
+
+// The few statistics that the measures need: a sample's mean and spread, and 95 % intervals.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jaywalk {
+
+inline constexpr double kConfidence = 0.95;
+
+struct ConfidenceInterval {
+  double low = 0;
+  double high = 0;
+};
+
+/// What remains of a sample once its values are gone.
+struct Sample {
+  std::uint64_t count = 0;
+  double mean = 0;
+  /// The sum of the squared deviations from the mean.
+  double squares = 0;
+};
+
+/// Two passes in the order of the values, so that equal values in equal order give equal bits.
+[[nodiscard]] Sample summarise(std::span<const double> values);
+
+/// The interval of a proportion, from 0 to 1, after Wilson (1927), "Probable inference, the law of
+/// succession, and statistical inference". REQUIRES: successes <= trials and trials > 0.
+[[nodiscard]] ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t trials,
+                                                 double confidence = kConfidence);
+
+/// The interval of a mean by Student's t; none for fewer than two values.
+[[nodiscard]] std::optional<ConfidenceInterval> mean_interval(const Sample& sample,
+                                                              double confidence = kConfidence);
+
+}  // namespace jaywalk

@@ -1,0 +1,43 @@
+#pragma once
+
+// What the tests of one behaviour with one number of agents came to; from it every measure (see
+// measures/measures.h) is computed.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "experiment/statistics.h"
+
+namespace jaywalk {
+
+/// One test, as the measures see it.
+struct TestResult {
+  bool succeeded = false;
+  std::uint32_t ticks = 0;
+  /// The mean over the test's agents, of costs and rewards.
+  double score = 0;
+  /// Spent by the agents reasoning, in microseconds.
+  double cpu_us = 0;
+  /// Of the whole test, in microseconds.
+  double wall_us = 0;
+};
+
+struct Summary {
+  std::string behaviour;
+  std::uint32_t agents = 0;
+  std::uint64_t tests = 0;
+  std::uint64_t successes = 0;
+  Sample score;  // of the successful tests
+  Sample ticks_success;
+  Sample ticks_all;
+  Sample cpu_us;
+  Sample wall_us;
+  /// Lines of AgentSpeak of the behaviour, without blank ones and comments.
+  std::uint64_t code_lines = 0;
+};
+
+/// Sums up tests, which are in the order of their numbers; the names are left to the caller.
+[[nodiscard]] Summary summarise(std::span<const TestResult> tests);
+
+}  // namespace jaywalk
