@@ -1,0 +1,99 @@
+#pragma once
+
+// A scenario: the world, the behaviours and the defaults of an experiment, as a YAML file says it
+// (scenarios/README.md is the reference of its keys). Values are layered: the preset's, the file's,
+// then each `--set`; the last one counts. Trials run a scenario that was prepared; see trial.h.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "env/crossing/parameters.h"
+#include "env/crossing/start_cells.h"
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+/// Where a value was given: a place in a file, or an option (`--set world.length=80`).
+struct ValueOrigin {
+  SourceSpan where;
+  std::string option;
+};
+
+/// A number or the name of an atom.
+using ParameterValue = std::variant<double, std::string>;
+
+/// What takes the place of a program's initial beliefs of that name: `radius: 15` is radius(15).
+struct ParameterSetting {
+  std::string name;
+  std::vector<ParameterValue> values;
+  ValueOrigin origin;
+};
+
+/// Parameters of some agents only, by their numbers, from 1.
+struct AgentSettings {
+  std::vector<std::uint32_t> agents;
+  std::vector<ParameterSetting> parameters;
+};
+
+struct BehaviourSpec {
+  /// Unique in the scenario; the program's file name without `.asl` unless given.
+  std::string name;
+  /// The program's file, found from the current folder.
+  std::string program;
+  std::vector<ParameterSetting> parameters;
+  std::vector<AgentSettings> agents;
+  ValueOrigin origin;
+};
+
+/// The defaults of an experiment; options of the command line take their place.
+struct ExperimentSpec {
+  std::uint64_t tests = 1000;
+  /// The numbers of agents to compare, in this order.
+  std::vector<std::uint32_t> agents{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20};
+  std::uint64_t seed = 0;
+};
+
+struct Scenario {
+  /// The file's name.
+  std::string name;
+  std::string preset = "paper";
+  CrossingParameters world;
+  std::vector<BehaviourSpec> behaviours;
+  ExperimentSpec experiment;
+  /// Start cells that take the place of spawning.
+  std::optional<StartCells> start_cells;
+};
+
+struct ScenarioOptions {
+  /// Takes the place of the file's `preset`.
+  std::optional<std::string> preset;
+  /// `dotted.path=value`, in order, as given to `--set`.
+  std::vector<std::string> sets;
+  /// Names of the scenario's behaviours, or paths of programs: these and no others, in this order.
+  std::vector<std::string> behaviours;
+};
+
+/// A scenario larger than this is refused.
+inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;
+
+[[nodiscard]] Result<Scenario> read_scenario(const std::string& path,
+                                             const ScenarioOptions& options = {});
+/// The same for a text in memory; programs are found relative to the folder in the source's name.
+[[nodiscard]] Result<Scenario> parse_scenario(const SourcePtr& source,
+                                              const ScenarioOptions& options = {});
+
+/// Values that a scenario begins with, by name. `text` is what a scenario would say.
+struct Preset {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view text;
+};
+
+[[nodiscard]] std::span<const Preset> presets();
+
+}  // namespace jaywalk

@@ -1,0 +1,98 @@
+#pragma once
+
+// One test: a behaviour, some agents, a seed. A trial is a pure function of the prepared scenario
+// and its input; trials may run on several threads at once and in any order. Read scenario.h
+// before.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "env/crossing/crossing.h"
+#include "experiment/scenario.h"
+#include "interpreter/mas/mas.h"
+
+namespace jaywalk {
+
+/// A behaviour whose program is compiled and whose parameters are terms.
+struct PreparedBehaviour {
+  std::string name;
+  std::string program_path;
+  std::shared_ptr<const Program> program;
+  /// Lines of AgentSpeak, of the program and all that it includes, without blank ones and comments.
+  std::uint64_t code_lines = 0;
+  std::vector<Parameter> parameters;
+  /// Parameters of single agents, by number from 1; they take the place of the common ones.
+  std::map<std::uint32_t, std::vector<Parameter>> agent_parameters;
+};
+
+/// A scenario made ready to run: immutable, shared by all trials on all threads.
+class PreparedScenario {
+ public:
+  /// Loads and compiles the behaviours' programs and checks the parameters against their initial
+  /// beliefs. Warnings (a missing include, say) are added to `warnings`.
+  [[nodiscard]] static Result<std::shared_ptr<const PreparedScenario>> prepare(
+      Scenario scenario, Diagnostics& warnings);
+
+  [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+  [[nodiscard]] const std::vector<PreparedBehaviour>& behaviours() const { return behaviours_; }
+  [[nodiscard]] const std::shared_ptr<const SymbolTable>& symbols() const { return symbols_; }
+  [[nodiscard]] const CrossingVocabulary& vocabulary() const { return vocabulary_; }
+
+ private:
+  PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
+                   CrossingVocabulary vocabulary, std::vector<PreparedBehaviour> behaviours);
+
+  Scenario scenario_;
+  std::shared_ptr<const SymbolTable> symbols_;
+  CrossingVocabulary vocabulary_;
+  std::vector<PreparedBehaviour> behaviours_;
+};
+
+struct TrialInput {
+  /// Index into the prepared scenario's behaviours.
+  std::size_t behaviour = 0;
+  std::uint32_t agents = 1;
+  /// The experiment's seed and the test's number, from 0.
+  std::uint64_t seed = 0;
+  std::uint64_t test = 0;
+};
+
+/// Looks at a trial as it runs: called before the first tick and after each.
+using TrialObserver = std::function<void(const Crossing& crossing, const Mas& mas)>;
+
+struct TrialOptions {
+  TrialObserver observe;
+  std::function<void(std::string_view line)> print;
+  std::function<void(std::string_view line)> log;
+  /// Reasoning cycles of one agent in one tick before the trial is given up.
+  std::uint64_t max_cycles_per_tick = 1'000'000;
+  bool measure_cpu = false;
+};
+
+struct TrialResult {
+  CrossingResult outcome;
+  /// The test came to its end; otherwise `message` says which agent ran away or stopped it.
+  bool completed = true;
+  std::string message;
+  std::uint64_t cycles = 0;
+  /// CPU time that the agents spent reasoning, if measured.
+  double cpu_s = 0;
+};
+
+/// REQUIRES: a behaviour of the scenario, at least one agent and, if the scenario has start cells,
+/// as many in this test.
+[[nodiscard]] TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
+                                    const TrialOptions& options = {});
+
+/// The start cells of a trial: the scenario's own or those drawn from mix(mix(seed, test), 0). They
+/// do not depend on the behaviour.
+[[nodiscard]] std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input);
+
+/// Why the trial cannot run (a behaviour or start cells that do not exist); empty if it can.
+[[nodiscard]] std::string obstacle(const PreparedScenario& prepared, const TrialInput& input);
+
+}  // namespace jaywalk
