@@ -1,0 +1,482 @@
+#include "interpreter/syntax/lexer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+using enum TokenKind;
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+constexpr bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+constexpr bool is_name(char c) { return is_lower(c) || is_upper(c) || is_digit(c) || c == '_'; }
+
+struct Spelling {
+  std::string_view text;
+  TokenKind kind;
+};
+
+// Grouped by their first character, longer ones before those that they begin with.
+constexpr std::array kOperators = {
+    Spelling{"|||", fork_or},
+    Spelling{"|&|", fork_and},
+    Spelling{"|", bar},
+    Spelling{"&", ampersand},
+    Spelling{"\\==", not_equal},
+    Spelling{"=..", univ},
+    Spelling{"==", equal},
+    Spelling{"=", unify},
+    Spelling{"<:", goal_condition},
+    Spelling{"<-", arrow},
+    Spelling{"<=", less_equal},
+    Spelling{"<", less},
+    Spelling{">=", greater_equal},
+    Spelling{">", greater},
+    Spelling{":-", rule},
+    Spelling{"::", double_colon},
+    Spelling{":", colon},
+    Spelling{"!!", double_bang},
+    Spelling{"!", bang},
+    Spelling{"?", question},
+    Spelling{"++", plus_plus},
+    Spelling{"+<", plus_less},
+    Spelling{"+>", plus_greater},
+    Spelling{"+", plus},
+    Spelling{"--", minus_minus},
+    Spelling{"-+", minus_plus},
+    Spelling{"-", minus},
+    Spelling{"**", power},
+    Spelling{"*", times},
+    Spelling{"/", divide},
+    Spelling{"(", open},
+    Spelling{")", close},
+    Spelling{"[", open_list},
+    Spelling{"]", close_list},
+    Spelling{"{", open_brace},
+    Spelling{"}", close_brace},
+    Spelling{"~", tilde},
+    Spelling{"@", at},
+    Spelling{".", stop},
+    Spelling{",", comma},
+    Spelling{";", semicolon},
+    Spelling{"^", caret},
+};
+
+// Where the operators with a first character begin in the table above.
+constexpr auto kFirstOperator = [] {
+  std::array<std::uint8_t, 256> first{};
+  first.fill(kOperators.size());
+  for (std::size_t i = kOperators.size(); i-- > 0;) {
+    first[static_cast<unsigned char>(kOperators[i].text.front())] = static_cast<std::uint8_t>(i);
+  }
+  return first;
+}();
+
+constexpr std::array kWords = {
+    Spelling{"true", true_word},   Spelling{"false", false_word}, Spelling{"not", not_word},
+    Spelling{"div", div_word},     Spelling{"mod", mod_word},     Spelling{"if", if_word},
+    Spelling{"elif", elif_word},   Spelling{"else", else_word},   Spelling{"for", for_word},
+    Spelling{"while", while_word}, Spelling{"begin", begin_word}, Spelling{"end", end_word},
+};
+
+constexpr std::size_t kLongestWord = 5;
+
+class Lexer {
+ public:
+  Lexer(const SourcePtr& source, Diagnostics& diagnostics)
+      : source_(source), text_(source->text()), diagnostics_(diagnostics) {
+    tokens_.reserve(text_.size() / 3 + 1);
+  }
+
+  std::vector<Token> run() {
+    for (skip_blanks(); at_ < text_.size(); skip_blanks()) {
+      const std::size_t begin = at_;
+      const TokenKind kind = read_token();
+      add({kind, span_from(begin)});
+    }
+    add({end_of_text, span_from(text_.size())});
+    return std::move(tokens_);
+  }
+
+ private:
+  [[nodiscard]] char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
+  [[nodiscard]] Span span_from(std::size_t begin) const {
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
+  }
+  void error(std::size_t begin, std::string message, std::string hint = {}) {
+    diagnostics_.error({source_, span_from(begin)}, std::move(message), std::move(hint));
+  }
+
+  void skip_blanks() {
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == ' ' || c == '\n' || c == '\t' || c == '\r') continue;
+      if (c != '/') return;
+      if (peek(1) == '/') {
+        at_ = std::min(text_.find('\n', at_), text_.size() - 1);
+      } else if (peek(1) == '*') {
+        skip_long_comment();
+      } else {
+        return;
+      }
+    }
+  }
+
+  // Leaves `at_` at the last character of the comment.
+  void skip_long_comment() {
+    const std::size_t begin = at_;
+    const std::size_t end = text_.find("*/", at_ + 2);
+    if (end == std::string_view::npos) {
+      at_ += 2;
+      error(begin, "this comment is not closed", "close it with */");
+      at_ = text_.size() - 1;
+    } else {
+      at_ = end + 1;
+    }
+  }
+
+  TokenKind read_token() {
+    const char c = peek();
+    if (is_lower(c)) return read_word();
+    if (is_upper(c) || c == '_') return read_variable();
+    if (is_digit(c)) return read_number();
+    if (c == '.' && is_name(peek(1))) return read_dotted();
+    if (c == '"') return read_string();
+    if (c == '\'') return read_quoted_atom();
+    for (std::size_t i = kFirstOperator[static_cast<unsigned char>(c)]; i < kOperators.size();
+         ++i) {
+      const Spelling& spelling = kOperators[i];
+      if (spelling.text.front() != c) break;
+      if (!text_.substr(at_).starts_with(spelling.text)) continue;
+      at_ += spelling.text.size();
+      return spelling.kind;
+    }
+    return read_garbage();
+  }
+
+  // A name whose dots each stand before a name character: `a.b`, `.print`.
+  void skip_atom() {
+    while (is_name(peek()) || (peek() == '.' && is_name(peek(1)))) ++at_;
+  }
+
+  TokenKind read_word() {
+    const std::size_t begin = at_;
+    skip_atom();
+    const std::string_view word = text_.substr(begin, at_ - begin);
+    if (word.size() > kLongestWord) return atom;
+    for (const Spelling& spelling : kWords) {
+      if (spelling.text == word) return spelling.kind;
+    }
+    return atom;
+  }
+
+  TokenKind read_variable() {
+    while (is_name(peek())) ++at_;
+    return variable;
+  }
+
+  void skip_digits() {
+    while (is_digit(peek())) ++at_;
+  }
+
+  // d+ | d*.d+([eE][+-]?d+)? | d+[eE][+-]?d+
+  TokenKind read_number() {
+    skip_digits();
+    if (peek() == '.' && is_digit(peek(1))) {
+      ++at_;
+      skip_digits();
+    }
+    if (peek() == 'e' || peek() == 'E') {
+      const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+      if (is_digit(peek(1 + sign))) {
+        at_ += 1 + sign;
+        skip_digits();
+      }
+    }
+    return number;
+  }
+
+  // `.5` is a number but `.5x` an atom, since that match is longer.
+  TokenKind read_dotted() {
+    const std::size_t begin = at_;
+    skip_atom();
+    const std::size_t atom_end = at_;
+    at_ = begin;
+    if (is_digit(peek(1))) {
+      read_number();
+      if (at_ >= atom_end) return number;
+    }
+    at_ = atom_end;
+    return atom;
+  }
+
+  TokenKind read_string() {
+    const std::size_t begin = at_++;
+    while (peek() != '"') {
+      if (at_ >= text_.size() || peek() == '\n' || peek() == '\r') {
+        error(begin, "this string is not closed on its line",
+              "close it with \" and write line breaks as \\n");
+        return bad;
+      }
+      if (peek() == '\\') {
+        check_escape();
+        ++at_;
+      }
+      // A backslash may stand last in the line or text; the next turn tells so.
+      if (at_ < text_.size() && peek() != '\n' && peek() != '\r') ++at_;
+    }
+    ++at_;
+    return string;
+  }
+
+  void check_escape() {
+    const char escaped = peek(1);
+    constexpr std::string_view kKnown = "ntbrf\\'\"01234567";
+    if (escaped == '\0' || kKnown.find(escaped) != std::string_view::npos) return;
+    if (escaped == '\n' || escaped == '\r') return;
+    const std::size_t begin = at_;
+    at_ += 2;
+    error(begin, "unknown escape in a string",
+          "the escapes are \\n \\t \\b \\r \\f \\\\ \\' \\\" and \\ with an octal number");
+    at_ = begin;
+  }
+
+  TokenKind read_quoted_atom() {
+    const std::size_t begin = at_;
+    const std::size_t end = text_.find('\'', at_ + 1);
+    if (end == std::string_view::npos) {
+      ++at_;
+      error(begin, "this quoted atom is not closed", "close it with '");
+      at_ = std::min(text_.find('\n', begin), text_.size());
+      return bad;
+    }
+    at_ = end + 1;
+    return atom;
+  }
+
+  // One diagnostic for a run of characters that begin no token.
+  TokenKind read_garbage() {
+    const std::size_t begin = at_;
+    const auto is_foreign = [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; };
+    ++at_;
+    while (is_foreign(text_[begin]) && is_foreign(peek())) ++at_;
+    const std::string_view found = text_.substr(begin, at_ - begin);
+    if (found == "\\") {
+      if (peek() == '+' || peek() == '=') ++at_;
+      error(begin, fmt::format("unexpected '{}'", text_.substr(begin, at_ - begin)),
+            "negation is written 'not', unequal '\\=='");
+    } else if (is_foreign(found.front())) {
+      error(begin, "unexpected character outside of a string or quoted atom",
+            "names consist of the letters a-z and A-Z, digits and _");
+    } else if (static_cast<unsigned char>(found.front()) < 0x20U) {
+      error(begin, fmt::format("unexpected control character {}", static_cast<int>(found.front())));
+    } else {
+      error(begin, fmt::format("unexpected character '{}'", found));
+    }
+    return bad;
+  }
+
+  // Keeps the brackets that are open, to tell a '(' around a body from one around a formula: there
+  // is a token in it that only a body can have, directly or within further parentheses.
+  void add(Token token) {
+    switch (token.kind) {
+      case open:
+      case open_list:
+      case open_brace:
+        open_.push_back({tokens_.size(), false});
+        break;
+      case close:
+      case close_list:
+      case close_brace:
+        close_bracket();
+        break;
+      case stop:
+        open_.clear();
+        break;
+      case semicolon:
+      case fork_and:
+      case fork_or:
+      case bang:
+      case double_bang:
+      case question:
+      case plus_plus:
+      case minus_minus:
+      case minus_plus:
+      case plus_less:
+      case plus_greater:
+      case if_word:
+      case for_word:
+      case while_word:
+        if (!open_.empty()) open_.back().is_body = true;
+        break;
+      default:
+        break;
+    }
+    tokens_.push_back(token);
+  }
+
+  void close_bracket() {
+    if (open_.empty()) return;
+    const Bracket bracket = open_.back();
+    open_.pop_back();
+    if (!bracket.is_body || tokens_[bracket.token].kind != open) return;
+    tokens_[bracket.token].kind = body_open;
+    if (!open_.empty()) open_.back().is_body = true;
+  }
+
+  struct Bracket {
+    std::size_t token;
+    bool is_body;
+  };
+
+  const SourcePtr& source_;
+  std::string_view text_;
+  Diagnostics& diagnostics_;
+  std::size_t at_ = 0;
+  std::vector<Token> tokens_;
+  std::vector<Bracket> open_;
+};
+
+}  // namespace
+
+std::vector<Token> tokenize(const SourcePtr& source, Diagnostics& diagnostics) {
+  return Lexer(source, diagnostics).run();
+}
+
+std::string_view name_of(TokenKind kind) {
+  switch (kind) {
+    case end_of_text:
+      return "the end of the text";
+    case bad:
+      return "something else";
+    case atom:
+      return "a name";
+    case variable:
+      return "a variable";
+    case number:
+      return "a number";
+    case string:
+      return "a string";
+    case true_word:
+      return "'true'";
+    case false_word:
+      return "'false'";
+    case not_word:
+      return "'not'";
+    case div_word:
+      return "'div'";
+    case mod_word:
+      return "'mod'";
+    case if_word:
+      return "'if'";
+    case elif_word:
+      return "'elif'";
+    case else_word:
+      return "'else'";
+    case for_word:
+      return "'for'";
+    case while_word:
+      return "'while'";
+    case begin_word:
+      return "'begin'";
+    case end_word:
+      return "'end'";
+    case body_open:
+      return "'('";
+    case open:
+      return "'('";
+    case close:
+      return "')'";
+    case open_list:
+      return "'['";
+    case close_list:
+      return "']'";
+    case open_brace:
+      return "'{'";
+    case close_brace:
+      return "'}'";
+    case tilde:
+      return "'~'";
+    case at:
+      return "'@'";
+    case colon:
+      return "':'";
+    case goal_condition:
+      return "'<:'";
+    case arrow:
+      return "'<-'";
+    case rule:
+      return "':-'";
+    case double_colon:
+      return "'::'";
+    case stop:
+      return "'.'";
+    case comma:
+      return "','";
+    case semicolon:
+      return "';'";
+    case bar:
+      return "'|'";
+    case ampersand:
+      return "'&'";
+    case fork_and:
+      return "'|&|'";
+    case fork_or:
+      return "'|||'";
+    case bang:
+      return "'!'";
+    case double_bang:
+      return "'!!'";
+    case question:
+      return "'?'";
+    case plus:
+      return "'+'";
+    case minus:
+      return "'-'";
+    case plus_plus:
+      return "'++'";
+    case minus_minus:
+      return "'--'";
+    case minus_plus:
+      return "'-+'";
+    case plus_less:
+      return "'+<'";
+    case plus_greater:
+      return "'+>'";
+    case caret:
+      return "'^'";
+    case less:
+      return "'<'";
+    case less_equal:
+      return "'<='";
+    case greater:
+      return "'>'";
+    case greater_equal:
+      return "'>='";
+    case equal:
+      return "'=='";
+    case not_equal:
+      return "'\\=='";
+    case unify:
+      return "'='";
+    case univ:
+      return "'=..'";
+    case times:
+      return "'*'";
+    case divide:
+      return "'/'";
+    case power:
+      return "'**'";
+  }
+  return "";
+}
+
+}  // namespace jaywalk
