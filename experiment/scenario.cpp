@@ -1,0 +1,201 @@
+#include "experiment/scenario.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario_schema.h"
+
+namespace jaywalk {
+namespace {
+
+bool is_behaviour_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+}
+
+const Preset* find_preset(std::string_view name) {
+  const std::span<const Preset> all = presets();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Preset& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Puts the layers of a scenario on top of each other and checks what has come of it.
+class ScenarioBuilder {
+ public:
+  ScenarioBuilder(SourcePtr source, const ScenarioOptions& options)
+      : source_(std::move(source)), options_(options) {}
+
+  Result<Scenario> build() {
+    if (!parse_layers()) return std::move(diagnostics_);
+    read_preset();
+    const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
+    read_layer(file_, folder, draft_, diagnostics_);
+    select_behaviours();
+    for (const ConfigNode& setting : settings_) read_layer(setting, "", draft_, diagnostics_);
+    if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    finish();
+    if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    return std::move(draft_.scenario);
+  }
+
+ private:
+  bool parse_layers() {
+    draft_.scenario.name = source_->name();
+    std::optional<ConfigNode> file = parse_config(source_, diagnostics_);
+    if (file && file->kind == ConfigNode::Kind::null) {
+      diagnostics_.error(source_->name(), "the scenario is empty",
+                         "scenarios/README.md describes what to write");
+    } else if (file) {
+      file_ = std::move(*file);
+    }
+    for (const std::string& text : options_.sets) {
+      if (std::optional<ConfigNode> setting = parse_setting(text, diagnostics_)) {
+        settings_.push_back(std::move(*setting));
+      }
+    }
+    return !diagnostics_.has_errors();
+  }
+
+  // The preset's name is in any layer; the option --preset counts before the file's.
+  void read_preset() {
+    ConfigNode named;
+    named.text = "paper";
+    if (const ConfigNode* value = file_.find("preset")) named = *value;
+    if (options_.preset) {
+      named = {ConfigNode::Kind::scalar, *options_.preset, {{}, "--preset"}, {}, {}};
+    }
+    for (const ConfigNode& setting : settings_) {
+      if (const ConfigNode* value = setting.find("preset")) named = *value;
+    }
+    const Preset* preset = find_preset(named.text);
+    if (preset == nullptr) {
+      std::vector<std::string> names;
+      for (const Preset& each : presets()) names.emplace_back(each.name);
+      std::string hint = did_you_mean(named.text, names);
+      if (hint.empty()) hint = "`jaywalk list presets` shows them";
+      report(diagnostics_, named.origin, fmt::format("unknown preset '{}'", named.text),
+             std::move(hint));
+      return;
+    }
+    draft_.scenario.preset = preset->name;
+    const auto source = std::make_shared<const Source>(fmt::format("preset {}", preset->name),
+                                                       std::string(preset->text));
+    const std::optional<ConfigNode> layer = parse_config(source, diagnostics_);
+    if (layer && layer->kind == ConfigNode::Kind::map) {
+      read_layer(*layer, "", draft_, diagnostics_);
+    }
+  }
+
+  void select_behaviours() {
+    if (options_.behaviours.empty()) return;
+    std::vector<BehaviourSpec> selected;
+    for (const std::string& wanted : options_.behaviours) {
+      if (std::optional<BehaviourSpec> behaviour = find_behaviour(wanted)) {
+        selected.push_back(std::move(*behaviour));
+      }
+    }
+    draft_.scenario.behaviours = std::move(selected);
+  }
+
+  std::optional<BehaviourSpec> find_behaviour(const std::string& wanted) {
+    const std::string path = path_in("", wanted);
+    std::vector<std::string> names;
+    for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      if (behaviour.name == wanted || behaviour.program == path) return behaviour;
+      names.push_back(behaviour.name);
+    }
+    const std::string option = fmt::format("behaviour {}", wanted);
+    if (wanted.ends_with(".asl")) {
+      BehaviourSpec behaviour;
+      behaviour.name = behaviour_name(wanted);
+      behaviour.program = path;
+      behaviour.origin.option = option;
+      return behaviour;
+    }
+    diagnostics_.error(option, "neither a behaviour of the scenario nor an .asl file",
+                       did_you_mean(wanted, names));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] ValueOrigin origin_of(std::string path) const {
+    while (true) {
+      const auto found = draft_.origins.find(path);
+      if (found != draft_.origins.end()) return found->second;
+      const std::size_t dot = path.rfind('.');
+      if (dot == std::string::npos) return {{}, source_->name()};
+      path.resize(dot);
+    }
+  }
+
+  void finish() {
+    Scenario& scenario = draft_.scenario;
+    CrossingParameters& world = scenario.world;
+    if (draft_.speed_mps) world.av.speed = *draft_.speed_mps * world.tick_s / world.cell_m;
+    for (ParameterProblem& problem : problems(world)) {
+      report(diagnostics_, origin_of(problem.path), std::move(problem.message),
+             fmt::format("the key is {}", problem.path));
+    }
+    check_behaviours();
+    if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
+  }
+
+  void check_behaviours() {
+    if (draft_.scenario.behaviours.empty()) {
+      diagnostics_.error(source_->name(), "no behaviour to run",
+                         "list AgentSpeak programs under 'behaviours'");
+    }
+    std::set<std::string_view> names;
+    for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      if (!is_behaviour_name(behaviour.name)) {
+        report(diagnostics_, behaviour.origin,
+               fmt::format("'{}' cannot be the name of a behaviour", behaviour.name),
+               "names consist of letters, digits, _ and -; give another one as 'name'");
+      } else if (!names.insert(behaviour.name).second) {
+        report(diagnostics_, behaviour.origin,
+               fmt::format("a second behaviour with the name '{}'", behaviour.name),
+               "give one of them a 'name' of its own");
+      }
+    }
+  }
+
+  void read_start_cells() {
+    Result<SourcePtr> source = read_source(*draft_.start_cells_file);
+    if (!source.ok()) {
+      diagnostics_.append(std::move(source.diagnostics()));
+      return;
+    }
+    Result<StartCells> cells = parse_start_cells(source.value(), grid(draft_.scenario.world));
+    if (!cells.ok()) {
+      diagnostics_.append(std::move(cells.diagnostics()));
+      return;
+    }
+    draft_.scenario.start_cells = std::move(cells).value();
+  }
+
+  SourcePtr source_;
+  const ScenarioOptions& options_;
+  Diagnostics diagnostics_;
+  ConfigNode file_;
+  std::vector<ConfigNode> settings_;
+  ScenarioDraft draft_;
+};
+
+}  // namespace
+
+Result<Scenario> read_scenario(const std::string& path, const ScenarioOptions& options) {
+  Result<SourcePtr> source = read_source(path, kMaxScenarioBytes);
+  if (!source.ok()) return std::move(source.diagnostics());
+  return parse_scenario(source.value(), options);
+}
+
+Result<Scenario> parse_scenario(const SourcePtr& source, const ScenarioOptions& options) {
+  return ScenarioBuilder(source, options).build();
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,177 @@
+#include "experiment/scenario_yaml.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+namespace jaywalk {
+namespace {
+
+// yaml-cpp counts lines and columns from 0, columns in bytes.
+SourceSpan span_of(const SourcePtr& source, const YAML::Mark& mark, std::size_t length) {
+  const std::string_view text = source->text();
+  std::size_t begin = 0;
+  for (int line = 0; line < mark.line; ++line) {
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) break;
+    begin = end + 1;
+  }
+  begin = std::min(begin + static_cast<std::size_t>(std::max(mark.column, 0)), text.size());
+  const std::size_t end = std::min(begin + length, text.size());
+  return {source, {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}};
+}
+
+ConfigNode::Kind kind_of(const YAML::Node& node) {
+  if (node.IsScalar()) return ConfigNode::Kind::scalar;
+  if (node.IsSequence()) return ConfigNode::Kind::list;
+  if (node.IsMap()) return ConfigNode::Kind::map;
+  return ConfigNode::Kind::null;
+}
+
+/// Copies yaml-cpp's nodes; an option's text has no lines and columns worth naming.
+class Converter {
+ public:
+  Converter(SourcePtr source, std::string option, Diagnostics& diagnostics)
+      : source_(std::move(source)), option_(std::move(option)), diagnostics_(diagnostics) {}
+
+  [[nodiscard]] ValueOrigin origin(const YAML::Mark& mark, std::size_t length) const {
+    if (!option_.empty()) return {{}, option_};
+    return {span_of(source_, mark, std::max<std::size_t>(length, 1)), {}};
+  }
+
+  ConfigNode convert(const YAML::Node& node, int depth) {
+    ConfigNode result;
+    result.kind = kind_of(node);
+    if (result.kind == ConfigNode::Kind::scalar) result.text = node.Scalar();
+    result.origin = origin(node.Mark(), result.text.size());
+    if (!within_limits(result, depth)) return result;
+    if (result.kind == ConfigNode::Kind::list) {
+      for (const YAML::Node& item : node) result.items.push_back(convert(item, depth + 1));
+    } else if (result.kind == ConfigNode::Kind::map) {
+      convert_entries(node, depth, result);
+    }
+    return result;
+  }
+
+ private:
+  bool within_limits(const ConfigNode& node, int depth) {
+    if (refused_) return false;
+    if (++values_ > kMaxConfigValues) {
+      report(diagnostics_, node.origin, fmt::format("more than {} values", kMaxConfigValues),
+             "an alias counts as often as it is used");
+      refused_ = true;
+    } else if (depth > kMaxConfigDepth) {
+      report(diagnostics_, node.origin,
+             fmt::format("nested more than {} levels deep", kMaxConfigDepth));
+      refused_ = true;
+    }
+    return !refused_;
+  }
+
+  void convert_entries(const YAML::Node& node, int depth, ConfigNode& result) {
+    for (const auto& entry : node) {
+      if (refused_) return;
+      const YAML::Node& key = entry.first;
+      if (!key.IsScalar()) {
+        report(diagnostics_, origin(key.Mark(), 1), "a key is a single word or number");
+        continue;
+      }
+      const ValueOrigin where = origin(key.Mark(), key.Scalar().size());
+      if (result.find(key.Scalar()) != nullptr) {
+        report(diagnostics_, where, fmt::format("the key '{}' is given twice", key.Scalar()));
+        continue;
+      }
+      result.entries.push_back({key.Scalar(), where, convert(entry.second, depth + 1)});
+    }
+  }
+
+  SourcePtr source_;
+  std::string option_;
+  Diagnostics& diagnostics_;
+  std::size_t values_ = 0;
+  bool refused_ = false;
+};
+
+// yaml-cpp's sentences, as ours: without a capital and a final stop.
+std::string as_message(std::string text) {
+  while (text.ends_with('.')) text.pop_back();
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] + 32);
+  return text;
+}
+
+std::optional<ConfigNode> convert_text(const std::string& text, Converter& converter,
+                                       Diagnostics& diagnostics) {
+  const std::size_t errors = diagnostics.error_count();
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.empty()) return ConfigNode{};
+    if (documents.size() > 1) {
+      report(diagnostics, converter.origin(documents[1].Mark(), 1),
+             "a second document, only one is expected");
+      return std::nullopt;
+    }
+    ConfigNode result = converter.convert(documents[0], 0);
+    if (diagnostics.error_count() > errors) return std::nullopt;
+    return result;
+  } catch (const YAML::Exception& error) {
+    report(diagnostics, converter.origin(error.mark, 1), as_message(error.msg));
+    return std::nullopt;
+  }
+}
+
+bool is_path(std::string_view path) {
+  return !path.empty() && !path.starts_with('.') && !path.ends_with('.') &&
+         path.find("..") == std::string_view::npos;
+}
+
+}  // namespace
+
+const ConfigNode* ConfigNode::find(std::string_view key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const ConfigEntry& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : &found->value;
+}
+
+void report(Diagnostics& diagnostics, const ValueOrigin& origin, std::string message,
+            std::string hint) {
+  if (origin.where.source) {
+    diagnostics.error(origin.where, std::move(message), std::move(hint));
+  } else {
+    diagnostics.error(origin.option, std::move(message), std::move(hint));
+  }
+}
+
+std::optional<ConfigNode> parse_config(const SourcePtr& source, Diagnostics& diagnostics) {
+  Converter converter(source, {}, diagnostics);
+  return convert_text(std::string(source->text()), converter, diagnostics);
+}
+
+std::optional<ConfigNode> parse_setting(const std::string& setting, Diagnostics& diagnostics) {
+  const std::string option = "--set " + setting;
+  const std::size_t equals = setting.find('=');
+  const std::string path = setting.substr(0, equals);
+  if (equals == std::string::npos || !is_path(path)) {
+    diagnostics.error(option, "expected KEY=VALUE, the key a dotted path",
+                      "for example --set world.av.speed=8");
+    return std::nullopt;
+  }
+  Converter converter({}, option, diagnostics);
+  std::optional<ConfigNode> node = convert_text(setting.substr(equals + 1), converter, diagnostics);
+  if (!node) return std::nullopt;
+  node->origin.option = option;
+  // From the innermost key outwards.
+  for (std::size_t end = path.size();;) {
+    const std::size_t dot = path.rfind('.', end - 1);
+    const std::size_t begin = dot == std::string::npos ? 0 : dot + 1;
+    ConfigNode outer;
+    outer.kind = ConfigNode::Kind::map;
+    outer.origin.option = option;
+    outer.entries.push_back({path.substr(begin, end - begin), {{}, option}, std::move(*node)});
+    node = std::move(outer);
+    if (begin == 0) return node;
+    end = dot;
+  }
+}
+
+}  // namespace jaywalk
