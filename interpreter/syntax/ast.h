@@ -37,13 +37,29 @@ enum class Kind : std::uint8_t {
 enum class Operator : std::uint8_t {
   none,
   // unary
-  negative, positive, logical_not,
+  negative,
+  positive,
+  logical_not,
   // logical
-  logical_and, logical_or,
+  logical_and,
+  logical_or,
   // relational, in this order: < <= > >= == \== = =..
-  less, less_equal, greater, greater_equal, equal, not_equal, unify, univ,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  not_equal,
+  unify,
+  univ,
   // arithmetic: + - * / div mod **
-  add, subtract, multiply, divide, int_divide, modulo, power,
+  add,
+  subtract,
+  multiply,
+  divide,
+  int_divide,
+  modulo,
+  power,
 };
 
 struct Node {
@@ -72,14 +88,30 @@ struct Node {
 /// The operators of body formulas: `!g !!g ?q +b ++b +<b +>b -b --b -+b`, and none for actions,
 /// internal actions, relational expressions and variables (the node tells which).
 enum class BodyOperator : std::uint8_t {
-  none, achieve, achieve_new_focus, test,
-  add, add_new_focus, add_begin, add_end, remove, remove_new_focus, replace,
+  none,
+  achieve,
+  achieve_new_focus,
+  test,
+  add,
+  add_new_focus,
+  add_begin,
+  add_end,
+  remove,
+  remove_new_focus,
+  replace,
 };
 
 /// How a formula was written, when not as the literal that Jason makes of it:
 /// `if` → `.if_then_else(C,{A}[,{B}])`, `for` → `.foreach(F,{A})`, `while` → `.loop(C,{A})`,
 /// `A |&| B` → `.fork(and,{A},{B})`, `A ||| B` → `.fork(or,{A},{B})`; elif nests.
-enum class Statement : std::uint8_t { formula, if_statement, for_loop, while_loop, fork_and, fork_or };
+enum class Statement : std::uint8_t {
+  formula,
+  if_statement,
+  for_loop,
+  while_loop,
+  fork_and,
+  fork_or
+};
 
 struct Formula {
   BodyOperator op = BodyOperator::none;

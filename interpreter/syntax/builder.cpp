@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/syntax/parser.h"
+#include "interpreter/syntax/precedence.h"
 
 namespace jaywalk {
 namespace {
@@ -70,34 +71,8 @@ Operator infix_of(TokenKind kind) {
   }
 }
 
-// How tightly an operator binds.
-enum Precedence : int {
-  loosest,
-  disjunction,
-  conjunction,
-  negation,
-  relation,
-  sum,
-  product,
-  power,
-  sign
-};
-
-Precedence precedence_of(Operator op) {
-  if (op == Operator::logical_or) return disjunction;
-  if (op == Operator::logical_and) return conjunction;
-  if (op == Operator::logical_not) return negation;
-  if (op >= Operator::less && op <= Operator::univ) return relation;
-  if (op == Operator::add || op == Operator::subtract) return sum;
-  if (op == Operator::power) return power;
-  if (op == Operator::negative || op == Operator::positive) return sign;
-  return op == Operator::none ? loosest : product;
-}
-
-bool is_unary(Operator op) { return precedence_of(op) == negation || precedence_of(op) == sign; }
-
-bool is_right_associative(Precedence precedence) {
-  return precedence == disjunction || precedence == conjunction || precedence == power;
+bool is_unary(Operator op) {
+  return op == Operator::logical_not || precedence_of(op) == Precedence::sign;
 }
 
 BodyOperator body_operator_of(TokenKind kind) {
@@ -408,7 +383,7 @@ void Builder::prefix_operator() {
                       : token_->kind == TokenKind::plus   ? Operator::positive
                                                           : Operator::negative;
   if (op == Operator::logical_not && pending_.size() > frames_.back().pending &&
-      precedence_of(pending_.back().op) >= negation) {
+      precedence_of(pending_.back().op) >= Precedence::negation) {
     error(token_->span, "'not' cannot stand here", "put the negation in parentheses");
   }
   pending_.push_back({op, token_->span});
@@ -420,7 +395,7 @@ void Builder::infix_operator() {
   while (pending_.size() > frames_.back().pending) {
     const Precedence waiting = precedence_of(pending_.back().op);
     if (waiting < precedence || (waiting == precedence && is_right_associative(precedence))) break;
-    if (waiting == relation && precedence == relation) {
+    if (waiting == Precedence::relation && precedence == Precedence::relation) {
       error(token_->span, "comparisons cannot be chained",
             "join them with '&', as in X < Y & Y < Z");
     }
@@ -436,10 +411,10 @@ void Builder::reduce() {
   const Value right = pop_value();
   const bool unary = is_unary(pending.op);
   const Value left = unary ? right : pop_value();
-  if (precedence_of(pending.op) >= sum) {
+  if (precedence_of(pending.op) >= Precedence::sum) {
     if (!unary) check_number(*left.node, pending.span);
     check_number(*right.node, pending.span);
-  } else if (precedence_of(pending.op) <= negation) {
+  } else if (precedence_of(pending.op) <= Precedence::negation) {
     if (!unary) check_formula(*left.node);
     check_formula(*right.node);
   }
@@ -701,7 +676,7 @@ void Builder::check_usable_in_context(const Node& formula) {
             "call it in the body");
     }
   }
-  if (precedence_of(formula.op) > negation || formula.op == Operator::none) return;
+  if (precedence_of(formula.op) > Precedence::negation || formula.op == Operator::none) return;
   for (const Node* operand : formula.args) check_usable_in_context(*operand);
 }
 

@@ -1,0 +1,165 @@
+#include "interpreter/syntax/load.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/syntax/parser.h"
+
+namespace jaywalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMissingInclude = "missing-include";
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+class Loader {
+ public:
+  Loader(const IncludePath& include_path, Diagnostics& diagnostics)
+      : include_path_(include_path), diagnostics_(diagnostics) {}
+
+  SourceTree load(SourcePtr source) {
+    add_file(std::move(source));
+    return std::move(tree_);
+  }
+
+ private:
+  const ast::File* add_file(SourcePtr source) {
+    chain_.push_back(source->name());
+    // Included files come behind the including one, whose place is thereby its own.
+    tree_.files.push_back(
+        std::make_unique<ast::File>(parse_agent(std::move(source), diagnostics_)));
+    const ast::File* const file = tree_.files.back().get();
+    follow(file->components, *file);
+    chain_.pop_back();
+    return file;
+  }
+
+  void follow(std::span<const ast::Component> components, const ast::File& file) {
+    for (const ast::Component& component : components) {
+      if (component.kind != ast::ComponentKind::directive) continue;
+      if (component.is_block) {
+        follow(component.inner, file);
+      } else if (component.literal->text == "include") {
+        include(component, file);
+      }
+    }
+  }
+
+  void include(const ast::Component& directive, const ast::File& file) {
+    const std::span<const ast::Node* const> args = directive.literal->args;
+    if (args.empty() || args.front()->kind != ast::Kind::string) {
+      diagnostics_.error({file.source, directive.literal->span},
+                         "include needs the name of a file, a string",
+                         "as in { include(\"common.asl\") }");
+      return;
+    }
+    const SourceSpan where = {file.source, args.front()->span};
+    const std::optional<std::string> path = find(std::string(args.front()->text), where);
+    if (!path || !may_include(*path, where)) return;
+    Result<SourcePtr> source = read_source(*path);
+    if (!source) {
+      diagnostics_.error(where, fmt::format("cannot include {}: {}", *path,
+                                            source.diagnostics().items().front().message));
+      return;
+    }
+    tree_.includes[&directive] = add_file(source.value());
+  }
+
+  bool may_include(const std::string& path, const SourceSpan& where) {
+    if (std::find(chain_.begin(), chain_.end(), path) != chain_.end()) {
+      diagnostics_.error(where, fmt::format("{} includes itself", path));
+      return false;
+    }
+    if (chain_.size() > kMaxIncludeDepth) {
+      diagnostics_.error(where,
+                         fmt::format("includes are nested deeper than {}", kMaxIncludeDepth));
+      return false;
+    }
+    if (tree_.files.size() > kMaxIncludedFiles) {
+      if (!std::exchange(too_many_, true)) {
+        diagnostics_.error(where, fmt::format("more than {} included files", kMaxIncludedFiles));
+      }
+      return false;
+    }
+    return true;
+  }
+
+  void warn(const SourceSpan& where, std::string message, std::string hint) {
+    diagnostics_.warning(where, std::string(kMissingInclude), std::move(message), std::move(hint));
+  }
+
+  // The file that a name in an include directive means, or nothing but a warning, as in Jason.
+  std::optional<std::string> find(const std::string& name, const SourceSpan& where) {
+    if (name.find("://") != std::string::npos || name.starts_with("jar:")) {
+      warn(where, fmt::format("cannot include '{}'", name), "only files can be included");
+      return std::nullopt;
+    }
+    if (name.starts_with('$')) return find_mapped(name, where);
+    const fs::path folder = fs::path(where.source->name()).parent_path();
+    std::vector<fs::path> candidates = {(folder / name).lexically_normal()};
+    for (const std::string& searched : include_path_.folders) {
+      candidates.push_back((fs::path(searched) / name).lexically_normal());
+    }
+    const auto found = std::find_if(candidates.begin(), candidates.end(), is_file);
+    if (found != candidates.end()) return found->generic_string();
+    std::string places = fmt::format("looked for {}", candidates.front().generic_string());
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      places += fmt::format(", {}", candidates[i].generic_string());
+    }
+    warn(where, fmt::format("cannot find '{}', which is included here", name), std::move(places));
+    return std::nullopt;
+  }
+
+  // `$jasonJar/asl/x.asl`, by the prefixes that the user has given a folder.
+  std::optional<std::string> find_mapped(const std::string& name, const SourceSpan& where) {
+    const std::string prefix = name.substr(0, name.find('/'));
+    for (const auto& [mapped, folder] : include_path_.mapped) {
+      if (mapped != prefix) continue;
+      const fs::path path =
+          (fs::path(folder) / name.substr(std::min(name.size(), prefix.size() + 1)))
+              .lexically_normal();
+      if (is_file(path)) return path.generic_string();
+      warn(where, fmt::format("cannot find '{}', which is included here", name),
+           fmt::format("looked for {}", path.generic_string()));
+      return std::nullopt;
+    }
+    warn(where, fmt::format("nobody knows the folder '{}', from which is included here", prefix),
+         fmt::format("say where it is with --map '{}=FOLDER'", prefix));
+    return std::nullopt;
+  }
+
+  const IncludePath& include_path_;
+  Diagnostics& diagnostics_;
+  SourceTree tree_;
+  /// The files that include one another, from the program to the one that is being read.
+  std::vector<std::string> chain_;
+  bool too_many_ = false;
+};
+
+}  // namespace
+
+SourceTree load_agent(const std::string& path, const IncludePath& include_path,
+                      Diagnostics& diagnostics) {
+  Result<SourcePtr> source = read_source(path);
+  if (source) return load_agent(source.value(), include_path, diagnostics);
+  diagnostics.append(std::move(source.diagnostics()));
+  return load_agent(std::make_shared<const Source>(path, ""), include_path, diagnostics);
+}
+
+SourceTree load_agent(SourcePtr source, const IncludePath& include_path, Diagnostics& diagnostics) {
+  return Loader(include_path, diagnostics).load(std::move(source));
+}
+
+}  // namespace jaywalk
