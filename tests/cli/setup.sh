@@ -1,0 +1,26 @@
+# What the scripts of this folder begin with: `source "$(dirname "$0")/setup.sh"`. Leaves them in the
+# project's folder with `jaywalk` on the path and $scratch, an empty folder.
+set -euo pipefail
+PATH="$(dirname "$(realpath "$1")"):$PATH"
+export NO_COLOR=1
+cd "$(dirname "$0")/../.."
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+# expect CODE COMMAND...: runs the command, with a limit of 60 s; its output is in $output.
+expect() {
+  local wanted=$1 code=0
+  shift
+  output=$(timeout 60 "$@" 2>&1 </dev/null) || code=$?
+  [[ $code == "$wanted" ]] || fail "exit $code, expected $wanted: $*"$'\n'"$output"
+}
+
+# contains TEXT: the last output has it.
+contains() {
+  [[ $output == *"$1"* ]] || fail "no '$1' in:"$'\n'"$output"
+}

@@ -1,0 +1,6 @@
+!start.
+
++!start <- .print("hello"
+
++!go : true <- stay.
++!stop : x( <- stay.

@@ -1,0 +1,2 @@
+// A pedestrian that stays where it is.
++tick(_) <- stay.

@@ -1,0 +1,6 @@
+colour(blue).
+
+!look(3).
+
++colour(C) <- .print("colour ", C).
++!look(N) <- ?colour(C); .print("look ", N, " ", C).

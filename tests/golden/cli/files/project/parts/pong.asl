@@ -1,0 +1,1 @@
++ball(N)[source(Who)] <- .print("got ", N); .send(Who, tell, back(N)).

@@ -1,0 +1,59 @@
+#pragma once
+
+// The arguments of one command. Options may stand anywhere; `--` ends them; an option's value
+// follows as `--name value` or `--name=value`. Read from the command line by arguments.cpp alone.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+struct OptionSpec {
+  std::string_view name;
+  /// What its value is called, "N"; empty if it has none.
+  std::string_view value;
+  std::string_view summary;
+};
+
+/// --help and its like, which every command has.
+[[nodiscard]] std::span<const OptionSpec> common_options();
+
+class Arguments {
+ public:
+  /// What is not an option, in order.
+  [[nodiscard]] const std::vector<std::string>& operands() const { return operands_; }
+  [[nodiscard]] bool has(std::string_view option) const;
+  /// The value given last.
+  [[nodiscard]] std::optional<std::string> text(std::string_view option) const;
+  /// All values, in order.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view option) const;
+  /// Adds an error and returns nothing if the value is no whole number from `low`.
+  [[nodiscard]] std::optional<std::uint64_t> number(std::string_view option, std::uint64_t low,
+                                                    Diagnostics& diagnostics) const;
+  /// A number of seconds or the like, greater than zero.
+  [[nodiscard]] std::optional<double> positive(std::string_view option,
+                                               Diagnostics& diagnostics) const;
+  /// One of several words; the first of them if the option is not given.
+  [[nodiscard]] std::size_t choice(std::string_view option, std::span<const std::string> words,
+                                   Diagnostics& diagnostics) const;
+
+ private:
+  friend Result<Arguments> parse_arguments(std::span<const std::string> words,
+                                           std::span<const OptionSpec> options);
+
+  std::vector<std::string> operands_;
+  std::vector<std::pair<std::string, std::string>> options_;
+};
+
+/// Unknown options and missing values are errors, with a suggestion.
+[[nodiscard]] Result<Arguments> parse_arguments(std::span<const std::string> words,
+                                                std::span<const OptionSpec> options);
+
+}  // namespace jaywalk

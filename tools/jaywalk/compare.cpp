@@ -1,0 +1,268 @@
+// `jaywalk compare`: behaviours x numbers of agents x seeded tests, in parallel.
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiment/experiment.h"
+#include "experiment/export/csv.h"
+#include "experiment/export/json.h"
+#include "experiment/export/write_file.h"
+#include "experiment/number_list.h"
+#include "experiment/report/chart.h"
+#include "experiment/report/table.h"
+#include "experiment/trimmed.h"
+#include "experiment/verdict.h"
+#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/scenario_options.h"
+
+namespace jaywalk::command::compare {
+namespace {
+
+constexpr unsigned kMaxThreads = 1024;
+
+/// Everything that the command line says, once it is known to be right.
+struct Request {
+  std::shared_ptr<const PreparedScenario> prepared;
+  std::uint64_t seed = 0;
+  ExperimentPlan plan;
+  std::vector<FailureCondition> conditions;
+};
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+  std::vector<std::string> items;
+  while (true) {
+    const auto comma = text.find(',');
+    items.emplace_back(trimmed(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return items;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::vector<std::string> behaviours_of(const Arguments& arguments) {
+  std::vector<std::string> behaviours;
+  for (const std::string& list : arguments.texts("behaviours")) {
+    std::ranges::move(split_at_commas(list), std::back_inserter(behaviours));
+  }
+  return behaviours;
+}
+
+/// What can be read without the scenario, so that all its mistakes are reported at once.
+struct Options {
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> tests;
+  std::optional<std::uint64_t> threads;
+  std::optional<std::vector<std::uint32_t>> agents;
+  std::vector<FailureCondition> conditions;
+};
+
+Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
+  Options options;
+  options.seed = arguments.number("seed", 0, diagnostics);
+  options.tests = arguments.number("tests", 1, diagnostics);
+  options.threads = arguments.number("threads", 1, diagnostics);
+  if (const auto text = arguments.text("agents")) {
+    auto list = parse_number_list(*text, "--agents");
+    if (list) {
+      options.agents = std::move(list).value();
+    } else {
+      diagnostics.append(std::move(list.diagnostics()));
+    }
+  }
+  for (const std::string& text : arguments.texts("fail-on")) {
+    auto condition = parse_failure_condition(text);
+    if (condition) {
+      options.conditions.push_back(std::move(condition).value());
+    } else {
+      diagnostics.append(std::move(condition.diagnostics()));
+    }
+  }
+  return options;
+}
+
+std::optional<Request> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("compare",
+                      fmt::format("expected one scenario, found {}", arguments.operands().size()),
+                      "jaywalk compare --help shows how to write it");
+  }
+  const Options options = read_options(arguments, diagnostics);
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  Request request{.prepared = prepare_scenario(arguments.operands().front(), arguments,
+                                               behaviours_of(arguments), console),
+                  .conditions = options.conditions};
+  if (!request.prepared) return std::nullopt;
+  const ExperimentSpec& defaults = request.prepared->scenario().experiment;
+  request.seed = options.seed.value_or(defaults.seed);
+  request.plan.agents = options.agents.value_or(defaults.agents);
+  request.plan.tests = options.tests.value_or(defaults.tests);
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  request.plan.threads =
+      static_cast<unsigned>(std::min<std::uint64_t>(options.threads.value_or(cores), kMaxThreads));
+  for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
+    request.plan.behaviours.push_back(behaviour.name);
+  }
+  return request;
+}
+
+Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::string why) {
+  Diagnostics diagnostics;
+  diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
+                    std::move(why));
+  return diagnostics;
+}
+
+Result<TestResult> run_test(const Request& request, const TestCase& test) {
+  const TrialInput input{.behaviour = test.behaviour,
+                         .agents = test.agents,
+                         .seed = request.seed,
+                         .test = test.number};
+  const std::string& behaviour = request.plan.behaviours[test.behaviour];
+  if (std::string why = obstacle(*request.prepared, input); !why.empty()) {
+    return not_run(test, behaviour, std::move(why));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  TrialResult trial = run_trial(*request.prepared, input, {.measure_cpu = true});
+  const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
+  if (!trial.completed) return not_run(test, behaviour, std::move(trial.message));
+  return TestResult{.succeeded = trial.outcome.success,
+                    .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+                    .score = trial.outcome.score(),
+                    .cpu_us = trial.cpu_s * 1e6,
+                    .wall_us = wall.count()};
+}
+
+Comparison make_comparison(const Request& request, ExperimentOutcome& outcome) {
+  Comparison comparison{.scenario = request.prepared->scenario().name,
+                        .seed = request.seed,
+                        .tests = request.plan.tests,
+                        .summaries = std::move(outcome.summaries),
+                        .complete = outcome.complete()};
+  for (Summary& summary : comparison.summaries) {
+    const auto behaviour = std::ranges::find(request.prepared->behaviours(), summary.behaviour,
+                                             &PreparedBehaviour::name);
+    summary.code_lines = behaviour->code_lines;
+  }
+  return comparison;
+}
+
+bool write_outputs(const Arguments& arguments, const Comparison& comparison, Console& console) {
+  struct Output {
+    std::string_view option;
+    std::function<std::string()> text;
+  };
+  const auto report = arguments.text("report");
+  const bool picture = report && report->ends_with(".svg");
+  const std::array outputs = {
+      Output{"csv", [&] { return to_csv(comparison); }},
+      Output{"json", [&] { return to_json(comparison); }},
+      Output{"report", [&] { return picture ? render_svg(comparison) : render_html(comparison); }},
+  };
+  bool written = true;
+  for (const Output& output : outputs) {
+    const auto path = arguments.text(output.option);
+    if (!path) continue;
+    console.flush();  // in case it is /dev/stdout
+    if (const auto why = write_file(*path, output.text())) {
+      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+      written = false;
+    }
+  }
+  return written;
+}
+
+/// Says which rows meet a condition; whether any does.
+bool failed(const Request& request, const Comparison& comparison, Console& console) {
+  bool any = false;
+  for (const FailureCondition& condition : request.conditions) {
+    for (const Summary& summary : comparison.summaries) {
+      if (!fails(condition, summary)) continue;
+      any = true;
+      console.note(fmt::format("failed: {} with {} agents: {} is {:.6g} ({})", summary.behaviour,
+                               summary.agents, condition.measure->name,
+                               *condition.measure->estimate(summary).value, condition.text));
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  CommandHelp help{
+      .usage = "SCENARIO.yaml [OPTIONS]",
+      .description =
+          "Runs every behaviour of the scenario with every number of agents in many seeded\n"
+          "tests, in parallel, and prints a table: accuracy, score and the other measures,\n"
+          "beside the values that the paper published. Tests of the same number start alike\n"
+          "whatever the behaviour. The results do not depend on --threads.\n",
+      .options =
+          {
+              {"behaviours", "LIST",
+               "these behaviours: names of the scenario's or .asl files,\n"
+               "separated by commas; repeatable"},
+              {"agents", "LIST", "these numbers of agents, as 1..10,15,20"},
+              {"tests", "N", "tests for each behaviour and number of agents"},
+              {"threads", "N", "threads (default: as many as cores)"},
+              {"csv", "FILE", "write the results as CSV"},
+              {"json", "FILE", "write the results as JSON, the published ones with them"},
+              {"report", "FILE", "write a page (.html) or a picture (.svg) of the results"},
+              {"fail-on", "EXPR",
+               "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
+               "== !=), as accuracy<40; repeatable"},
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk compare scenarios/paper.yaml\n"
+          "  jaywalk compare scenarios/paper.yaml --tests 200 --agents 1,3,10 --csv out.csv\n"
+          "  jaywalk compare scenarios/paper.yaml --behaviours proximity,mine.asl\n"
+          "  jaywalk compare scenarios/paper.yaml --set world.spawn.choose=cell\n"
+          "  jaywalk compare scenarios/paper.yaml --behaviours election --fail-on 'accuracy<40'\n"};
+  help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
+  return help;
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto request = read_request(arguments, console);
+  if (!request) return ExitCode::usage;
+
+  const InterruptGuard interrupt;
+  ProgressLine line(console);
+  const auto progress = [&](const Progress& now) {
+    line.show(now);
+    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
+  };
+  const auto test = [&](const TestCase& test_case) { return run_test(*request, test_case); };
+  ExperimentOutcome outcome = run_experiment(request->plan, test, progress);
+  line.clear();
+  if (outcome.failed_test) {
+    console.report(outcome.failure);
+    return ExitCode::failed;
+  }
+
+  const Comparison comparison = make_comparison(*request, outcome);
+  const bool written = write_outputs(arguments, comparison, console);
+  if (!arguments.has("quiet")) console.print(render_table(comparison));
+  if (!comparison.complete) {
+    console.note(fmt::format(
+        "interrupted after {} of {} tests; the rows shown and written are finished, {} of {}.\n"
+        "To get the others, run the same command again (--behaviours and --agents leave out rows).",
+        outcome.progress.done, outcome.progress.total, comparison.summaries.size(),
+        request->plan.behaviours.size() * request->plan.agents.size()));
+    return ExitCode::interrupted;
+  }
+  if (failed(*request, comparison, console) || !written) return ExitCode::failed;
+  return ExitCode::success;
+}
+
+}  // namespace jaywalk::command::compare

@@ -1,0 +1,83 @@
+#include "tools/jaywalk/console.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <spdlog/sinks/ansicolor_sink.h>
+
+namespace jaywalk {
+namespace {
+
+Colour colour_for(ColourChoice choice, bool is_terminal) {
+  if (choice != ColourChoice::automatic) {
+    return choice == ColourChoice::always ? Colour::on : Colour::off;
+  }
+  // See no-color.org: set and not empty.
+  const char* const no_colour = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  const bool unwanted = (no_colour != nullptr && *no_colour != '\0') ||
+                        (terminal != nullptr && std::string_view(terminal) == "dumb");
+  return is_terminal && !unwanted ? Colour::on : Colour::off;
+}
+
+std::shared_ptr<spdlog::logger> make_logger(Colour colour) {
+  const auto mode = colour == Colour::on ? spdlog::color_mode::always : spdlog::color_mode::never;
+  auto sink = std::make_shared<spdlog::sinks::ansicolor_stderr_sink_mt>(mode);
+  sink->set_pattern("%^%l%$: %v");
+  auto logger = std::make_shared<spdlog::logger>("jaywalk", std::move(sink));
+  logger->set_level(spdlog::level::warn);
+  return logger;
+}
+
+}  // namespace
+
+Console::Console(ColourChoice choice)
+    : output_is_terminal_(::isatty(STDOUT_FILENO) == 1),
+      error_is_terminal_(::isatty(STDERR_FILENO) == 1),
+      output_colour_(colour_for(choice, output_is_terminal_)),
+      error_colour_(colour_for(choice, error_is_terminal_)),
+      logger_(make_logger(error_colour_)) {}
+
+void Console::print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void Console::flush() { std::fflush(stdout); }
+
+void Console::report(const Diagnostics& diagnostics) {
+  flush();
+  const std::string text = diagnostics.render(error_colour_);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void Console::error(std::string_view message, std::string_view hint) {
+  const bool colour = error_colour_ == Colour::on;
+  note(fmt::format("{}error:{} {}", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "", message));
+  if (!hint.empty()) note(fmt::format("  {}", hint));
+}
+
+void Console::note(std::string_view line) {
+  flush();
+  const std::string text = fmt::format("{}\n", line);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void Console::log(spdlog::level::level_enum level, std::string_view message) {
+  if (!logger_->should_log(level)) return;
+  flush();
+  logger_->log(level, message);
+}
+
+bool Console::finish() {
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (!written) {
+    const std::string why = errno == 0 ? "write error" : std::generic_category().message(errno);
+    error(fmt::format("cannot write to standard output: {}", why));
+  }
+  return written;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,59 @@
+#pragma once
+
+// The terminal, as the commands see it: results on standard output, everything else on standard
+// error, colours where they are wanted.
+
+#include <memory>
+#include <string_view>
+
+#include <spdlog/logger.h>
+
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+enum class ExitCode : int {
+  success = 0,
+  failed = 1,     // the run failed, or a verdict asked for
+  usage = 2,      // wrong usage or input
+  internal = 70,  // our mistake
+  interrupted = 130,
+};
+
+enum class ColourChoice { automatic, always, never };
+
+class Console {
+ public:
+  explicit Console(ColourChoice choice = ColourChoice::automatic);
+
+  /// To standard output, buffered; what goes to standard error meanwhile comes after it.
+  void print(std::string_view text);
+  /// Everything printed so far leaves the program.
+  void flush();
+  /// Diagnostics of what the user wrote.
+  void report(const Diagnostics& diagnostics);
+  /// `error: message` and, on a line of its own, the hint.
+  void error(std::string_view message, std::string_view hint = {});
+  /// A plain line to standard error: what a long run tells at its end.
+  void note(std::string_view line);
+  /// A line of a run's log. `message` may have several lines.
+  void log(spdlog::level::level_enum level, std::string_view message);
+  void set_log_level(spdlog::level::level_enum level) { logger_->set_level(level); }
+
+  [[nodiscard]] Colour output_colour() const { return output_colour_; }
+  [[nodiscard]] Colour error_colour() const { return error_colour_; }
+  [[nodiscard]] bool output_is_terminal() const { return output_is_terminal_; }
+  [[nodiscard]] bool error_is_terminal() const { return error_is_terminal_; }
+
+  /// Flushes; false (and said so) if not everything could be written.
+  [[nodiscard]] bool finish();
+
+ private:
+  bool output_is_terminal_;
+  bool error_is_terminal_;
+  Colour output_colour_;
+  Colour error_colour_;
+  std::shared_ptr<spdlog::logger> logger_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,64 @@
+#include "tools/jaywalk/interrupt.h"
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <stop_token>
+
+namespace jaywalk {
+namespace {
+
+// A signal handler can reach nothing but a global.
+std::atomic<bool> interrupt_seen = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void note_interrupt(int signal) {
+  interrupt_seen = true;
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  interrupt_seen = false;
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+}
+
+InterruptGuard::~InterruptGuard() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+bool InterruptGuard::interrupted() const { return interrupt_seen; }
+
+Deadline::Deadline(std::optional<double> seconds) {
+  // More than a century is no limit, and would overflow the clock.
+  constexpr double kLongest = 3e9;
+  if (!seconds || *seconds > kLongest) return;
+  seconds_ = *seconds;
+  at_ = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                               std::chrono::duration<double>(seconds_));
+  watcher_ = std::jthread([this](std::stop_token stopped) { watch(std::move(stopped)); });
+}
+
+Deadline::~Deadline() {
+  watcher_.request_stop();
+  ended_.notify_all();
+}
+
+bool Deadline::passed() const { return at_ && std::chrono::steady_clock::now() >= *at_; }
+
+void Deadline::watch(std::stop_token stopped) {
+  std::unique_lock lock(mutex_);
+  if (ended_.wait_until(lock, stopped, *at_ + kGrace, [&] { return stopped.stop_requested(); })) {
+    return;
+  }
+  std::fflush(stdout);
+  std::fprintf(stderr, "error: stopped after %g s, as --timeout asks\n", seconds_);
+  std::_Exit(EXIT_FAILURE);
+}
+
+}  // namespace jaywalk

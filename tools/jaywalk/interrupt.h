@@ -1,0 +1,49 @@
+#pragma once
+
+// Ctrl-C and the wall clock: what ends a run from outside.
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace jaywalk {
+
+/// While one exists, the first Ctrl-C is noted instead of ending the program; a second one ends it.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  [[nodiscard]] bool interrupted() const;
+};
+
+/// The time that a run may take. What does not look at it in time (a query that goes on for very
+/// long) is ended all the same, kGrace later: the program then exits with code 1.
+class Deadline {
+ public:
+  static constexpr std::chrono::milliseconds kGrace{500};
+
+  /// No time limit if there are no seconds.
+  explicit Deadline(std::optional<double> seconds);
+  ~Deadline();
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+
+  [[nodiscard]] bool passed() const;
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  void watch(std::stop_token stopped);
+
+  double seconds_ = 0;
+  std::optional<std::chrono::steady_clock::time_point> at_;
+  std::mutex mutex_;
+  std::condition_variable_any ended_;
+  std::jthread watcher_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,108 @@
+// `jaywalk list`: the rows of the tables, for people.
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "env/environments.h"
+#include "experiment/measures/measures.h"
+#include "experiment/scenario.h"
+#include "tools/jaywalk/command.h"
+
+namespace jaywalk::command::list {
+namespace {
+
+struct Row {
+  std::string name;
+  std::string summary;
+};
+
+std::string columns(std::string_view indent, const std::vector<Row>& rows) {
+  std::size_t width = 0;
+  for (const Row& row : rows) width = std::max(width, row.name.size());
+  std::string text;
+  for (const Row& row : rows) {
+    text += fmt::format("{}{:<{}}  {}\n", indent, row.name, width, row.summary);
+  }
+  return text;
+}
+
+/// The rows of a table whose entries have a name and a summary.
+template <class Table>
+std::string named_rows(const Table& table) {
+  std::vector<Row> rows;
+  for (const auto& entry : table) {
+    rows.push_back({std::string(entry.name), std::string(entry.summary)});
+  }
+  return columns("", rows);
+}
+
+std::string words(std::string_view title, std::span<const EnvironmentWord> words) {
+  std::vector<Row> rows;
+  for (const EnvironmentWord& word : words) {
+    rows.push_back({std::string(word.form), std::string(word.meaning)});
+  }
+  return fmt::format("  {}\n{}", title, columns("    ", rows));
+}
+
+std::string environment_text() {
+  std::string text;
+  for (const EnvironmentKind& environment : environments()) {
+    text += fmt::format("{}  {}\n", environment.name, environment.summary);
+    text += words("percepts", environment.percepts) + words("actions", environment.actions);
+  }
+  return text;
+}
+
+struct Kind {
+  std::string_view name;
+  std::string_view summary;
+  std::string (*text)();
+};
+
+constexpr std::array kKinds = {
+    Kind{"environments", "worlds, with what agents perceive and do in them", environment_text},
+    Kind{"measures", "what compare measures", [] { return named_rows(measures()); }},
+    Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
+    Kind{"commands", "what jaywalk can do", [] { return named_rows(commands()); }},
+};
+
+}  // namespace
+
+CommandHelp help() {
+  return {.usage = "KIND [OPTIONS]",
+          .description =
+              "Names what there is of a kind: environments, internal-actions, measures,\n"
+              "presets or commands.\n",
+          .options = {},
+          .examples =
+              "  jaywalk list environments\n"
+              "  jaywalk list presets\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto& operands = arguments.operands();
+  if (operands.empty()) {
+    console.print(named_rows(kKinds));
+    return ExitCode::success;
+  }
+  if (operands.size() > 1) {
+    console.error(fmt::format("expected one kind, found {}", operands.size()));
+    return ExitCode::usage;
+  }
+  const auto kind = std::ranges::find(kKinds, operands.front(), &Kind::name);
+  if (kind != kKinds.end()) {
+    console.print(kind->text());
+    return ExitCode::success;
+  }
+  std::vector<std::string> known;
+  for (const Kind& each : kKinds) known.emplace_back(each.name);
+  std::string hint = did_you_mean(operands.front(), known);
+  if (hint.empty()) hint = "jaywalk list names the kinds";
+  console.error(fmt::format("unknown kind '{}'", operands.front()), hint);
+  return ExitCode::usage;
+}
+
+}  // namespace jaywalk::command::list

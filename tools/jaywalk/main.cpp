@@ -1,0 +1,130 @@
+// The command `jaywalk`: finds the subcommand, reads its arguments, carries it out.
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <fcntl.h>
+#include <new>
+#include <span>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tools/jaywalk/command.h"
+
+namespace jaywalk {
+namespace {
+
+std::string overview() {
+  std::string text =
+      "Usage: jaywalk COMMAND [ARGUMENTS] [OPTIONS]\n\n"
+      "Runs AgentSpeak agents, and tests automated vehicles with pedestrians that are\n"
+      "such agents.\n\nCommands:\n";
+  for (const Command& command : commands()) {
+    text += fmt::format("  {:<9} {}\n", command.name, command.summary);
+  }
+  text +=
+      "\n'jaywalk COMMAND --help' explains a command; 'jaywalk --version' names the version.\n\n"
+      "Examples:\n"
+      "  jaywalk run agents/crossing/proximity.asl\n"
+      "  jaywalk run scenarios/paper.yaml --watch\n"
+      "  jaywalk compare scenarios/paper.yaml --tests 200\n";
+  return text;
+}
+
+const Command* find_command(std::string_view name) {
+  for (const Command& command : commands()) {
+    if (command.name == name) return &command;
+  }
+  return nullptr;
+}
+
+ExitCode wrong_command(const std::string& word, Console& console) {
+  std::vector<std::string> known;
+  for (const Command& command : commands()) known.emplace_back(command.name);
+  std::string hint = did_you_mean(word, known);
+  if (hint.empty()) hint = "'jaywalk --help' names the commands";
+  console.error(fmt::format("unknown {} '{}'", word.starts_with('-') ? "option" : "command", word),
+                hint);
+  return ExitCode::usage;
+}
+
+ExitCode execute(const Command& command, const Arguments& arguments) {
+  static const std::vector<std::string> kColours = {"auto", "always", "never"};
+  static const std::vector<std::string> kLevels = {"warning", "error", "info", "debug"};
+  constexpr std::array kLevelValues = {spdlog::level::warn, spdlog::level::err, spdlog::level::info,
+                                       spdlog::level::debug};
+  Diagnostics diagnostics;
+  const auto colour = arguments.choice("color", kColours, diagnostics);
+  const auto level = arguments.choice("log-level", kLevels, diagnostics);
+  Console console(static_cast<ColourChoice>(colour));
+  console.set_log_level(kLevelValues[level]);
+  ExitCode code = ExitCode::usage;
+  if (arguments.has("help")) {
+    console.print(help_text(command));
+    code = ExitCode::success;
+  } else if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+  } else {
+    code = command.execute(arguments, console);
+  }
+  if (!console.finish() && code == ExitCode::success) code = ExitCode::failed;
+  return code;
+}
+
+ExitCode dispatch(std::span<const std::string> words) {
+  Console console;
+  if (words.empty()) {
+    console.note(overview());
+    return ExitCode::usage;
+  }
+  const std::string& first = words.front();
+  if (first == "--help" || first == "-h" || first == "help") {
+    console.print(overview());
+    return console.finish() ? ExitCode::success : ExitCode::failed;
+  }
+  if (first == "--version") {
+    console.print(fmt::format("jaywalk {}\n", JAYWALK_VERSION));
+    return console.finish() ? ExitCode::success : ExitCode::failed;
+  }
+  const Command* const command = find_command(first);
+  if (command == nullptr) return wrong_command(first, console);
+
+  std::vector<OptionSpec> options = command->help().options;
+  options.insert(options.end(), common_options().begin(), common_options().end());
+  const auto arguments = parse_arguments(words.subspan(1), options);
+  if (!arguments) {
+    console.report(arguments.diagnostics());
+    return ExitCode::usage;
+  }
+  return execute(*command, arguments.value());
+}
+
+/// A program that was started without standard streams must not take the files that it opens for
+/// them. What is written to such a stream fails.
+void reserve_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) == -1) (void)::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  }
+}
+
+}  // namespace
+}  // namespace jaywalk
+
+int main(int argc, char** argv) {
+  // A reader that has seen enough (`| head`) ends us without a word.
+  std::signal(SIGPIPE, SIG_DFL);
+  jaywalk::reserve_standard_streams();
+  try {
+    const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+    return static_cast<int>(jaywalk::dispatch(words));
+  } catch (const std::bad_alloc&) {
+    std::fputs("error: out of memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "internal error: %s\n  please report it with the command\n", error.what());
+  }
+  return static_cast<int>(jaywalk::ExitCode::internal);
+}

@@ -1,0 +1,153 @@
+#include "tools/jaywalk/run_program.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interpreter/compile/compiler.h"
+#include "interpreter/mas/mas.h"
+#include "interpreter/syntax/load.h"
+#include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/project_agents.h"
+
+namespace jaywalk {
+namespace {
+
+/// Looking at the clock after every cycle would cost more than the cycle.
+constexpr std::uint64_t kStepsBetweenLooks = 256;
+
+struct Limits {
+  MasOptions mas;
+  std::optional<double> timeout_s;
+};
+
+std::optional<Limits> read_limits(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  Limits limits;
+  limits.mas.seed = arguments.number("seed", 0, diagnostics).value_or(0);
+  limits.mas.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
+  limits.mas.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
+  limits.mas.realtime = arguments.has("realtime");
+  limits.timeout_s = arguments.positive("timeout", diagnostics);
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  limits.mas.print = [&console, flush = limits.mas.realtime](std::string_view line) {
+    console.print(line);
+    console.print("\n");
+    if (flush) console.flush();
+  };
+  limits.mas.log = [&console](std::string_view line) { console.log(spdlog::level::warn, line); };
+  return limits;
+}
+
+std::optional<IncludePath> read_include_path(const Arguments& arguments, Console& console) {
+  IncludePath path;
+  path.folders = arguments.texts("include");
+  Diagnostics diagnostics;
+  for (const std::string& mapping : arguments.texts("map")) {
+    const auto equals = mapping.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      diagnostics.error("--map", fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
+                        "write it as --map '$jasonJar=FOLDER'");
+    } else {
+      path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
+    }
+  }
+  if (!diagnostics.has_errors()) return path;
+  console.report(diagnostics);
+  return std::nullopt;
+}
+
+ExitCode verdict(const RunOutcome& outcome, Console& console) {
+  switch (outcome.end) {
+    case RunEnd::stopped:
+      return outcome.exit_code == 0 ? ExitCode::success : ExitCode::failed;
+    case RunEnd::idle:
+    case RunEnd::finished:
+      return ExitCode::success;
+    case RunEnd::limit:
+    case RunEnd::looping:
+      console.error(outcome.message);
+      return ExitCode::failed;
+  }
+  std::abort();
+}
+
+ExitCode run_to_end(Mas& mas, const Limits& limits, Console& console) {
+  const InterruptGuard interrupt;
+  const Deadline deadline(limits.timeout_s);
+  for (std::uint64_t steps = 1; mas.step(); ++steps) {
+    if (interrupt.interrupted()) {
+      console.note("interrupted");
+      return ExitCode::interrupted;
+    }
+    if (steps % kStepsBetweenLooks == 0 && deadline.passed()) {
+      console.error(fmt::format("stopped after {:g} s, as --timeout asks", deadline.seconds()));
+      return ExitCode::failed;
+    }
+  }
+  if (interrupt.interrupted()) return ExitCode::interrupted;
+  return verdict(mas.outcome(), console);
+}
+
+/// Loads and compiles each agent's program, once for all agents that share it.
+std::optional<std::vector<AgentSpec>> compile_all(const std::vector<ProgramSource>& sources,
+                                                  SymbolTable& symbols, Diagnostics& diagnostics) {
+  std::vector<AgentSpec> agents;
+  for (const ProgramSource& source : sources) {
+    const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
+                                        : load_agent(source.path, source.include_path, diagnostics);
+    if (diagnostics.has_errors()) continue;
+    const auto program = compile(tree, symbols, diagnostics);
+    if (!program) continue;
+    for (const std::string& name : source.agents) {
+      agents.push_back({.name = name, .program = program});
+    }
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
+  return agents;
+}
+
+ExitCode run_sources(const std::vector<ProgramSource>& sources, const Limits& limits,
+                     Console& console) {
+  const auto symbols = std::make_shared<SymbolTable>();
+  Diagnostics diagnostics;
+  const auto agents = compile_all(sources, *symbols, diagnostics);
+  console.report(diagnostics);
+  if (!agents) return ExitCode::usage;
+  Mas mas(symbols, limits.mas, nullptr);
+  for (const AgentSpec& agent : *agents) mas.add_agent(agent);
+  return run_to_end(mas, limits, console);
+}
+
+}  // namespace
+
+ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Console& console) {
+  const auto limits = read_limits(arguments, console);
+  const auto include_path = read_include_path(arguments, console);
+  if (!limits || !include_path) return ExitCode::usage;
+  const ProgramSource source{.path = path,
+                             .include_path = *include_path,
+                             .agents = {std::filesystem::path(path).stem().string()}};
+  return run_sources({source}, *limits, console);
+}
+
+ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
+  const auto limits = read_limits(arguments, console);
+  const auto include_path = read_include_path(arguments, console);
+  if (!limits || !include_path) return ExitCode::usage;
+  Diagnostics diagnostics;
+  const JavaParts java = arguments.has("ignore-java") ? JavaParts::ignored : JavaParts::refused;
+  const auto sources = read_project_agents(path, *include_path, java, diagnostics);
+  console.report(diagnostics);
+  if (!sources) return ExitCode::usage;
+  return run_sources(*sources, *limits, console);
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,168 @@
+#include "tools/jaywalk/run_scenario.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <sys/ioctl.h>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "experiment/trial.h"
+#include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/watch.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr double kDefaultSpeed = 2;
+constexpr std::uint64_t kMaxAgents = 10'000;
+
+struct Request {
+  std::shared_ptr<const PreparedScenario> prepared;
+  TrialInput input;
+  std::optional<double> timeout_s;
+  /// Ticks a second.
+  double speed = kDefaultSpeed;
+};
+
+std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
+                                    Console& console) {
+  Diagnostics diagnostics;
+  const auto agents = arguments.number("agents", 1, diagnostics);
+  const auto seed = arguments.number("seed", 0, diagnostics);
+  Request request;
+  request.input.test = arguments.number("test", 0, diagnostics).value_or(0);
+  request.timeout_s = arguments.positive("timeout", diagnostics);
+  request.speed = arguments.positive("speed", diagnostics).value_or(kDefaultSpeed);
+  if (agents.value_or(1) > kMaxAgents) {
+    diagnostics.error("--agents", fmt::format("at most {}", kMaxAgents));
+  }
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  std::vector<std::string> behaviours;
+  if (const auto behaviour = arguments.text("behaviour")) behaviours.push_back(*behaviour);
+  request.prepared = prepare_scenario(path, arguments, std::move(behaviours), console);
+  if (!request.prepared) return std::nullopt;
+  const ExperimentSpec& defaults = request.prepared->scenario().experiment;
+  request.input.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
+  request.input.seed = seed.value_or(defaults.seed);
+  if (const std::string why = obstacle(*request.prepared, request.input); !why.empty()) {
+    console.error(why);
+    return std::nullopt;
+  }
+  return request;
+}
+
+std::string title_of(const Request& request) {
+  return fmt::format("{}, {} agent{}, seed {}, test {}",
+                     request.prepared->behaviours()[request.input.behaviour].name,
+                     request.input.agents, request.input.agents == 1 ? "" : "s", request.input.seed,
+                     request.input.test);
+}
+
+int terminal_columns() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/// Shows frame after frame: on a terminal each in the place of the last, at the given speed;
+/// otherwise one below the other.
+class Viewer {
+ public:
+  Viewer(const Request& request, const InterruptGuard& interrupt, Console& console)
+      : interrupt_(interrupt),
+        console_(console),
+        pause_(1 / request.speed),
+        title_(title_of(request)) {}
+
+  void add_line(std::string_view line) { printed_.emplace_back(line); }
+
+  void show(const Crossing& crossing, const Mas& mas) {
+    const bool live = console_.output_is_terminal();
+    const FrameOptions options{.title = title_,
+                               .colour = console_.output_colour(),
+                               .columns = live ? terminal_columns() : 0};
+    const std::string frame = draw_frame(crossing, mas, printed_, options);
+    printed_.clear();
+    if (live && lines_ > 0) {
+      pause();
+      console_.print(fmt::format("\x1b[{}F\x1b[J", lines_));
+    }
+    console_.print(frame);
+    if (live) {
+      console_.flush();
+    } else {
+      console_.print("\n");
+    }
+    lines_ = std::ranges::count(frame, '\n');
+  }
+
+ private:
+  void pause() const {
+    using std::chrono::steady_clock;
+    const auto end =
+        steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(pause_);
+    while (steady_clock::now() < end && !interrupt_.interrupted()) {
+      std::this_thread::sleep_for(std::min<steady_clock::duration>(std::chrono::milliseconds(20),
+                                                                   end - steady_clock::now()));
+    }
+  }
+
+  const InterruptGuard& interrupt_;
+  Console& console_;
+  std::chrono::duration<double> pause_;
+  std::string title_;
+  std::vector<std::string> printed_;
+  std::ptrdiff_t lines_ = 0;
+};
+
+}  // namespace
+
+ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, Console& console) {
+  const auto request = read_request(path, arguments, console);
+  if (!request) return ExitCode::usage;
+
+  const InterruptGuard interrupt;
+  const Deadline deadline(request->timeout_s);
+  Viewer viewer(*request, interrupt, console);
+  const bool watch = arguments.has("watch");
+  TrialOptions options;
+  options.log = [&](std::string_view line) { console.log(spdlog::level::warn, line); };
+  options.print = [&](std::string_view line) {
+    if (watch) {
+      viewer.add_line(line);
+    } else {
+      console.print(fmt::format("{}\n", line));
+    }
+  };
+  if (watch) {
+    options.observe = [&](const Crossing& crossing, const Mas& mas) {
+      if (!interrupt.interrupted()) viewer.show(crossing, mas);
+    };
+  }
+  const TrialResult result = run_trial(*request->prepared, request->input, options);
+  if (interrupt.interrupted()) {
+    console.note("interrupted");
+    return ExitCode::interrupted;
+  }
+  if (!result.completed) {
+    console.error(result.message);
+    return ExitCode::failed;
+  }
+  const std::string outcome = describe_result(result.outcome);
+  if (watch) {
+    console.print(fmt::format("{}\n", outcome));
+  } else {
+    console.note(fmt::format("{}: {}", title_of(*request), outcome));
+  }
+  return ExitCode::success;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,34 @@
+#pragma once
+
+// The options that `run` and `compare` share: how a scenario is changed from the command line, and
+// how it is made ready.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "experiment/trial.h"
+#include "tools/jaywalk/arguments.h"
+#include "tools/jaywalk/console.h"
+
+namespace jaywalk {
+
+inline constexpr std::array kScenarioOptions = {
+    OptionSpec{"set", "KEY=VALUE",
+               "another value for a key of the scenario, as a dotted path\n"
+               "(world.length=80); repeatable"},
+    OptionSpec{"preset", "NAME", "begin with these values instead of the scenario's preset"},
+    OptionSpec{"seed", "N", "the seed from which all chance derives"},
+};
+
+/// The file names a scenario.
+[[nodiscard]] bool is_scenario_file(const std::string& path);
+
+/// Reads the scenario with the options of `arguments`, `behaviours` in place of its own if there
+/// are any, and compiles its programs; reports what is wrong and returns null if that fails.
+[[nodiscard]] std::shared_ptr<const PreparedScenario> prepare_scenario(
+    const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
+    Console& console);
+
+}  // namespace jaywalk
