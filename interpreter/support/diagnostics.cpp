@@ -183,6 +183,12 @@ void Diagnostics::append(Diagnostics other) {
   std::move(other.items_.begin(), other.items_.begin() + taken, std::back_inserter(items_));
 }
 
+void Diagnostics::sort_by_place() {
+  std::stable_sort(items_.begin(), items_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return a.where.span.begin < b.where.span.begin;
+  });
+}
+
 std::string Diagnostics::render(Colour colour) const {
   std::string text;
   for (const Diagnostic& item : items_) text += jaywalk::render(item, colour);

@@ -45,6 +45,8 @@ class Diagnostics {
   /// An error about a file or an option as a whole.
   void error(std::string subject, std::string message, std::string hint = {});
   void append(Diagnostics other);
+  /// Puts those about one text into the order of the text. REQUIRES: they concern one text.
+  void sort_by_place();
 
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return errors_; }
@@ -78,7 +80,8 @@ class [[nodiscard]] Result {
   std::variant<T, Diagnostics> content_;
 };
 
-/// The candidate most like `name` (Damerau-Levenshtein, at most a third of the letters wrong), if any.
+/// The candidate most like `name` (Damerau-Levenshtein, at most a third of the letters wrong), if
+/// any.
 [[nodiscard]] std::optional<std::string> closest(std::string_view name,
                                                  std::span<const std::string> candidates);
 

@@ -5,9 +5,13 @@
 // nothing that has been done here is ever undone, save by the recovery from an error.
 
 #include <cstddef>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
@@ -180,10 +184,20 @@ class Builder {
                 open_components = 0;
   };
 
+  // Storage in the arena.
   template <class T>
-  T* make();
+  T* make() {
+    static_assert(std::is_trivially_destructible_v<T>);
+    return std::construct_at(static_cast<T*>(arena_.allocate(sizeof(T), alignof(T))));
+  }
   template <class T, class Range>
-  std::span<const T> copy(const Range& range);
+  std::span<const T> copy(const Range& range) {
+    const auto count = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+    if (count == 0) return {};
+    auto* const storage = static_cast<T*>(arena_.allocate(count * sizeof(T), alignof(T)));
+    std::uninitialized_copy(range.begin(), range.end(), storage);
+    return {storage, count};
+  }
   ast::Node* make_node(ast::Kind kind, Span span);
 
   [[nodiscard]] Span span_from(const Token* begin) const;

@@ -336,6 +336,7 @@ BOOST_SPIRIT_DEFINE(body, body_term, body_factor, formula, statement, condition,
 const x3::rule<struct plan_tag> plan = "a plan";
 
 const auto label = Terminal{K::at} >
+                   Ahead{kName | set_of(K::variable, K::open_list), "the label of a plan"} >
                    (list | (((name > act<&Builder::begin_literal>) |
                              (variable > act<&Builder::begin_variable>)) > -annotations >
                             act<&Builder::end_label>)) > act<&Builder::plan_label>;
@@ -451,19 +452,17 @@ const auto single_plan = unfinished_plan >
                          -(stop > -subplans) > act<&Builder::end_plan> > end_of_text;
 const auto literals = -(literal > *(comma > literal)) > end_of_text;
 
-// Whether all of the tokens were matched without an error.
+// Matches all of the tokens; what is wrong with them becomes diagnostics.
 template <class Parser>
-bool parse(const Parser& parser, Builder& builder) {
-  const std::size_t errors_before = builder.diagnostics().error_count();
+void parse(const Parser& parser, Builder& builder) {
   Iterator first = builder.tokens().data();
   const Iterator last = first + builder.tokens().size();
   try {
-    if (!x3::parse(first, last, x3::with<BuilderTag>(builder)[x3::eps > parser])) return false;
+    x3::parse(first, last, x3::with<BuilderTag>(builder)[x3::eps > parser]);
   } catch (const x3::expectation_failure<Iterator>& failure) {
     recover(builder, failure.where(), failure.which());
   }
   builder.report_mistakes(std::numeric_limits<std::uint32_t>::max());
-  return builder.diagnostics().error_count() == errors_before;
 }
 
 }  // namespace
@@ -476,23 +475,30 @@ namespace {
 template <class Parser, class Take>
 auto parse_whole(const Parser& parser, const SourcePtr& source, ast::Arena& arena,
                  Diagnostics& diagnostics, Take take) {
-  const std::size_t errors_before = diagnostics.error_count();
-  const std::vector<Token> tokens = tokenize(source, diagnostics);
-  Builder builder(source, tokens, arena, diagnostics);
-  const bool parsed = grammar::parse(parser, builder) && diagnostics.error_count() == errors_before;
+  Diagnostics found;
+  const std::vector<Token> tokens = tokenize(source, found);
+  Builder builder(source, tokens, arena, found);
+  grammar::parse(parser, builder);
+  found.sort_by_place();
+  const bool parsed = !found.has_errors();
+  diagnostics.append(std::move(found));
   return parsed ? take(builder) : nullptr;
 }
 
 }  // namespace
 
 ast::File parse_agent(SourcePtr source, Diagnostics& diagnostics) {
+  // A tree is some 20 times as large as its text; the arena grows by itself.
   ast::File file;
   file.arena = std::make_unique<ast::Arena>(source->text().size() * 8 + 1024);
-  const std::vector<Token> tokens = tokenize(source, diagnostics);
-  Builder builder(source, tokens, *file.arena, diagnostics);
+  Diagnostics found;
+  const std::vector<Token> tokens = tokenize(source, found);
+  Builder builder(source, tokens, *file.arena, found);
   grammar::parse(grammar::agent, builder);
   file.components = builder.components();
   file.source = std::move(source);
+  found.sort_by_place();
+  diagnostics.append(std::move(found));
   return file;
 }
 

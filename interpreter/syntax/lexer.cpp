@@ -87,6 +87,71 @@ constexpr std::array kWords = {
 
 constexpr std::size_t kLongestWord = 5;
 
+// What diagnostics call the tokens, in the order of TokenKind.
+constexpr std::array<std::string_view, static_cast<std::size_t>(power) + 1> kNames = {
+    "the end of the text",
+    "something else",
+    "a name",
+    "a variable",
+    "a number",
+    "a string",
+    "'true'",
+    "'false'",
+    "'not'",
+    "'div'",
+    "'mod'",
+    "'if'",
+    "'elif'",
+    "'else'",
+    "'for'",
+    "'while'",
+    "'begin'",
+    "'end'",
+    "'('",
+    "'('",
+    "')'",
+    "'['",
+    "']'",
+    "'{'",
+    "'}'",
+    "'~'",
+    "'@'",
+    "':'",
+    "'<:'",
+    "'<-'",
+    "':-'",
+    "'::'",
+    "'.'",
+    "','",
+    "';'",
+    "'|'",
+    "'&'",
+    "'|&|'",
+    "'|||'",
+    "'!'",
+    "'!!'",
+    "'?'",
+    "'+'",
+    "'-'",
+    "'++'",
+    "'--'",
+    "'-+'",
+    "'+<'",
+    "'+>'",
+    "'^'",
+    "'<'",
+    "'<='",
+    "'>'",
+    "'>='",
+    "'=='",
+    "'\\=='",
+    "'='",
+    "'=..'",
+    "'*'",
+    "'/'",
+    "'**'"};
+static_assert(!kNames.back().empty(), "every kind has a name");
+
 class Lexer {
  public:
   Lexer(const SourcePtr& source, Diagnostics& diagnostics)
@@ -351,132 +416,6 @@ std::vector<Token> tokenize(const SourcePtr& source, Diagnostics& diagnostics) {
   return Lexer(source, diagnostics).run();
 }
 
-std::string_view name_of(TokenKind kind) {
-  switch (kind) {
-    case end_of_text:
-      return "the end of the text";
-    case bad:
-      return "something else";
-    case atom:
-      return "a name";
-    case variable:
-      return "a variable";
-    case number:
-      return "a number";
-    case string:
-      return "a string";
-    case true_word:
-      return "'true'";
-    case false_word:
-      return "'false'";
-    case not_word:
-      return "'not'";
-    case div_word:
-      return "'div'";
-    case mod_word:
-      return "'mod'";
-    case if_word:
-      return "'if'";
-    case elif_word:
-      return "'elif'";
-    case else_word:
-      return "'else'";
-    case for_word:
-      return "'for'";
-    case while_word:
-      return "'while'";
-    case begin_word:
-      return "'begin'";
-    case end_word:
-      return "'end'";
-    case body_open:
-      return "'('";
-    case open:
-      return "'('";
-    case close:
-      return "')'";
-    case open_list:
-      return "'['";
-    case close_list:
-      return "']'";
-    case open_brace:
-      return "'{'";
-    case close_brace:
-      return "'}'";
-    case tilde:
-      return "'~'";
-    case at:
-      return "'@'";
-    case colon:
-      return "':'";
-    case goal_condition:
-      return "'<:'";
-    case arrow:
-      return "'<-'";
-    case rule:
-      return "':-'";
-    case double_colon:
-      return "'::'";
-    case stop:
-      return "'.'";
-    case comma:
-      return "','";
-    case semicolon:
-      return "';'";
-    case bar:
-      return "'|'";
-    case ampersand:
-      return "'&'";
-    case fork_and:
-      return "'|&|'";
-    case fork_or:
-      return "'|||'";
-    case bang:
-      return "'!'";
-    case double_bang:
-      return "'!!'";
-    case question:
-      return "'?'";
-    case plus:
-      return "'+'";
-    case minus:
-      return "'-'";
-    case plus_plus:
-      return "'++'";
-    case minus_minus:
-      return "'--'";
-    case minus_plus:
-      return "'-+'";
-    case plus_less:
-      return "'+<'";
-    case plus_greater:
-      return "'+>'";
-    case caret:
-      return "'^'";
-    case less:
-      return "'<'";
-    case less_equal:
-      return "'<='";
-    case greater:
-      return "'>'";
-    case greater_equal:
-      return "'>='";
-    case equal:
-      return "'=='";
-    case not_equal:
-      return "'\\=='";
-    case unify:
-      return "'='";
-    case univ:
-      return "'=..'";
-    case times:
-      return "'*'";
-    case divide:
-      return "'/'";
-    case power:
-      return "'**'";
-  }
-  return "";
-}
+std::string_view name_of(TokenKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
 }  // namespace jaywalk

@@ -199,9 +199,10 @@ class Reporter {
   [[nodiscard]] std::string expected() const {
     using Part = Place::Part;
     const std::string& expected = error_.expected;
+    const bool after_semicolon = error_.found > error_.clause && error_.found[-1].kind == semicolon;
     if (expected == "'.'" && place_.brackets.empty()) {
       const bool plan = error_.clause->kind != atom && error_.clause->kind != tilde;
-      if (place_.part == Part::body) return "';' or '.'";
+      if (place_.part == Part::body) return after_semicolon ? "a formula or '.'" : "';' or '.'";
       if (place_.part == Part::context) return "'&', '|', '<-' or '.'";
       if (place_.part == Part::rule) return "'&', '|' or '.'";
       if (error_.clause->kind == bang || error_.clause->kind == open_brace) return expected;
@@ -211,7 +212,10 @@ class Reporter {
     const TokenKind bracket = place_.brackets.back()->kind;
     if (expected == "')'" && is_call(*place_.brackets.back())) return "',' or ')'";
     if (expected == "']'" && bracket == open_list) return "',', '|' or ']'";
-    if (expected == "'}'") return "';' or '}'";
+    if (expected == "'}'" && error_.found->kind == semicolon && !after_semicolon) {
+      return "'<-' or '}'";
+    }
+    if (expected == "'}'") return after_semicolon ? "a formula or '}'" : "';' or '}'";
     return expected;
   }
 
@@ -254,9 +258,15 @@ class Reporter {
         error_.expected == "a term") {
       return "without arguments, there are no parentheses";
     }
+    if (token.kind == if_word && &token > error_.clause && (&token)[-1].kind == else_word) {
+      return "'else if' is written 'elif'";
+    }
     if (is_word(token.kind) && token.kind != begin_word && token.kind != end_word &&
         token.kind != not_word && token.kind != else_word && token.kind != elif_word) {
       return fmt::format("{} is a reserved word", name_of(token.kind));
+    }
+    if (token.kind == open_brace && error_.expected == "a literal") {
+      return "a term in braces cannot be a goal";
     }
     if (token.kind == else_word || token.kind == elif_word) {
       return fmt::format("{} follows the '}}' of an 'if', without a ';'", name_of(token.kind));
@@ -289,8 +299,8 @@ class Reporter {
     if (bracket.kind == open_list && logical) {
       return "a logical formula in a list needs parentheses";
     }
-    const bool ends = token.kind == stop || token.kind == end_of_text || token.kind == arrow ||
-                      token.kind == rule ||
+    const bool ends = token.kind == stop || token.kind == bang || token.kind == at ||
+                      token.kind == end_of_text || token.kind == arrow || token.kind == rule ||
                       (is_closing(token.kind) && token.kind != closing_of(bracket.kind));
     if (!ends) return {};
     const auto [line, column] = error_.source->position(bracket.span.begin);

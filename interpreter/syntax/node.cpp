@@ -1,0 +1,44 @@
+#include "interpreter/syntax/node.h"
+
+namespace jaywalk::ast {
+
+bool is_internal(const Node& node) {
+  return node.kind == Kind::literal && node.text.front() != '\'' &&
+         node.text.find('.') != std::string_view::npos;
+}
+
+bool is_arithmetic(const Node& node) {
+  return (node.kind == Kind::binary && node.op >= Operator::add) ||
+         (node.kind == Kind::unary && node.op != Operator::logical_not);
+}
+
+std::string_view description_of(const Node& node) {
+  switch (node.kind) {
+    case Kind::number:
+      return "a number";
+    case Kind::string:
+      return "a string";
+    case Kind::list:
+      return "a list";
+    case Kind::variable:
+      return "a variable";
+    case Kind::truth:
+      return "'true' or 'false'";
+    case Kind::literal:
+      return is_internal(node) ? "an internal action" : "a literal";
+    case Kind::unary:
+    case Kind::binary:
+      return is_arithmetic(node) ? "an arithmetic expression" : "a logical formula";
+    case Kind::body:
+      return "a plan body";
+    case Kind::trigger:
+      return "a trigger";
+    case Kind::plan:
+      return "a plan";
+    case Kind::rule:
+      return "a rule";
+  }
+  return "";
+}
+
+}  // namespace jaywalk::ast
