@@ -135,13 +135,17 @@ std::string axes(const Panel& panel) {
   std::string svg = fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"title\">{}</text>\n",
                                 panel.left, kTop - 18, escaped(panel.title));
   const double y_step = mark_distance(panel.max_y - panel.min_y, 6);
-  for (double y = std::ceil(panel.min_y / y_step) * y_step; y <= panel.max_y + y_step / 1000;
-       y += y_step) {
+  const auto first_y = static_cast<int>(std::ceil(panel.min_y / y_step));
+  const auto last_y = static_cast<int>(std::floor(panel.max_y / y_step));
+  for (int mark = first_y; mark <= last_y; ++mark) {
+    const double y = mark * y_step;
     svg += line(panel.left, panel.y(y), panel.left + kPanelWidth, panel.y(y), "class=\"grid\"");
     svg += text(panel.left - 8, panel.y(y) + 4, "end", fmt::format("{:.4g}", y));
   }
   const double x_step = std::max(1.0, mark_distance(panel.max_x, 10));
-  for (double x = x_step; x <= panel.max_x; x += x_step) {
+  const auto last_x = static_cast<int>(panel.max_x / x_step);
+  for (int mark = 1; mark <= last_x; ++mark) {
+    const double x = mark * x_step;
     svg += text(panel.x(x), kTop + kPanelHeight + 18, "middle", fmt::format("{:.0f}", x));
   }
   svg += text(panel.left + kPanelWidth / 2, kTop + kPanelHeight + 38, "middle", "agents");

@@ -107,6 +107,7 @@ ExitCode dispatch(std::span<const std::string> words) {
 /// them. What is written to such a stream fails.
 void reserve_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the system has no other interface
     if (::fcntl(stream, F_GETFD) == -1) (void)::open("/dev/null", O_RDONLY | O_CLOEXEC);
   }
 }
@@ -124,7 +125,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("error: out of memory\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "internal error: %s\n  please report it with the command\n", error.what());
+    fmt::print(stderr, "internal error: {}\n  please report it with the command\n", error.what());
   }
   return static_cast<int>(jaywalk::ExitCode::internal);
 }
