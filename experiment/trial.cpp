@@ -1,0 +1,108 @@
+#include "experiment/trial.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "env/crossing/spawn.h"
+#include "env/grid/random.h"
+
+namespace jaywalk {
+namespace {
+
+// What a test's seed is used for, so that where agents start does not depend on what they draw.
+enum class Purpose : std::uint64_t { start_cells = 0, agents = 1 };
+
+std::uint64_t seed_for(const TrialInput& input, Purpose purpose) {
+  return mix(mix(input.seed, input.test), static_cast<std::uint64_t>(purpose));
+}
+
+void add_agents(const PreparedBehaviour& behaviour, std::uint32_t agents, Mas& mas) {
+  for (std::uint32_t number = 1; number <= agents; ++number) {
+    AgentSpec spec{fmt::format("p{}", number), behaviour.program, behaviour.parameters};
+    if (const auto own = behaviour.agent_parameters.find(number);
+        own != behaviour.agent_parameters.end()) {
+      for (const Parameter& parameter : own->second) {
+        std::erase_if(spec.parameters, [&](const Parameter& common) {
+          return common.predicate == parameter.predicate;
+        });
+        spec.parameters.push_back(parameter);
+      }
+    }
+    mas.add_agent(spec);
+  }
+}
+
+std::string describe(const RunOutcome& outcome) {
+  if (!outcome.message.empty()) return outcome.message;
+  return outcome.end == RunEnd::stopped ? "an agent stopped the system" : "the run was cut short";
+}
+
+/// Runs the system until the test ends, be it that agents have nothing left to do before.
+void run_to_the_end(Mas& mas, Crossing& crossing, const TrialObserver& observe,
+                    TrialResult& result) {
+  if (observe) observe(crossing, mas);
+  while (!crossing.finished()) {
+    const int ticks = crossing.ticks();
+    const bool goes_on = mas.step();
+    if (!goes_on && !crossing.finished()) {
+      if (mas.outcome().end != RunEnd::idle) {
+        result.completed = false;
+        result.message = describe(mas.outcome());
+        return;
+      }
+      if (crossing.ticks() == ticks) crossing.advance();
+    }
+    if (observe) observe(crossing, mas);
+  }
+}
+
+}  // namespace
+
+std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input) {
+  if (!scenario.start_cells) {
+    return spawn(scenario.world, input.agents, seed_for(input, Purpose::start_cells));
+  }
+  const auto test = scenario.start_cells->find(input.test);
+  if (test == scenario.start_cells->end() || test->second.size() < input.agents) return {};
+  return {test->second.begin(), test->second.begin() + input.agents};
+}
+
+std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) {
+  if (input.behaviour >= prepared.behaviours().size()) {
+    return fmt::format("there is no behaviour {}, only {}", input.behaviour,
+                       prepared.behaviours().size());
+  }
+  if (input.agents == 0) return "a test needs at least one agent";
+  if (start_cells(prepared.scenario(), input).empty()) {
+    return fmt::format("test {} has fewer than {} start cells in the scenario's file", input.test,
+                       input.agents);
+  }
+  return {};
+}
+
+TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
+                      const TrialOptions& options) {
+  assert(obstacle(prepared, input).empty() && "the caller has asked for obstacles");
+  Crossing crossing(prepared.scenario().world, prepared.vocabulary(),
+                    start_cells(prepared.scenario(), input));
+  MasOptions mas_options;
+  mas_options.seed = seed_for(input, Purpose::agents);
+  mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
+  mas_options.print = options.print;
+  mas_options.log = options.log;
+  mas_options.measure_cpu = options.measure_cpu;
+  Mas mas(prepared.symbols(), std::move(mas_options), &crossing);
+  add_agents(prepared.behaviours()[input.behaviour], input.agents, mas);
+
+  TrialResult result;
+  run_to_the_end(mas, crossing, options.observe, result);
+  result.outcome = crossing.result();
+  result.cycles = mas.outcome().cycles;
+  result.cpu_s = mas.reasoning_cpu_s();
+  return result;
+}
+
+}  // namespace jaywalk

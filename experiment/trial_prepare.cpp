@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiment/code_lines.h"
+#include "experiment/scenario_yaml.h"
+#include "experiment/trial.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/syntax/load.h"
+
+namespace jaywalk {
+namespace {
+
+// `radius/1` and `odds/2` as written by parameter_names().
+struct Indicator {
+  std::string name;
+  std::size_t arity = 0;
+};
+
+Indicator parse_indicator(const std::string& text) {
+  const std::size_t slash = text.rfind('/');
+  return {text.substr(0, slash), static_cast<std::size_t>(std::stoul(text.substr(slash + 1)))};
+}
+
+/// Loads and compiles behaviours into one symbol table.
+class Preparation {
+ public:
+  Preparation(SymbolTable& symbols, Diagnostics& diagnostics)
+      : symbols_(symbols), diagnostics_(diagnostics) {}
+
+  PreparedBehaviour prepare(const BehaviourSpec& spec) {
+    PreparedBehaviour result;
+    result.name = spec.name;
+    result.program_path = spec.program;
+    // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
+    if (!std::filesystem::is_regular_file(std::filesystem::status(spec.program, ignored_))) {
+      report(diagnostics_, spec.origin,
+             fmt::format("no AgentSpeak program is at '{}'", spec.program));
+      return result;
+    }
+    const SourceTree tree = load_agent(spec.program, {}, diagnostics_);
+    if (diagnostics_.has_errors()) return result;
+    result.program = compile(tree, symbols_, diagnostics_);
+    if (!result.program) return result;
+    result.code_lines = code_lines(tree);
+    settable_.clear();
+    for (const std::string& name : parameter_names(*result.program, symbols_)) {
+      settable_.push_back(parse_indicator(name));
+    }
+    result.parameters = convert(spec.parameters);
+    for (const AgentSettings& settings : spec.agents) {
+      const std::vector<Parameter> parameters = convert(settings.parameters);
+      for (const std::uint32_t agent : settings.agents) {
+        std::vector<Parameter>& own = result.agent_parameters[agent];
+        own.insert(own.end(), parameters.begin(), parameters.end());
+      }
+    }
+    return result;
+  }
+
+ private:
+  std::vector<Parameter> convert(const std::vector<ParameterSetting>& settings) {
+    std::vector<Parameter> result;
+    for (const ParameterSetting& setting : settings) {
+      if (!check(setting)) continue;
+      Parameter parameter;
+      parameter.predicate =
+          symbols_.predicate(setting.name, static_cast<std::uint16_t>(setting.values.size()));
+      for (const ParameterValue& value : setting.values) parameter.args.push_back(term(value));
+      result.push_back(std::move(parameter));
+    }
+    return result;
+  }
+
+  Value term(const ParameterValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return Value::number(*number);
+    return Value::atom(symbols_.predicate(std::get<std::string>(value), 0));
+  }
+
+  bool check(const ParameterSetting& setting) {
+    std::vector<std::string> names;
+    std::vector<std::string> arities;
+    for (const Indicator& each : settable_) {
+      names.push_back(each.name);
+      if (each.name != setting.name) continue;
+      if (each.arity == setting.values.size()) return true;
+      arities.push_back(fmt::format("{}", each.arity));
+    }
+    if (!arities.empty()) {
+      report(diagnostics_, setting.origin,
+             fmt::format("'{}' takes {} values, {} given", setting.name, fmt::join(arities, " or "),
+                         setting.values.size()));
+      return false;
+    }
+    std::string hint = did_you_mean(setting.name, names);
+    if (hint.empty()) {
+      hint = names.empty() ? "the program has no initial beliefs"
+                           : fmt::format("its initial beliefs are {}", fmt::join(names, ", "));
+    }
+    report(diagnostics_, setting.origin,
+           fmt::format("the program has no initial belief '{}' to set", setting.name),
+           std::move(hint));
+    return false;
+  }
+
+  SymbolTable& symbols_;
+  Diagnostics& diagnostics_;
+  std::error_code ignored_;
+  std::vector<Indicator> settable_;
+};
+
+}  // namespace
+
+PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
+                                   CrossingVocabulary vocabulary,
+                                   std::vector<PreparedBehaviour> behaviours)
+    : scenario_(std::move(scenario)),
+      symbols_(std::move(symbols)),
+      vocabulary_(vocabulary),
+      behaviours_(std::move(behaviours)) {}
+
+Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenario scenario,
+                                                                          Diagnostics& warnings) {
+  const auto symbols = std::make_shared<SymbolTable>();
+  const CrossingVocabulary vocabulary(*symbols);
+  Diagnostics errors;
+  std::vector<PreparedBehaviour> behaviours;
+  for (const BehaviourSpec& spec : scenario.behaviours) {
+    Diagnostics found;
+    behaviours.push_back(Preparation(*symbols, found).prepare(spec));
+    (found.has_errors() ? errors : warnings).append(std::move(found));
+  }
+  if (errors.has_errors()) return errors;
+  return std::shared_ptr<const PreparedScenario>(
+      new PreparedScenario(std::move(scenario), symbols, vocabulary, std::move(behaviours)));
+}
+
+}  // namespace jaywalk

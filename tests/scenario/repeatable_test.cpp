@@ -1,0 +1,93 @@
+// A trial is a pure function of the scenario and its input: the order of trials, the thread and
+// what ran before do not matter.
+
+#include <map>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "scenarios.h"
+
+namespace jaywalk {
+namespace {
+
+using testing_scenario::behaviour;
+using testing_scenario::paper;
+
+struct Summary {
+  bool success = false;
+  int ticks = 0;
+  double score = 0;
+  std::uint64_t cycles = 0;
+
+  friend bool operator==(const Summary&, const Summary&) = default;
+};
+
+using Key = std::pair<std::size_t, std::uint64_t>;
+
+std::map<Key, Summary> run_all(const PreparedScenario& prepared, const std::vector<Key>& order) {
+  std::map<Key, Summary> results;
+  for (const auto& [index, test] : order) {
+    const TrialResult result =
+        run_trial(prepared, {.behaviour = index, .agents = 4, .seed = 9, .test = test});
+    results[{index, test}] = {result.outcome.success, result.outcome.ticks, result.outcome.score(),
+                              result.cycles};
+  }
+  return results;
+}
+
+std::vector<Key> all_trials(const PreparedScenario& prepared) {
+  std::vector<Key> order;
+  for (std::size_t index = 0; index < prepared.behaviours().size(); ++index) {
+    for (std::uint64_t test = 0; test < 10; ++test) order.emplace_back(index, test);
+  }
+  return order;
+}
+
+TEST(Trials, GiveTheSameResultsInAnyOrder) {
+  const auto prepared = paper();
+  const std::vector<Key> order = all_trials(*prepared);
+  const std::vector<Key> backwards(order.rbegin(), order.rend());
+  EXPECT_EQ(run_all(*prepared, order), run_all(*prepared, backwards));
+}
+
+TEST(Trials, GiveTheSameResultsOnSeveralThreads) {
+  const auto prepared = paper();
+  const std::vector<Key> order = all_trials(*prepared);
+  const std::map<Key, Summary> alone = run_all(*prepared, order);
+  std::map<Key, Summary> beside;
+  std::thread thread([&] { beside = run_all(*prepared, order); });
+  const std::map<Key, Summary> again = run_all(*prepared, order);
+  thread.join();
+  EXPECT_EQ(beside, alone);
+  EXPECT_EQ(again, alone);
+}
+
+TEST(Trials, DependOnTheSeedAndTheTest) {
+  const Scenario scenario;
+  const std::vector<Position> first = start_cells(scenario, {.agents = 5, .seed = 1, .test = 0});
+  EXPECT_NE(first, start_cells(scenario, {.agents = 5, .seed = 2, .test = 0}));
+  EXPECT_NE(first, start_cells(scenario, {.agents = 5, .seed = 1, .test = 1}));
+}
+
+TEST(Trials, StartAllBehavioursAlike) {
+  const auto prepared = paper();
+  std::vector<std::vector<Position>> starts;
+  for (std::size_t index = 0; index < prepared->behaviours().size(); ++index) {
+    starts.push_back(run_trial(*prepared, {.behaviour = index, .agents = 6, .seed = 2, .test = 7})
+                         .outcome.start);
+  }
+  for (const std::vector<Position>& start : starts) EXPECT_EQ(start, starts[0]);
+}
+
+TEST(Trials, SayWhyTheyCannotRun) {
+  const auto prepared = testing_scenario::paper_from({{1, 20}});
+  EXPECT_EQ(obstacle(*prepared, {.agents = 1}), "");
+  EXPECT_EQ(obstacle(*prepared, {.agents = 0}), "a test needs at least one agent");
+  EXPECT_EQ(obstacle(*prepared, {.agents = 2}),
+            "test 0 has fewer than 2 start cells in the scenario's file");
+  EXPECT_EQ(obstacle(*prepared, {.behaviour = 7, .agents = 1}), "there is no behaviour 7, only 7");
+}
+
+}  // namespace
+}  // namespace jaywalk

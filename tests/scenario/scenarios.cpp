@@ -1,0 +1,66 @@
+#include "scenarios.h"
+
+#include <gtest/gtest.h>
+
+namespace jaywalk::testing_scenario {
+namespace {
+
+std::shared_ptr<const PreparedScenario> prepare(Result<Scenario> scenario,
+                                                const std::vector<Position>& start) {
+  if (!scenario.ok()) {
+    ADD_FAILURE() << scenario.diagnostics().render();
+    return nullptr;
+  }
+  if (!start.empty()) scenario.value().start_cells = StartCells{{0, start}};
+  Diagnostics warnings;
+  auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
+  EXPECT_TRUE(warnings.empty()) << warnings.render();
+  if (!prepared.ok()) {
+    ADD_FAILURE() << prepared.diagnostics().render();
+    return nullptr;
+  }
+  return prepared.value();
+}
+
+}  // namespace
+
+std::string project_file(const std::string& path) {
+  return std::string(JAYWALK_SOURCE_DIR) + "/" + path;
+}
+
+std::shared_ptr<const PreparedScenario> paper(const ScenarioOptions& options) {
+  return prepare(read_scenario(project_file("scenarios/paper.yaml"), options), {});
+}
+
+std::shared_ptr<const PreparedScenario> paper_from(const std::vector<Position>& start,
+                                                   std::vector<std::string> sets) {
+  ScenarioOptions options;
+  options.sets = std::move(sets);
+  return prepare(read_scenario(project_file("scenarios/paper.yaml"), options), start);
+}
+
+std::size_t behaviour(const PreparedScenario& prepared, const std::string& name) {
+  for (std::size_t i = 0; i < prepared.behaviours().size(); ++i) {
+    if (prepared.behaviours()[i].name == name) return i;
+  }
+  ADD_FAILURE() << "no behaviour " << name;
+  return 0;
+}
+
+CrossingResult outcome(const PreparedScenario& prepared, const std::string& name,
+                       std::uint32_t agents, std::uint64_t test) {
+  TrialOptions options;
+  std::string log;
+  options.log = [&](std::string_view line) { (log += line) += '\n'; };
+  const TrialResult result = run_trial(prepared,
+                                       {.behaviour = behaviour(prepared, name),
+                                        .agents = agents,
+                                        .seed = prepared.scenario().experiment.seed,
+                                        .test = test},
+                                       options);
+  EXPECT_TRUE(result.completed) << result.message;
+  EXPECT_EQ(log, "");
+  return result.outcome;
+}
+
+}  // namespace jaywalk::testing_scenario
