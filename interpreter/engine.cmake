@@ -1,0 +1,36 @@
+# The engine: term ← logic ← program ← agent ← actions ← mas, and the compiler from syntax trees.
+# Internal actions are plug-ins: a new file in actions/ is found by itself.
+file(GLOB JAYWALK_ACTION_SOURCES CONFIGURE_DEPENDS actions/*.cpp)
+
+jaywalk_add_library(engine
+  SOURCES
+    term/compare.cpp
+    term/heap.cpp
+    term/print.cpp
+    term/symbol.cpp
+    logic/action.cpp
+    logic/arithmetic.cpp
+    logic/belief_base.cpp
+    logic/formula_compiler.cpp
+    logic/machine.cpp
+    logic/unifier.cpp
+    logic/univ.cpp
+    program/plan.cpp
+    program/plan_compiler.cpp
+    compile/compiler.cpp
+    compile/goal_patterns.cpp
+    compile/kqml_plans.cpp
+    compile/translator.cpp
+    agent/agent.cpp
+    agent/bindings.cpp
+    agent/cycle.cpp
+    agent/execute.cpp
+    agent/failure.cpp
+    agent/intention.cpp
+    agent/messages.cpp
+    mas/mas.cpp
+    mas/percepts.cpp
+    mas/transfer.cpp
+    ${JAYWALK_ACTION_SOURCES}
+  PUBLIC jaywalk::syntax jaywalk::support
+  PRIVATE fmt::fmt)

@@ -3,15 +3,58 @@
 // A compiled AgentSpeak program: immutable, shared by every agent that runs it, on any thread.
 
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "interpreter/logic/action.h"
+#include "interpreter/program/plan.h"
 #include "interpreter/support/diagnostics.h"
-#include "interpreter/term/value.h"
 
 namespace jaywalk {
 
-class Program;
+class Program {
+ public:
+  /// A fact with its annotations, or a rule, in source order.
+  struct Belief {
+    Value fact;
+    const RuleCode* rule = nullptr;
+    Predicate predicate{};
+    SourceSpan where;
+  };
+  struct Goal {
+    Value literal;  // a template; its slots are fresh variables of the goal
+    std::uint32_t slot_count = 0;
+    std::vector<Symbol> slot_names;
+  };
+  /// `register_function("my.f", Arity, "pred")`.
+  struct Function {
+    Symbol name;
+    std::uint16_t arity = 0;
+    Predicate predicate{};
+  };
+
+  explicit Program(std::string name) : name_(std::move(name)), constants_(Heap::Owner::program) {}
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::vector<Belief>& beliefs() const { return beliefs_; }
+  [[nodiscard]] const std::vector<Goal>& goals() const { return goals_; }
+  [[nodiscard]] const PlanLibrary& library() const { return library_; }
+  [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
+  [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
+
+ private:
+  friend class ProgramBuilder;
+
+  std::string name_;
+  Heap constants_;
+  const ActionRegistry* actions_ = nullptr;
+  std::vector<Belief> beliefs_;
+  std::vector<std::unique_ptr<RuleCode>> rules_;
+  std::vector<Goal> goals_;
+  PlanLibrary library_;
+  std::vector<Function> functions_;
+};
 
 }  // namespace jaywalk

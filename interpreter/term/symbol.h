@@ -18,23 +18,34 @@ namespace jaywalk {
 enum class Symbol : std::uint32_t {};
 enum class Predicate : std::uint32_t {};
 
-/// The symbols that the engine itself needs; every table has them under these ids.
+/// The names that the engine itself needs; every table has them under these ids.
 namespace names {
+enum class SymbolIndex : std::uint32_t {
 #define JAYWALK_SYMBOL(id, text) id,
-enum class Index : std::uint32_t {
 #include "interpreter/term/names.def"
 };
-#undef JAYWALK_SYMBOL
-#define JAYWALK_SYMBOL(id, text) inline constexpr Symbol id{static_cast<std::uint32_t>(Index::id)};
+#define JAYWALK_SYMBOL(id, text) \
+  inline constexpr Symbol id{static_cast<std::uint32_t>(SymbolIndex::id)};
 #include "interpreter/term/names.def"
-#undef JAYWALK_SYMBOL
 }  // namespace names
+
+namespace predicates {
+enum class PredicateIndex : std::uint32_t {
+#define JAYWALK_PREDICATE(id, functor, arity) id,
+#include "interpreter/term/names.def"
+};
+#define JAYWALK_PREDICATE(id, functor, arity) \
+  inline constexpr Predicate id{static_cast<std::uint32_t>(PredicateIndex::id)};
+#include "interpreter/term/names.def"
+}  // namespace predicates
 
 struct Signature {
   Symbol ns = names::default_ns;
   Symbol functor = names::empty;
   std::uint16_t arity = 0;
   bool negated = false;
+  /// The functor contains a dot: an internal action or a function. Derived from the functor.
+  bool dotted = false;
 
   friend bool operator==(const Signature&, const Signature&) = default;
 };

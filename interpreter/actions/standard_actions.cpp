@@ -1,0 +1,62 @@
+#include <string>
+#include <string_view>
+
+#include "interpreter/actions/actions.h"
+#include "interpreter/actions/functions.h"
+
+namespace jaywalk {
+namespace actions {
+
+std::vector<Value> elements(Value list) {
+  std::vector<Value> found;
+  for (list = deref(list); list.is_pair(); list = deref(list.pair()->tail)) {
+    found.push_back(deref(list.pair()->head));
+  }
+  return found;
+}
+
+}  // namespace actions
+
+namespace {
+
+struct ActionKind {
+  bool body_only = false;
+  bool raw_args = false;
+  std::uint32_t formula_args = 0;
+};
+
+constexpr ActionKind plain{};
+constexpr ActionKind body_only{.body_only = true};
+constexpr ActionKind query(unsigned argument) {
+  return {.raw_args = true, .formula_args = 1U << argument};
+}
+
+std::string name_in(std::string_view signature) {
+  return std::string(signature.substr(0, signature.find('(')));
+}
+
+ActionRegistry make_standard_actions() {
+  ActionRegistry registry;
+#define JAYWALK_ACTION(function, least, most, kind, signature, summary)                      \
+  registry.add(ActionDefinition{name_in(signature), least, most, &actions::function,         \
+                                signature, summary, (kind).body_only, (kind).formula_args,   \
+                                (kind).raw_args});
+#include "interpreter/actions/actions.def"
+#undef JAYWALK_ACTION
+#define JAYWALK_FUNCTION(function, least, most, signature, summary)                               \
+  registry.add(FunctionDefinition{name_in(signature), least, most, &functions::function, signature, \
+                                  summary});
+#define JAYWALK_MACHINE_FUNCTION(least, most, signature, summary) \
+  registry.add(FunctionDefinition{name_in(signature), least, most, nullptr, signature, summary});
+#include "interpreter/actions/functions.def"
+  return registry;
+}
+
+}  // namespace
+
+const ActionRegistry& standard_actions() {
+  static const ActionRegistry registry = make_standard_actions();
+  return registry;
+}
+
+}  // namespace jaywalk

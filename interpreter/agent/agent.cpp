@@ -1,0 +1,267 @@
+#include "interpreter/agent/agent.h"
+
+#include <algorithm>
+
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+
+Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
+             AgentHost& host, std::uint64_t seed, const AgentLimits& limits)
+    : name_(std::move(name)),
+      program_(std::move(program)),
+      symbols_(symbols),
+      host_(host),
+      beliefs_(heap_, symbols),
+      machine_(heap_, symbols, beliefs_, program_->actions()),
+      random_(static_cast<std::int64_t>(seed)),
+      library_(&program_->library()) {
+  heap_.set_limit(limits.heap_bytes);
+  machine_.set_agent(this);
+  machine_.set_limits(limits.inferences);
+  machine_.set_log([this](std::string_view text) { log(text); });
+  machine_.random = [this] { return random_.next_double(); };
+  for (const Program::Function& function : program_->functions()) {
+    machine_.register_function(function.name, function.arity, function.predicate);
+  }
+}
+
+Agent::~Agent() = default;
+
+void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {
+  const auto is_replaced = [&](Predicate predicate) {
+    return std::find(replaced.begin(), replaced.end(), predicate) != replaced.end();
+  };
+  const auto believe = [&](Value fact) {
+    if (const auto added = beliefs_.add(fact)) {
+      add_event({TriggerOperator::add, TriggerKind::belief, *added, nullptr});
+    }
+  };
+  for (const Value fact : given) believe(fact);
+  // From the last to the first: queries find them in source order, events come in reverse.
+  const auto& initial = program_->beliefs();
+  for (std::size_t i = initial.size(); i > 0; --i) {
+    const Program::Belief& belief = initial[i - 1];
+    if (belief.rule != nullptr) {
+      beliefs_.add_rule(*belief.rule, Place::front);
+    } else if (!is_replaced(belief.predicate)) {
+      believe(belief.fact);
+    }
+  }
+  for (const Program::Goal& goal : program_->goals()) {
+    std::vector<Value> slots(goal.slot_count);
+    machine_.unifier().set_slot_names(goal.slot_names);
+    add_goal(machine_.unifier().instantiate(goal.literal, slots.data()));
+    machine_.unifier().commit(0);
+  }
+}
+
+void Agent::update_percepts(const Percepts& percepts) {
+  beliefs_.begin_percepts();
+  percept_changes_.clear();
+  std::vector<BeliefBase::PerceptChange> added;
+  for (std::size_t i = 0; i < percepts.size(); ++i) {
+    BeliefBase::PerceptChange change;
+    if (beliefs_.perceive(percepts.predicate(i), percepts.args(i), change)) added.push_back(change);
+  }
+  beliefs_.end_percepts(percept_changes_);
+  percept_changes_.insert(percept_changes_.end(), added.begin(), added.end());
+  for (const BeliefBase::PerceptChange& change : percept_changes_) {
+    add_event({change.added ? TriggerOperator::add : TriggerOperator::remove, TriggerKind::belief,
+               change.literal, nullptr});
+  }
+}
+
+bool Agent::is_active() const {
+  const Circumstance& c = circumstance_;
+  if (!c.mailbox.empty() || !c.feedback.empty()) return true;
+  if (c.atomic != nullptr || c.atomic_event) return true;
+  if (c.atomic_suspended) return false;
+  return !c.events.empty() || !c.running.empty();
+}
+
+const PendingAction* Agent::take_action() {
+  if (circumstance_.actions.empty()) return nullptr;
+  circumstance_.acting.push_back(circumstance_.actions.front());
+  circumstance_.actions.pop_front();
+  return &circumstance_.acting.back();
+}
+
+void Agent::give_feedback(bool succeeded, std::string reason) {
+  const PendingAction action = circumstance_.acting.back();
+  circumstance_.acting.pop_back();
+  circumstance_.feedback.push_back({action.intention, succeeded, std::move(reason), action.literal});
+}
+
+bool Agent::add_belief(Value literal, Place place, Intention* focus) {
+  const LiteralParts parts = literal_parts(literal);
+  if (!has_source(parts.annots)) {
+    literal = with_annotations(heap_, literal,
+                               union_of(heap_, parts.annots, source_self(), symbols_));
+  }
+  const std::optional<Value> added = beliefs_.add(literal, place);
+  if (!added) return false;
+  add_event({TriggerOperator::add, TriggerKind::belief, *added, focus});
+  return true;
+}
+
+bool Agent::remove_belief(Value literal, Intention* focus) {
+  const LiteralParts parts = literal_parts(literal);
+  if (!has_source(parts.annots)) {
+    literal = with_annotations(heap_, literal,
+                               union_of(heap_, parts.annots, source_self(), symbols_));
+  }
+  if (!beliefs_.remove(literal, machine_.unifier())) return false;
+  add_event({TriggerOperator::remove, TriggerKind::belief, machine_.unifier().apply(literal), focus});
+  return true;
+}
+
+void Agent::add_event(Event event) {
+  if (event.intention != nullptr) {
+    event.intention->state = Intention::State::in_event;
+    if (event.intention->is_atomic()) {
+      circumstance_.atomic_event = event;
+      return;
+    }
+  } else {
+    const Predicate predicate = is_literal(event.literal)
+                                    ? literal_parts(event.literal).predicate
+                                    : predicates::truth;
+    const TriggerKey key = trigger_key(event.op, event.kind, predicate, symbols_);
+    if (event.kind == TriggerKind::belief && library_->candidates(key).empty()) return;
+  }
+  circumstance_.events.push_back(event);
+}
+
+void Agent::add_goal(Value literal) {
+  add_event({TriggerOperator::add, TriggerKind::achieve, literal, nullptr});
+}
+
+Intention& Agent::new_intention() {
+  circumstance_.intentions.push_back(std::make_unique<Intention>(next_intention_++));
+  return *circumstance_.intentions.back();
+}
+
+// Jason's addRunningIntention: to the end of I, or into the atomic slot.
+void Agent::make_ready(Intention& intention) {
+  intention.state = Intention::State::running;
+  if (intention.is_atomic()) {
+    circumstance_.atomic = &intention;
+    circumstance_.atomic_suspended = false;
+  } else {
+    circumstance_.running.push_back(&intention);
+  }
+}
+
+void Agent::suspend(Intention& intention, Intention::State state, std::string reason) {
+  intention.state = state;
+  intention.reason = std::move(reason);
+  if (intention.is_atomic()) circumstance_.atomic_suspended = true;
+}
+
+void Agent::resume(Intention& intention) {
+  go_on(intention);
+  clear_intention(intention);
+}
+
+void Agent::drop(Intention& intention) {
+  Circumstance& c = circumstance_;
+  std::erase(c.running, &intention);
+  if (c.atomic == &intention) c.atomic = nullptr;
+  if (intention.is_atomic()) c.atomic_suspended = false;
+  if (c.atomic_event && c.atomic_event->intention == &intention) c.atomic_event.reset();
+  const auto is_its = [&](const auto& item) { return item.intention == &intention; };
+  std::erase_if(c.events, is_its);
+  std::erase_if(c.actions, is_its);
+  std::erase_if(c.feedback, is_its);
+  intention.stack.clear();
+  intention.values.clear();
+  intention.atomic_means = 0;
+  intention.state = Intention::State::finished;
+  ++finished_;
+}
+
+std::uint64_t Agent::wait_for_timer(Intention& intention, double ms) {
+  const std::uint64_t token = next_token_++;
+  timers_[token] = intention.id;
+  host_.set_timer(*this, host_.now_ms() + ms, token);
+  return token;
+}
+
+void Agent::timer_fired(std::uint64_t token) {
+  const auto found = timers_.find(token);
+  if (found == timers_.end()) return;
+  const std::uint32_t id = found->second;
+  timers_.erase(found);
+  for (const auto& intention : circumstance_.intentions) {
+    if (intention->id == id && intention->state == Intention::State::waiting) resume(*intention);
+  }
+}
+
+void Agent::add_plan(std::shared_ptr<Plan> plan, Place place) {
+  if (own_library_ == nullptr) {
+    own_library_ = std::make_unique<PlanLibrary>(program_->library());
+    library_ = own_library_.get();
+  }
+  own_plans_.push_back(plan);
+  place == Place::back ? own_library_->add(std::move(plan)) : own_library_->add_first(std::move(plan));
+}
+
+void Agent::remove_plan(const Plan& plan) {
+  if (own_library_ == nullptr) {
+    own_library_ = std::make_unique<PlanLibrary>(program_->library());
+    library_ = own_library_.get();
+  }
+  own_library_->remove(plan);
+}
+
+void Agent::forget_finished() {
+  if (finished_ == 0) return;
+  std::erase_if(circumstance_.intentions, [](const auto& intention) {
+    return intention->state == Intention::State::finished;
+  });
+  finished_ = 0;
+}
+
+void Agent::collect_garbage() {
+  Circumstance& c = circumstance_;
+  // Plans that were removed stay while some intention uses them.
+  std::erase_if(own_plans_, [&](const std::shared_ptr<Plan>& plan) {
+    if (plan.use_count() > 1) return false;
+    return std::none_of(c.intentions.begin(), c.intentions.end(), [&](const auto& intention) {
+      return std::any_of(intention->stack.begin(), intention->stack.end(),
+                         [&](const IntendedMeans& means) { return means.plan == plan.get(); });
+    });
+  });
+  std::vector<BodyCode*> codes;
+  const auto add_code = [&](const Cursor& cursor) {
+    if (cursor.code != nullptr &&
+        std::find(codes.begin(), codes.end(), cursor.code.get()) == codes.end()) {
+      codes.push_back(cursor.code.get());
+    }
+  };
+  for (const auto& intention : c.intentions) {
+    for (const IntendedMeans& means : intention->stack) {
+      add_code(means.cursor);
+      for (const Cursor& cursor : means.outer) add_code(cursor);
+    }
+  }
+  heap_.collect([&](Heap::Relocator& relocate) {
+    const auto visit = [&](Value& value) { relocate(value); };
+    beliefs_.visit_terms(visit);
+    for (const auto& plan : own_plans_) plan->visit_terms(visit);
+    for (BodyCode* code : codes) code->visit_terms(visit);
+    for (const auto& intention : c.intentions) intention->visit_terms(visit);
+    for (Event& event : c.events) relocate(event.literal);
+    if (c.atomic_event) relocate(c.atomic_event->literal);
+    for (PendingAction& action : c.actions) relocate(action.literal);
+    for (PendingAction& action : c.acting) relocate(action.literal);
+    for (Feedback& feedback : c.feedback) relocate(feedback.literal);
+    for (Message& message : c.mailbox) relocate(message.content);
+    for (Message& message : c.arriving) relocate(message.content);
+  });
+}
+
+}  // namespace jaywalk

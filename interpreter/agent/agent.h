@@ -1,0 +1,188 @@
+#pragma once
+
+// A BDI agent: beliefs, plans and a circumstance, and the reasoning cycle that moves them. The cycle
+// follows Jason's semantic rules; each is a function that bears its name, in cycle.cpp, in order.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/agent/circumstance.h"
+#include "interpreter/agent/host.h"
+#include "interpreter/logic/machine.h"
+#include "interpreter/mas/environment.h"
+#include "interpreter/program/program.h"
+#include "interpreter/support/random.h"
+
+namespace jaywalk {
+
+struct AgentLimits {
+  std::uint64_t heap_bytes = std::uint64_t{1} << 30U;
+  std::uint64_t inferences = 1'000'000'000;
+};
+
+class Agent {
+ public:
+  Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
+        AgentHost& host, std::uint64_t seed, const AgentLimits& limits);
+  ~Agent();
+  Agent(const Agent&) = delete;
+  Agent& operator=(const Agent&) = delete;
+
+  /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
+  /// `given`, ground literals, come instead.
+  void start(std::span<const Predicate> replaced, std::span<const Value> given);
+
+  /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not.
+  void update_percepts(const Percepts& percepts);
+  /// One reasoning cycle.
+  void cycle();
+  /// A cycle would do something.
+  [[nodiscard]] bool is_active() const;
+  [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
+
+  // Messages and actions, to and from the system.
+  void receive(Message message) { circumstance_.mailbox.push_back(std::move(message)); }
+  /// The action to execute next, taken from the queue; null if none is chosen.
+  [[nodiscard]] const PendingAction* take_action();
+  void give_feedback(bool succeeded, std::string reason);
+  void timer_fired(std::uint64_t token);
+
+  // For internal actions and observers.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] AgentHost& host() { return host_; }
+  [[nodiscard]] Machine& machine() { return machine_; }
+  [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
+  [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
+  [[nodiscard]] Heap& heap() { return heap_; }
+  [[nodiscard]] SymbolTable& symbols() { return symbols_; }
+  [[nodiscard]] const SymbolTable& symbols() const { return symbols_; }
+  [[nodiscard]] Circumstance& circumstance() { return circumstance_; }
+  [[nodiscard]] const Circumstance& circumstance() const { return circumstance_; }
+  [[nodiscard]] const PlanLibrary& library() const { return *library_; }
+  [[nodiscard]] JavaRandom& random() { return random_; }
+  [[nodiscard]] const Program& program() const { return *program_; }
+
+  /// Believes a literal (source(self) if it has no source) and makes the event; `focus` is the
+  /// intention that waits for it, or null. True: something changed.
+  bool add_belief(Value literal, Place place, Intention* focus);
+  bool remove_belief(Value literal, Intention* focus);
+  /// Puts an event into the queue, if some plan may be for it or an intention waits for it.
+  void add_event(Event event);
+  /// Posts a goal as an external event.
+  void add_goal(Value literal);
+
+  /// Makes an intention wait; resume() goes on with it behind the current formula.
+  void suspend(Intention& intention, Intention::State state, std::string reason);
+  void resume(Intention& intention);
+  /// Goes on with a waiting intention whose current formula failed.
+  void fail_waiting(Intention& intention, const ActionError& error);
+  void drop(Intention& intention);
+
+  /// Waits that end when their timer fires (`.wait`); returns the timer's token.
+  std::uint64_t wait_for_timer(Intention& intention, double ms);
+
+  /// Adds a plan made at run time, last or first.
+  void add_plan(std::shared_ptr<Plan> plan, Place place);
+  void remove_plan(const Plan& plan);
+  /// Adds a term of form rule.
+  void add_rule(Value rule, Place place);
+
+  void log(std::string_view text) { host_.log(*this, text); }
+
+  /// The literal as told by `sender`: its own sources become annotations of the new one.
+  [[nodiscard]] Value add_source(Value literal, Value sender);
+  /// "+!g(1)", without annotations.
+  [[nodiscard]] std::string trigger_text(const Event& event) const;
+  /// The label, or the trigger and the place of a plan without one.
+  [[nodiscard]] std::string plan_name(const Plan& plan) const;
+
+ private:
+  // The reasoning cycle (cycle.cpp).
+  void sense();
+  void process_message();
+  [[nodiscard]] bool answer_arrived(const Message& message);
+  [[nodiscard]] bool has_own_message_plans() const;
+  [[nodiscard]] bool has_candidates(const Event& event);
+  [[nodiscard]] const std::vector<const Plan*>& candidates_for(const Event& event);
+  void deliberate();
+  void act();
+  [[nodiscard]] bool find_option(const Event& event);
+  [[nodiscard]] bool try_plan(const Plan& plan, const Event& event);
+  void add_intended_means(const Plan& plan, const Event& event);
+  void replace_finished_caller(Intention& intention, const Event& event);
+  [[nodiscard]] bool no_plan(const Event& event, bool had_candidates);
+  void process_feedback();
+  Intention* select_intention();
+  void clear_intention(Intention& intention);
+  void finish_means(Intention& intention);
+  void return_values(Intention& intention);
+
+  // Execution of one formula (execute.cpp).
+  void execute(Intention& intention);
+  void execute_step(Intention& intention, const Step& step);
+  void execute_action(Intention& intention, Value literal);
+  void execute_internal_action(Intention& intention, const Goal& goal);
+  void execute_achieve(Intention& intention, Value term, Step::Kind kind);
+  void execute_test(Intention& intention, const Step& step);
+  void execute_belief(Intention& intention, Value term, Step::Kind kind);
+  void execute_replace(Intention& intention, Value literal);
+  void execute_variable(Intention& intention, const Step& step);
+  void execute_if(Intention& intention, const Step& step);
+  void execute_while(Intention& intention, const Step& step);
+  void execute_for(Intention& intention, const Step& step);
+  void execute_fork(Intention& intention, const Step& step);
+  void execute_join(Intention& intention);
+  bool leave_failed_branch(Intention& intention);
+  Intention& copy_for_branch(const Intention& intention);
+  [[nodiscard]] Intention* find_intention(std::uint32_t id);
+  void enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code);
+  void go_on(Intention& intention);
+  Value prepare_for_event(Intention& intention, Value term, bool returns);
+  void record_bindings(Intention& intention, std::size_t trail);
+  void undo_round(Intention& intention, Loop& loop);
+  void collect_solutions(Intention& intention, const Goal& condition, Loop& loop);
+  bool execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind);
+  void bind_recorded(Intention& intention, Loop& loop, Value place, Value value);
+
+  // Failure (failure.cpp).
+  void fail(Intention& intention, const ActionError& error);
+  void fail_event(const Event& event, const ActionError& error);
+  void fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
+  [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor,
+                                  const ActionError& error, Value code, std::uint32_t line);
+  [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal);
+  Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line);
+  void lose(Intention& intention, const ActionError& error, Value code);
+
+  void make_ready(Intention& intention);
+  Intention& new_intention();
+  void collect_garbage();
+  void forget_finished();
+
+  std::string name_;
+  std::shared_ptr<const Program> program_;
+  SymbolTable& symbols_;
+  AgentHost& host_;
+  Heap heap_;
+  BeliefBase beliefs_;
+  Machine machine_;
+  JavaRandom random_;
+  Circumstance circumstance_;
+  const PlanLibrary* library_;
+  std::unique_ptr<PlanLibrary> own_library_;         // once the program's has been changed
+  std::vector<std::shared_ptr<Plan>> own_plans_;     // made at run time, perhaps removed again
+  std::vector<Value> scratch_;                       // the frame of the plan being tried
+  std::vector<std::pair<Value, Value>> renamed_;
+  std::vector<BeliefBase::PerceptChange> percept_changes_;
+  std::unordered_map<std::uint64_t, std::uint32_t> timers_;  // token → intention
+  std::uint64_t next_token_ = 1;
+  std::uint32_t next_intention_ = 1;
+  std::uint64_t cycles_ = 0;
+  std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
+};
+
+}  // namespace jaywalk

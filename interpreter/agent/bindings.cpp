@@ -1,0 +1,158 @@
+// What a round of a loop binds is undone before the next, and a fork gives each branch a copy of
+// the whole stack: here is how frames and variables are saved, restored and copied.
+
+#include <algorithm>
+
+#include "interpreter/agent/agent.h"
+
+namespace jaywalk {
+namespace {
+
+
+Value variable_of(Value* cell) {
+  return Value::reference(Value::Kind::variable, cell, 0);
+}
+
+}  // namespace
+
+// Bindings made by a step are for good, unless the step is in a loop: then the round remembers them.
+void Agent::record_bindings(Intention& intention, std::size_t trail) {
+  IntendedMeans& means = intention.top();
+  if (!means.loops.empty()) {
+    Value* const first = intention.frame(means);
+    Value* const last = first + means.plan->slot_count;
+    for (Value* const cell : machine_.unifier().bindings_since(trail)) {
+      if (cell >= first && cell < last) {
+        means.loops.back().bound.push_back(
+            Value::slot(static_cast<std::uint32_t>(cell - first)));
+      } else if (!machine_.is_in_frame(cell)) {
+        means.loops.back().bound.push_back(variable_of(cell));
+      }
+    }
+  }
+  machine_.unifier().commit(trail);
+}
+
+void Agent::undo_round(Intention& intention, Loop& loop) {
+  Value* const frame = intention.frame(intention.top());
+  for (const Value bound : loop.bound) {
+    if (bound.is_slot()) {
+      frame[bound.slot_index()] = Value();
+    } else {
+      bound.variable()->value = Value();
+    }
+  }
+  loop.bound.clear();
+}
+
+void Agent::bind_recorded(Intention& intention, Loop& loop, Value place, Value value) {
+  if (place.is_slot()) {
+    intention.frame(intention.top())[place.slot_index()] = value;
+  } else {
+    place.variable()->value = value;
+  }
+  loop.bound.push_back(place);
+}
+
+// All solutions of a `for`, each as what it binds.
+void Agent::collect_solutions(Intention& intention, const Goal& condition, Loop& loop) {
+  Unifier& unifier = machine_.unifier();
+  const IntendedMeans& means = intention.top();
+  Value* const first = intention.frame(means);
+  Value* const last = first + means.plan->slot_count;
+  const std::size_t trail = unifier.mark();
+  machine_.solve_all(&condition, first, [&] {
+    for (Value* const cell : unifier.bindings_since(trail)) {
+      const bool is_slot = cell >= first && cell < last;
+      if (!is_slot && machine_.is_in_frame(cell)) continue;
+      loop.solutions.push_back(is_slot ? Value::slot(static_cast<std::uint32_t>(cell - first))
+                                       : variable_of(cell));
+      loop.solutions.push_back(unifier.apply(*cell));
+    }
+    loop.solution_ends.push_back(loop.solutions.size());
+    return true;
+  });
+}
+
+Intention* Agent::find_intention(std::uint32_t id) {
+  for (const auto& intention : circumstance_.intentions) {
+    if (intention->id == id && intention->state != Intention::State::finished) {
+      return intention.get();
+    }
+  }
+  return nullptr;
+}
+
+// The same stack with variables of its own.
+Intention& Agent::copy_for_branch(const Intention& intention) {
+  Intention& copy = new_intention();
+  copy.stack = intention.stack;
+  copy.atomic_means = intention.atomic_means;
+  copy.fork = intention.fork;
+  // All terms are renamed together, so that what was shared stays shared.
+  std::vector<Value> terms;
+  const auto visit_all = [](Intention& of, auto&& visit) { of.visit_terms(visit); };
+  copy.values = intention.values;
+  visit_all(copy, [&](Value& value) { terms.push_back(value.is_unset() ? Value() : value); });
+  Value renamed = machine_.unifier().fresh_copy(heap_.list(terms));
+  visit_all(copy, [&](Value& value) {
+    const Value now = renamed.pair()->head;
+    renamed = renamed.pair()->tail;
+    if (!value.is_slot()) value = now;
+  });
+  return copy;
+}
+
+void Agent::execute_fork(Intention& intention, const Step& step) {
+  auto fork = std::make_shared<Fork>();
+  fork->is_or = step.kind == Step::Kind::fork_or;
+  fork->depth = intention.stack.size();
+  fork->open = step.branches.size();
+  fork->outer = intention.fork;
+  for (const Body* const branch : step.branches) {
+    Intention& copy = copy_for_branch(intention);
+    copy.fork = fork;
+    fork->branches.push_back(copy.id);
+    enter_body(copy, *branch, nullptr);
+    make_ready(copy);
+  }
+  drop(intention);
+}
+
+// The end of a branch: the last of an `|&|`, the first of an `|||` goes on behind the fork.
+void Agent::execute_join(Intention& intention) {
+  const std::shared_ptr<Fork> fork = intention.fork;
+  if (fork == nullptr) {
+    go_on(intention);
+    return;
+  }
+  --fork->open;
+  if (!fork->is_or && fork->open > 0) {
+    drop(intention);
+    return;
+  }
+  for (const std::uint32_t id : fork->branches) {
+    Intention* const other = id == intention.id ? nullptr : find_intention(id);
+    if (other != nullptr) drop(*other);
+  }
+  intention.fork = fork->outer;
+  go_on(intention);
+}
+
+// A branch has failed and no plan above the fork handles it. True: nothing else is to be done.
+bool Agent::leave_failed_branch(Intention& intention) {
+  const std::shared_ptr<Fork> fork = intention.fork;
+  --fork->open;
+  if (fork->is_or && fork->open > 0) {
+    drop(intention);
+    return true;
+  }
+  for (const std::uint32_t id : fork->branches) {
+    Intention* const other = id == intention.id ? nullptr : find_intention(id);
+    if (other != nullptr) drop(*other);
+  }
+  intention.fork = fork->outer;
+  return false;
+}
+
+}  // namespace jaywalk

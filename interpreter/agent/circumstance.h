@@ -1,0 +1,62 @@
+#pragma once
+
+// What an agent has going on, in the words of Jason's operational semantics: events (E), intentions
+// (I), pending actions and their feedback (PA, FA), the mailbox (MB).
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/agent/intention.h"
+
+namespace jaywalk {
+
+struct Event {
+  TriggerOperator op = TriggerOperator::add;
+  TriggerKind kind = TriggerKind::belief;
+  Value literal;
+  /// The intention that waits for it; null: an external event, which starts an intention.
+  Intention* intention = nullptr;
+  /// Of a failure, `-!g`: see IntendedMeans::keeps.
+  std::size_t keeps = 0;
+};
+
+struct Message {
+  std::string sender;  // "self" if it is from the agent itself
+  Symbol performative{};
+  Value content;
+  std::string id;
+  std::string in_reply_to;
+};
+
+/// An action that the environment is to execute.
+struct PendingAction {
+  Intention* intention = nullptr;
+  Value literal;
+};
+
+struct Feedback {
+  Intention* intention = nullptr;
+  bool succeeded = true;
+  std::string reason;
+  Value literal;
+};
+
+struct Circumstance {
+  std::deque<Event> events;               // E
+  std::optional<Event> atomic_event;      // of the atomic intention
+  std::deque<Intention*> running;         // I, those ready to run
+  Intention* atomic = nullptr;            // the atomic intention, if it is ready to run
+  bool atomic_suspended = false;          // there is one, and it waits
+  std::deque<PendingAction> actions;      // PA, for the environment to take, one a tick
+  std::vector<PendingAction> acting;      // PA, taken, awaiting feedback
+  std::deque<Feedback> feedback;          // FA
+  std::deque<Message> mailbox;            // MB
+  std::vector<Message> arriving;          // sent in this round, to the mailbox at its end
+  std::vector<std::unique_ptr<Intention>> intentions;  // owns all of them
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,259 @@
+// The reasoning cycle. The functions stand in the order of Jason's semantic rules (Bordini, Huebner,
+// Wooldridge 2007, ch. 10) and bear their names; where Jason's interpreter differs from the book, it
+// is Jason that is followed:
+//
+//   sense       ProcMsg
+//   deliberate  SelEv → RelPl, ApplPl, SelAppl (found in one go: FindOp) → AddIM
+//   act         ProcAct → SelInt → ExecInt (execute.cpp) → ClrInt
+
+#include <algorithm>
+#include <array>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/agent/step_guard.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+
+void Agent::cycle() {
+  ++cycles_;
+  sense();
+  deliberate();
+  act();
+  // Nothing holds a Value any more but the circumstance and the beliefs.
+  machine_.unifier().commit(0);
+  machine_.forget_temporary_code();
+  forget_finished();
+  beliefs_.compact();
+  if (heap_.wants_collection()) collect_garbage();
+}
+
+void Agent::sense() {
+  if (!circumstance_.mailbox.empty()) process_message();
+}
+
+// Rule ProcMsg: one message a cycle.
+void Agent::process_message() {
+  const Message message = std::move(circumstance_.mailbox.front());
+  circumstance_.mailbox.pop_front();
+  if (answer_arrived(message)) return;
+  const Value sender = Value::atom(symbols_.predicate(message.sender, 0));
+  const std::string_view performative = symbols_.text(message.performative);
+  // The usual performatives are done at once unless the agent has its own plans for messages.
+  if (!has_own_message_plans() && is_literal(message.content) && message.in_reply_to.empty()) {
+    if (performative == "achieve" || performative == "tell" || performative == "signal") {
+      const Value content = add_source(message.content, sender);
+      if (performative == "achieve") {
+        add_goal(content);
+      } else if (performative == "tell") {
+        add_belief(content, Place::front, nullptr);
+      } else {
+        add_event({TriggerOperator::add, TriggerKind::belief, content, nullptr, 0});
+      }
+      return;
+    }
+  }
+  const std::string& id = message.id.empty() ? message.in_reply_to : message.id;
+  const std::array<Value, 4> args{
+      sender, Value::atom(symbols_.predicate(performative, 0)), message.content,
+      Value::atom(symbols_.predicate(id.empty() ? std::string_view("mid") : id, 0))};
+  add_goal(heap_.structure(predicates::kqml_received, args));
+}
+
+void Agent::deliberate() {
+  Circumstance& c = circumstance_;
+  // Rule SelEv, for atomic: while an atomic intention exists, only its own events are selected.
+  if (c.atomic != nullptr || c.atomic_suspended) return;
+  if (c.atomic_event) {
+    const Event event = *c.atomic_event;
+    c.atomic_event.reset();
+    if (!find_option(event)) (void)no_plan(event, has_candidates(event));
+    return;
+  }
+  // Rule SelEv1: the oldest event. External events that nobody wants do not cost a cycle.
+  while (!c.events.empty()) {
+    const Event event = c.events.front();
+    c.events.pop_front();
+    if (find_option(event) || no_plan(event, has_candidates(event))) return;
+  }
+  // Rule SelEv2: no event.
+}
+
+bool Agent::has_candidates(const Event& event) {
+  return !candidates_for(event).empty();
+}
+
+const std::vector<const Plan*>& Agent::candidates_for(const Event& event) {
+  const Predicate predicate =
+      is_literal(event.literal) ? literal_parts(event.literal).predicate : predicates::truth;
+  return library_->candidates(trigger_key(event.op, event.kind, predicate, symbols_));
+}
+
+// Rules RelPl, ApplPl and SelAppl: the first plan in the library whose trigger unifies with the
+// event's and whose context follows from the beliefs, with the first solution.
+bool Agent::find_option(const Event& event) {
+  for (const Plan* const plan : candidates_for(event)) {
+    if (try_plan(*plan, event)) return true;
+  }
+  return false;
+}
+
+bool Agent::try_plan(const Plan& plan, const Event& event) {
+  Unifier& unifier = machine_.unifier();
+  const std::size_t trail = unifier.mark();
+  scratch_.assign(plan.slot_count, Value());
+  unifier.set_slot_names(plan.slot_names);
+  ActionError error;
+  const bool applicable = guarded(error, [&] {
+    return unifier.match(plan.trigger, scratch_.data(), event.literal,
+                         Unifier::Direction::template_first) &&
+           machine_.solve(plan.context, scratch_.data());
+  });
+  if (!error.message.empty()) log("in the context of " + plan_name(plan) + ": " + error.message);
+  if (!applicable) {
+    unifier.undo(trail);
+    return false;
+  }
+  unifier.commit(trail);
+  add_intended_means(plan, event);
+  return true;
+}
+
+// Rule AddIM: a new intention for an external event, else on top of the one that waits for it.
+void Agent::add_intended_means(const Plan& plan, const Event& event) {
+  Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
+  if (event.intention != nullptr) replace_finished_caller(intention, event);
+  IntendedMeans means;
+  means.plan = &plan;
+  means.op = event.op;
+  means.kind = event.kind;
+  means.trigger = event.literal;
+  means.cursor.body = plan.code.entry;
+  means.keeps = event.keeps;
+  if (plan.atomic) circumstance_.atomic_suspended = false;
+  intention.push(std::move(means), scratch_);
+  make_ready(intention);
+}
+
+// Tail recursion: a means whose last formula calls the same goal again gives way to the new one.
+// Its own caller's open variables live on in the variables that the new means was given.
+void Agent::replace_finished_caller(Intention& intention, const Event& event) {
+  IntendedMeans& caller = intention.top();
+  const bool last = caller.cursor.index + 1 == caller.cursor.body->steps.size() &&
+                    caller.outer.empty() && !caller.cursor.is_loop;
+  if (!last || event.op != TriggerOperator::add || event.kind == TriggerKind::belief ||
+      !caller.is_goal_addition() || caller.kind != event.kind || caller.plan->has_goal_condition ||
+      literal_parts(caller.trigger).predicate != literal_parts(event.literal).predicate) {
+    return;
+  }
+  const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    const Value own = deref(pairs[i]);
+    if (own.is_variable()) own.variable()->value = pairs[i + 1];
+  }
+  intention.pop();
+}
+
+// What becomes of an event without a plan. False: another one may be selected in this cycle.
+bool Agent::no_plan(const Event& event, bool had_candidates) {
+  if (event.kind != TriggerKind::belief && event.op != TriggerOperator::goal_state) {
+    ActionError error;
+    error.id = had_candidates ? "no_applicable" : "no_relevant";
+    error.message = std::string(had_candidates ? "no applicable plan for " : "no relevant plan for ") +
+                    trigger_text(event);
+    fail_event(event, error);
+    return true;
+  }
+  if (event.intention == nullptr) return false;
+  // The change of belief was all that was wanted.
+  go_on(*event.intention);
+  clear_intention(*event.intention);
+  return true;
+}
+
+void Agent::act() {
+  // Rule ProcAct
+  if (!circumstance_.feedback.empty()) process_feedback();
+  // Rules SelInt and ExecInt
+  Intention* const intention = select_intention();
+  if (intention == nullptr) return;
+  execute(*intention);
+  // Rule ClrInt
+  if (intention->state != Intention::State::finished) clear_intention(*intention);
+}
+
+void Agent::process_feedback() {
+  const Feedback feedback = std::move(circumstance_.feedback.front());
+  circumstance_.feedback.pop_front();
+  Intention& intention = *feedback.intention;
+  if (intention.state != Intention::State::acting) return;
+  if (feedback.succeeded) {
+    go_on(intention);
+    clear_intention(intention);
+    return;
+  }
+  ActionError error;
+  error.id = "action_failed";
+  error.message = feedback.reason.empty()
+                      ? "action " + term_text(feedback.literal, symbols_) + " failed"
+                      : feedback.reason;
+  fail(intention, error);
+}
+
+// Rule SelInt: the atomic intention, else the one that has waited longest.
+Intention* Agent::select_intention() {
+  Circumstance& c = circumstance_;
+  if (c.atomic != nullptr) {
+    Intention* const atomic = c.atomic;
+    c.atomic = nullptr;
+    return atomic;
+  }
+  if (c.atomic_suspended || c.running.empty()) return nullptr;
+  Intention* const first = c.running.front();
+  c.running.pop_front();
+  return first;
+}
+
+// Rule ClrInt: finished means are popped and their results handed on.
+void Agent::clear_intention(Intention& intention) {
+  while (!intention.is_finished() && intention.top().is_finished()) finish_means(intention);
+  if (intention.is_finished()) {
+    drop(intention);
+  } else if (circumstance_.atomic == &intention && !intention.is_atomic()) {
+    circumstance_.atomic = nullptr;
+    circumstance_.running.push_back(&intention);
+  }
+}
+
+void Agent::finish_means(Intention& intention) {
+  const IntendedMeans& done = intention.top();
+  const bool was_failure = done.op == TriggerOperator::remove && done.is_goal();
+  const std::size_t keeps = done.keeps;
+  intention.pop();
+  // The means of the goal that failed have stayed until now.
+  while (was_failure && intention.stack.size() > keeps) intention.pop();
+  if (intention.is_finished() || intention.top().is_finished()) return;
+  return_values(intention);
+  intention.advance();
+}
+
+// The values of the variables that were renamed at the call are copied back; what is still open in
+// them is renamed afresh, so it is not shared with the plan that has ended.
+void Agent::return_values(Intention& intention) {
+  const IntendedMeans& caller = intention.top();
+  if (caller.returns == 0) return;
+  Unifier& unifier = machine_.unifier();
+  const std::size_t trail = unifier.mark();
+  const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    const Value returned = deref(pairs[i + 1]);
+    if (returned.is_variable()) continue;
+    const Value value = returned.is_closed() ? returned : unifier.fresh_copy(returned);
+    (void)unifier.unify(pairs[i], value);
+  }
+  record_bindings(intention, trail);
+}
+
+}  // namespace jaywalk

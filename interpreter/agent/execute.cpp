@@ -1,0 +1,340 @@
+// Rule ExecInt: one formula of one intention. Every kind of formula has its function; each ends in
+// one of three ways: go_on (the formula is done), fail, or the intention waits for an event, an
+// action's feedback or a resumption.
+
+#include <algorithm>
+#include <array>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/agent/step_guard.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
+
+namespace jaywalk {
+namespace {
+
+ActionError make_error(std::string id, std::string message) {
+  ActionError error;
+  error.id = std::move(id);
+  error.message = std::move(message);
+  return error;
+}
+
+bool is_form(Value value, Form form) {
+  return value.is_structure() && value.structure()->form() == form;
+}
+
+}  // namespace
+
+void Agent::execute(Intention& intention) {
+  IntendedMeans& means = intention.top();
+  if (means.cursor.at_end() && means.cursor.is_loop) {
+    // A round is done: its bindings are undone, and the loop's own formula comes again.
+    undo_round(intention, means.loops.back());
+    means.cursor = std::move(means.outer.back());
+    means.outer.pop_back();
+  }
+  if (means.cursor.at_end()) {  // an empty body takes a step, too
+    make_ready(intention);
+    return;
+  }
+  ActionError error;
+  const Step& step = means.step();
+  const bool completed = guarded(error, [&] {
+    machine_.unifier().set_slot_names(means.plan->slot_names);
+    execute_step(intention, step);
+    return true;
+  });
+  if (!completed) {
+    machine_.unifier().undo(0);
+    fail(intention, error);
+  }
+}
+
+void Agent::execute_step(Intention& intention, const Step& step) {
+  switch (step.kind) {
+    case Step::Kind::action: execute_action(intention, step.term); return;
+    case Step::Kind::internal_action: execute_internal_action(intention, *step.goal); return;
+    case Step::Kind::constraint: {
+      const std::size_t trail = machine_.unifier().mark();
+      if (!machine_.solve(step.goal, intention.frame(intention.top()))) {
+        fail(intention, make_error("constraint_failed", ""));
+        return;
+      }
+      record_bindings(intention, trail);
+      go_on(intention);
+      return;
+    }
+    case Step::Kind::achieve:
+    case Step::Kind::achieve_new_focus: execute_achieve(intention, step.term, step.kind); return;
+    case Step::Kind::test: execute_test(intention, step); return;
+    case Step::Kind::add:
+    case Step::Kind::add_new_focus:
+    case Step::Kind::add_begin:
+    case Step::Kind::add_end:
+    case Step::Kind::remove:
+    case Step::Kind::remove_new_focus:
+    case Step::Kind::replace: execute_belief(intention, step.term, step.kind); return;
+    case Step::Kind::variable: execute_variable(intention, step); return;
+    case Step::Kind::if_statement: execute_if(intention, step); return;
+    case Step::Kind::while_loop: execute_while(intention, step); return;
+    case Step::Kind::for_loop: execute_for(intention, step); return;
+    case Step::Kind::fork_and:
+    case Step::Kind::fork_or: execute_fork(intention, step); return;
+    case Step::Kind::join: execute_join(intention); return;
+    case Step::Kind::wrong: break;
+  }
+  fail(intention, make_error("body_var_not_literal", "this formula cannot be executed"));
+}
+
+// The formula is done: the intention goes to the end of I.
+void Agent::go_on(Intention& intention) {
+  intention.advance();
+  make_ready(intention);
+}
+
+void Agent::execute_action(Intention& intention, Value term) {
+  Value* const frame = intention.frame(intention.top());
+  const Value literal = machine_.unifier().instantiate(term, frame);
+  record_bindings(intention, 0);
+  suspend(intention, Intention::State::acting, "act");
+  circumstance_.actions.push_back({&intention, literal});
+  if (host_.act(*this)) return;
+  (void)take_action();
+  give_feedback(false, "no environment configured!");
+}
+
+void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
+  const std::size_t trail = machine_.unifier().mark();
+  ActionError error;
+  // The action may drop its own intention, or finish its goal: look at the state afterwards.
+  const std::size_t depth = intention.stack.size();
+  const Outcome outcome =
+      machine_.call(goal, intention.frame(intention.top()), &intention, error);
+  if (intention.state != Intention::State::running || intention.stack.size() != depth) {
+    if (outcome != Outcome::suspended && intention.state == Intention::State::running) {
+      make_ready(intention);
+    }
+    return;
+  }
+  switch (outcome) {
+    case Outcome::succeeded:
+      record_bindings(intention, trail);
+      go_on(intention);
+      return;
+    case Outcome::suspended: return;
+    case Outcome::failed: fail(intention, make_error("ia_failed", "")); return;
+    case Outcome::many:
+    case Outcome::error: fail(intention, error); return;
+  }
+}
+
+// A goal's or belief's literal, applied, with source(self) unless it has a source. Where values are
+// to come back, its open variables are renamed and recorded behind the frame.
+Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
+  IntendedMeans& means = intention.top();
+  Unifier& unifier = machine_.unifier();
+  Value literal = unifier.instantiate(term, intention.frame(means));
+  record_bindings(intention, 0);
+  if (!literal.is_closed()) {
+    renamed_.clear();
+    literal = unifier.rename(literal, returns ? &renamed_ : nullptr);
+    if (returns) {
+      intention.values.resize(means.frame + means.plan->slot_count);
+      for (const auto& [own, copy] : renamed_) {
+        intention.values.push_back(own);
+        intention.values.push_back(copy);
+      }
+      means.returns = 2 * renamed_.size();
+    }
+  }
+  if (!is_literal(literal)) return literal;
+  const Value annots = literal_parts(literal).annots;
+  if (has_source(annots)) return literal;
+  const Value with_self =
+      annots.is_empty_list() ? source_self() : union_of(heap_, annots, source_self(), symbols_);
+  return with_annotations(heap_, literal, with_self);
+}
+
+void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
+  const bool new_focus = kind == Step::Kind::achieve_new_focus;
+  const Value goal = prepare_for_event(intention, term, !new_focus);
+  if (!is_literal(goal)) {
+    fail(intention, make_error("body_var_not_literal", "a goal must be a literal"));
+    return;
+  }
+  if (new_focus) {
+    add_goal(goal);
+    go_on(intention);
+  } else {
+    add_event({TriggerOperator::add, TriggerKind::achieve, goal, &intention, 0});
+  }
+}
+
+void Agent::execute_test(Intention& intention, const Step& step) {
+  const std::size_t trail = machine_.unifier().mark();
+  if (machine_.solve(step.goal, intention.frame(intention.top()))) {
+    record_bindings(intention, trail);
+    go_on(intention);
+    return;
+  }
+  const Value term = machine_.unifier().instantiate(step.term, intention.frame(intention.top()));
+  record_bindings(intention, trail);
+  if (is_literal(term)) {
+    const TriggerKey key = trigger_key(TriggerOperator::add, TriggerKind::test,
+                                       literal_parts(term).predicate, symbols_);
+    if (!library_->candidates(key).empty()) {
+      const Value goal = prepare_for_event(intention, step.term, true);
+      add_event({TriggerOperator::add, TriggerKind::test, goal, &intention, 0});
+      return;
+    }
+  }
+  fail(intention, make_error("test_goal_failed", ""));
+}
+
+void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
+  if (execute_plan_or_rule(intention, term, kind)) return;
+  const bool new_focus =
+      kind == Step::Kind::add_new_focus || kind == Step::Kind::remove_new_focus;
+  Intention* const focus = new_focus ? nullptr : &intention;
+  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
+  // Deleting binds the variables of the pattern, so they are not renamed.
+  const Value literal = removes || kind == Step::Kind::replace
+                            ? machine_.unifier().instantiate(term, intention.frame(intention.top()))
+                            : prepare_for_event(intention, term, !new_focus);
+  if (!is_literal(literal)) {
+    fail(intention, make_error("body_var_not_literal", "a belief must be a literal"));
+    return;
+  }
+  if (kind == Step::Kind::replace) {
+    execute_replace(intention, literal);
+    return;
+  }
+  const std::size_t trail = removes ? 0 : machine_.unifier().mark();
+  const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
+  const bool changed =
+      removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
+  record_bindings(intention, trail);
+  if (!changed || new_focus) go_on(intention);
+}
+
+// -+b: one belief of the same name goes, as if deleted by another intention, then b comes.
+void Agent::execute_replace(Intention& intention, Value literal) {
+  const LiteralParts parts = literal_parts(literal);
+  std::vector<Value> open(parts.args.size());
+  for (Value& arg : open) arg = heap_.variable();
+  const std::size_t trail = machine_.unifier().mark();
+  (void)remove_belief(heap_.structure(parts.predicate, open, parts.annots), nullptr);
+  machine_.unifier().commit(trail);
+  record_bindings(intention, 0);
+  literal = machine_.unifier().fresh_copy(literal);
+  if (!add_belief(literal, Place::front, &intention)) go_on(intention);
+}
+
+// A variable as formula, with or without an operator: its value says what to do.
+void Agent::execute_variable(Intention& intention, const Step& step) {
+  IntendedMeans& means = intention.top();
+  const Value value = machine_.unifier().instantiate(step.term, intention.frame(means));
+  record_bindings(intention, 0);
+  if (value.is_variable() || is_form(value, Form::decorated)) {
+    fail(intention, make_error("body_var_without_value", "a variable in the body has no value"));
+    return;
+  }
+  if (step.variable_kind == Step::Kind::test) {
+    execute_test(intention, step);
+    return;
+  }
+  const bool has_operator = step.variable_kind != Step::Kind::action;
+  if (is_form(value, Form::body)) {
+    if (has_operator) {
+      fail(intention, make_error("body_var_with_op", "a plan body cannot have an operator"));
+      return;
+    }
+  } else if (has_operator) {
+    if (step.variable_kind == Step::Kind::achieve ||
+        step.variable_kind == Step::Kind::achieve_new_focus) {
+      execute_achieve(intention, value, step.variable_kind);
+    } else {
+      execute_belief(intention, value, step.variable_kind);
+    }
+    return;
+  }
+  auto code = std::make_shared<BodyCode>();
+  code->entry = BodyCompiler(*code, machine_.actions(), symbols_).compile(value);
+  const Body& body = *code->entry;
+  if (is_form(value, Form::body)) {
+    // The formulas come in the variable's place, the first of them in this step.
+    enter_body(intention, body, std::move(code));
+    if (!intention.top().cursor.at_end()) execute(intention);
+    else make_ready(intention);
+  } else {
+    enter_body(intention, body, std::move(code));
+    execute(intention);
+  }
+}
+
+// The rest of the current body waits until `body` is done.
+void Agent::enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code) {
+  IntendedMeans& means = intention.top();
+  if (code == nullptr) code = means.cursor.code;
+  ++means.cursor.index;
+  if (!means.cursor.at_end() || means.cursor.is_loop) means.outer.push_back(means.cursor);
+  means.cursor = Cursor{&body, 0, std::move(code), false};
+  Intention::leave_finished_bodies(means);
+}
+
+void Agent::execute_if(Intention& intention, const Step& step) {
+  const std::size_t trail = machine_.unifier().mark();
+  const bool holds = machine_.solve(step.goal, intention.frame(intention.top()));
+  record_bindings(intention, trail);
+  const Body* const branch = holds ? step.first : step.second;
+  if (branch == nullptr) {
+    go_on(intention);
+    return;
+  }
+  enter_body(intention, *branch, nullptr);
+  make_ready(intention);
+}
+
+void Agent::execute_while(Intention& intention, const Step& step) {
+  IntendedMeans& means = intention.top();
+  if (means.loops.empty() || means.loops.back().step != &step) {
+    means.loops.emplace_back().step = &step;
+  }
+  const std::size_t trail = machine_.unifier().mark();
+  if (!machine_.solve(step.goal, intention.frame(means))) {
+    means.loops.pop_back();
+    go_on(intention);
+    return;
+  }
+  record_bindings(intention, trail);
+  means.outer.push_back(means.cursor);
+  means.cursor = Cursor{step.first, 0, means.cursor.code, true};
+  make_ready(intention);
+}
+
+void Agent::execute_for(Intention& intention, const Step& step) {
+  IntendedMeans& means = intention.top();
+  if (means.loops.empty() || means.loops.back().step != &step) {
+    Loop loop;
+    loop.step = &step;
+    collect_solutions(intention, *step.goal, loop);
+    means.loops.push_back(std::move(loop));
+  }
+  Loop& loop = means.loops.back();
+  if (loop.next_solution == loop.solution_ends.size()) {
+    means.loops.pop_back();
+    go_on(intention);
+    return;
+  }
+  std::size_t i = loop.next_solution == 0 ? 0 : loop.solution_ends[loop.next_solution - 1];
+  for (; i + 1 < loop.solution_ends[loop.next_solution]; i += 2) {
+    bind_recorded(intention, loop, loop.solutions[i], loop.solutions[i + 1]);
+  }
+  ++loop.next_solution;
+  means.outer.push_back(means.cursor);
+  means.cursor = Cursor{step.first, 0, means.cursor.code, true};
+  make_ready(intention);
+}
+
+}  // namespace jaywalk

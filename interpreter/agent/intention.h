@@ -1,0 +1,122 @@
+#pragma once
+
+// Intentions: stacks of intended means. All frames of an intention stand in one vector:
+//
+//   values: [ frame of means 0 | its open call's returns | frame of means 1 | ... | top frame ]
+//
+// A frame is the unifier of its means: the slots of its plan. While a sub-goal runs, behind the
+// caller's frame stand pairs of a variable of the caller and the variable that the sub-goal got in
+// its place; when it returns, the values are copied back, as Jason does.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "interpreter/program/plan.h"
+
+namespace jaywalk {
+
+/// A loop in progress. Bindings made in a round are undone before the next and at the end.
+struct Loop {
+  const Step* step = nullptr;
+  /// What the round has bound: variables, and slots of the frame.
+  std::vector<Value> bound;
+  /// `for`: every solution as pairs (variable or slot, value), one after another.
+  std::vector<Value> solutions;
+  std::vector<std::size_t> solution_ends;
+  std::size_t next_solution = 0;
+};
+
+/// A place in a body. `code` keeps bodies alive that were made at run time.
+struct Cursor {
+  const Body* body = nullptr;
+  std::uint32_t index = 0;
+  std::shared_ptr<BodyCode> code;
+  /// The cursor runs a round of the innermost loop.
+  bool is_loop = false;
+
+  [[nodiscard]] bool at_end() const { return index >= body->steps.size(); }
+};
+
+struct IntendedMeans {
+  const Plan* plan = nullptr;
+  TriggerOperator op = TriggerOperator::add;
+  TriggerKind kind = TriggerKind::belief;
+  Value trigger;  // the event's literal
+  Cursor cursor;
+  std::vector<Cursor> outer;  // where to go on when the cursor's body is done
+  std::vector<Loop> loops;
+  std::size_t frame = 0;      // index into the intention's values
+  std::size_t returns = 0;    // values behind the frame: pairs of the open call
+  /// Of a means for a failure, `-!g`: how many means below stay when it is done. Those above them
+  /// are of the goal that failed.
+  std::size_t keeps = 0;
+
+  [[nodiscard]] bool is_finished() const { return cursor.at_end() && outer.empty(); }
+  [[nodiscard]] const Step& step() const { return cursor.body->steps[cursor.index]; }
+  [[nodiscard]] bool is_goal() const { return kind != TriggerKind::belief; }
+  [[nodiscard]] bool is_goal_addition() const { return is_goal() && op == TriggerOperator::add; }
+};
+
+/// Several branches of one fork, `|&|` or `|||`.
+struct Fork {
+  bool is_or = false;
+  std::size_t depth = 0;  // how many means the branches share
+  std::size_t open = 0;   // branches that have not joined
+  std::vector<std::uint32_t> branches;  // ids of the intentions
+  std::shared_ptr<Fork> outer;  // the fork of which this one's intention was a branch
+};
+
+class Intention {
+ public:
+  enum class State : std::uint8_t {
+    running,    // in the queue, or executing
+    in_event,   // an internal event of it waits in the event queue
+    acting,     // an action for the environment is pending
+    waiting,    // .wait, an ask: resumed by the agent itself
+    suspended,  // .suspend: resumed by .resume
+    finished,
+  };
+
+  explicit Intention(std::uint32_t number) : id(number) {}
+
+  [[nodiscard]] bool is_finished() const { return stack.empty(); }
+  [[nodiscard]] IntendedMeans& top() { return stack.back(); }
+  [[nodiscard]] const IntendedMeans& top() const { return stack.back(); }
+  [[nodiscard]] Value* frame(const IntendedMeans& means) { return values.data() + means.frame; }
+  [[nodiscard]] bool is_atomic() const { return atomic_means > 0; }
+
+  void push(IntendedMeans means, std::span<const Value> slots);
+  /// Removes the top means and its frame.
+  void pop();
+  /// Goes on behind the current step of the top means; the ends of bodies are left.
+  void advance();
+  /// Leaves bodies that are done, as far as they are not rounds of a loop.
+  static void leave_finished_bodies(IntendedMeans& means);
+
+  template <class Visit>
+  void visit_terms(Visit&& visit) {
+    for (Value& value : values) visit(value);
+    for (IntendedMeans& means : stack) {
+      visit(means.trigger);
+      for (Loop& loop : means.loops) {
+        for (Value& value : loop.bound) visit(value);
+        for (Value& value : loop.solutions) visit(value);
+      }
+    }
+  }
+
+  const std::uint32_t id;
+  State state = State::running;
+  /// What it waits for, as `.suspended` tells it.
+  std::string reason;
+  /// It was suspended by name while it was waiting.
+  bool also_suspended = false;
+  std::vector<IntendedMeans> stack;
+  std::vector<Value> values;
+  std::uint32_t atomic_means = 0;
+  std::shared_ptr<Fork> fork;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,31 @@
+#pragma once
+
+// Turns the limits that a query or a term may hit into a failure of the step that hit them.
+
+#include <fmt/format.h>
+
+#include "interpreter/logic/machine.h"
+#include "interpreter/term/heap.h"
+
+namespace jaywalk {
+
+/// Runs `body`; if a limit stops it, `error` says which, and the result is false.
+template <class Body>
+[[nodiscard]] bool guarded(ActionError& error, Body&& body) {
+  error.id = "limit";
+  try {
+    return body();
+  } catch (const QueryLimit& limit) {
+    error.message = limit.message;
+  } catch (const HeapExhausted&) {
+    error.message = "the agent's memory limit is reached";
+  } catch (const TermTooDeep&) {
+    error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);
+  } catch (const DivisionByZero&) {
+    error.id = "division_by_zero";
+    error.message = "division by zero in div";
+  }
+  return false;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,278 @@
+#include "interpreter/compile/compiler.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <unordered_set>
+
+#include "interpreter/compile/kqml_plans.h"
+#include "interpreter/compile/goal_patterns.h"
+#include "interpreter/compile/translator.h"
+#include "interpreter/logic/machine.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/syntax/parser.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+
+/// Fills a program from a source tree, in one pass in source order.
+class ProgramBuilder {
+ public:
+  ProgramBuilder(Program& program, SymbolTable& symbols, const ActionRegistry& actions,
+                 Diagnostics& diagnostics)
+      : program_(program),
+        symbols_(symbols),
+        actions_(actions),
+        diagnostics_(diagnostics),
+        translator_(program.constants_, symbols, actions),
+        beliefs_(program.constants_, symbols),
+        machine_(program.constants_, symbols, beliefs_, actions) {
+    program_.actions_ = &actions;
+  }
+
+  void build(const SourceTree& tree) {
+    tree_ = &tree;
+    // Functions first: a term that calls one may stand before its registration.
+    for (const auto& file : tree.files) {
+      for (const ast::Component& component : file->components) register_functions(component);
+    }
+    add_file(tree.main());
+    add_default_plans();
+  }
+
+ private:
+  Heap& constants() { return program_.constants_; }
+
+  SourceSpan where(Span span) const { return {file_->source, span}; }
+
+  void add_file(const ast::File& file) {
+    const ast::File* const outer = file_;
+    file_ = &file;
+    translator_.set_source(file.source.get());
+    for (const ast::Component& component : file.components) add_component(component);
+    file_ = outer;
+    translator_.set_source(outer == nullptr ? nullptr : outer->source.get());
+  }
+
+  void add_component(const ast::Component& component) {
+    switch (component.kind) {
+      case ast::ComponentKind::belief: add_belief(component); return;
+      case ast::ComponentKind::goal: add_goal(component); return;
+      case ast::ComponentKind::plan: add_plan(*component.plan, program_.library_, nullptr); return;
+      case ast::ComponentKind::directive: add_directive(component); return;
+    }
+  }
+
+  static std::string file_name(const ast::File* file) {
+    return file == nullptr ? std::string() : file->source->name();
+  }
+
+  void add_belief(const ast::Component& component) {
+    VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
+    Value head = translator_.literal(*component.literal, scope);
+    if (!is_literal(head)) {
+      diagnostics_.error(where(component.literal->span), "a belief must be a literal");
+      return;
+    }
+    Value annots = literal_parts(head).annots;
+    if (!has_source(annots)) annots = union_of(constants(), annots, source_self(), symbols_);
+    head = with_annotations(constants(), head, annots);
+    const Predicate predicate = literal_parts(head).predicate;
+    const SourceSpan place = where(component.literal->span);
+    if (component.body == nullptr && scope.slot_names().empty()) {
+      // Arithmetic in facts is evaluated now.
+      head = machine_.unifier().apply(head);
+      program_.beliefs_.push_back({head, nullptr, predicate, place});
+      return;
+    }
+    const Value body = component.body == nullptr ? Value::atom(predicates::truth)
+                                                 : translator_.formula(*component.body, scope);
+    program_.rules_.push_back(make_rule(head, body, std::move(scope.slot_names()), constants(),
+                                        actions_, symbols_));
+    program_.beliefs_.push_back({Value(), program_.rules_.back().get(), predicate, place});
+  }
+
+  void add_goal(const ast::Component& component) {
+    VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
+    Value literal = translator_.literal(*component.literal, scope);
+    if (is_literal(literal) && !has_source(literal_parts(literal).annots)) {
+      literal = with_annotations(constants(), literal,
+                                 union_of(constants(), literal_parts(literal).annots,
+                                          source_self(), symbols_));
+    }
+    const auto count = static_cast<std::uint32_t>(scope.slot_names().size());
+    program_.goals_.push_back({literal, count, std::move(scope.slot_names())});
+  }
+
+  void add_plan(const ast::Plan& plan, PlanLibrary& library, VariableScope* enclosing) {
+    VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
+    VariableScope& variables = enclosing != nullptr ? *enclosing : scope;
+    const Value term = translator_.plan(plan, variables);
+    std::vector<Symbol> names = variables.slot_names();
+    const auto compiled = compile_plan(term, names, actions_, symbols_);
+    if (compiled == nullptr) {
+      diagnostics_.error(where(plan.span), "this is not a plan");
+      return;
+    }
+    compiled->file = file_name(file_);
+    compiled->line = file_ == nullptr ? 0 : file_->source->position(plan.span.begin).line;
+    if (!plan.subplans.empty()) {
+      compiled->subplans = std::make_unique<PlanLibrary>();
+      for (const ast::Plan* inner : plan.subplans) add_plan(*inner, *compiled->subplans, nullptr);
+    }
+    compiled->is_standard = in_standard_plans_;
+    if (!in_standard_plans_) check_label(*compiled, plan);
+    library.add(compiled);
+  }
+
+  void check_label(const Plan& plan, const ast::Plan& written) {
+    if (!is_literal(plan.label) || written.label == nullptr ||
+        written.label->kind != ast::Kind::literal) {
+      return;
+    }
+    const std::string label = term_text(
+        with_annotations(constants(), plan.label, Value::empty_list()), symbols_);
+    if (labels_.insert(label).second) return;
+    diagnostics_.error(where(written.label->span),
+                       fmt::format("another plan has the label '{}' already", label),
+                       "give each plan a label of its own, or none");
+  }
+
+  void register_functions(const ast::Component& component) {
+    for (const ast::Component& inner : component.inner) register_functions(inner);
+    if (component.kind != ast::ComponentKind::directive) return;
+    const ast::Node& directive = *component.literal;
+    if (directive.text != "register_function") return;
+    if (directive.args.size() != 3 || directive.args[0]->kind != ast::Kind::string ||
+        directive.args[1]->kind != ast::Kind::number ||
+        directive.args[2]->kind != ast::Kind::string) {
+      return;
+    }
+    const auto arity = static_cast<std::uint16_t>(std::clamp(directive.args[1]->number, 0.0, 255.0));
+    translator_.add_function(directive.args[0]->text, arity);
+    program_.functions_.push_back(
+        {symbols_.symbol(directive.args[0]->text), arity,
+         symbols_.predicate(directive.args[2]->text, static_cast<std::uint16_t>(arity + 1))});
+  }
+
+  void add_directive(const ast::Component& component) {
+    const ast::Node& directive = *component.literal;
+    if (directive.text == "include") {
+      add_include(component);
+    } else if (directive.text == "namespace") {
+      add_namespace(component);
+    } else if (directive.text == "register_function") {
+      if (directive.args.size() == 1) {
+        diagnostics_.error(where(directive.span),
+                           "functions written in Java are not supported",
+                           "define it by a rule: register_function(\"my.f\", Arity, \"pred\")");
+      }
+    } else if (is_goal_pattern(directive.text)) {
+      add_pattern(component);
+    } else {
+      diagnostics_.error(where(directive.span),
+                         fmt::format("there is no directive '{}'", directive.text),
+                         did_you_mean(directive.text, directive_names()));
+    }
+  }
+
+  void add_include(const ast::Component& component) {
+    const auto found = tree_->includes.find(&component);
+    if (found == tree_->includes.end()) return;  // has been reported
+    const ast::Node& directive = *component.literal;
+    const Symbol outer = translator_.current_namespace();
+    if (directive.args.size() > 1) {
+      const ast::Node& ns = *directive.args[1];
+      translator_.set_namespace(ns.kind == ast::Kind::variable
+                                    ? symbols_.symbol(fmt::format("ns{}", ++anonymous_namespaces_))
+                                    : translator_.resolve_namespace(ns.text));
+    }
+    add_file(*found->second);
+    translator_.set_namespace(outer);
+  }
+
+  void add_namespace(const ast::Component& component) {
+    const ast::Node& directive = *component.literal;
+    if (directive.args.empty() || directive.args[0]->kind != ast::Kind::literal) {
+      diagnostics_.error(where(directive.span), "expected a name, as in namespace(n)");
+      return;
+    }
+    const Symbol written = symbols_.symbol(directive.args[0]->text);
+    if (directive.args.size() > 1 && directive.args[1]->text == "local") {
+      translator_.rename_namespace(
+          written, symbols_.symbol(fmt::format("#{}{}", ++local_namespaces_,
+                                               directive.args[0]->text)));
+    } else if (directive.args.size() > 1 && directive.args[1]->text == "global") {
+      translator_.rename_namespace(written, written);
+    }
+    const Symbol outer = translator_.current_namespace();
+    translator_.set_namespace(translator_.resolve_namespace(directive.args[0]->text));
+    for (const ast::Component& inner : component.inner) add_component(inner);
+    if (component.is_block) translator_.set_namespace(outer);
+  }
+
+  void add_pattern(const ast::Component& component) {
+    std::string problem;
+    const std::string text = expand_goal_pattern(component, *file_->source, problem);
+    if (!problem.empty()) {
+      diagnostics_.error(where(component.literal->span), problem);
+      return;
+    }
+    auto source = std::make_shared<const Source>(file_->source->name(), text);
+    expanded_.push_back(std::make_unique<ast::File>(parse_agent(source, diagnostics_)));
+    add_file(*expanded_.back());
+  }
+
+  void add_default_plans() {
+    auto source = std::make_shared<const Source>("kqmlPlans.asl", std::string(kKqmlPlans));
+    expanded_.push_back(std::make_unique<ast::File>(parse_agent(source, diagnostics_)));
+    in_standard_plans_ = true;
+    add_file(*expanded_.back());
+    in_standard_plans_ = false;
+  }
+
+  Program& program_;
+  SymbolTable& symbols_;
+  const ActionRegistry& actions_;
+  Diagnostics& diagnostics_;
+  Translator translator_;
+  BeliefBase beliefs_;  // empty: to evaluate arithmetic in facts
+  Machine machine_;
+  const SourceTree* tree_ = nullptr;
+  const ast::File* file_ = nullptr;
+  std::unordered_set<std::string> labels_;
+  std::vector<std::unique_ptr<ast::File>> expanded_;
+  bool in_standard_plans_ = false;
+  int anonymous_namespaces_ = 0;
+  int local_namespaces_ = 0;
+};
+
+std::shared_ptr<const Program> compile(const SourceTree& tree, SymbolTable& symbols,
+                                       Diagnostics& diagnostics) {
+  if (diagnostics.has_errors()) return nullptr;
+  const std::string file = tree.main().source->name();
+  auto program = std::make_shared<Program>(std::filesystem::path(file).stem().string());
+  ProgramBuilder(*program, symbols, standard_actions(), diagnostics).build(tree);
+  if (diagnostics.has_errors()) return nullptr;
+  return program;
+}
+
+std::vector<std::string> parameter_names(const Program& program, const SymbolTable& symbols) {
+  std::vector<std::string> found;
+  for (const Program::Belief& belief : program.beliefs()) {
+    if (belief.rule != nullptr) continue;
+    const Signature& signature = symbols.signature(belief.predicate);
+    if (signature.arity == 0 || signature.ns != names::default_ns) continue;
+    std::string name = fmt::format("{}{}/{}", signature.negated ? "~" : "",
+                                   symbols.text(signature.functor), signature.arity);
+    if (std::find(found.begin(), found.end(), name) == found.end()) {
+      found.push_back(std::move(name));
+    }
+  }
+  return found;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,89 @@
+#pragma once
+
+// Syntax trees to terms: templates with slots for programs, or terms with variables for texts that
+// are read at run time. Namespaces are resolved here.
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/logic/action.h"
+#include "interpreter/syntax/ast.h"
+#include "interpreter/term/heap.h"
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+/// The variables of one clause: equal names are one variable, each `_` is another.
+class VariableScope {
+ public:
+  enum class Kind { slots, variables };
+  VariableScope(Kind kind, Heap& heap, SymbolTable& symbols)
+      : kind_(kind), heap_(heap), symbols_(symbols) {}
+
+  [[nodiscard]] Value variable(std::string_view name);
+  [[nodiscard]] std::vector<Symbol>& slot_names() { return slot_names_; }
+
+ private:
+  Kind kind_;
+  Heap& heap_;
+  SymbolTable& symbols_;
+  std::unordered_map<std::string, Value> known_;
+  std::vector<Symbol> slot_names_;
+};
+
+class Translator {
+ public:
+  Translator(Heap& heap, SymbolTable& symbols, const ActionRegistry& actions)
+      : heap_(heap), symbols_(symbols), actions_(actions) {}
+
+  /// Whether the namespace in force applies: to literals it does, to terms it does not.
+  enum class Position { literal, term };
+
+  [[nodiscard]] Value term(const ast::Node& node, VariableScope& scope) {
+    return translate(node, scope, Position::term);
+  }
+  [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope) {
+    return translate(node, scope, Position::literal);
+  }
+  [[nodiscard]] Value formula(const ast::Node& node, VariableScope& scope) {
+    return translate(node, scope, Position::literal);
+  }
+  /// A term of form plan; sub-plans, if any, are left to the caller.
+  [[nodiscard]] Value plan(const ast::Plan& plan, VariableScope& scope);
+  [[nodiscard]] Value trigger(const ast::Trigger& trigger, VariableScope& scope);
+  [[nodiscard]] Value body(std::span<const ast::Formula> formulas, VariableScope& scope);
+
+  /// The namespace in force, and what its name stands for (`local` ones are renamed).
+  void set_namespace(Symbol ns) { namespace_ = ns; }
+  [[nodiscard]] Symbol current_namespace() const { return namespace_; }
+  void rename_namespace(Symbol written, Symbol meant) { renamed_[written] = meant; }
+  [[nodiscard]] Symbol resolve_namespace(std::string_view written);
+  /// Functions of the program itself (`register_function`).
+  void add_function(std::string_view name, std::size_t arity);
+  /// Lines of steps are counted in this source.
+  void set_source(const Source* source) { source_ = source; }
+
+ private:
+  Value translate(const ast::Node& node, VariableScope& scope, Position position);
+  Value translate_literal(const ast::Node& node, VariableScope& scope, Position position);
+  Value translate_variable(const ast::Node& node, VariableScope& scope);
+  Value translate_unary(const ast::Node& node, VariableScope& scope, Position position);
+  Value translate_binary(const ast::Node& node, VariableScope& scope, Position position);
+  Value translate_list(const ast::Node& node, VariableScope& scope);
+  Value annotations(const ast::Node* annots, VariableScope& scope);
+  Value step(const ast::Formula& formula, VariableScope& scope);
+  Symbol namespace_of(const ast::Node& node, Position position, std::size_t arity);
+  bool is_function(std::string_view name, std::size_t arity) const;
+
+  Heap& heap_;
+  SymbolTable& symbols_;
+  const ActionRegistry& actions_;
+  const Source* source_ = nullptr;
+  Symbol namespace_ = names::default_ns;
+  std::unordered_map<Symbol, Symbol> renamed_;
+  std::vector<std::pair<std::string, std::size_t>> functions_;
+};
+
+}  // namespace jaywalk

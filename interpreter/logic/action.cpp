@@ -1,0 +1,77 @@
+#include "interpreter/logic/action.h"
+
+#include <fmt/format.h>
+
+#include "interpreter/logic/machine.h"
+
+namespace jaywalk {
+
+void ActionRegistry::add(ActionDefinition action) {
+  const ActionDefinition& stored = actions_.emplace_back(std::move(action));
+  by_name_[stored.name] = &stored;
+}
+
+void ActionRegistry::add(FunctionDefinition function) {
+  const FunctionDefinition& stored = functions_.emplace_back(std::move(function));
+  functions_by_name_[stored.name] = &stored;
+}
+
+const ActionDefinition* ActionRegistry::action(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : found->second;
+}
+
+const FunctionDefinition* ActionRegistry::function(std::string_view name, std::size_t arity) const {
+  const auto found = functions_by_name_.find(name);
+  if (found == functions_by_name_.end()) return nullptr;
+  const FunctionDefinition& function = *found->second;
+  const auto count = static_cast<int>(arity);
+  return count >= function.least_args && count <= function.most_args ? &function : nullptr;
+}
+
+ActionCall::ActionCall(Machine& machine, const Goal& goal, Value* slots, Agent* agent,
+                       Intention* intention)
+    : machine_(machine), goal_(goal), slots_(slots), agent_(agent), intention_(intention) {
+  const bool raw = goal.action == nullptr || goal.action->raw_args;
+  const std::span<const Value> terms = goal.args();
+  args_.reserve(terms.size());
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const bool formula = i < goal.queries.size() && goal.queries[i] != nullptr;
+    args_.push_back(raw || formula ? terms[i] : machine.unifier().instantiate(terms[i], slots));
+  }
+}
+
+Value ActionCall::applied(std::size_t index) {
+  return machine_.unifier().instantiate(args_[index], slots_);
+}
+
+bool ActionCall::unify(std::size_t index, Value value) {
+  const Value own = args_[index];
+  return machine_.unifier().unify(own.is_closed() ? own : applied(index), value);
+}
+
+Outcome ActionCall::fail(std::string id, std::string message) {
+  error.id = std::move(id);
+  error.message = std::move(message);
+  return Outcome::error;
+}
+
+Outcome ActionCall::wrong_argument(std::size_t index, std::string_view expected) {
+  return fail("wrong_arguments",
+              fmt::format("argument {} of {} must be {}", index + 1,
+                          goal_.action == nullptr ? "the action" : goal_.action->name, expected));
+}
+
+void ActionCall::solve(std::size_t index, const std::function<bool()>& solution) {
+  if (index < goal_.queries.size() && goal_.action != nullptr && goal_.action->formula_args != 0) {
+    machine_.solve_all(goal_.queries[index], slots_, solution);
+  } else {
+    machine_.solve_all_terms(arg(index), solution);
+  }
+}
+
+Heap& ActionCall::heap() { return machine_.heap(); }
+SymbolTable& ActionCall::symbols() { return machine_.symbols(); }
+Unifier& ActionCall::unifier() { return machine_.unifier(); }
+
+}  // namespace jaywalk

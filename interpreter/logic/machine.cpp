@@ -1,0 +1,693 @@
+#include "interpreter/logic/machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "interpreter/logic/formula_compiler.h"
+#include "interpreter/logic/univ.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr int kMaxNestedQueries = 150;
+constexpr std::size_t kMaxTemporaryCode = 1'000'000;
+
+// The facts and answers of rules for a query that is a free variable.
+class ListedSolutions : public Solutions {
+ public:
+  ListedSolutions(Value pattern, std::vector<Value> found)
+      : pattern_(pattern), found_(std::move(found)) {}
+
+  bool next(ActionCall& call) override {
+    while (next_ < found_.size()) {
+      if (call.unifier().unify(pattern_, call.unifier().fresh_copy(found_[next_++]))) return true;
+    }
+    return false;
+  }
+
+ private:
+  Value pattern_;
+  std::vector<Value> found_;
+  std::size_t next_ = 0;
+};
+
+std::size_t list_length(Value list) {
+  std::size_t length = 0;
+  for (list = deref(list); list.is_pair(); list = deref(list.pair()->tail)) ++length;
+  return length;
+}
+
+// The `ordinal`-th subset of `wanted` out of `count` in lexicographic order; empty at the end.
+std::vector<std::size_t> subset(std::size_t count, std::size_t wanted, std::size_t ordinal) {
+  std::vector<std::size_t> chosen(wanted);
+  for (std::size_t i = 0; i < wanted; ++i) chosen[i] = i;
+  for (; ordinal > 0; --ordinal) {
+    std::size_t i = wanted;
+    while (i > 0 && chosen[i - 1] == count - wanted + i - 1) --i;
+    if (i == 0) return {};
+    ++chosen[i - 1];
+    for (; i < wanted; ++i) chosen[i] = chosen[i - 1] + 1;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::uint64_t* FrameStack::allocate(std::size_t words) {
+  while (chunk_ >= chunks_.size() || used_ + words > sizes_[chunk_]) {
+    if (chunk_ + 1 > chunks_.size()) {
+      const std::size_t size = std::max(words, chunks_.empty() ? kChunkWords / 16 : kChunkWords);
+      chunks_.push_back(std::make_unique_for_overwrite<std::uint64_t[]>(size));
+      sizes_.push_back(size);
+      used_ = 0;
+    } else {
+      ++chunk_;
+      used_ = 0;
+    }
+  }
+  std::uint64_t* const block = chunks_[chunk_].get() + used_;
+  used_ += words;
+  return block;
+}
+
+bool FrameStack::contains(const void* address) const {
+  const auto* const word = static_cast<const std::uint64_t*>(address);
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    if (std::less_equal<>{}(chunks_[i].get(), word) &&
+        std::less<>{}(word, chunks_[i].get() + sizes_[i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+class Machine::Run {
+ public:
+  Run(Machine& machine, const Goal* entry, Value* slots)
+      : machine_(machine),
+        goal_(machine.goal_),
+        environment_(machine.environment_),
+        outer_root_(machine.root_),
+        frames_(machine.frames_.mark()),
+        names_(machine.unifier_.slot_names()),
+        base_(machine.choices_.size()),
+        root_{nullptr, nullptr, slots, names_, base_, frames_} {
+    if (machine.nesting_ == 0) machine.query_start_ = machine.inferences_;
+    if (++machine.nesting_ > kMaxNestedQueries) {
+      --machine.nesting_;
+      throw QueryLimit{fmt::format("queries within queries, {} deep", kMaxNestedQueries)};
+    }
+    machine.goal_ = entry;
+    machine.environment_ = &root_;
+    machine.root_ = &root_;
+  }
+  ~Run() {
+    --machine_.nesting_;
+    machine_.choices_.erase(machine_.choices_.begin() + static_cast<std::ptrdiff_t>(base_),
+                            machine_.choices_.end());
+    machine_.frames_.release(frames_);
+    machine_.goal_ = goal_;
+    machine_.environment_ = environment_;
+    machine_.root_ = outer_root_;
+    machine_.unifier_.set_slot_names(names_);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+  [[nodiscard]] std::size_t base() const { return base_; }
+
+ private:
+  Machine& machine_;
+  const Goal* goal_;
+  Environment* environment_;
+  Environment* outer_root_;
+  FrameStack::Mark frames_;
+  std::span<const Symbol> names_;
+  std::size_t base_;
+  Environment root_;
+};
+
+Machine::Machine(Heap& heap, SymbolTable& symbols, BeliefBase& beliefs,
+                 const ActionRegistry& actions)
+    : heap_(heap), symbols_(symbols), beliefs_(beliefs), actions_(actions),
+      unifier_(heap, symbols) {
+  unifier_.set_functions(this);
+}
+
+Machine::~Machine() = default;
+
+bool Machine::solve(const Goal* entry, Value* slots) {
+  if (entry == nullptr) return true;
+  const std::size_t trail = unifier_.mark();
+  Run state(*this, entry, slots);
+  if (run(state.base())) return true;
+  unifier_.undo(trail);
+  return false;
+}
+
+void Machine::solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution) {
+  const std::size_t trail = unifier_.mark();
+  if (entry == nullptr) {
+    solution();
+    unifier_.undo(trail);
+    return;
+  }
+  Run state(*this, entry, slots);
+  bool found = run(state.base());
+  while (found) {
+    const bool more = solution();
+    heap_.protect();  // what the caller made of the solution
+    found = more && fail(state.base()) && run(state.base());
+  }
+  unifier_.undo(trail);
+}
+
+bool Machine::solve_term(Value formula) {
+  auto code = std::make_unique<FormulaCode>();
+  code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
+  const Goal* const entry = code->entry;
+  temporary_.push_back(std::move(code));
+  return solve(entry, nullptr);
+}
+
+void Machine::solve_all_terms(Value formula, const std::function<bool()>& solution) {
+  auto code = std::make_unique<FormulaCode>();
+  code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
+  const Goal* const entry = code->entry;
+  temporary_.push_back(std::move(code));
+  solve_all(entry, nullptr, solution);
+}
+
+bool Machine::run(std::size_t base) {
+  for (;;) {
+    if (goal_ == nullptr) {
+      if (environment_ == root_) return true;
+      goal_ = environment_->continuation;
+      environment_ = environment_->parent;
+      continue;
+    }
+    if (!step(base)) return false;
+  }
+}
+
+// One goal. False: it failed, and no choice is left.
+bool Machine::step(std::size_t base) {
+  const Goal& goal = *goal_;
+  unifier_.set_slot_names(environment_->names);
+  bool holds = false;
+  switch (goal.kind) {
+    case Goal::Kind::query: return query(goal, base);
+    case Goal::Kind::slow_query:
+      return slow_query(goal, unifier_.instantiate(goal.term, environment_->slots), base);
+    case Goal::Kind::variable: return variable_goal(goal, base);
+    case Goal::Kind::action: return action(goal, base);
+    case Goal::Kind::negation:
+      push(ChoicePoint::Kind::negation, goal);
+      goal_ = goal.inner;
+      return true;
+    case Goal::Kind::negation_done: return finish_negation(goal, base);
+    case Goal::Kind::disjunction:
+      push(ChoicePoint::Kind::alternative, goal);
+      goal_ = goal.inner;
+      return true;
+    case Goal::Kind::unify: holds = unify(goal); break;
+    case Goal::Kind::compare: holds = compare(goal); break;
+    case Goal::Kind::univ: holds = univ(goal); break;
+    case Goal::Kind::truth: holds = true; break;
+    case Goal::Kind::falsity: break;
+  }
+  if (!holds) return fail(base);
+  goal_ = goal.next;
+  return true;
+}
+
+Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
+  ChoicePoint& choice = choices_.emplace_back();
+  choice.kind = kind;
+  choice.goal = &goal;
+  choice.environment = environment_;
+  choice.trail = unifier_.mark();
+  choice.frames = frames_.mark();
+  choice.heap = heap_.mark();
+  return choice;
+}
+
+void Machine::restore(const ChoicePoint& choice) {
+  unifier_.undo(choice.trail);
+  frames_.release(choice.frames);
+  heap_.release(choice.heap);
+  environment_ = choice.environment;
+}
+
+// Goes back to the latest choice point; false if none is left above `base`.
+bool Machine::fail(std::size_t base) {
+  if (choices_.size() <= base) return false;
+  ChoicePoint& choice = choices_.back();
+  restore(choice);
+  switch (choice.kind) {
+    case ChoicePoint::Kind::rows: return retry_rows(base);
+    case ChoicePoint::Kind::annotated: {
+      const AnnotatedQuery query{choice.relation, choice.cursor, choice.seq, choice.combination,
+                                 choice.literal};
+      const Goal& goal = *choice.goal;
+      choices_.pop_back();
+      return try_annotated(query, goal, base);
+    }
+    case ChoicePoint::Kind::alternative:
+      goal_ = choice.goal->other;
+      choices_.pop_back();
+      return true;
+    case ChoicePoint::Kind::negation:
+      goal_ = choice.goal->next;
+      choices_.pop_back();
+      return true;
+    case ChoicePoint::Kind::solutions: return next_solution(base);
+  }
+  return false;
+}
+
+bool Machine::next_solution(std::size_t base) {
+  ChoicePoint& choice = choices_.back();
+  const Goal& goal = *choice.goal;
+  // The action may run queries of its own, which use the stack above this choice point.
+  std::unique_ptr<ActionCall> call = std::move(choice.call);
+  const bool found = call->solutions->next(*call);
+  choices_.back().call = std::move(call);
+  if (!found) {
+    choices_.pop_back();
+    return fail(base);
+  }
+  goal_ = goal.next;
+  return true;
+}
+
+void Machine::count_inference() {
+  ++inferences_;
+  if (inferences_ - query_start_ > max_inferences_) {
+    throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_)};
+  }
+}
+
+bool Machine::query(const Goal& goal, std::size_t base) {
+  count_inference();
+  Relation* const relation = beliefs_.find(goal.predicate);
+  if (relation == nullptr) return fail(base);
+  const std::span<const Value> args = goal.args();
+  registers_.resize(args.size());
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    registers_[i] = unifier_.build(args[i], environment_->slots);
+  }
+  return try_rows(*relation, relation->open(registers_), goal, base);
+}
+
+// The candidates of a cursor for the arguments in the registers.
+bool Machine::try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal,
+                       std::size_t base) {
+  std::int64_t seq = 0;
+  const Row* row = relation.advance(cursor, seq);
+  while (row != nullptr) {
+    Relation::Cursor rest = cursor;
+    const Row* const following = relation.advance(rest, seq);
+    const std::size_t trail = unifier_.mark();
+    const Heap::Mark heap = heap_.mark();
+    const FrameStack::Mark below_args = frames_.mark();
+    if (following != nullptr) {
+      auto* const saved = reinterpret_cast<Value*>(frames_.allocate(registers_.size()));
+      std::copy(registers_.begin(), registers_.end(), saved);
+      ChoicePoint& choice = push(ChoicePoint::Kind::rows, goal);
+      choice.relation = &relation;
+      choice.cursor = cursor;
+      choice.args = {saved, registers_.size()};
+      choice.below_args = below_args;
+    }
+    if (row->rule != nullptr) {
+      Environment* const caller = environment_;
+      if (enter_rule(*row->rule, goal, registers_)) return true;
+      environment_ = caller;
+    } else if (unify_fact(row->fact, registers_)) {
+      goal_ = goal.next;
+      return true;
+    }
+    unifier_.undo(trail);
+    heap_.release(heap);
+    if (following != nullptr) {
+      choices_.pop_back();
+      frames_.release(below_args);
+    }
+    cursor = rest;
+    row = following;
+  }
+  return fail(base);
+}
+
+bool Machine::retry_rows(std::size_t base) {
+  ChoicePoint& choice = choices_.back();
+  registers_.assign(choice.args.begin(), choice.args.end());
+  Relation& relation = *choice.relation;
+  const Relation::Cursor cursor = choice.cursor;
+  const Goal& goal = *choice.goal;
+  frames_.release(choice.below_args);
+  choices_.pop_back();
+  return try_rows(relation, cursor, goal, base);
+}
+
+bool Machine::unify_fact(Value fact, std::span<const Value> args) {
+  if (args.empty()) return true;
+  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
+  const Structure& s = *fact.structure();
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    const Value arg = deref(args[i]);
+    const Value other = s.arg(i);
+    if (arg.same_as(other)) continue;
+    if (arg.is_variable()) {
+      unifier_.bind(arg.variable(), other);
+    } else if (!unifier_.unify_no_undo(arg, other)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Machine::Environment* Machine::make_environment(Environment* parent, const Goal* continuation,
+                                                std::span<const Symbol> names,
+                                                std::size_t slot_count) {
+  constexpr std::size_t kWords = (sizeof(Environment) + 7) / 8;
+  const FrameStack::Mark start = frames_.mark();
+  if (frames_.words() * sizeof(std::uint64_t) > heap_.limit()) {
+    throw QueryLimit{"rules nest too deeply for the memory allowed"};
+  }
+  std::uint64_t* const block = frames_.allocate(kWords + slot_count);
+  auto* const slots = reinterpret_cast<Value*>(block + kWords);
+  std::fill_n(slots, slot_count, Value());
+  return new (block) Environment{parent, continuation, slots, names, choices_.size(), start};
+}
+
+bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const Value> args) {
+  Environment* parent = environment_;
+  const Goal* continuation = goal.next;
+  if (continuation == nullptr && parent != root_) {
+    // The last call of a rule: its frame is not needed any more, unless a choice point keeps it.
+    Environment* const caller = parent;
+    continuation = caller->continuation;
+    parent = caller->parent;
+    if (caller->choice_points == choices_.size()) frames_.release(caller->start);
+  }
+  Environment* const made =
+      make_environment(parent, continuation, rule.slot_names, rule.slot_count);
+  unifier_.set_slot_names(rule.slot_names);
+  if (!args.empty()) {
+    const Structure& head = *rule.head.structure();
+    for (std::size_t i = 0; i < args.size(); ++i) {
+      if (!unifier_.match(head.arg(i), made->slots, args[i], Unifier::Direction::value_first)) {
+        return false;
+      }
+    }
+  }
+  environment_ = made;
+  goal_ = rule.body.entry;
+  return true;
+}
+
+bool Machine::slow_query(const Goal& goal, Value literal, std::size_t base) {
+  count_inference();
+  if (!is_literal(literal)) return enter_term(literal, goal, base);
+  const LiteralParts parts = literal_parts(literal);
+  Relation* const relation = beliefs_.find(parts.predicate);
+  if (relation == nullptr) return fail(base);
+  return try_annotated({relation, relation->open(parts.args), 0, kNextRow, literal}, goal, base);
+}
+
+// Facts with each subset of their annotations that is as large as the query's; rules by their head.
+bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal, std::size_t base) {
+  const LiteralParts parts = literal_parts(query.literal);
+  for (;;) {
+    if (query.combination == kNextRow) {
+      if (query.relation->advance(query.cursor, query.seq) == nullptr) return fail(base);
+      query.combination = 0;
+    }
+    const Row& row = query.relation->row(query.seq);
+    ChoicePoint& choice = push(ChoicePoint::Kind::annotated, goal);
+    choice.relation = query.relation;
+    choice.cursor = query.cursor;
+    choice.seq = query.seq;
+    choice.literal = query.literal;
+    if (row.is_hole()) {
+      query.combination = kNextRow;
+    } else if (row.rule != nullptr) {
+      choice.combination = kNextRow;
+      Environment* const caller = environment_;
+      const bool entered =
+          unifier_.unify_no_undo(with_annotations(heap_, Value::atom(predicates::self),
+                                                  parts.annots),
+                                 with_annotations(heap_, Value::atom(predicates::self),
+                                                  literal_parts(row.rule->head).annots)) &&
+          enter_rule(*row.rule, goal, parts.args);
+      if (entered) return true;
+      environment_ = caller;
+      query.combination = kNextRow;
+    } else {
+      bool exhausted = false;
+      choice.combination = query.combination + 1;
+      if (unify_subset(query.literal, row.fact, query.combination, exhausted)) {
+        goal_ = goal.next;
+        return true;
+      }
+      query.combination = exhausted ? kNextRow : query.combination + 1;
+    }
+    restore(choices_.back());
+    choices_.pop_back();
+  }
+}
+
+bool Machine::unify_subset(Value literal, Value fact, std::size_t combination, bool& exhausted) {
+  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
+  const LiteralParts wanted = literal_parts(literal);
+  const LiteralParts known = literal_parts(fact);
+  Value tail = deref(wanted.annots);
+  while (tail.is_pair()) tail = deref(tail.pair()->tail);
+  const std::size_t count = list_length(wanted.annots);
+  const std::size_t available = list_length(known.annots);
+  Value annots = known.annots;
+  if (tail.is_variable()) {
+    exhausted = combination > 0;  // an open set takes them all, once
+  } else {
+    const std::vector<std::size_t> chosen =
+        count > available ? std::vector<std::size_t>{} : subset(available, count, combination);
+    exhausted = chosen.empty();
+    std::vector<Value> all;
+    for (Value a = known.annots; a.is_pair(); a = a.pair()->tail) all.push_back(a.pair()->head);
+    std::vector<Value> some;
+    for (const std::size_t index : chosen) some.push_back(all[index]);
+    annots = heap_.list(some);
+  }
+  if (exhausted) return false;
+  return unify_fact(fact, wanted.args) && unifier_.unify_annotations(wanted.annots, annots);
+}
+
+bool Machine::variable_goal(const Goal& goal, std::size_t base) {
+  const Value value = unifier_.instantiate(goal.term, environment_->slots);
+  const bool open = value.is_variable() ||
+                    (value.is_structure() && value.structure()->form() == Form::decorated);
+  return open ? any_belief(goal, value, base) : enter_term(value, goal, base);
+}
+
+bool Machine::enter_term(Value formula, const Goal& goal, std::size_t base) {
+  if (temporary_.size() > kMaxTemporaryCode) throw QueryLimit{"too many formulas made in a query"};
+  count_inference();
+  auto code = std::make_unique<FormulaCode>();
+  code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
+  const Goal* const entry = code->entry;
+  temporary_.push_back(std::move(code));
+  if (entry != nullptr && entry->kind == Goal::Kind::falsity) return fail(base);
+  environment_ = make_environment(environment_, goal.next, {}, 0);
+  goal_ = entry;
+  return true;
+}
+
+bool Machine::any_belief(const Goal& goal, Value pattern, std::size_t base) {
+  std::vector<Value> found;
+  std::vector<Relation*> relations;
+  for (const auto& relation : beliefs_.relations()) relations.push_back(relation.get());
+  for (Relation* const relation : relations) {
+    for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {
+      const Row& row = relation->row(seq);
+      if (!row.fact.is_unset()) found.push_back(row.fact);
+      if (row.rule == nullptr) continue;
+      std::vector<Value> slots(row.rule->slot_count);
+      const RuleCode& rule = *row.rule;
+      solve_all(rule.body.entry, slots.data(), [&] {
+        found.push_back(unifier_.instantiate(rule.head, slots.data()));
+        return true;
+      });
+    }
+  }
+  auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
+  call->solutions = std::make_unique<ListedSolutions>(pattern, std::move(found));
+  push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
+  return next_solution(base);
+}
+
+bool Machine::unify(const Goal& goal) {
+  const Value left = goal.args()[0];
+  const Value right = unifier_.build(goal.args()[1], environment_->slots);
+  if (left.is_slot() && environment_->slots[left.slot_index()].is_unset()) {
+    unifier_.set_slot(environment_->slots + left.slot_index(), right);
+    return true;
+  }
+  return unifier_.unify_no_undo(unifier_.build(left, environment_->slots), right);
+}
+
+bool Machine::compare(const Goal& goal) {
+  const Value left = unifier_.build(goal.args()[0], environment_->slots);
+  const Value right = unifier_.build(goal.args()[1], environment_->slots);
+  if (left.is_number() && right.is_number()) {
+    const double a = left.as_number();
+    const double b = right.as_number();
+    if (a == a && b == b) {
+      switch (goal.predicate) {
+        case predicates::less: return a < b;
+        case predicates::less_equal: return a <= b;
+        case predicates::greater: return a > b;
+        case predicates::greater_equal: return a >= b;
+        case predicates::equal: return a == b;
+        default: return a != b;
+      }
+    }
+  }
+  const Value a = unifier_.apply(left);
+  const Value b = unifier_.apply(right);
+  switch (goal.predicate) {
+    case predicates::equal: return equal_terms(a, b);
+    case predicates::not_equal: return !equal_terms(a, b);
+    default: break;
+  }
+  const int order = compare_terms(a, b, symbols_);
+  switch (goal.predicate) {
+    case predicates::less: return order < 0;
+    case predicates::less_equal: return order <= 0;
+    case predicates::greater: return order > 0;
+    default: return order >= 0;
+  }
+}
+
+bool Machine::univ(const Goal& goal) {
+  const Value left = unifier_.instantiate(goal.args()[0], environment_->slots);
+  const Value right = unifier_.instantiate(goal.args()[1], environment_->slots);
+  return unify_univ(unifier_, left, right);
+}
+
+bool Machine::finish_negation(const Goal& done, std::size_t base) {
+  std::size_t index = choices_.size() - 1;
+  while (choices_[index].kind != ChoicePoint::Kind::negation ||
+         choices_[index].goal != done.origin || choices_[index].environment != environment_) {
+    --index;
+  }
+  restore(choices_[index]);
+  choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(index), choices_.end());
+  return fail(base);
+}
+
+bool Machine::action(const Goal& goal, std::size_t base) {
+  ActionError error;
+  if (goal.action == nullptr) {
+    warn(fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
+    return fail(base);
+  }
+  if (goal.action->body_only) {
+    warn(fmt::format("{} cannot be used within a formula", goal.action->name));
+    return fail(base);
+  }
+  auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
+  const auto count = static_cast<int>(call->count());
+  if (count < goal.action->least_args ||
+      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
+    warn(fmt::format("wrong number of arguments: {}", goal.action->signature));
+    return fail(base);
+  }
+  switch (goal.action->function(*call)) {
+    case Outcome::succeeded: goal_ = goal.next; return true;
+    case Outcome::failed: return fail(base);
+    case Outcome::many:
+      push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
+      return next_solution(base);
+    case Outcome::suspended: return fail(base);
+    case Outcome::error:
+      warn(fmt::format("{}: {}", goal.action->name, call->error.message));
+      return fail(base);
+  }
+  return false;
+}
+
+Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, ActionError& error) {
+  if (goal.action == nullptr) {
+    error.id = "unknown_internal_action";
+    error.message = fmt::format("there is no internal action {}", symbols_.functor(goal.predicate));
+    return Outcome::error;
+  }
+  ActionCall call(*this, goal, slots, agent_, intention);
+  const auto count = static_cast<int>(call.count());
+  if (count < goal.action->least_args ||
+      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
+    error.id = "wrong_arguments";
+    error.message = fmt::format("wrong number of arguments: {}", goal.action->signature);
+    return Outcome::error;
+  }
+  Outcome outcome = goal.action->function(call);
+  if (outcome == Outcome::many) {
+    outcome = call.solutions->next(call) ? Outcome::succeeded : Outcome::failed;
+  }
+  if (outcome == Outcome::error) error = std::move(call.error);
+  return outcome;
+}
+
+void Machine::register_function(Symbol name, std::uint16_t arity, Predicate predicate) {
+  rule_functions_.push_back({name, arity, predicate});
+}
+
+bool Machine::call_function(const Structure& function, Value& result) {
+  const Signature& signature = symbols_.signature(function.predicate());
+  for (const RuleFunction& known : rule_functions_) {
+    if (known.name != signature.functor || known.arity != function.arity) continue;
+    std::vector<Value> args(function.arg_span().begin(), function.arg_span().end());
+    const Value answer = heap_.variable();
+    args.push_back(answer);
+    const Value query = heap_.structure(known.predicate, args);
+    const std::size_t trail = unifier_.mark();
+    if (!solve_term(query)) return false;
+    result = unifier_.apply(answer);
+    unifier_.undo(trail);
+    return true;
+  }
+  const FunctionDefinition* const definition =
+      actions_.function(symbols_.text(signature.functor), function.arity);
+  if (definition == nullptr) return false;
+  if (definition->function != nullptr) {
+    for (const Value arg : function.arg_span()) {
+      if (!is_ground(arg)) return false;
+    }
+    return definition->function(function.arg_span(), heap_, symbols_, result);
+  }
+  if (definition->name == ".count") {
+    double count = 0;
+    solve_all_terms(function.arg(0), [&] {
+      ++count;
+      return true;
+    });
+    result = Value::number(count);
+    return true;
+  }
+  if (!random) return false;  // math.random([N])
+  double most = 1;
+  if (function.arity == 1 && !unifier_.evaluate(function.arg(0), nullptr, most)) return false;
+  result = Value::number(random() * most);
+  return true;
+}
+
+void Machine::warn(std::string_view message) {
+  if (log_) log_(message);
+}
+
+}  // namespace jaywalk

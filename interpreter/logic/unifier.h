@@ -1,0 +1,129 @@
+#pragma once
+
+// Unification and application of unifiers (Jason's `unifies` and `capply`). Bindings are written
+// into variable cells and frame slots and recorded on a trail, so that undoing is popping.
+
+#include <span>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "interpreter/term/heap.h"
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+/// Thrown by `X div 0`; caught where the agent executes a step, which fails.
+struct DivisionByZero {};
+
+/// What evaluating terms needs from the outside: functions that are queries, and a place for
+/// warnings.
+class FunctionCaller {
+ public:
+  virtual ~FunctionCaller() = default;
+  /// Evaluates a function term whose arguments have been applied. False: it stays as it is.
+  virtual bool call_function(const Structure& function, Value& result) = 0;
+  virtual void warn(std::string_view message) = 0;
+};
+
+class Unifier {
+ public:
+  Unifier(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
+  void set_functions(FunctionCaller* functions) { functions_ = functions; }
+
+  /// Unifies `a` with `b`; asymmetric: the annotations of `a` must be among those of `b`, inside
+  /// arguments too. If it fails, all its bindings have been undone.
+  [[nodiscard]] bool unify(Value a, Value b);
+  /// The same without undoing: for callers that go back to an earlier mark anyway.
+  [[nodiscard]] bool unify_no_undo(Value a, Value b);
+  /// Each of `a` in order with a distinct one of `b`; tails collect the rest.
+  [[nodiscard]] bool unify_annotations(Value a, Value b);
+
+  enum class Direction { template_first, value_first };
+  /// Unifies a template, whose slots are in `slots`, with a value, building as little as possible.
+  [[nodiscard]] bool match(Value pattern, Value* slots, Value value, Direction direction);
+
+  /// The term with variables and slots replaced by their values and arithmetic evaluated where
+  /// possible. Unset slots become fresh variables named by `slot_names`.
+  [[nodiscard]] Value instantiate(Value term, Value* slots);
+  [[nodiscard]] Value apply(Value term) { return instantiate(term, nullptr); }
+  /// The same, but values of slots and variables are referred to as they are, not applied in turn:
+  /// what a query passes to a rule. Arithmetic is evaluated.
+  [[nodiscard]] Value build(Value term, Value* slots);
+  /// Variables bound to slots are replaced by these: data at run time becomes a template. (Applying
+  /// would look for the slots' values.)
+  [[nodiscard]] Value apply_slots(Value term);
+  /// A copy with fresh variables in place of the unbound ones.
+  [[nodiscard]] Value fresh_copy(Value term);
+  /// The same; appends each variable with its copy.
+  [[nodiscard]] Value rename(Value term, std::vector<std::pair<Value, Value>>* renamed);
+  /// The names of the slots of the frames in use, for variables made by instantiate.
+  void set_slot_names(std::span<const Symbol> names) { slot_names_ = names; }
+  [[nodiscard]] std::span<const Symbol> slot_names() const { return slot_names_; }
+
+  /// The number that an expression stands for, if all its operands are known.
+  [[nodiscard]] bool evaluate(Value term, Value* slots, double& result);
+
+  void bind(Variable* variable, Value value) {
+    variable->value = value;
+    trail_.push_back(&variable->value);
+  }
+  void set_slot(Value* slot, Value value) {
+    *slot = value;
+    trail_.push_back(slot);
+  }
+
+  [[nodiscard]] std::size_t mark() const { return trail_.size(); }
+  void undo(std::size_t mark) {
+    while (trail_.size() > mark) {
+      *trail_.back() = Value();
+      trail_.pop_back();
+    }
+  }
+  /// The bindings since a mark are kept for good.
+  void commit(std::size_t mark) { trail_.resize(mark); }
+  [[nodiscard]] std::span<Value* const> bindings_since(std::size_t mark) const {
+    return std::span(trail_).subspan(mark);
+  }
+
+  [[nodiscard]] Heap& heap() { return heap_; }
+  [[nodiscard]] SymbolTable& symbols() { return symbols_; }
+
+ private:
+  Value instantiate_structure(const Structure& structure, Value* slots);
+  Value instantiate_decorated(const Structure& structure, Value* slots);
+  Value instantiate_pairs(Value list, Value* slots);
+  bool unify_literals(Value a, Value b);
+  bool unify_structures(const Structure& a, const Structure& b);
+  bool unify_decorated(Value a, Value b);
+  bool unify_variable(Value variable, Value value);
+  bool unify_bodies(const Structure& a, const Structure& b);
+  bool match_structure(Value pattern, Value* slots, Value value, Direction direction);
+
+  Heap& heap_;
+  SymbolTable& symbols_;
+  FunctionCaller* functions_ = nullptr;
+  std::vector<Value*> trail_;
+  std::span<const Symbol> slot_names_;
+  std::unordered_set<std::uint64_t> fresh_;  // only while fresh_copy runs
+  int depth_ = 0;
+  bool keep_slots_ = false;
+};
+
+/// A literal's (or atom's) parts, for code that treats both alike.
+struct LiteralParts {
+  Predicate predicate{};
+  std::span<const Value> args;
+  Value annots = Value::empty_list();
+};
+
+/// Whether a dereferenced value is a literal: an atom or a structure of form literal.
+[[nodiscard]] bool is_literal(Value value);
+/// REQUIRES: is_literal(value).
+[[nodiscard]] LiteralParts literal_parts(Value value);
+/// The same literal with other annotations.
+[[nodiscard]] Value with_annotations(Heap& heap, Value literal, Value annots);
+/// Whether the annotations contain some `source(_)`.
+[[nodiscard]] bool has_source(Value annots);
+
+}  // namespace jaywalk

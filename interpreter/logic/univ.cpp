@@ -1,0 +1,84 @@
+#include "interpreter/logic/univ.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace jaywalk {
+namespace {
+
+bool is_form(Value value, Form form) {
+  return value.is_structure() && value.structure()->form() == form;
+}
+
+bool take_apart(Unifier& unifier, Value term, Value list) {
+  Heap& heap = unifier.heap();
+  SymbolTable& symbols = unifier.symbols();
+  const LiteralParts parts = literal_parts(term);
+  const Signature signature = symbols.signature(parts.predicate);
+  std::string functor(symbols.text(signature.functor));
+  if (signature.negated) functor.insert(0, "~");
+  const std::array<Value, 4> whole{
+      Value::atom(symbols.predicate(Signature{.functor = signature.ns})),
+      Value::atom(symbols.predicate(Signature{.functor = symbols.symbol(functor)})),
+      heap.list(parts.args), parts.annots};
+  if (unifier.unify(heap.list(whole), list)) return true;
+  return unifier.unify(heap.list(std::span(whole).subspan(1)), list);
+}
+
+std::vector<Value> elements_of(Value list) {
+  std::vector<Value> elements;
+  for (list = deref(list); list.is_pair(); list = deref(list.pair()->tail)) {
+    elements.push_back(deref(list.pair()->head));
+  }
+  return elements;
+}
+
+bool put_together(Unifier& unifier, Value term, Value list) {
+  Heap& heap = unifier.heap();
+  SymbolTable& symbols = unifier.symbols();
+  const std::vector<Value> parts = elements_of(list);
+  if (parts.size() == 4 && is_form(parts[3], Form::body)) {
+    std::array<Value, 6> plan{parts[0], parts[1], parts[2], parts[3], Value(), Value()};
+    const Predicate predicate =
+        symbols.predicate(Signature{.functor = names::plan_text, .arity = 6});
+    return unifier.unify(term, heap.structure(predicate, plan, Value::empty_list(), Form::plan));
+  }
+  if (parts.size() != 3 && parts.size() != 4) return false;
+  const std::size_t first = parts.size() - 3;
+  std::string functor;
+  if (parts[first].is_text()) {
+    functor = parts[first].text()->view();
+  } else if (is_literal(parts[first])) {
+    functor = symbols.functor(literal_parts(parts[first]).predicate);
+  } else {
+    return false;
+  }
+  Signature signature;
+  if (first == 1) {
+    if (!is_literal(parts[0])) return false;
+    signature.ns = symbols.signature(literal_parts(parts[0]).predicate).functor;
+  }
+  if (functor.starts_with('~')) {
+    signature.negated = true;
+    functor.erase(0, 1);
+  }
+  const std::vector<Value> args = elements_of(parts[first + 1]);
+  signature.functor = symbols.symbol(functor);
+  signature.arity = static_cast<std::uint16_t>(args.size());
+  return unifier.unify(term, heap.structure(symbols.predicate(signature), args, parts[first + 2]));
+}
+
+}  // namespace
+
+bool unify_univ(Unifier& unifier, Value term, Value list) {
+  if (is_literal(term)) return take_apart(unifier, term, list);
+  if (is_form(term, Form::plan)) {
+    const Structure& plan = *term.structure();
+    const std::array<Value, 4> parts{plan.arg(0), plan.arg(1), plan.arg(2), plan.arg(3)};
+    return unifier.unify(unifier.heap().list(parts), list);
+  }
+  return list.is_pair() && put_together(unifier, term, list);
+}
+
+}  // namespace jaywalk

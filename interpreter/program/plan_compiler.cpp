@@ -1,0 +1,229 @@
+#include "interpreter/program/plan_compiler.h"
+
+#include <array>
+#include <string_view>
+
+#include "interpreter/logic/unifier.h"
+
+namespace jaywalk {
+namespace {
+
+bool is_form(Value value, Form form) {
+  return value.is_structure() && value.structure()->form() == form;
+}
+
+struct OperatorKind {
+  Symbol symbol;
+  Step::Kind kind;
+};
+
+constexpr std::array kOperators{
+    OperatorKind{names::empty, Step::Kind::action},
+    OperatorKind{names::achieve, Step::Kind::achieve},
+    OperatorKind{names::achieve_new_focus, Step::Kind::achieve_new_focus},
+    OperatorKind{names::test, Step::Kind::test},
+    OperatorKind{names::plus, Step::Kind::add},
+    OperatorKind{names::add_new_focus, Step::Kind::add_new_focus},
+    OperatorKind{names::add_begin, Step::Kind::add_begin},
+    OperatorKind{names::add_end, Step::Kind::add_end},
+    OperatorKind{names::minus, Step::Kind::remove},
+    OperatorKind{names::remove_new_focus, Step::Kind::remove_new_focus},
+    OperatorKind{names::replace, Step::Kind::replace},
+};
+
+Step::Kind kind_of(Symbol symbol) {
+  for (const OperatorKind& known : kOperators) {
+    if (known.symbol == symbol) return known.kind;
+  }
+  return Step::Kind::wrong;
+}
+
+}  // namespace
+
+const Body* BodyCompiler::compile(Value body) {
+  Body made;
+  body = deref(body);
+  if (is_form(body, Form::body)) {
+    for (const Value step : body.structure()->arg_span()) made.steps.push_back(compile_step(step));
+  } else {
+    Step step;
+    step.kind = Step::Kind::action;
+    step.term = body;
+    compile_plain(step);
+    made.steps.push_back(std::move(step));
+  }
+  return &code_.bodies.emplace_back(std::move(made));
+}
+
+Step BodyCompiler::compile_step(Value term) {
+  term = deref(term);
+  Step step;
+  step.source = term;
+  if (!is_form(term, Form::step)) {
+    step.kind = Step::Kind::action;
+    step.term = term;
+    compile_plain(step);
+    return step;
+  }
+  const Structure& s = *term.structure();
+  step.kind = kind_of(symbols_.signature(s.predicate()).functor);
+  step.term = deref(s.arg(0));
+  const Value line = deref(s.arg(1));
+  step.line = line.is_number() ? static_cast<std::uint32_t>(line.as_number()) : 0;
+  const bool open = step.term.is_slot() || step.term.is_variable() ||
+                    is_form(step.term, Form::decorated);
+  if (open) {
+    step.variable_kind = step.kind;
+    step.kind = Step::Kind::variable;
+    if (step.variable_kind == Step::Kind::test) step.goal = formulas_.compile(step.term, nullptr);
+  } else if (step.kind == Step::Kind::action) {
+    compile_plain(step);
+  } else if (step.kind == Step::Kind::test) {
+    step.goal = formulas_.compile(step.term, nullptr);
+  }
+  return step;
+}
+
+// A formula without operator: an action, an internal action, a constraint, a statement.
+void BodyCompiler::compile_plain(Step& step) {
+  const Value term = step.term;
+  if (term.is_slot() || term.is_variable() || is_form(term, Form::decorated)) {
+    step.variable_kind = Step::Kind::action;
+    step.kind = Step::Kind::variable;
+    return;
+  }
+  if (is_form(term, Form::relation)) {
+    step.kind = Step::Kind::constraint;
+    step.goal = formulas_.compile(term, nullptr);
+    return;
+  }
+  const bool callable = is_literal(term) || is_form(term, Form::function);
+  const bool dotted =
+      callable && symbols_.signature(term.is_atom() ? term.atom_id()
+                                                    : term.structure()->predicate()).dotted;
+  if (!dotted) {
+    step.kind = is_literal(term) || is_form(term, Form::logical) ? Step::Kind::action
+                                                                 : Step::Kind::wrong;
+    return;
+  }
+  if (compile_statement(step)) return;
+  step.kind = Step::Kind::internal_action;
+  step.goal = formulas_.compile_action(term, nullptr);
+}
+
+// if, while, for and forks are internal actions by name, in Jason too.
+bool BodyCompiler::compile_statement(Step& step) {
+  if (!step.term.is_structure()) return false;
+  const Structure& s = *step.term.structure();
+  const std::string_view name = symbols_.functor(s.predicate());
+  const bool is_if = name == ".if_then_else" && (s.arity == 2 || s.arity == 3);
+  const bool is_while = name == ".loop" && s.arity == 2;
+  const bool is_for = name == ".foreach" && s.arity == 2;
+  if (is_if || is_while || is_for) {
+    step.kind = is_if ? Step::Kind::if_statement
+                      : is_while ? Step::Kind::while_loop : Step::Kind::for_loop;
+    step.goal = formulas_.compile(s.arg(0), nullptr);
+    step.first = compile(s.arg(1));
+    if (s.arity == 3) step.second = compile(s.arg(2));
+    return true;
+  }
+  if (name != ".fork" || s.arity < 2) return false;
+  const Value mode = deref(s.arg(0));
+  const bool is_or = mode.is_atom() && symbols_.functor(mode.atom_id()) == "or";
+  step.kind = is_or ? Step::Kind::fork_or : Step::Kind::fork_and;
+  for (std::size_t i = 1; i < s.arity; ++i) {
+    // Each branch ends by joining the others.
+    const Body* const branch = compile(s.arg(i));
+    Body& joined = code_.bodies.emplace_back(*branch);
+    Step join;
+    join.kind = Step::Kind::join;
+    join.variable_kind = step.kind;
+    join.line = step.line;
+    joined.steps.push_back(std::move(join));
+    step.branches.push_back(&joined);
+  }
+  return true;
+}
+
+PlanParts plan_parts(Value plan) {
+  const Structure& s = *plan.structure();
+  return {deref(s.arg(0)), deref(s.arg(1)), deref(s.arg(2)),
+          deref(s.arg(3)), deref(s.arg(4)), deref(s.arg(5))};
+}
+
+bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts) {
+  term = deref(term);
+  if (is_form(term, Form::body) && term.structure()->arity == 1) {
+    term = deref(term.structure()->arg(0));
+    if (!is_form(term, Form::step)) return false;
+  } else if (!is_form(term, Form::trigger)) {
+    return false;
+  }
+  std::string_view op = symbols.functor(term.structure()->predicate());
+  if (op.empty()) return false;
+  switch (op.front()) {
+    case '+': parts.op = TriggerOperator::add; break;
+    case '-': parts.op = TriggerOperator::remove; break;
+    case '^': parts.op = TriggerOperator::goal_state; break;
+    default: return false;
+  }
+  op.remove_prefix(1);
+  if (op.empty()) {
+    parts.kind = TriggerKind::belief;
+  } else if (op == "!") {
+    parts.kind = TriggerKind::achieve;
+  } else if (op == "?") {
+    parts.kind = TriggerKind::test;
+  } else {
+    return false;
+  }
+  parts.literal = deref(term.structure()->arg(0));
+  return true;
+}
+
+TriggerKey trigger_key(TriggerOperator op, TriggerKind kind, Predicate predicate,
+                       SymbolTable& symbols) {
+  Signature signature = symbols.signature(predicate);
+  if (signature.negated) {
+    signature.negated = false;
+    predicate = symbols.predicate(signature);
+  }
+  return {op, kind, predicate};
+}
+
+std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
+                                   const ActionRegistry& actions, SymbolTable& symbols) {
+  const PlanParts parts = plan_parts(term);
+  TriggerParts trigger;
+  if (!trigger_parts(parts.trigger, symbols, trigger)) return nullptr;
+  auto plan = std::make_shared<Plan>();
+  plan->source = term;
+  plan->label = parts.label;
+  if (is_literal(parts.label)) {
+    for (Value a = literal_parts(parts.label).annots; a.is_pair(); a = deref(a.pair()->tail)) {
+      const Value annot = deref(a.pair()->head);
+      if (!annot.is_atom()) continue;
+      if (annot.atom_id() == predicates::atomic) plan->atomic = true;
+      if (annot.atom_id() == predicates::all_unifs) plan->all_unifs = true;
+    }
+  }
+  plan->trigger = trigger.literal;
+  plan->any_predicate = !is_literal(trigger.literal);
+  plan->key = {trigger.op, trigger.kind, Predicate{}};
+  if (!plan->any_predicate) {
+    plan->key = trigger_key(trigger.op, trigger.kind, literal_parts(trigger.literal).predicate,
+                            symbols);
+  }
+  BodyCompiler compiler(plan->code, actions, symbols);
+  if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);
+  if (!parts.goal_condition.is_unset()) {
+    plan->has_goal_condition = true;
+    plan->goal_condition = compiler.compile_formula(parts.goal_condition);
+  }
+  plan->code.entry = compiler.compile(parts.body);
+  plan->slot_count = static_cast<std::uint32_t>(slot_names.size());
+  plan->slot_names = std::move(slot_names);
+  return plan;
+}
+
+}  // namespace jaywalk

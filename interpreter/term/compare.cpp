@@ -1,0 +1,274 @@
+#include "interpreter/term/compare.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+#include <vector>
+
+namespace jaywalk {
+namespace {
+
+struct Depth {
+  explicit Depth(int& counter) : counter_(counter) {
+    if (++counter_ > kMaxTermDepth) throw TermTooDeep{};
+  }
+  ~Depth() { --counter_; }
+  Depth(const Depth&) = delete;
+  Depth& operator=(const Depth&) = delete;
+  int& counter_;
+};
+
+int sign(std::strong_ordering order) { return order < 0 ? -1 : order > 0 ? 1 : 0; }
+
+// An atom and a structure without arguments are the same kind of thing.
+struct LiteralView {
+  Predicate predicate{};
+  std::span<const Value> args;
+  Value annots = Value::empty_list();
+  Form form = Form::literal;
+};
+
+LiteralView view_of(Value value) {
+  if (value.is_atom()) return {.predicate = value.atom_id(), .args = {}};
+  const Structure& s = *value.structure();
+  return {s.predicate(), s.arg_span(), s.annots(), s.form()};
+}
+
+class Equality {
+ public:
+  explicit Equality(Annotations annotations) : annotations_(annotations) {}
+
+  bool equal(Value a, Value b) {
+    const Depth guard(depth_);
+    // Lists are walked in a loop: they may be long.
+    for (;;) {
+      a = deref(a);
+      b = deref(b);
+      if (a.same_as(b)) return true;
+      if (!a.is_pair() || !b.is_pair()) break;
+      if (!equal(a.pair()->head, b.pair()->head)) return false;
+      a = a.pair()->tail;
+      b = b.pair()->tail;
+    }
+    if (a.is_number() && b.is_number()) return a.as_number() == b.as_number();
+    if (a.is_text() && b.is_text()) return a.text()->view() == b.text()->view();
+    if ((a.is_structure() || a.is_atom()) && (b.is_structure() || b.is_atom())) {
+      return equal_literals(view_of(a), view_of(b));
+    }
+    if (a.is_object() && b.is_object()) return a.object()->object == b.object()->object;
+    return false;
+  }
+
+ private:
+  bool equal_literals(const LiteralView& a, const LiteralView& b) {
+    if (a.predicate != b.predicate || a.form != b.form || a.args.size() != b.args.size()) {
+      return false;
+    }
+    const std::size_t count = a.form == Form::step ? 1 : a.args.size();  // the line does not count
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!equal(a.args[i], b.args[i])) return false;
+    }
+    // Annotations of arguments always count; those of the literal itself if asked.
+    if (depth_ == 1 && annotations_ == Annotations::ignore) return true;
+    return equal(a.annots, b.annots);
+  }
+
+  Annotations annotations_;
+  int depth_ = 0;
+};
+
+class Order {
+ public:
+  explicit Order(const SymbolTable& symbols) : symbols_(symbols) {}
+
+  int compare(Value a, Value b) {
+    const Depth guard(depth_);
+    for (;;) {
+      a = deref(a);
+      b = deref(b);
+      if (a.same_as(b)) return 0;
+      if (!a.is_pair() || !b.is_pair()) break;
+      if (const int order = compare(a.pair()->head, b.pair()->head); order != 0) return order;
+      a = a.pair()->tail;
+      b = b.pair()->tail;
+    }
+    const int rank_a = rank(a);
+    const int rank_b = rank(b);
+    if (rank_a != rank_b) return rank_a < rank_b ? -1 : 1;
+    switch (rank_a) {
+      case 0: return numbers(a.as_number(), b.as_number());
+      case 1: return sign(a.text()->view() <=> b.text()->view());
+      case 2: return a.is_empty_list() ? -1 : 1;  // one of them has ended
+      case 3: return literals(view_of(a), view_of(b));
+      case 4: return a.bits() < b.bits() ? -1 : 1;
+      default: return variables(*a.variable(), *b.variable());
+    }
+  }
+
+ private:
+  static int rank(Value value) {
+    switch (value.kind()) {
+      case Value::Kind::number: return 0;
+      case Value::Kind::text: return 1;
+      case Value::Kind::pair: return 2;
+      case Value::Kind::special: return 2;
+      case Value::Kind::atom: return 3;
+      case Value::Kind::structure: return 3;
+      case Value::Kind::object: return 4;
+      case Value::Kind::variable: return 5;
+    }
+    return 5;
+  }
+
+  // As Double.compare: NaN is above everything and equals itself.
+  static int numbers(double a, double b) {
+    if (a < b) return -1;
+    if (a > b) return 1;
+    if (a == b) return 0;
+    const bool nan_a = a != a;
+    const bool nan_b = b != b;
+    return nan_a == nan_b ? 0 : nan_a ? 1 : -1;
+  }
+
+  int literals(const LiteralView& a, const LiteralView& b) {
+    const Signature& sa = symbols_.signature(a.predicate);
+    const Signature& sb = symbols_.signature(b.predicate);
+    if (sa.ns != sb.ns) return sign(symbols_.text(sa.ns) <=> symbols_.text(sb.ns));
+    if (sa.functor != sb.functor) {
+      return sign(symbols_.text(sa.functor) <=> symbols_.text(sb.functor));
+    }
+    if (sa.negated != sb.negated) return sa.negated ? 1 : -1;
+    for (std::size_t i = 0; i < std::min(a.args.size(), b.args.size()); ++i) {
+      if (const int order = compare(a.args[i], b.args[i]); order != 0) return order;
+    }
+    if (a.args.size() != b.args.size()) return a.args.size() < b.args.size() ? -1 : 1;
+    return compare(a.annots, b.annots);
+  }
+
+  int variables(const Variable& a, const Variable& b) {
+    const bool named_a = a.name() != names::unnamed;
+    const bool named_b = b.name() != names::unnamed;
+    if (named_a != named_b) return named_a ? -1 : 1;
+    if (named_a && a.name() != b.name()) {
+      return sign(symbols_.text(a.name()) <=> symbols_.text(b.name()));
+    }
+    return a.serial < b.serial ? -1 : a.serial > b.serial ? 1 : 0;
+  }
+
+  const SymbolTable& symbols_;
+  int depth_ = 0;
+};
+
+constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+  hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
+  return hash ^ hash >> 32U;
+}
+
+class Hash {
+ public:
+  std::uint64_t hash(Value value) {
+    const Depth guard(depth_);
+    std::uint64_t result = 0x51ED270B;
+    for (;;) {
+      value = deref(value);
+      if (!value.is_pair()) break;
+      const std::uint64_t head = hash(value.pair()->head);
+      if (head == 0) return 0;
+      result = mix(result, head);
+      value = value.pair()->tail;
+    }
+    const std::uint64_t last = single(value);
+    return last == 0 ? 0 : mix(result, last) | 1U;
+  }
+
+ private:
+  std::uint64_t single(Value value) {
+    switch (value.kind()) {
+      case Value::Kind::number:
+        return mix(1, std::bit_cast<std::uint64_t>(value.as_number() + 0.0));
+      case Value::Kind::atom: return mix(2, static_cast<std::uint64_t>(value.atom_id()));
+      case Value::Kind::special: return mix(3, value.bits());
+      case Value::Kind::text: return mix(4, std::hash<std::string_view>{}(value.text()->view())) | 1;
+      case Value::Kind::object:
+        return mix(5, reinterpret_cast<std::uintptr_t>(value.object()->object));
+      case Value::Kind::structure: break;
+      default: return 0;
+    }
+    const Structure& s = *value.structure();
+    if (s.form() == Form::decorated) return 0;
+    std::uint64_t result = mix(2, static_cast<std::uint64_t>(s.predicate()));
+    for (std::size_t i = 0; i < s.arity; ++i) {
+      const std::uint64_t part = hash(s.arg(i));
+      if (part == 0) return 0;
+      result = mix(result, part);
+    }
+    return result | 1U;
+  }
+
+  int depth_ = 0;
+};
+
+bool ground(Value value, int& depth) {
+  const Depth guard(depth);
+  for (;;) {
+    value = deref(value);
+    if (!value.is_pair()) break;
+    if (value.is_closed()) return true;
+    if (!ground(value.pair()->head, depth)) return false;
+    value = value.pair()->tail;
+  }
+  if (value.is_variable() || value.is_slot() || value.is_unset()) return false;
+  if (!value.is_structure() || value.is_closed()) return true;
+  const Structure& s = *value.structure();
+  for (std::size_t i = 0; i < s.arity; ++i) {
+    if (!ground(s.arg(i), depth)) return false;
+  }
+  return ground(s.annots(), depth);
+}
+
+}  // namespace
+
+bool equal_terms(Value a, Value b, Annotations annotations) {
+  return Equality(annotations).equal(a, b);
+}
+
+int compare_terms(Value a, Value b, const SymbolTable& symbols) {
+  return Order(symbols).compare(a, b);
+}
+
+std::uint64_t hash_term(Value term) { return Hash().hash(term); }
+
+bool is_ground(Value term) {
+  int depth = 0;
+  return ground(term, depth);
+}
+
+Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
+  std::vector<Value> elements;
+  list = deref(list);
+  for (; list.is_pair(); list = deref(list.pair()->tail)) {
+    elements.push_back(deref(list.pair()->head));
+  }
+  if (elements.size() < 2) return heap.list(elements, list);
+  std::stable_sort(elements.begin(), elements.end(), [&](Value a, Value b) {
+    return compare_terms(a, b, symbols) < 0;
+  });
+  const auto last = std::unique(elements.begin(), elements.end(), [&](Value a, Value b) {
+    return compare_terms(a, b, symbols) == 0;
+  });
+  elements.erase(last, elements.end());
+  return heap.list(elements, list);
+}
+
+Value union_of(Heap& heap, Value a, Value b, const SymbolTable& symbols) {
+  a = deref(a);
+  b = deref(b);
+  if (!a.is_pair() || a.same_as(b)) return b.is_pair() || !a.is_variable() ? b : a;
+  if (!b.is_pair()) return a;
+  std::vector<Value> elements;
+  for (; a.is_pair(); a = deref(a.pair()->tail)) elements.push_back(deref(a.pair()->head));
+  for (; b.is_pair(); b = deref(b.pair()->tail)) elements.push_back(deref(b.pair()->head));
+  return sorted_set(heap, heap.list(elements, b.is_variable() ? b : a), symbols);
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,235 @@
+#include "interpreter/term/heap.h"
+
+#include <algorithm>
+#include <array>
+
+namespace jaywalk {
+namespace {
+
+// The upper 16 bits of a cell's first word tell a moved cell: no Value and no header has them.
+constexpr std::uint64_t kMoved = std::uint64_t{0x7FF4} << 48U;
+constexpr std::uint64_t kMovedMask = std::uint64_t{0xFFFF} << 48U;
+constexpr std::uint64_t kAddressMask = 0x0000FFFFFFFFFFF8U;
+constexpr std::uint16_t kTextInfo = 0x2000;
+constexpr std::uint64_t kObjectInfo = std::uint64_t{0x3000} << 48U;
+
+constexpr std::size_t kFirstChunkWords = 64;
+constexpr std::size_t kLargestChunkWords = std::size_t{1} << 15U;
+constexpr std::size_t kLeastCollection = 64 * 1024;
+
+std::size_t text_words(std::size_t length) { return 1 + (length + 7) / 8; }
+
+// A constant list [source(Agent)] in static storage.
+struct SourceConstant {
+  explicit SourceConstant(Predicate agent)
+      : structure{static_cast<std::uint32_t>(predicates::source), 1, 0},
+        agent_value(Value::atom(agent)) {
+    list.head = Value::reference(Value::Kind::structure, &structure,
+                                 Value::kClosed | Value::kStatic);
+    list.tail = Value::empty_list();
+  }
+  [[nodiscard]] Value value() const {
+    return Value::reference(Value::Kind::pair, &list, Value::kClosed | Value::kStatic);
+  }
+  alignas(8) Structure structure;
+  Value agent_value;  // directly behind the header, as in a heap
+  alignas(8) Pair list;
+};
+
+}  // namespace
+
+Value source_self() {
+  static const SourceConstant constant(predicates::self);
+  return constant.value();
+}
+
+Value source_percept() {
+  static const SourceConstant constant(predicates::percept);
+  return constant.value();
+}
+
+Heap::Heap(Owner owner) : static_flag_(owner == Owner::program ? Value::kStatic : 0) {}
+
+std::size_t Heap::used_in_current() const {
+  if (chunks_.empty()) return 0;
+  return static_cast<std::size_t>(top_ - chunks_.back().words.get()) * sizeof(std::uint64_t);
+}
+
+void Heap::grow(std::size_t words) {
+  full_bytes_ += used_in_current();
+  const std::size_t last = chunks_.empty() ? kFirstChunkWords / 2 : chunks_.back().size;
+  const std::size_t size = std::max(words, std::min(last * 2, kLargestChunkWords));
+  if (full_bytes_ + size * sizeof(std::uint64_t) > limit_bytes_) {
+    full_bytes_ -= used_in_current();
+    throw HeapExhausted{};
+  }
+  chunks_.push_back({std::make_unique_for_overwrite<std::uint64_t[]>(size), size});
+  top_ = chunks_.back().words.get();
+  end_ = top_ + size;
+}
+
+void Heap::release(Mark mark) {
+  if (mark.chunk < floor_.chunk || (mark.chunk == floor_.chunk && mark.top < floor_.top)) {
+    mark = floor_;
+  }
+  if (chunks_.size() > mark.chunk) {
+    // The chunk that was current at the mark was full up to where it was left.
+    while (chunks_.size() > mark.chunk) {
+      chunks_.pop_back();
+      if (!chunks_.empty()) top_ = nullptr;
+    }
+    if (chunks_.empty()) {
+      top_ = end_ = nullptr;
+      full_bytes_ = 0;
+      return;
+    }
+    full_bytes_ = 0;
+    for (std::size_t i = 0; i + 1 < chunks_.size(); ++i) {
+      full_bytes_ += chunks_[i].size * sizeof(std::uint64_t);
+    }
+    end_ = chunks_.back().words.get() + chunks_.back().size;
+  }
+  top_ = mark.top;
+}
+
+Value Heap::structure(Predicate predicate, std::span<const Value> args, Value annots, Form form) {
+  const bool annotated = !annots.is_empty_list();
+  if (args.empty() && !annotated && form == Form::literal) return Value::atom(predicate);
+  const std::size_t extra = annotated ? 1 : 0;
+  std::uint64_t* const cell = allocate(1 + extra + args.size());
+  auto* const made = reinterpret_cast<Structure*>(cell);
+  made->predicate_id = static_cast<std::uint32_t>(predicate);
+  made->arity = static_cast<std::uint16_t>(args.size());
+  made->info = static_cast<std::uint16_t>(static_cast<unsigned>(form) |
+                                          (annotated ? Structure::kAnnotated : 0U));
+  bool closed = form != Form::expression && form != Form::function && form != Form::decorated;
+  Value* const cells = made->cells();
+  if (annotated) {
+    cells[0] = annots;
+    closed = closed && annots.is_closed();
+  }
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    cells[extra + i] = args[i];
+    closed = closed && args[i].is_closed();
+  }
+  return Value::reference(Value::Kind::structure, cell,
+                          (closed ? Value::kClosed : 0) | static_flag_);
+}
+
+Value Heap::pair(Value head, Value tail) {
+  std::uint64_t* const cell = allocate(2);
+  auto* const made = reinterpret_cast<Pair*>(cell);
+  made->head = head;
+  made->tail = tail;
+  const bool closed = head.is_closed() && tail.is_closed();
+  return Value::reference(Value::Kind::pair, cell, (closed ? Value::kClosed : 0) | static_flag_);
+}
+
+Value Heap::list(std::span<const Value> elements, Value tail) {
+  for (std::size_t i = elements.size(); i > 0; --i) tail = pair(elements[i - 1], tail);
+  return tail;
+}
+
+Value Heap::text(std::string_view bytes) {
+  std::uint64_t* const cell = allocate(text_words(bytes.size()));
+  auto* const made = reinterpret_cast<Text*>(cell);
+  made->length = static_cast<std::uint32_t>(bytes.size());
+  made->unused = 0;
+  made->info = kTextInfo;
+  if (!bytes.empty()) std::memcpy(made + 1, bytes.data(), bytes.size());
+  return Value::reference(Value::Kind::text, cell, static_flag_);
+}
+
+Value Heap::variable(Symbol name) {
+  std::uint64_t* const cell = allocate(2);
+  auto* const made = reinterpret_cast<Variable*>(cell);
+  made->value = Value();
+  made->name_id = static_cast<std::uint32_t>(name);
+  made->serial = next_serial_++;
+  return Value::reference(Value::Kind::variable, cell, 0);
+}
+
+Value Heap::object(std::unique_ptr<Object> object) {
+  std::uint64_t* const cell = allocate(2);
+  auto* const made = reinterpret_cast<ObjectCell*>(cell);
+  made->info = kObjectInfo;
+  made->object = object.get();
+  objects_.push_back(std::move(object));
+  return Value::reference(Value::Kind::object, cell, 0);
+}
+
+std::vector<Heap::Chunk> Heap::start_collection() {
+  std::vector<Chunk> old = std::move(chunks_);
+  chunks_.clear();
+  top_ = end_ = nullptr;
+  full_bytes_ = 0;
+  floor_ = {};
+  for (const auto& object : objects_) object->reached = false;
+  return old;
+}
+
+void Heap::finish_collection() {
+  std::erase_if(objects_, [](const auto& object) { return !object->reached; });
+  collect_at_ = std::max(kLeastCollection, 2 * bytes());
+}
+
+void Heap::Relocator::operator()(Value& value) {
+  const Value::Kind kind = value.kind();
+  if (kind == Value::Kind::number || kind == Value::Kind::atom || kind == Value::Kind::special ||
+      value.is_static()) {
+    return;
+  }
+  // All cells begin with a word that says whether, and where to, the cell has moved.
+  auto* const cell = reinterpret_cast<std::uint64_t*>(value.bits() & kAddressMask);
+  if ((cell[0] & kMovedMask) == kMoved) {
+    value = Value::reference(kind, reinterpret_cast<void*>(cell[0] & kAddressMask), value.flags());
+    return;
+  }
+  std::size_t words = 2;
+  std::size_t first_value = 0;
+  std::size_t value_count = 0;
+  switch (kind) {
+    case Value::Kind::structure: {
+      const auto* const structure = reinterpret_cast<const Structure*>(cell);
+      first_value = 1;
+      value_count = structure->arity + (structure->is_annotated() ? 1U : 0U);
+      words = 1 + value_count;
+      break;
+    }
+    case Value::Kind::pair: value_count = 2; break;
+    case Value::Kind::text: words = text_words(reinterpret_cast<const Text*>(cell)->length); break;
+    case Value::Kind::variable: value_count = 1; break;
+    case Value::Kind::object: {
+      Object* const object = reinterpret_cast<ObjectCell*>(cell)->object;
+      if (!object->reached) {
+        object->reached = true;
+        pending_objects_.push_back(object);
+      }
+      break;
+    }
+    default: break;
+  }
+  std::uint64_t* const moved = heap_.allocate(words);
+  std::memcpy(moved, cell, words * sizeof(std::uint64_t));
+  cell[0] = kMoved | reinterpret_cast<std::uintptr_t>(moved);
+  value = Value::reference(kind, moved, value.flags());
+  if (value_count > 0) {
+    pending_.emplace_back(reinterpret_cast<Value*>(moved + first_value), value_count);
+  }
+}
+
+void Heap::Relocator::drain() {
+  while (!pending_.empty() || !pending_objects_.empty()) {
+    if (pending_.empty()) {
+      Object* const object = pending_objects_.back();
+      pending_objects_.pop_back();
+      object->visit([this](Value& value) { (*this)(value); });
+      continue;
+    }
+    const auto [first, count] = pending_.back();
+    pending_.pop_back();
+    for (std::size_t i = 0; i < count; ++i) (*this)(first[i]);
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,198 @@
+#pragma once
+
+// Where terms live. A Heap is a bump allocator with a copying collector. Each agent has one; a
+// program's constants have another whose cells never move. Nothing is freed one by one: at the end
+// of a reasoning cycle the agent may collect, giving all its roots, so a Value that is held in a
+// local variable is good until the end of the cycle, and no longer.
+//
+//   Structure   [ predicate:32 arity:16 info:16 ] ([ annotations ]) [ arg 0 ] ... [ arg n-1 ]
+//   Pair        [ head ] [ tail ]
+//   Text        [ length:32 unused:16 kTextInfo:16 ] bytes ...
+//   Variable    [ value or unset ] [ name:32 serial:32 ]
+//   ObjectCell  [ kObjectInfo << 48 ] [ Object* ]
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/term/object.h"
+#include "interpreter/term/value.h"
+
+namespace jaywalk {
+
+/// What a structure stands for. Everything but a literal is made by the language itself: unevaluated
+/// expressions and programs as data.
+enum class Form : std::uint8_t {
+  literal,
+  expression,  // arithmetic not evaluated yet: `X+1`
+  function,    // an arithmetic function not evaluated yet: `math.max(X,2)`
+  relation,    // `X < 3`
+  logical,     // `a & b`, `a | b`, `not a`
+  decorated,   // a variable with annotations, negation or a namespace; args: variable[, namespace]
+  body,        // a plan body; args: steps
+  step,        // a body formula; the functor is its operator; args: term, line
+  trigger,     // the functor is the operator, `+!`; args: literal
+  plan,        // args: label, trigger, context, body, goal condition, sub-plans (a list)
+  rule,        // args: head, body
+};
+
+struct Structure {
+  std::uint32_t predicate_id;
+  std::uint16_t arity;
+  std::uint16_t info;
+
+  static constexpr std::uint16_t kAnnotated = 0x100;
+
+  [[nodiscard]] Predicate predicate() const { return static_cast<Predicate>(predicate_id); }
+  [[nodiscard]] Form form() const { return static_cast<Form>(info & 0xFFU); }
+  [[nodiscard]] bool is_annotated() const { return (info & kAnnotated) != 0; }
+  [[nodiscard]] Value* cells() { return reinterpret_cast<Value*>(this + 1); }
+  [[nodiscard]] const Value* cells() const { return reinterpret_cast<const Value*>(this + 1); }
+  [[nodiscard]] const Value* args() const { return cells() + (is_annotated() ? 1 : 0); }
+  [[nodiscard]] Value* args() { return cells() + (is_annotated() ? 1 : 0); }
+  [[nodiscard]] Value arg(std::size_t index) const { return args()[index]; }
+  [[nodiscard]] std::span<const Value> arg_span() const { return {args(), arity}; }
+  /// The annotations: a sorted list without duplicates, perhaps open (`[a|T]`); empty if none.
+  [[nodiscard]] Value annots() const { return is_annotated() ? cells()[0] : Value::empty_list(); }
+};
+
+struct Pair {
+  Value head;
+  Value tail;
+};
+
+struct Text {
+  std::uint32_t length;
+  std::uint16_t unused;
+  std::uint16_t info;
+  [[nodiscard]] std::string_view view() const {
+    return {reinterpret_cast<const char*>(this + 1), length};
+  }
+};
+
+struct Variable {
+  Value value;
+  std::uint32_t name_id;
+  std::uint32_t serial;
+  [[nodiscard]] Symbol name() const { return static_cast<Symbol>(name_id); }
+};
+
+struct ObjectCell {
+  std::uint64_t info;
+  Object* object;
+};
+
+/// What is bound to what: follows variables to a value or an unbound variable.
+[[nodiscard]] inline Value deref(Value value) {
+  while (value.is_variable()) {
+    const Value next = value.variable()->value;
+    if (next.is_unset()) return value;
+    value = next;
+  }
+  return value;
+}
+
+/// Thrown when an agent's heap would exceed its limit; caught where the agent executes a step.
+struct HeapExhausted {};
+/// Thrown when a term is nested too deeply to be walked; caught where the agent executes a step.
+struct TermTooDeep {};
+
+/// How deeply terms may be nested at run time.
+inline constexpr int kMaxTermDepth = 5000;
+
+class Heap {
+ public:
+  enum class Owner { agent, program };
+
+  explicit Heap(Owner owner = Owner::agent);
+  Heap(const Heap&) = delete;
+  Heap& operator=(const Heap&) = delete;
+
+  /// Values of all kinds. The flag `closed` is derived from the parts.
+  [[nodiscard]] Value structure(Predicate predicate, std::span<const Value> args,
+                                Value annots = Value::empty_list(), Form form = Form::literal);
+  [[nodiscard]] Value pair(Value head, Value tail);
+  [[nodiscard]] Value list(std::span<const Value> elements, Value tail = Value::empty_list());
+  [[nodiscard]] Value text(std::string_view bytes);
+  [[nodiscard]] Value variable(Symbol name = names::unnamed);
+  [[nodiscard]] Value object(std::unique_ptr<Object> object);
+
+  /// A place to which the heap can be cut back when nothing made since is needed.
+  struct Mark {
+    std::size_t chunk = 0;
+    std::uint64_t* top = nullptr;
+  };
+  [[nodiscard]] Mark mark() const { return {chunks_.size(), top_}; }
+  void release(Mark mark);
+  /// Nothing allocated until now is released any more, whatever the mark.
+  void protect() { floor_ = mark(); }
+
+  [[nodiscard]] std::size_t bytes() const { return full_bytes_ + used_in_current(); }
+  void set_limit(std::size_t bytes) { limit_bytes_ = bytes; }
+  [[nodiscard]] std::size_t limit() const { return limit_bytes_; }
+  /// Enough has been allocated since the last collection to make another worth while.
+  [[nodiscard]] bool wants_collection() const { return bytes() > collect_at_; }
+
+  /// Moves what the roots reach into fresh chunks and frees the rest. `visit_roots` is called with
+  /// a Relocator and must pass every Value that is to survive to it.
+  class Relocator {
+   public:
+    void operator()(Value& value);
+
+   private:
+    friend class Heap;
+    explicit Relocator(Heap& heap) : heap_(heap) {}
+    void drain();
+    Heap& heap_;
+    std::vector<std::pair<Value*, std::size_t>> pending_;
+    std::vector<Object*> pending_objects_;
+  };
+  template <class VisitRoots>
+  void collect(VisitRoots&& visit_roots) {
+    const std::size_t limit = limit_bytes_;
+    limit_bytes_ = std::size_t(-1);  // what is alive fits: it was there before
+    const std::vector<Chunk> old = start_collection();
+    Relocator relocate(*this);
+    visit_roots(relocate);
+    relocate.drain();
+    limit_bytes_ = limit;
+    finish_collection();
+  }
+
+ private:
+  struct Chunk {
+    std::unique_ptr<std::uint64_t[]> words;
+    std::size_t size = 0;
+  };
+
+  [[nodiscard]] std::uint64_t* allocate(std::size_t words) {
+    if (static_cast<std::size_t>(end_ - top_) < words) grow(words);
+    std::uint64_t* const cell = top_;
+    top_ += words;
+    return cell;
+  }
+  void grow(std::size_t words);
+  [[nodiscard]] std::size_t used_in_current() const;
+  [[nodiscard]] std::vector<Chunk> start_collection();
+  void finish_collection();
+
+  std::uint64_t* top_ = nullptr;
+  std::uint64_t* end_ = nullptr;
+  std::vector<Chunk> chunks_;
+  std::size_t full_bytes_ = 0;
+  Mark floor_;
+  std::size_t limit_bytes_ = std::size_t{1} << 30U;
+  std::size_t collect_at_ = 64 * 1024;
+  std::uint64_t static_flag_ = 0;
+  std::uint32_t next_serial_ = 1;
+  std::vector<std::unique_ptr<Object>> objects_;
+};
+
+/// The one-element list [source(self)], [source(percept)]; made once, never moved.
+[[nodiscard]] Value source_self();
+[[nodiscard]] Value source_percept();
+
+}  // namespace jaywalk

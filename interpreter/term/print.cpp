@@ -1,0 +1,339 @@
+#include "interpreter/term/print.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace jaywalk {
+namespace {
+
+// Java's Double.toString from the shortest digits that give the number back.
+void append_java_double(std::string& out, double value) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::scientific);
+  const std::string_view text(buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data()));
+  const std::size_t exponent_at = text.find('e');
+  int exponent = 0;
+  const std::string_view exponent_text = text.substr(exponent_at + 1);
+  std::from_chars(exponent_text.data() + (exponent_text.front() == '+' ? 1 : 0),
+                  exponent_text.data() + exponent_text.size(), exponent);
+  std::string_view mantissa = text.substr(0, exponent_at);
+  if (mantissa.front() == '-') {
+    out += '-';
+    mantissa.remove_prefix(1);
+  }
+  std::string digits(mantissa.substr(0, 1));
+  if (mantissa.size() > 2) digits += mantissa.substr(2);
+  const auto count = static_cast<int>(digits.size());
+  if (exponent < -3 || exponent >= 7) {
+    out += digits[0];
+    out += '.';
+    out += count > 1 ? digits.substr(1) : "0";
+    out += fmt::format("E{}", exponent);
+  } else if (exponent < 0) {
+    out += "0.";
+    out.append(static_cast<std::size_t>(-exponent - 1), '0');
+    out += digits;
+  } else {
+    const auto whole = static_cast<std::size_t>(exponent) + 1;
+    if (digits.size() <= whole) digits.append(whole - digits.size() + 1, '0');
+    out.append(digits, 0, whole);
+    out += '.';
+    out.append(digits, whole);
+  }
+}
+
+constexpr double kLongLimit = 9223372036854775808.0;
+
+class Printer {
+ public:
+  Printer(std::string& out, const SymbolTable& symbols) : out_(out), symbols_(symbols) {}
+
+  void term(Value value) {
+    value = deref(value);
+    switch (value.kind()) {
+      case Value::Kind::number: append_number(out_, value.as_number()); return;
+      case Value::Kind::atom: name(value.atom_id()); return;
+      case Value::Kind::text:
+        out_ += '"';
+        out_ += value.text()->view();
+        out_ += '"';
+        return;
+      case Value::Kind::variable:
+        append_variable_name(out_, *value.variable(), symbols_);
+        return;
+      case Value::Kind::special: special(value); return;
+      case Value::Kind::object: object(*value.object()->object); return;
+      case Value::Kind::pair:
+      case Value::Kind::structure: break;
+    }
+    if (++depth_ > kMaxTermDepth) throw TermTooDeep{};
+    value.is_pair() ? list(value, '[', ']') : structure(*value.structure());
+    --depth_;
+  }
+
+ private:
+  void special(Value value) {
+    if (value.is_empty_list()) {
+      out_ += "[]";
+    } else if (value.is_slot()) {
+      out_ += fmt::format("_{}", value.slot_index());
+    } else {
+      out_ += '_';
+    }
+  }
+
+  void name(Predicate predicate) {
+    const Signature& signature = symbols_.signature(predicate);
+    if (signature.ns != names::default_ns) {
+      out_ += symbols_.text(signature.ns);
+      out_ += "::";
+    }
+    if (signature.negated) out_ += '~';
+    out_ += symbols_.text(signature.functor);
+  }
+
+  void list(Value value, char open, char close) {
+    out_ += open;
+    bool first = true;
+    for (value = deref(value); value.is_pair(); value = deref(value.pair()->tail)) {
+      if (!first) out_ += ',';
+      first = false;
+      term(value.pair()->head);
+    }
+    if (!value.is_empty_list()) {
+      out_ += '|';
+      term(value);
+    }
+    out_ += close;
+  }
+
+  void args(const Structure& s) {
+    if (s.arity == 0) return;
+    out_ += '(';
+    for (std::size_t i = 0; i < s.arity; ++i) {
+      if (i > 0) out_ += ',';
+      term(s.arg(i));
+    }
+    out_ += ')';
+  }
+
+  void annots(const Structure& s) {
+    const Value set = deref(s.annots());
+    if (set.is_pair() || (s.is_annotated() && set.is_variable())) {
+      if (set.is_pair()) {
+        list(set, '[', ']');
+      } else {
+        out_ += "[|";
+        term(set);
+        out_ += ']';
+      }
+    }
+  }
+
+  void structure(const Structure& s) {
+    switch (s.form()) {
+      case Form::literal:
+      case Form::function:
+        name(s.predicate());
+        args(s);
+        annots(s);
+        return;
+      case Form::expression: expression(s); return;
+      case Form::relation:
+      case Form::logical: formula(s); return;
+      case Form::decorated: decorated(s); return;
+      case Form::body: body(s); return;
+      case Form::step: step(s); return;
+      case Form::trigger:
+        out_ += "{ ";
+        trigger(s);
+        out_ += " }";
+        return;
+      case Form::plan: plan(s); return;
+      case Form::rule:
+        out_ += "{ ";
+        term(s.arg(0));
+        out_ += " :- ";
+        term(s.arg(1));
+        out_ += " }";
+        return;
+    }
+  }
+
+  void expression(const Structure& s) {
+    out_ += '(';
+    if (s.arity == 1) {
+      out_ += symbols_.functor(s.predicate());
+      term(s.arg(0));
+    } else {
+      term(s.arg(0));
+      const std::string_view op = symbols_.functor(s.predicate());
+      const bool word = op == "mod" || op == "div";
+      if (word) out_ += ' ';
+      out_ += op;
+      if (word) out_ += ' ';
+      term(s.arg(1));
+    }
+    out_ += ')';
+  }
+
+  void formula(const Structure& s) {
+    if (s.arity == 1) {
+      out_ += "not (";
+      term(s.arg(0));
+      out_ += ')';
+      return;
+    }
+    out_ += '(';
+    term(s.arg(0));
+    out_ += ' ';
+    out_ += symbols_.functor(s.predicate());
+    out_ += ' ';
+    term(s.arg(1));
+    out_ += ')';
+  }
+
+  void decorated(const Structure& s) {
+    if (s.arity > 1) {
+      term(s.arg(1));
+      out_ += "::";
+    }
+    if (symbols_.signature(s.predicate()).negated) out_ += '~';
+    term(s.arg(0));
+    annots(s);
+  }
+
+  void step(const Structure& s) {
+    out_ += symbols_.functor(s.predicate());
+    term(s.arg(0));
+  }
+
+  void steps(const Structure& s) {
+    for (std::size_t i = 0; i < s.arity; ++i) {
+      if (i > 0) out_ += "; ";
+      term(s.arg(i));
+    }
+  }
+
+  void body(const Structure& s) {
+    out_ += "{ ";
+    steps(s);
+    out_ += s.arity > 0 ? " }" : "}";
+  }
+
+  void trigger(const Structure& s) {
+    out_ += symbols_.functor(s.predicate());
+    term(s.arg(0));
+  }
+
+  void plan(const Structure& s) {
+    out_ += "{ ";
+    const Value label = deref(s.arg(0));
+    if (!label.is_unset()) {
+      out_ += '@';
+      term(label);
+      out_ += ' ';
+    }
+    const Value trigger_term = deref(s.arg(1));
+    trigger_term.is_structure() && trigger_term.structure()->form() == Form::trigger
+        ? trigger(*trigger_term.structure())
+        : term(trigger_term);
+    const Value context = deref(s.arg(2));
+    if (!context.is_unset()) {
+      out_ += " : ";
+      term(context);
+    }
+    const Value body_term = deref(s.arg(3));
+    if (body_term.is_structure() && body_term.structure()->form() == Form::body) {
+      if (body_term.structure()->arity > 0) {
+        out_ += " <- ";
+        steps(*body_term.structure());
+      }
+    } else if (!body_term.is_unset()) {
+      out_ += " <- ";
+      term(body_term);
+    }
+    out_ += " }";
+  }
+
+  void object(Object& object) {
+    std::string inner;
+    const bool queue = object.kind() == Object::Kind::queue;
+    bool first = true;
+    bool key = true;
+    std::string& out = out_;
+    out += queue ? '[' : '{';
+    object.visit([&](Value& value) {
+      const bool is_map = object.kind() == Object::Kind::map;
+      if (!first) out += is_map && !key ? "->" : queue ? ", " : ",";
+      first = false;
+      key = !key;
+      term(value);
+    });
+    out += queue ? ']' : '}';
+  }
+
+  std::string& out_;
+  const SymbolTable& symbols_;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+void append_number(std::string& out, double value) {
+  if (std::isnan(value)) {
+    out += "NaN";
+  } else if (std::isinf(value)) {
+    out += value > 0 ? "Infinity" : "-Infinity";
+  } else if (value == std::floor(value) && std::fabs(value) < kLongLimit) {
+    out += fmt::format("{}", static_cast<std::int64_t>(value));
+  } else if (value == kLongLimit) {
+    out += "9223372036854775807";  // Math.round saturates
+  } else if (value == -kLongLimit) {
+    out += "-9223372036854775808";
+  } else {
+    append_java_double(out, value);
+  }
+}
+
+std::string number_text(double value) {
+  std::string out;
+  append_number(out, value);
+  return out;
+}
+
+void append_variable_name(std::string& out, const Variable& variable, const SymbolTable& symbols) {
+  if (variable.name() == names::unnamed) {
+    out += fmt::format("_{}", variable.serial);
+  } else {
+    out += symbols.text(variable.name());
+  }
+}
+
+void append_term(std::string& out, Value term, const SymbolTable& symbols) {
+  Printer(out, symbols).term(term);
+}
+
+std::string term_text(Value term, const SymbolTable& symbols) {
+  std::string out;
+  append_term(out, term, symbols);
+  return out;
+}
+
+void append_argument(std::string& out, Value term, const SymbolTable& symbols) {
+  term = deref(term);
+  if (term.is_text()) {
+    out += term.text()->view();
+  } else if (term.is_variable()) {
+    append_variable_name(out, *term.variable(), symbols);
+    out += "<no-value>";
+  } else {
+    append_term(out, term, symbols);
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,29 @@
+#pragma once
+
+// Terms as text, exactly as Jason prints them.
+
+#include <string>
+#include <string_view>
+
+#include "interpreter/term/heap.h"
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+/// Java's text of a double where it is whole and fits a long, as an integer: `3`, `0.1`,
+/// `1.23456785E7`, `1.0E20`, `NaN`, `Infinity`; -0.0 is `0`.
+void append_number(std::string& out, double value);
+[[nodiscard]] std::string number_text(double value);
+
+/// Appends a term. Strings stand in quotes, their content as it is; bound variables are followed.
+void append_term(std::string& out, Value term, const SymbolTable& symbols);
+[[nodiscard]] std::string term_text(Value term, const SymbolTable& symbols);
+
+/// The name of an unbound variable: as written, or `_12` if it was renamed or unnamed.
+void append_variable_name(std::string& out, const Variable& variable, const SymbolTable& symbols);
+
+/// As `.print` and `.concat` show an argument: strings without quotes, an unbound variable as
+/// `X<no-value>`.
+void append_argument(std::string& out, Value term, const SymbolTable& symbols);
+
+}  // namespace jaywalk

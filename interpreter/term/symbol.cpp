@@ -1,0 +1,104 @@
+#include "interpreter/term/symbol.h"
+
+#include <array>
+
+namespace jaywalk {
+namespace {
+
+constexpr std::array kSymbolTexts{
+#define JAYWALK_SYMBOL(id, text) std::string_view(text),
+#include "interpreter/term/names.def"
+};
+
+struct NamedPredicate {
+  Symbol functor;
+  std::uint16_t arity;
+};
+
+constexpr std::array kPredicates{
+#define JAYWALK_PREDICATE(id, functor, arity) NamedPredicate{names::functor, arity},
+#include "interpreter/term/names.def"
+};
+
+bool is_dotted(std::string_view functor) {
+  return !functor.empty() && functor.front() != '\'' && functor.find('.') != functor.npos;
+}
+
+}  // namespace
+
+std::size_t SymbolTable::SignatureHash::operator()(const Signature& signature) const {
+  std::uint64_t key = static_cast<std::uint64_t>(signature.functor) << 32U |
+                      static_cast<std::uint64_t>(signature.ns);
+  key ^= static_cast<std::uint64_t>(signature.arity) << 20U ^
+         static_cast<std::uint64_t>(signature.negated ? 1 : 0) << 19U;
+  key *= 0x9E3779B97F4A7C15U;
+  return static_cast<std::size_t>(key ^ key >> 29U);
+}
+
+SymbolTable::SymbolTable() {
+  for (const std::string_view text : kSymbolTexts) symbol(text);
+  for (const NamedPredicate& named : kPredicates) {
+    predicate(Signature{.functor = named.functor, .arity = named.arity});
+  }
+}
+
+SymbolTable::SymbolTable(std::shared_ptr<const SymbolTable> base)
+    : base_(std::move(base)),
+      first_symbol_(static_cast<std::uint32_t>(base_->symbol_count())),
+      first_predicate_(static_cast<std::uint32_t>(base_->predicate_count())) {}
+
+const Symbol* SymbolTable::find(std::string_view text) const {
+  for (const SymbolTable* table = this; table != nullptr; table = table->base_.get()) {
+    const auto found = table->symbols_.find(text);
+    if (found != table->symbols_.end()) return &found->second;
+  }
+  return nullptr;
+}
+
+const Predicate* SymbolTable::find(const Signature& signature) const {
+  for (const SymbolTable* table = this; table != nullptr; table = table->base_.get()) {
+    const auto found = table->predicates_.find(signature);
+    if (found != table->predicates_.end()) return &found->second;
+  }
+  return nullptr;
+}
+
+Symbol SymbolTable::symbol(std::string_view text) {
+  if (const Symbol* known = find(text)) return *known;
+  const Symbol id{static_cast<std::uint32_t>(symbol_count())};
+  symbols_.emplace(texts_.emplace_back(text), id);
+  return id;
+}
+
+Predicate SymbolTable::predicate(const Signature& signature) {
+  Signature complete = signature;
+  complete.dotted = is_dotted(text(signature.functor));
+  if (const Predicate* known = find(complete)) return *known;
+  const Predicate id{static_cast<std::uint32_t>(predicate_count())};
+  predicates_.emplace(signatures_.emplace_back(complete), id);
+  return id;
+}
+
+Predicate SymbolTable::predicate(std::string_view functor, std::uint16_t arity) {
+  const bool negated = functor.starts_with('~');
+  if (negated) functor.remove_prefix(1);
+  return predicate(Signature{.functor = symbol(functor), .arity = arity, .negated = negated});
+}
+
+std::string_view SymbolTable::text(Symbol symbol) const {
+  const SymbolTable* table = this;
+  while (static_cast<std::uint32_t>(symbol) < table->first_symbol_) table = table->base_.get();
+  return table->texts_[static_cast<std::uint32_t>(symbol) - table->first_symbol_];
+}
+
+const Signature& SymbolTable::signature(Predicate predicate) const {
+  const SymbolTable* table = this;
+  while (static_cast<std::uint32_t>(predicate) < table->first_predicate_) table = table->base_.get();
+  return table->signatures_[static_cast<std::uint32_t>(predicate) - table->first_predicate_];
+}
+
+std::string_view SymbolTable::functor(Predicate predicate) const {
+  return text(signature(predicate).functor);
+}
+
+}  // namespace jaywalk
