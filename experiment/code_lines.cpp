@@ -3,64 +3,28 @@
 #include <set>
 #include <string>
 
+#include "interpreter/syntax/lexer.h"
+
 namespace jaywalk {
-namespace {
 
-enum class State { code, line_comment, block_comment, string, quoted_atom };
-
-}  // namespace
-
-std::uint64_t code_lines(std::string_view program) {
-  std::uint64_t lines = 0;
-  bool has_code = false;
-  State state = State::code;
-  for (std::size_t i = 0; i < program.size(); ++i) {
-    const char c = program[i];
-    const char next = i + 1 < program.size() ? program[i + 1] : '\n';
-    if (c == '\n') {
-      lines += has_code ? 1U : 0U;
-      has_code = false;
-      if (state == State::line_comment) state = State::code;
-      continue;
-    }
-    switch (state) {
-      case State::code:
-        if (c == '/' && (next == '/' || next == '*')) {
-          state = next == '/' ? State::line_comment : State::block_comment;
-          ++i;
-          break;
-        }
-        if (c == '"') state = State::string;
-        if (c == '\'') state = State::quoted_atom;
-        has_code = has_code || (c != ' ' && c != '\t' && c != '\r');
-        break;
-      case State::line_comment:
-        break;
-      case State::block_comment:
-        if (c == '*' && next == '/') {
-          state = State::code;
-          ++i;
-        }
-        break;
-      case State::string:
-        has_code = true;
-        if (c == '\\' && next != '\n') ++i;
-        if (c == '"') state = State::code;
-        break;
-      case State::quoted_atom:
-        has_code = true;
-        if (c == '\'') state = State::code;
-        break;
+std::uint64_t code_lines(const SourcePtr& program) {
+  Diagnostics ignored;  // the parser has seen the same text
+  std::set<std::uint32_t> lines;
+  for (const Token& token : tokenize(program, ignored)) {
+    if (token.kind == TokenKind::end_of_text) break;
+    const std::uint32_t last = program->position(token.span.end - 1).line;
+    for (std::uint32_t line = program->position(token.span.begin).line; line <= last; ++line) {
+      lines.insert(line);
     }
   }
-  return lines + (has_code ? 1U : 0U);
+  return lines.size();
 }
 
 std::uint64_t code_lines(const SourceTree& tree) {
   std::uint64_t lines = 0;
   std::set<std::string> seen;
   for (const auto& file : tree.files) {
-    if (seen.insert(file->source->name()).second) lines += code_lines(file->source->text());
+    if (seen.insert(file->source->name()).second) lines += code_lines(file->source);
   }
   return lines;
 }

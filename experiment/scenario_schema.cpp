@@ -48,7 +48,7 @@ std::optional<double> parse_fraction(std::string_view text) {
 class LayerReader {
  public:
   LayerReader(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
-      : folder_(folder), draft_(draft), diagnostics_(diagnostics), reader_(diagnostics) {}
+      : folder_(folder), draft_(draft), reader_(diagnostics) {}
 
   void read(const ConfigNode& root) {
     read_keys(root, "",
@@ -461,7 +461,6 @@ class LayerReader {
 
   const std::string& folder_;
   ScenarioDraft& draft_;
-  Diagnostics& diagnostics_;
   ConfigReader reader_;
 };
 

@@ -3,6 +3,7 @@
 // A small, fast, portable source of random numbers: SplitMix64 (Steele, Lea and Flood, 2014). The
 // same seed gives the same numbers on every machine, which the standard distributions do not.
 
+#include <cassert>
 #include <cstdint>
 
 namespace jaywalk {
@@ -18,6 +19,7 @@ class SplitMix64 {
 
   /// Uniform over 0 ... bound - 1, without bias. REQUIRES: bound > 0.
   [[nodiscard]] constexpr std::uint64_t below(std::uint64_t bound) {
+    assert(bound > 0);
     // Numbers of the last, incomplete run of `bound` values are drawn again.
     const std::uint64_t excess = (UINT64_MAX % bound + 1) % bound;
     std::uint64_t value = next();
