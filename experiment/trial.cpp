@@ -91,6 +91,8 @@ TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
   MasOptions mas_options;
   mas_options.seed = seed_for(input, Purpose::agents);
   mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
+  mas_options.max_cycles = options.max_cycles;
+  mas_options.max_ticks = options.max_ticks;
   mas_options.print = options.print;
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;

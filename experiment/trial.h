@@ -70,6 +70,9 @@ struct TrialOptions {
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the trial is given up.
   std::uint64_t max_cycles_per_tick = 1'000'000;
+  /// Reasoning cycles of one agent in all, and ticks, before the trial is given up; 0: no limit.
+  std::uint64_t max_cycles = 0;
+  std::uint64_t max_ticks = 0;
   bool measure_cpu = false;
 };
 

@@ -115,6 +115,19 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   return request;
 }
 
+/// Why some test cannot be run (there are no start cells for it, say); empty if all can.
+std::string first_obstacle(const Request& request) {
+  for (const std::uint32_t agents : request.plan.agents) {
+    for (std::uint64_t test = 0; test < request.plan.tests; ++test) {
+      // Obstacles are the same for all behaviours, and only given start cells can be too few.
+      std::string why =
+          obstacle(*request.prepared, {.agents = agents, .seed = request.seed, .test = test});
+      if (!why.empty() || !request.prepared->scenario().start_cells) return why;
+    }
+  }
+  return {};
+}
+
 Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::string why) {
   Diagnostics diagnostics;
   diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
@@ -127,14 +140,12 @@ Result<TestResult> run_test(const Request& request, const TestCase& test) {
                          .agents = test.agents,
                          .seed = request.seed,
                          .test = test.number};
-  const std::string& behaviour = request.plan.behaviours[test.behaviour];
-  if (std::string why = obstacle(*request.prepared, input); !why.empty()) {
-    return not_run(test, behaviour, std::move(why));
-  }
   const auto start = std::chrono::steady_clock::now();
   TrialResult trial = run_trial(*request.prepared, input, {.measure_cpu = true});
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
-  if (!trial.completed) return not_run(test, behaviour, std::move(trial.message));
+  if (!trial.completed) {
+    return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
+  }
   return TestResult{.succeeded = trial.outcome.success,
                     .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
                     .score = trial.outcome.score(),
@@ -235,6 +246,10 @@ CommandHelp help() {
 ExitCode execute(const Arguments& arguments, Console& console) {
   const auto request = read_request(arguments, console);
   if (!request) return ExitCode::usage;
+  if (const std::string why = first_obstacle(*request); !why.empty()) {
+    console.error(why);
+    return ExitCode::usage;
+  }
 
   const InterruptGuard interrupt;
   ProgressLine line(console);

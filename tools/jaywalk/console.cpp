@@ -56,7 +56,7 @@ void Console::report(const Diagnostics& diagnostics) {
 void Console::error(std::string_view message, std::string_view hint) {
   const bool colour = error_colour_ == Colour::on;
   note(fmt::format("{}error:{} {}", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "", message));
-  if (!hint.empty()) note(fmt::format("  {}", hint));
+  if (!hint.empty()) note(fmt::format("  hint: {}", hint));
 }
 
 void Console::note(std::string_view line) {

@@ -9,6 +9,7 @@
 #include "env/environments.h"
 #include "experiment/measures/measures.h"
 #include "experiment/scenario.h"
+#include "interpreter/logic/action.h"
 #include "tools/jaywalk/command.h"
 
 namespace jaywalk::command::list {
@@ -19,12 +20,37 @@ struct Row {
   std::string summary;
 };
 
+/// Lines of whole words that are at most `width` wide, the second and further ones indented.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  std::string result;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    if (column > 0 && column + 1 + word.size() > width) {
+      result += '\n' + std::string(indent, ' ');
+      column = 0;
+    } else if (column > 0) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+  }
+  return result;
+}
+
 std::string columns(std::string_view indent, const std::vector<Row>& rows) {
+  constexpr std::size_t kLineWidth = 100;
+  constexpr std::size_t kLeast = 30;
   std::size_t width = 0;
   for (const Row& row : rows) width = std::max(width, row.name.size());
+  const std::size_t left = indent.size() + width + 2;
   std::string text;
   for (const Row& row : rows) {
-    text += fmt::format("{}{:<{}}  {}\n", indent, row.name, width, row.summary);
+    const std::string right =
+        wrapped(row.summary, kLineWidth - std::min(left, kLineWidth - kLeast), left);
+    text += fmt::format("{}{:<{}}  {}\n", indent, row.name, width, right);
   }
   return text;
 }
@@ -56,6 +82,22 @@ std::string environment_text() {
   return text;
 }
 
+std::string action_text() {
+  std::vector<Row> rows;
+  for (const ActionDefinition& action : standard_actions().actions()) {
+    rows.push_back({action.signature, action.summary});
+  }
+  return columns("", rows);
+}
+
+std::string function_text() {
+  std::vector<Row> rows;
+  for (const FunctionDefinition& function : standard_actions().functions()) {
+    rows.push_back({function.signature, function.summary});
+  }
+  return columns("", rows);
+}
+
 struct Kind {
   std::string_view name;
   std::string_view summary;
@@ -64,6 +106,8 @@ struct Kind {
 
 constexpr std::array kKinds = {
     Kind{"environments", "worlds, with what agents perceive and do in them", environment_text},
+    Kind{"internal-actions", "what agents can call as .name(...)", action_text},
+    Kind{"functions", "what agents can use in expressions, as math.abs(X)", function_text},
     Kind{"measures", "what compare measures", [] { return named_rows(measures()); }},
     Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
     Kind{"commands", "what jaywalk can do", [] { return named_rows(commands()); }},
@@ -74,8 +118,8 @@ constexpr std::array kKinds = {
 CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
-              "Names what there is of a kind: environments, internal-actions, measures,\n"
-              "presets or commands.\n",
+              "Names what there is of a kind: environments, internal-actions, functions,\n"
+              "measures, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

@@ -29,7 +29,7 @@ std::string overview() {
   text +=
       "\n'jaywalk COMMAND --help' explains a command; 'jaywalk --version' names the version.\n\n"
       "Examples:\n"
-      "  jaywalk run agents/crossing/proximity.asl\n"
+      "  jaywalk run hello.asl\n"
       "  jaywalk run scenarios/paper.yaml --watch\n"
       "  jaywalk compare scenarios/paper.yaml --tests 200\n";
   return text;
@@ -43,12 +43,17 @@ const Command* find_command(std::string_view name) {
 }
 
 ExitCode wrong_command(const std::string& word, Console& console) {
-  std::vector<std::string> known;
-  for (const Command& command : commands()) known.emplace_back(command.name);
+  const bool option = word.starts_with('-');
+  std::vector<std::string> known = {"--help", "--version"};
+  if (!option) {
+    known.clear();
+    for (const Command& command : commands()) known.emplace_back(command.name);
+  }
   std::string hint = did_you_mean(word, known);
-  if (hint.empty()) hint = "'jaywalk --help' names the commands";
-  console.error(fmt::format("unknown {} '{}'", word.starts_with('-') ? "option" : "command", word),
-                hint);
+  if (hint.empty()) {
+    hint = option ? "a command's options follow its name" : "'jaywalk --help' names the commands";
+  }
+  console.error(fmt::format("unknown {} '{}'", option ? "option" : "command", word), hint);
   return ExitCode::usage;
 }
 
@@ -78,7 +83,7 @@ ExitCode execute(const Command& command, const Arguments& arguments) {
 ExitCode dispatch(std::span<const std::string> words) {
   Console console;
   if (words.empty()) {
-    console.note(overview());
+    console.error("a command is missing", "'jaywalk --help' names the commands");
     return ExitCode::usage;
   }
   const std::string& first = words.front();

@@ -17,8 +17,8 @@ namespace {
 /// Options that mean something for one kind of file only.
 constexpr std::array<std::string_view, 7> kForScenarios = {"set",  "preset", "behaviour", "agents",
                                                            "test", "watch",  "speed"};
-constexpr std::array<std::string_view, 5> kForPrograms = {"realtime", "include", "map",
-                                                          "max-cycles", "max-ticks"};
+constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "include", "map",
+                                                          "ignore-java"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
             const Arguments& arguments, Console& console) {

@@ -26,6 +26,8 @@ struct Request {
   std::shared_ptr<const PreparedScenario> prepared;
   TrialInput input;
   std::optional<double> timeout_s;
+  std::uint64_t max_cycles = 0;
+  std::uint64_t max_ticks = 0;
   /// Ticks a second.
   double speed = kDefaultSpeed;
 };
@@ -37,6 +39,8 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   const auto seed = arguments.number("seed", 0, diagnostics);
   Request request;
   request.input.test = arguments.number("test", 0, diagnostics).value_or(0);
+  request.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
+  request.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
   request.timeout_s = arguments.positive("timeout", diagnostics);
   request.speed = arguments.positive("speed", diagnostics).value_or(kDefaultSpeed);
   if (agents.value_or(1) > kMaxAgents) {
@@ -133,7 +137,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   const Deadline deadline(request->timeout_s);
   Viewer viewer(*request, interrupt, console);
   const bool watch = arguments.has("watch");
-  TrialOptions options;
+  TrialOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
   options.log = [&](std::string_view line) { console.log(spdlog::level::warn, line); };
   options.print = [&](std::string_view line) {
     if (watch) {

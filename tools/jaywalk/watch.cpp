@@ -102,16 +102,23 @@ std::string road(const Crossing& crossing, const FrameOptions& options) {
   return text + scale + '\n';
 }
 
+/// Its intentions as they are described, less the annotation that every goal of its own has.
+std::string intentions_of(const Mas& mas, AgentId id) {
+  constexpr std::string_view kOwn = "[source(self)]";
+  std::string text = fmt::format("{}", fmt::join(mas.describe_intentions(id), "; "));
+  for (auto at = text.find(kOwn); at != std::string::npos; at = text.find(kOwn, at)) {
+    text.erase(at, kOwn.size());
+  }
+  return text.empty() ? "no intention" : text;
+}
+
 std::string pedestrian_lines(const Crossing& crossing, const Mas& mas) {
   std::string text;
   for (std::size_t i = 0; i < crossing.positions().size(); ++i) {
     const Position at = crossing.positions()[i];
     const PedestrianOutcome& outcome = crossing.result().pedestrians[i];
-    const auto intentions = mas.describe_intentions(static_cast<AgentId>(i));
-    text += fmt::format(
-        "{} at {:>2},{:<3} score {:>4}  {}\n", letter_of(i), at.x, at.y,
-        outcome.reward - outcome.cost,
-        intentions.empty() ? "no intention" : fmt::format("{}", fmt::join(intentions, "; ")));
+    text += fmt::format("{} at {:>2},{:<3} score {:>4}  {}\n", letter_of(i), at.x, at.y,
+                        outcome.reward - outcome.cost, intentions_of(mas, static_cast<AgentId>(i)));
   }
   return text;
 }
