@@ -153,6 +153,7 @@ std::string axes(const Panel& panel) {
 }
 
 std::string polyline(const Panel& panel, const std::vector<Point>& points, std::string_view style) {
+  if (points.empty()) return {};
   std::string svg = "<polyline points=\"";
   for (const Point& point : points) {
     svg += fmt::format("{:.1f},{:.1f} ", panel.x(point.x), panel.y(*point.y.value));
