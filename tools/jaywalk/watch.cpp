@@ -35,14 +35,30 @@ bool is_hit(const CrossingResult& result, std::size_t index) {
   return std::ranges::find(result.hit_by, index) != result.hit_by.end();
 }
 
+/// Where the AV stands and which cells are at stake: those that the next tick tests, or, once the
+/// precondition was met, those in which that happened, before the AV moved on.
+struct Situation {
+  int edge = 0;
+  Interval zone;
+};
+
+Situation situation(const Crossing& crossing) {
+  if (!crossing.result().success) return {crossing.av_edge(), crossing.zone_cells()};
+  const CrossingParameters& parameters = crossing.parameters();
+  const int origin = zone_origin(parameters, crossing.result().ticks - 1);
+  const Interval ahead = zone_ahead(parameters);
+  return {.edge = crossing.av_edge() - (crossing.av_cell() - origin),
+          .zone = {.first = origin + ahead.first, .last = origin + ahead.last}};
+}
+
 Glyph ground(const Crossing& crossing, Position cell) {
   const CrossingParameters& parameters = crossing.parameters();
-  const int edge = crossing.av_edge();
+  const auto [edge, zone] = situation(crossing);
   if (parameters.av.rows.contains(cell.x) && cell.y <= edge &&
       cell.y > edge - parameters.av.length) {
     return {.letter = cell.y == edge ? '>' : '=', .style = kAv};
   }
-  if (crossing.zone_rows().contains(cell.x) && crossing.zone_cells().contains(cell.y)) {
+  if (crossing.zone_rows().contains(cell.x) && zone.contains(cell.y)) {
     return {.letter = ':', .style = kZone};
   }
   const bool pavement = band_kind(parameters, cell.x) == BandKind::pavement;
@@ -68,7 +84,7 @@ std::string band_label(const Band& band) {
 Interval visible_cells(const Crossing& crossing, int columns) {
   const int length = crossing.parameters().length;
   const int fitting = columns <= 0 ? length : std::clamp(columns - kLabelWidth, 10, length);
-  const int first = std::clamp(crossing.av_edge() - fitting / 4, 0, length - fitting);
+  const int first = std::clamp(situation(crossing).edge - fitting / 4, 0, length - fitting);
   return {.first = first, .last = first + fitting - 1};
 }
 
@@ -127,10 +143,13 @@ std::string pedestrian_lines(const Crossing& crossing, const Mas& mas) {
 
 std::string draw_frame(const Crossing& crossing, const Mas& mas,
                        const std::vector<std::string>& printed, const FrameOptions& options) {
-  const Interval zone = crossing.zone_cells();
-  std::string text =
-      fmt::format("{}\ntick {}: AV at {}", options.title, crossing.ticks(), crossing.av_edge());
-  if (!zone.empty()) text += fmt::format(", zone of the next tick {} to {}", zone.first, zone.last);
+  const auto [edge, zone] = situation(crossing);
+  std::string text = fmt::format("{}\ntick {}: AV at {}", options.title, crossing.ticks(), edge);
+  if (crossing.result().success) {
+    text += fmt::format(", precondition met in its zone, {} to {}", zone.first, zone.last);
+  } else if (!crossing.finished()) {
+    text += fmt::format(", zone of the next tick {} to {}", zone.first, zone.last);
+  }
   text += '\n' + road(crossing, options) + pedestrian_lines(crossing, mas);
   for (const std::string& line : printed) text += fmt::format("  {}\n", line);
   return text;
