@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/run_program.h"
 #include "tools/jaywalk/run_scenario.h"
 #include "tools/jaywalk/scenario_options.h"
@@ -49,10 +50,6 @@ CommandHelp help() {
               {"max-cycles", "N", "stop after so many reasoning cycles of one agent"},
               {"max-ticks", "N", "stop after so many ticks"},
               {"realtime", "", "timers follow the wall clock"},
-              {"include", "FOLDER", "look for included files here too; repeatable"},
-              {"map", "PREFIX=FOLDER",
-               "what stands for a prefix of included files: '$jasonJar=DIR';\n"
-               "repeatable"},
               {"ignore-java", "", "run a project without its Java classes"},
               {"behaviour", "FILE",
                "of a scenario: this program (.asl) or behaviour of the\n"
@@ -67,6 +64,7 @@ CommandHelp help() {
           "  jaywalk run project.mas2j --timeout 10\n"
           "  jaywalk run scenarios/paper.yaml --behaviour election --agents 3 --watch\n"
           "  jaywalk run scenarios/paper.yaml --behaviour mine.asl --test 7 --seed 42\n"};
+  help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
   return help;
 }

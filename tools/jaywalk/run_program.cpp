@@ -11,6 +11,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
+#include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/project_agents.h"
 
@@ -44,24 +45,6 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   };
   limits.mas.log = [&console](std::string_view line) { console.log(spdlog::level::warn, line); };
   return limits;
-}
-
-std::optional<IncludePath> read_include_path(const Arguments& arguments, Console& console) {
-  IncludePath path;
-  path.folders = arguments.texts("include");
-  Diagnostics diagnostics;
-  for (const std::string& mapping : arguments.texts("map")) {
-    const auto equals = mapping.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      diagnostics.error("--map", fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
-                        "write it as --map '$jasonJar=FOLDER'");
-    } else {
-      path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
-    }
-  }
-  if (!diagnostics.has_errors()) return path;
-  console.report(diagnostics);
-  return std::nullopt;
 }
 
 ExitCode verdict(const RunOutcome& outcome, Console& console) {

@@ -1,0 +1,27 @@
+#include "tools/jaywalk/include_path.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+
+std::optional<IncludePath> read_include_path(const Arguments& arguments, Console& console) {
+  IncludePath path;
+  path.folders = arguments.texts("include");
+  Diagnostics diagnostics;
+  for (const std::string& mapping : arguments.texts("map")) {
+    const auto equals = mapping.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      diagnostics.error("--map", fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
+                        "write it as --map '$jasonJar=FOLDER'");
+    } else {
+      path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
+    }
+  }
+  if (!diagnostics.has_errors()) return path;
+  console.report(diagnostics);
+  return std::nullopt;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,25 @@
+#pragma once
+
+// Where included files are looked for, as the options --include and --map say.
+
+#include <array>
+#include <optional>
+
+#include "interpreter/syntax/load.h"
+#include "tools/jaywalk/arguments.h"
+#include "tools/jaywalk/console.h"
+
+namespace jaywalk {
+
+inline constexpr std::array kIncludeOptions = {
+    OptionSpec{"include", "FOLDER", "look for included files here too; repeatable"},
+    OptionSpec{"map", "PREFIX=FOLDER",
+               "what stands for a prefix of included files: '$jasonJar=DIR';\n"
+               "repeatable"},
+};
+
+/// Nothing after reporting what is wrong with the options.
+[[nodiscard]] std::optional<IncludePath> read_include_path(const Arguments& arguments,
+                                                           Console& console);
+
+}  // namespace jaywalk
