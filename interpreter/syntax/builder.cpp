@@ -166,7 +166,7 @@ void Builder::push_formula(ast::Formula formula, int depth) {
 }
 
 void Builder::error(Span span, std::string message, std::string hint) {
-  mistakes_.push_back({span, std::move(message), std::move(hint)});
+  mistakes_.push_back({span, std::move(message), std::move(hint), token_->span.begin});
 }
 
 bool Builder::enter() {

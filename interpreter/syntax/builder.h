@@ -27,6 +27,8 @@ class Builder {
     Span span;
     std::string message;
     std::string hint;
+    /// Where the parser was when it noticed.
+    std::uint32_t noticed = 0;
   };
 
   /// `tokens` and `arena` must outlive the builder.
@@ -126,7 +128,7 @@ class Builder {
 
   /// Forgets what was begun since the innermost begin_component; the text goes on at `next`.
   void recover(const Token* next);
-  /// Reports the mistakes found since the clause began, those that lie before an offset.
+  /// Reports the mistakes found since the clause began, those noticed before an offset.
   void report_mistakes(std::uint32_t before);
 
   [[nodiscard]] std::optional<Failure> take_failure();

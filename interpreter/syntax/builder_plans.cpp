@@ -388,7 +388,7 @@ void Builder::end_component() {
 
 void Builder::report_mistakes(std::uint32_t before) {
   for (Failure& mistake : mistakes_) {
-    if (mistake.span.begin >= before) continue;
+    if (mistake.noticed >= before) continue;
     diagnostics_.error({source_, mistake.span}, std::move(mistake.message),
                        std::move(mistake.hint));
   }

@@ -461,9 +461,10 @@ class ProjectParser {
       if (host != nullptr) agent.at = content_of(host->text);
       return host != nullptr;
     }
-    static const std::vector<std::string> kNames = {"agentArchClass", "agentClass",
-                                                    "beliefBaseClass"};
-    unexpected("';'", is(Kind::word) ? did_you_mean(next().text, kNames) : std::string());
+    // A misspelt attribute looks like the name of a file.
+    const std::vector<std::string> names = {"agentArchClass", "agentClass", "beliefBaseClass"};
+    const std::string hint = did_you_mean(next().text, names);
+    unexpected("';'", hint.empty() ? did_you_mean(tokens_[at_ - 1].text, names) : hint);
     return false;
   }
 

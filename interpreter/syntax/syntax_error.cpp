@@ -201,7 +201,8 @@ class Reporter {
     const std::string& expected = error_.expected;
     const bool after_semicolon = error_.found > error_.clause && error_.found[-1].kind == semicolon;
     if (expected == "'.'" && place_.brackets.empty()) {
-      const bool plan = error_.clause->kind != atom && error_.clause->kind != tilde;
+      const TokenKind first = error_.clause->kind;
+      const bool plan = first == at || first == plus || first == minus || first == caret;
       if (place_.part == Part::body) return after_semicolon ? "a formula or '.'" : "';' or '.'";
       if (place_.part == Part::context) return "'&', '|', '<-' or '.'";
       if (place_.part == Part::rule) return "'&', '|' or '.'";
@@ -233,6 +234,10 @@ class Reporter {
       span = misspelt->span;
       what = fmt::format("'{}'", error_.source->text(span));
       hint = misspelt->hint;
+      if (span.begin < error_.found->span.begin) {
+        add(span, fmt::format("unexpected {}", what), std::move(hint));
+        return;
+      }
     } else {
       hint = hint_for(*error_.found);
     }
@@ -265,6 +270,7 @@ class Reporter {
         token.kind != not_word && token.kind != else_word && token.kind != elif_word) {
       return fmt::format("{} is a reserved word", name_of(token.kind));
     }
+    if (token.kind == not_word) return "put the negation in parentheses";
     if (token.kind == open_brace && error_.expected == "a literal") {
       return "a term in braces cannot be a goal";
     }

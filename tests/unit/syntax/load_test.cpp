@@ -1,0 +1,133 @@
+#include "interpreter/syntax/load.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/syntax/outline.h"
+
+namespace jaywalk {
+namespace {
+
+// A folder of its own for each test, for there are no includes without files.
+class Load : public testing::Test {
+ protected:
+  Load()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                ("jaywalk_load_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Load() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& content) {
+    const std::filesystem::path path = folder_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << content;
+    return path.string();
+  }
+
+  // The files of the tree by their names relative to the folder.
+  [[nodiscard]] std::string files_of(const SourceTree& tree) const {
+    std::string names;
+    for (const auto& file : tree.files) {
+      const auto relative = std::filesystem::path(file->source->name()).lexically_relative(folder_);
+      names += relative.generic_string() + " ";
+    }
+    return names;
+  }
+
+  std::filesystem::path folder_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(Load, ReadsIncludedFilesFromTheFolderOfTheIncludingOne) {
+  const std::string path = write("main.asl", "{ include(\"lib/a.asl\") } b.");
+  write("lib/a.asl", "{ include(\"b.asl\") } a.");
+  write("lib/b.asl", "c.");
+  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  EXPECT_TRUE(diagnostics_.empty()) << diagnostics_.render();
+  EXPECT_EQ(files_of(tree), "main.asl lib/a.asl lib/b.asl ");
+  const ast::File* const included = tree.includes.at(&tree.main().components.front());
+  EXPECT_EQ(included, tree.files[1].get());
+  EXPECT_EQ(outline(*tree.includes.at(&included->components.front())), "belief c\n");
+}
+
+TEST_F(Load, FindsIncludesWithinBlocks) {
+  write("a.asl", "a.");
+  const std::string path =
+      write("main.asl", "{ begin namespace(n) } { include(\"a.asl\") } { end }");
+  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  EXPECT_EQ(files_of(tree), "main.asl a.asl ");
+}
+
+TEST_F(Load, LooksInTheGivenFoldersInOrder) {
+  write("one/x.asl", "in(one).");
+  write("two/x.asl", "in(two).");
+  write("two/y.asl", "in(two).");
+  const std::string path = write("main.asl", "{ include(\"x.asl\") } { include(\"y.asl\") }");
+  const IncludePath folders = {.folders = {(folder_ / "one").string(), (folder_ / "two").string()},
+                               .mapped = {}};
+  EXPECT_EQ(files_of(load_agent(path, folders, diagnostics_)), "main.asl one/x.asl two/y.asl ");
+}
+
+TEST_F(Load, MapsPrefixesToFolders) {
+  write("jason/asl/meta.asl", "m.");
+  const std::string path = write("main.asl", "{ include(\"$jasonJar/asl/meta.asl\") }");
+  const IncludePath mapped = {.folders = {},
+                              .mapped = {{"$jasonJar", (folder_ / "jason").string()}}};
+  EXPECT_EQ(files_of(load_agent(path, mapped, diagnostics_)), "main.asl jason/asl/meta.asl ");
+  EXPECT_TRUE(diagnostics_.empty());
+
+  (void)load_agent(path, {}, diagnostics_);
+  ASSERT_EQ(diagnostics_.warning_count(), 1U);
+  EXPECT_EQ(diagnostics_.items().front().hint, "say where it is with --map '$jasonJar=FOLDER'");
+}
+
+TEST_F(Load, WarnsOfMissingIncludesAndGoesOn) {
+  const std::string path = write("main.asl", "{ include(\"none.asl\") } b.");
+  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  EXPECT_FALSE(diagnostics_.has_errors());
+  ASSERT_EQ(diagnostics_.warning_count(), 1U);
+  EXPECT_EQ(diagnostics_.items().front().message, "cannot find 'none.asl', which is included here");
+  EXPECT_EQ(diagnostics_.items().front().code, "missing-include");
+  EXPECT_TRUE(tree.includes.empty());
+  EXPECT_EQ(tree.main().components.size(), 2U);
+}
+
+TEST_F(Load, RefusesFilesThatIncludeThemselves) {
+  const std::string path = write("main.asl", "{ include(\"a.asl\") }");
+  write("a.asl", "{ include(\"main.asl\") } { include(\"main.asl\") }");
+  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  EXPECT_EQ(files_of(tree), "main.asl a.asl ");
+  EXPECT_EQ(diagnostics_.error_count(), 2U);
+  EXPECT_TRUE(diagnostics_.items().front().message.ends_with("main.asl includes itself"));
+}
+
+TEST_F(Load, RefusesTooManyFiles) {
+  // Each file includes the next twice.
+  for (int i = 0; i < 20; ++i) {
+    const std::string next = "{ include(\"f" + std::to_string(i + 1) + ".asl\") } ";
+    write("f" + std::to_string(i) + ".asl", next + next);
+  }
+  const SourceTree tree = load_agent((folder_ / "f0.asl").string(), {}, diagnostics_);
+  EXPECT_EQ(tree.files.size(), static_cast<std::size_t>(kMaxIncludedFiles) + 1);
+  EXPECT_EQ(diagnostics_.error_count(), 1U);
+}
+
+TEST_F(Load, NeedsTheNameOfAFile) {
+  (void)load_agent(write("main.asl", "{ include(lib) }"), {}, diagnostics_);
+  ASSERT_TRUE(diagnostics_.has_errors());
+  EXPECT_EQ(diagnostics_.items().front().message, "include needs the name of a file, a string");
+}
+
+TEST_F(Load, GivesAnEmptyProgramIfThereIsNone) {
+  const SourceTree tree = load_agent((folder_ / "none.asl").string(), {}, diagnostics_);
+  EXPECT_TRUE(diagnostics_.has_errors());
+  EXPECT_TRUE(tree.main().components.empty());
+}
+
+}  // namespace
+}  // namespace jaywalk

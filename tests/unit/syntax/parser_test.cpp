@@ -1,0 +1,354 @@
+#include "interpreter/syntax/parser.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/syntax/outline.h"
+
+namespace jaywalk {
+namespace {
+
+SourcePtr source_of(std::string text) {
+  return std::make_shared<const Source>("test", std::move(text));
+}
+
+// The outline of a program, or its diagnostics.
+std::string program(const std::string& text) {
+  Diagnostics diagnostics;
+  const ast::File file = parse_agent(source_of(text), diagnostics);
+  return diagnostics.empty() ? outline(file) : diagnostics.render();
+}
+
+std::string term(const std::string& text) {
+  Diagnostics diagnostics;
+  ast::Arena arena;
+  const SourcePtr source = source_of(text);
+  const ast::Node* const node = parse_term(source, arena, diagnostics);
+  return node != nullptr ? outline(*node) : diagnostics.render();
+}
+
+std::string plan(const std::string& text) {
+  Diagnostics diagnostics;
+  ast::Arena arena;
+  const SourcePtr source = source_of(text);
+  const ast::Plan* const parsed = parse_plan(source, arena, diagnostics);
+  return parsed != nullptr ? outline(*parsed) : diagnostics.render();
+}
+
+std::string body(const std::string& text) {
+  const std::string parsed = plan("+!g <- " + text);
+  return parsed.starts_with("+!g <- ") ? parsed.substr(7) : parsed;
+}
+
+struct Row {
+  const char* text;
+  const char* tree;
+};
+
+TEST(Parser, BindsOperatorsAsTightlyAsJason) {
+  for (const auto& [text, tree] : {
+           Row{"1+2*3", "(+ 1 (* 2 3))"},
+           Row{"(1+2)*3", "(* (+ 1 2) 3)"},
+           Row{"10-3-2", "(- (- 10 3) 2)"},
+           Row{"10-(3-2)", "(- 10 (- 3 2))"},
+           Row{"2**3**2", "(** 2 (** 3 2))"},
+           Row{"-2**2", "(** (neg 2) 2)"},
+           Row{"2**-1", "(** 2 (neg 1))"},
+           Row{"X- -1", "(- X (neg 1))"},
+           Row{"+X*-Y", "(* (pos X) (neg Y))"},
+           Row{"7 div 2 mod 3 / 4", "(/ (mod (div 7 2) 3) 4)"},
+           Row{"a | b & c | d", "(| a (| (& b c) d))"},
+           Row{"a & b & c", "(& a (& b c))"},
+           Row{"(a & b) & c", "(& (& a b) c)"},
+           Row{"not X > 1 & b", "(& (not (> X 1)) b)"},
+           Row{"not (a & b)", "(not (& a b))"},
+           Row{"a & not b | c", "(| (& a (not b)) c)"},
+           Row{"X+1 < Y*2", "(< (+ X 1) (* Y 2))"},
+           Row{"X =.. [ns,f,[1],[]]", "(=.. X [ ns f [ 1 ] [ ] ])"},
+           Row{"[a] \\== \"s\"", "(\\== [ a ] \"s\")"},
+           Row{"math.max(1,2)+.length(L)", "(+ (math.max 1 2) (.length L))"},
+       }) {
+    EXPECT_EQ(term(text), tree) << text;
+  }
+}
+
+TEST(Parser, ReadsLiteralsWithNamespacesNegationArgumentsAndAnnotations) {
+  for (const auto& [text, tree] : {
+           Row{"p", "p"},
+           Row{"~p(X)", "(~p X)"},
+           Row{"n::p(1)", "(n::p 1)"},
+           Row{"n::~p", "n::~p"},
+           Row{"::p", "::p"},
+           Row{"N::p", "N::p"},
+           Row{"n :: p", "n::p"},
+           Row{"p(a & b, not c)[source(self),X|R]", "(p (& a b) (not c))@[ (source self) X | R ]"},
+           Row{"P[step(N)|R]", "P@[ (step N) | R ]"},
+           Row{"~X", "~X"},
+           Row{"'A b'(1)", "('A b' 1)"},
+           Row{"begin(end)", "(begin end)"},
+           Row{"true", "<true>"},
+           Row{"f(false)", "(f <false>)"},
+       }) {
+    EXPECT_EQ(term(text), tree) << text;
+  }
+}
+
+TEST(Parser, ReadsLists) {
+  for (const auto& [text, tree] : {
+           Row{"[]", "[ ]"},
+           Row{"[a,B,\"c\",4,[5]]", "[ a B \"c\" 4 [ 5 ] ]"},
+           Row{"[H|T]", "[ H | T ]"},
+           Row{"[|T]", "[ | T ]"},
+           Row{"[a|[b|_]]", "[ a | [ b | _ ] ]"},
+           Row{"[X+1,-2,(a & b)]", "[ (+ X 1) (neg 2) (& a b) ]"},
+           Row{"[{a;b},{+!g}]", "[ {body a b} {trigger +!g} ]"},
+       }) {
+    EXPECT_EQ(term(text), tree) << text;
+  }
+}
+
+TEST(Parser, ReadsNumbers) {
+  for (const auto& [text, tree] :
+       {Row{"42", "42"}, Row{".5", "0.5"}, Row{"1.25e3", "1250"}, Row{"1E-2", "0.01"},
+        Row{"9007199254740993", "9007199254740992"}, Row{"1e999", "inf"}, Row{"1e-999", "0"}}) {
+    EXPECT_EQ(term(text), tree) << text;
+  }
+}
+
+TEST(Parser, ConvertsOnlyLineBreaksAndQuotesInStrings) {
+  EXPECT_EQ(term(R"("a\nb")"), "\"a\nb\"");
+  EXPECT_EQ(term(R"("say \"x\"")"), "\"say \"x\"\"");
+  EXPECT_EQ(term(R"("a\tb\\")"), "\"a\\tb\\\\\"");
+  EXPECT_EQ(term(R"("\\n")"), "\"\\\n\"");
+}
+
+TEST(Parser, TellsTheTermsInBracesApart) {
+  for (const auto& [text, tree] : {
+           Row{"{ }", "{body}"},
+           Row{"{ a }", "{body a}"},
+           Row{"{+b}", "{body +b}"},
+           Row{"{-b; c}", "{body -b c}"},
+           Row{"{+b |&| c}", "{body and:(.fork and {body +b} {body c})}"},
+           Row{"{++b}", "{body ++b}"},
+           Row{"{+X}", "{body +X}"},
+           Row{"{+!g}", "{trigger +!g}"},
+           Row{"{-?t(X)}", "{trigger -?(t X)}"},
+           Row{"{^!g[state(S)]}", "{trigger ^!g@[ (state S) ]}"},
+           Row{"{+!g <- a; b}", "{plan +!g <- a b}"},
+           Row{"{+!g : c}", "{plan +!g : c}"},
+           Row{"{+!g <- }", "{plan +!g <-}"},
+           Row{"{+b : c <- d}", "{plan +b : c <- d}"},
+           Row{"{-b <- d}", "{plan -b <- d}"},
+           Row{"{@l[x] +b}", "{plan @l@[ x ] +b}"},
+           Row{"{@L +!g}", "{plan @L +!g}"},
+           Row{"{@[atomic] +!g <- a}", "{plan @[ atomic ] +!g <- a}"},
+           Row{"{h(X) :- b & c}", "{rule (h X) (& b c)}"},
+           Row{"{!g; ?t; .print(1)}", "{body !g ?t (.print 1)}"},
+       }) {
+    EXPECT_EQ(term(text), tree) << text;
+  }
+}
+
+TEST(Parser, ReadsTheFormulasOfBodies) {
+  for (const auto& [text, tree] : {
+           Row{"!a; !!b; ?c; +d; ++e; +<f; +>g; -h; --i; -+j",
+               "!a !!b ?c +d ++e +<f +>g -h --i -+j"},
+           Row{"act(1); .print(a); X = 1; X; a.b", "(act 1) (.print a) (= X 1) X a.b"},
+           Row{"?a & b(X)", "?(& a (b X))"},
+           Row{"?(a | b); (X + 1) > 2", "?(| a b) (> (+ X 1) 2)"},
+           Row{"not x; a & b", "(not x) (& a b)"},
+           Row{"!X; !ns::g(1)[a]; -~b", "!X !(ns::g 1)@[ a ] -~b"},
+           Row{"+{+!g <- a}; -{+!g}; +{h :- b}", "+{plan +!g <- a} -{trigger +!g} +{rule h b}"},
+           Row{"a;", "a"},
+           Row{"(a; b); c", "{body a b} c"},
+       }) {
+    EXPECT_EQ(body(text), tree) << text;
+  }
+}
+
+TEST(Parser, MakesInternalActionsOfStatements) {
+  for (const auto& [text, tree] : {
+           Row{"if (a) { b }", "if:(.if_then_else a {body b})"},
+           Row{"if (a & X > 1) { b; c } else { }",
+               "if:(.if_then_else (& a (> X 1)) {body b c} {body})"},
+           Row{"if (a) {b} elif (c) {d} else {e}",
+               "if:(.if_then_else a {body b} {body if:(.if_then_else c {body d} {body e})})"},
+           Row{"for (.member(X,L)) { !a; }; b", "for:(.foreach (.member X L) {body !a}) b"},
+           Row{"while (not a) { b } c", "while:(.loop (not a) {body b}) c"},
+           Row{"a |&| b |&| c", "and:(.fork and {body a} {body b} {body c})"},
+           Row{"!a ||| !b", "or:(.fork or {body !a} {body !b})"},
+           Row{"a |&| b ||| c", "or:(.fork or {body and:(.fork and {body a} {body b})} {body c})"},
+           Row{"a |&| (b ||| c)",
+               "and:(.fork and {body a} {body or:(.fork or {body b} {body c})})"},
+           Row{"(a; b) |&| (c)", "and:(.fork and {body a b} {body c})"},
+       }) {
+    EXPECT_EQ(body(text), tree) << text;
+  }
+}
+
+TEST(Parser, DropsALeadingTrueOfAPlan) {
+  EXPECT_EQ(plan("+!g <- true"), "+!g <-");
+  EXPECT_EQ(plan("+!g <- true; true; a"), "+!g <- <true> a");
+  EXPECT_EQ(plan("+!g <- a; true"), "+!g <- a <true>");
+  EXPECT_EQ(term("{+!g <- true; a}"), "{plan +!g <- a}");
+}
+
+TEST(Parser, ReadsPlans) {
+  for (const auto& [text, tree] : {
+           Row{"+b", "+b"},
+           Row{"-!g(X)[a] : c <- d.", "-!(g X)@[ a ] : c <- d"},
+           Row{"@l[atomic,cost(1)] +?t <- a", "@l@[ atomic (cost 1) ] +?t <- a"},
+           Row{"@[atomic] ^!g", "@[ atomic ] ^!g"},
+           Row{"@begin +!X", "@begin +!X"},
+           Row{"+!g <: false <- a", "+!g <: <false> <- a"},
+           Row{"+!g : c <: d & e <- .", "+!g : c <: (& d e) <-"},
+           Row{"+!g <- a. { @s +!h. +b <- c. }", "+!g <- a { @s +!h +b <- c }"},
+           Row{"+!g <- a. { +!h <- b. { +!i. } }", "+!g <- a { +!h <- b { +!i } }"},
+       }) {
+    EXPECT_EQ(plan(text), tree) << text;
+  }
+}
+
+TEST(Parser, ReadsPrograms) {
+  EXPECT_EQ(program("b(1). h(X) :- b(X) & X > 0.\n"
+                    "!go.\n"
+                    "{ include(\"x.asl\", n) }\n"
+                    "+!go <- a. { +!sub. }\n"
+                    "{ begin namespace(n,local) } c. { begin x } !d. { end } { end }\n"
+                    "+b : c."),
+            "belief (b 1)\n"
+            "belief (h X) :- (& (b X) (> X 0))\n"
+            "goal go\n"
+            "directive (include \"x.asl\" n)\n"
+            "plan +!go <- a { +!sub }\n"
+            "block (namespace n local) { belief c block x { goal d } }\n"
+            "plan +b : c\n");
+}
+
+TEST(Parser, AcceptsEmptyPrograms) {
+  EXPECT_EQ(program(""), "");
+  EXPECT_EQ(program("// nothing\n/* at all */"), "");
+}
+
+TEST(Parser, TellsADirectiveBehindAPlanFromItsSubPlans) {
+  EXPECT_EQ(program("+!g <- a. { include(\"x\") }"),
+            "plan +!g <- a\n"
+            "directive (include \"x\")\n");
+}
+
+TEST(Parser, PointsAtTheTextOfEachNode) {
+  Diagnostics diagnostics;
+  const SourcePtr source = source_of("  +!g(X) : n::~b[a] & X+1 > 2 <- .print( X ); -c.");
+  const ast::File file = parse_agent(source, diagnostics);
+  const ast::Plan& plan = *file.components.front().plan;
+  EXPECT_EQ(source->text(plan.span), source->text().substr(2));
+  EXPECT_EQ(source->text(plan.trigger.span), "+!g(X)");
+  EXPECT_EQ(source->text(plan.context->span), "n::~b[a] & X+1 > 2");
+  EXPECT_EQ(source->text(plan.context->args[0]->span), "n::~b[a]");
+  EXPECT_EQ(source->text(plan.body[0].span), ".print( X )");
+  EXPECT_EQ(source->text(plan.body[1].span), "-c");
+}
+
+TEST(Parser, RemembersParentheses) {
+  Diagnostics diagnostics;
+  ast::Arena arena;
+  const SourcePtr source = source_of("(X + 1) * Y");
+  const ast::Node* const node = parse_term(source, arena, diagnostics);
+  ASSERT_NE(node, nullptr);
+  EXPECT_TRUE(node->args[0]->parenthesised);
+  EXPECT_FALSE(node->args[1]->parenthesised);
+  EXPECT_FALSE(node->parenthesised);
+}
+
+TEST(Parser, ReadsAnyTermsGivenAsText) {
+  EXPECT_EQ(term("a & b | X > 1"), "(| (& a b) (> X 1))");
+  Diagnostics diagnostics;
+  ast::Arena arena;
+  EXPECT_EQ(parse_term(source_of("a b"), arena, diagnostics), nullptr);
+  EXPECT_EQ(parse_term(source_of(""), arena, diagnostics), nullptr);
+  EXPECT_EQ(parse_literal(source_of("1"), arena, diagnostics), nullptr);
+  EXPECT_EQ(parse_plan(source_of("+!g <- a. b."), arena, diagnostics), nullptr);
+  EXPECT_EQ(diagnostics.error_count(), 4U);
+}
+
+TEST(Parser, ReadsLiteralsGivenAsText) {
+  Diagnostics diagnostics;
+  ast::Arena arena;
+  const SourcePtr several = source_of("a(1), ~b[x],c");
+  const SourcePtr none = source_of(" ");
+  EXPECT_EQ(outline(*parse_literals(several, arena, diagnostics)), "[ (a 1) ~b@[ x ] c ]");
+  EXPECT_EQ(outline(*parse_literals(none, arena, diagnostics)), "[ ]");
+  EXPECT_TRUE(diagnostics.empty());
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+// A program with something nested so deep.
+std::string nested(const std::string& open, const std::string& inside, const std::string& close,
+                   int depth) {
+  return "+!g <- " + repeated(open, depth) + inside + repeated(close, depth) + ".\nafter.";
+}
+
+TEST(Parser, RefusesWhatIsNestedTooDeeplyAndGoesOn) {
+  constexpr int kHostile = 100'000;
+  const std::string after = ".\nafter.";
+  for (const std::string& text :
+       {nested("f(", "x", ")", kHostile), nested("[", "x", "]", kHostile),
+        nested("a = (", "x", ")", kHostile), nested("if (x) {", "a", "}", kHostile),
+        nested("+{", "a", "}", kHostile), nested("(a;", "b", ")", kHostile),
+        "+!g <- if (x) {a}" + repeated(" elif (x) {a}", kHostile) + after,
+        "+!g : X = 1" + repeated("+1", kHostile) + after,
+        "+!g : a" + repeated(" & a", kHostile) + after,
+        "+!g : X = 2" + repeated("**2", kHostile) + after}) {
+    Diagnostics diagnostics;
+    const ast::File file = parse_agent(source_of(text), diagnostics);
+    ASSERT_EQ(diagnostics.error_count(), 1U) << text.substr(0, 40);
+    EXPECT_EQ(diagnostics.items().front().message, "nested deeper than 1000 levels");
+    EXPECT_EQ(outline(file), "belief after\n") << text.substr(0, 40);
+  }
+}
+
+TEST(Parser, SurvivesBracketsThatAreNeverClosed) {
+  constexpr int kHostile = 100'000;
+  for (const std::string open : {"(", "[", "{", "f(", "{ begin x } ", "+!g <- {", "@"}) {
+    Diagnostics diagnostics;
+    const ast::File file = parse_agent(source_of(repeated(open, kHostile)), diagnostics);
+    EXPECT_TRUE(diagnostics.has_errors()) << open;
+  }
+}
+
+TEST(Parser, AcceptsWhatIsNestedAsDeeplyAsAllowed) {
+  constexpr int kDeep = kMaxNesting - 10;
+  for (const std::string& text :
+       {nested("f(", "x", ")", kDeep), nested("(a;", "b", ")", kDeep),
+        nested("if (x) {", "a", "}", kDeep), nested("x = {", "a", "}", kDeep / 2),
+        nested("+{+!g <- ", "a", "}", kDeep)}) {
+    Diagnostics diagnostics;
+    const ast::File file = parse_agent(source_of(text), diagnostics);
+    EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.render();
+    EXPECT_EQ(file.components.size(), 2U);
+  }
+}
+
+TEST(Parser, ReadsLongBodiesListsAndProgramsWithoutNesting) {
+  constexpr int kLong = 20'000;
+  for (const std::string& text :
+       {"+!g <- a" + repeated("; a", kLong) + ".", "b([1" + repeated(",1", kLong) + "]).",
+        "b(1" + repeated(",1", kLong) + ").", repeated("b. ", kLong),
+        "+!g <- " + repeated("if (x) {a} ", kLong) + ".",
+        "+!g <- a" + repeated(" |&| a", kLong) + "."}) {
+    Diagnostics diagnostics;
+    const ast::File file = parse_agent(source_of(text), diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << diagnostics.render();
+  }
+}
+
+}  // namespace
+}  // namespace jaywalk
