@@ -1,0 +1,56 @@
+#pragma once
+
+// What a program's files define, post and believe, all of them together; the checker (check.h)
+// compares the uses with this. Namespaces and strong negation are left aside: a name that is known
+// in one of them is known.
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/syntax/load.h"
+
+namespace jaywalk {
+
+/// Names with the numbers of arguments that they occur with.
+class NameSet {
+ public:
+  void add(std::string_view name, int arity) { arities_[std::string(name)].insert(arity); }
+  void add_any_arity(std::string_view name) { add(name, kAnyArity); }
+  [[nodiscard]] bool contains(std::string_view name, int arity) const;
+  /// Empty if the name is unknown.
+  [[nodiscard]] std::set<int> arities(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  static constexpr int kAnyArity = -1;
+
+  std::map<std::string, std::set<int>, std::less<>> arities_;
+};
+
+struct ProgramIndex {
+  /// Goals that have a plan, `+!g` or at least `-!g`.
+  NameSet planned_goals;
+  /// Test goals that have a plan.
+  NameSet planned_tests;
+  /// Goals that are posted anywhere, sent to somebody or written as a trigger or body term.
+  NameSet posted_goals;
+  /// Beliefs and heads of rules, initial or added; told ones and those that a plan reacts to.
+  NameSet beliefs;
+  /// Functions and internal actions that the program registers.
+  NameSet functions;
+  /// There is a plan for any goal, `+!G`, or plans come from where the checker cannot look.
+  bool has_open_goals = false;
+  /// Beliefs are added whose names are not written in the program.
+  bool has_open_beliefs = false;
+  bool sends_messages = false;
+};
+
+[[nodiscard]] ProgramIndex index_of(const SourceTree& program);
+
+/// The number of arguments of a literal.
+[[nodiscard]] int arity_of(const ast::Node& literal);
+
+}  // namespace jaywalk
