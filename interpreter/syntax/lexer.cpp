@@ -336,7 +336,9 @@ class Lexer {
     const std::string_view found = text_.substr(begin, at_ - begin);
     if (found == "\\") {
       if (peek() == '+' || peek() == '=') ++at_;
-      error(begin, fmt::format("unexpected '{}'", text_.substr(begin, at_ - begin)),
+      const bool after_equals = begin > 0 && text_[begin - 1] == '=';  // =\= of Prolog
+      const std::size_t shown = after_equals ? begin - 1 : begin;
+      error(shown, fmt::format("unexpected '{}'", text_.substr(shown, at_ - shown)),
             "negation is written 'not', unequal '\\=='");
     } else if (is_foreign(found.front())) {
       error(begin, "unexpected character outside of a string or quoted atom",

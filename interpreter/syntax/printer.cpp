@@ -123,6 +123,10 @@ bool is_plain_true(const ast::Formula& formula) {
          formula.node->text == "true";
 }
 
+bool is_parenthesised_body(const Node& node) {
+  return node.kind == Kind::body && node.parenthesised;
+}
+
 class Printer {
  public:
   [[nodiscard]] std::string take() && { return std::move(text_); }
@@ -330,7 +334,7 @@ class Printer {
   // A formula that begins with a sign would be an addition or a deletion.
   void plain_formula(const ast::Formula& formula) {
     const Node& node = *formula.node;
-    if (node.kind == Kind::body && node.parenthesised) {
+    if (is_parenthesised_body(node)) {
       body_in_parentheses(node.formulas);
       return;
     }
@@ -390,7 +394,9 @@ class Printer {
     for (std::size_t i = 1; i < args.size(); ++i) {
       if (i > 1) text_ += separator;
       const std::span<const ast::Formula> body = args[i]->formulas;
-      if (body.size() == 1 && body.front().statement == Statement::formula) {
+      const bool is_plain = body.size() == 1 && body.front().statement == Statement::formula &&
+                            !is_parenthesised_body(*body.front().node);
+      if (is_plain) {
         formula(body.front());
       } else {
         body_in_parentheses(body);

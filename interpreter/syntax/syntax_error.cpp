@@ -251,7 +251,7 @@ class Reporter {
   }
 
   [[nodiscard]] std::string hint_for(const Token& token) const {
-    if (token.kind == comma) return hint_for_comma();
+    if (token.kind == comma && error_.expected.starts_with('\'')) return hint_for_comma();
     if (is_closing(token.kind) && place_.brackets.empty()) {
       return fmt::format("there is no bracket that this {} could close", name_of(token.kind));
     }
