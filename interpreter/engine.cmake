@@ -26,8 +26,10 @@ jaywalk_add_library(engine
     agent/cycle.cpp
     agent/execute.cpp
     agent/failure.cpp
+    agent/goals.cpp
     agent/intention.cpp
     agent/messages.cpp
+    agent/waiting.cpp
     mas/mas.cpp
     mas/percepts.cpp
     mas/transfer.cpp

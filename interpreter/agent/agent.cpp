@@ -1,6 +1,7 @@
 #include "interpreter/agent/agent.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
@@ -77,7 +78,8 @@ void Agent::update_percepts(const Percepts& percepts) {
 bool Agent::is_active() const {
   const Circumstance& c = circumstance_;
   if (!c.mailbox.empty() || !c.feedback.empty()) return true;
-  if (c.atomic != nullptr || c.atomic_event) return true;
+  if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
+  if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
   if (c.atomic_suspended) return false;
   return !c.events.empty() || !c.running.empty();
 }
@@ -119,6 +121,11 @@ bool Agent::remove_belief(Value literal, Intention* focus) {
 }
 
 void Agent::add_event(Event event) {
+  changed_ = true;
+  if (!circumstance_.waits.empty()) check_waits(event);
+  if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
+    signal_goal_state(event.kind, event.literal, "pending");
+  }
   if (event.intention != nullptr) {
     event.intention->state = Intention::State::in_event;
     if (event.intention->is_atomic()) {
@@ -126,11 +133,10 @@ void Agent::add_event(Event event) {
       return;
     }
   } else {
-    const Predicate predicate = is_literal(event.literal)
-                                    ? literal_parts(event.literal).predicate
-                                    : predicates::truth;
-    const TriggerKey key = trigger_key(event.op, event.kind, predicate, symbols_);
-    if (event.kind == TriggerKind::belief && library_->candidates(key).empty()) return;
+    if (event.kind == TriggerKind::belief && !uses_subplans_ &&
+        library_->candidates(key_of(event)).empty()) {
+      return;
+    }
   }
   circumstance_.events.push_back(event);
 }
@@ -162,6 +168,14 @@ void Agent::suspend(Intention& intention, Intention::State state, std::string re
 }
 
 void Agent::resume(Intention& intention) {
+  if (intention.also_suspended) {
+    // It was suspended by name meanwhile: it is past its formula, but waits for .resume.
+    intention.advance();
+    intention.also_suspended = false;
+    intention.state = Intention::State::suspended;
+    intention.reason = "suspend_ia";
+    return;
+  }
   go_on(intention);
   clear_intention(intention);
 }
@@ -176,28 +190,20 @@ void Agent::drop(Intention& intention) {
   std::erase_if(c.events, is_its);
   std::erase_if(c.actions, is_its);
   std::erase_if(c.feedback, is_its);
+  for (const IntendedMeans& means : intention.stack) {
+    if (means.plan->has_goal_condition) --goal_conditions_;
+  }
+  std::erase_if(c.pending_events, is_its);
+  std::erase_if(c.waits, [&](const Wait& wait) {
+    if (wait.intention != intention.id) return false;
+    if (wait.has_formula) --formula_waits_;
+    return true;
+  });
   intention.stack.clear();
   intention.values.clear();
   intention.atomic_means = 0;
   intention.state = Intention::State::finished;
   ++finished_;
-}
-
-std::uint64_t Agent::wait_for_timer(Intention& intention, double ms) {
-  const std::uint64_t token = next_token_++;
-  timers_[token] = intention.id;
-  host_.set_timer(*this, host_.now_ms() + ms, token);
-  return token;
-}
-
-void Agent::timer_fired(std::uint64_t token) {
-  const auto found = timers_.find(token);
-  if (found == timers_.end()) return;
-  const std::uint32_t id = found->second;
-  timers_.erase(found);
-  for (const auto& intention : circumstance_.intentions) {
-    if (intention->id == id && intention->state == Intention::State::waiting) resume(*intention);
-  }
 }
 
 void Agent::add_plan(std::shared_ptr<Plan> plan, Place place) {
@@ -236,6 +242,8 @@ void Agent::collect_garbage() {
     });
   });
   std::vector<BodyCode*> codes;
+  // Shared parts are visited once: a Value that has moved must not be moved again.
+  std::unordered_set<Scope*> scopes;
   const auto add_code = [&](const Cursor& cursor) {
     if (cursor.code != nullptr &&
         std::find(codes.begin(), codes.end(), cursor.code.get()) == codes.end()) {
@@ -245,6 +253,9 @@ void Agent::collect_garbage() {
   for (const auto& intention : c.intentions) {
     for (const IntendedMeans& means : intention->stack) {
       add_code(means.cursor);
+      for (Scope* scope = means.scope.get(); scope != nullptr && scopes.insert(scope).second;) {
+        scope = scope->outer.get();
+      }
       for (const Cursor& cursor : means.outer) add_code(cursor);
     }
   }
@@ -256,6 +267,21 @@ void Agent::collect_garbage() {
     for (const auto& intention : c.intentions) intention->visit_terms(visit);
     for (Event& event : c.events) relocate(event.literal);
     if (c.atomic_event) relocate(c.atomic_event->literal);
+    for (Event& event : c.pending_events) relocate(event.literal);
+    const auto visit_wait = [&](Wait& wait) {
+      relocate(wait.trigger);
+      relocate(wait.formula);
+      relocate(wait.elapsed);
+    };
+    for (Wait& wait : c.waits) visit_wait(wait);
+    for (Task& task : c.tasks) {
+      visit_wait(task.wait);
+      relocate(task.event.literal);
+    }
+    for (auto& [token, event] : c.scheduled) relocate(event.literal);
+    for (Scope* const scope : scopes) {
+      for (Value& value : scope->frame) relocate(value);
+    }
     for (PendingAction& action : c.actions) relocate(action.literal);
     for (PendingAction& action : c.acting) relocate(action.literal);
     for (Feedback& feedback : c.feedback) relocate(feedback.literal);

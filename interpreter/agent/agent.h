@@ -75,6 +75,35 @@ class Agent {
   /// Posts a goal as an external event.
   void add_goal(Value literal);
 
+  /// `.wait`: the intention goes on when a trigger or formula comes true, or time is over (`ms` < 0:
+  /// never). `wait.elapsed` set: running out of time is no failure.
+  void start_wait(Intention& intention, Wait wait, double ms);
+  /// Posts an event after `ms` milliseconds (`.at`).
+  void schedule(Event event, double ms);
+  void cancel_schedule() { circumstance_.scheduled.clear(); }
+  [[nodiscard]] Intention* intention_with_id(std::uint32_t id) { return find_intention(id); }
+  /// Whether a goal, `+!goal`, is in the intention's stack; its bindings stay on the trail.
+  [[nodiscard]] bool has_goal(const Intention& intention, Value goal);
+  /// Which intentions have the goal on their stack, in the order in which Jason looks at them.
+  [[nodiscard]] std::vector<Intention*> intentions_with(Value goal);
+  [[nodiscard]] std::vector<Intention*> all_intentions();
+  enum class GoalEnd { succeed, fail };
+  /// Ends the goal in every intention and event that has it, as achieved or as failed.
+  void end_goal(Value goal, GoalEnd end);
+  /// Ends the means number `depth` of an intention and everything above it.
+  void end_means(Intention& intention, std::size_t depth, GoalEnd end);
+  /// Removes events for the goal from the queues. True: there were some.
+  void drop_goal_events(Value goal);
+  void suspend_goal(Value goal);
+  void resume_goal(Value goal);
+  /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
+  void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
+                         std::string_view reason = {});
+  /// Asks for waiting formulas and goal conditions to be looked at again.
+  void something_changed() { changed_ = true; }
+  /// The event that is being handled or that the executing intention is of; for `.intention`.
+  [[nodiscard]] Intention* executing() const { return executing_; }
+
   /// Makes an intention wait; resume() goes on with it behind the current formula.
   void suspend(Intention& intention, Intention::State state, std::string reason);
   void resume(Intention& intention);
@@ -82,8 +111,8 @@ class Agent {
   void fail_waiting(Intention& intention, const ActionError& error);
   void drop(Intention& intention);
 
-  /// Waits that end when their timer fires (`.wait`); returns the timer's token.
-  std::uint64_t wait_for_timer(Intention& intention, double ms);
+  /// A number for a timer of its own.
+  [[nodiscard]] std::uint64_t new_token() { return next_token_++; }
 
   /// Adds a plan made at run time, last or first.
   void add_plan(std::shared_ptr<Plan> plan, Place place);
@@ -106,19 +135,29 @@ class Agent {
   void process_message();
   [[nodiscard]] bool answer_arrived(const Message& message);
   [[nodiscard]] bool has_own_message_plans() const;
-  [[nodiscard]] bool has_candidates(const Event& event);
-  [[nodiscard]] const std::vector<const Plan*>& candidates_for(const Event& event);
+  [[nodiscard]] TriggerKey key_of(const Event& event);
   void deliberate();
   void act();
-  [[nodiscard]] bool find_option(const Event& event);
-  [[nodiscard]] bool try_plan(const Plan& plan, const Event& event);
-  void add_intended_means(const Plan& plan, const Event& event);
+  [[nodiscard]] bool find_option(const Event& event, bool& had_candidates);
+  [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
+                              const std::shared_ptr<Scope>& scope);
+  void add_intended_means(const Plan& plan, const Event& event,
+                          const std::shared_ptr<Scope>& scope);
   void replace_finished_caller(Intention& intention, const Event& event);
   [[nodiscard]] bool no_plan(const Event& event, bool had_candidates);
   void process_feedback();
   Intention* select_intention();
+  void run_tasks();
+  void end_wait(const Wait& wait, bool timed_out);
+  void check_waits(const Event& event);
+  void check_formulas();
+  void check_goal_conditions();
+  void start_subplan_intentions(const Event& event);
+  [[nodiscard]] bool try_plans(const std::vector<const Plan*>& plans, const Event& event,
+                               const std::shared_ptr<Scope>& scope, bool& had_candidates);
   void clear_intention(Intention& intention);
   void finish_means(Intention& intention);
+  void pop_means(Intention& intention);
   void return_values(Intention& intention);
 
   // Execution of one formula (execute.cpp).
@@ -154,7 +193,7 @@ class Agent {
   void fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
   [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor,
                                   const ActionError& error, Value code, std::uint32_t line);
-  [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal);
+  [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal, const Scope* scope);
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line);
   void lose(Intention& intention, const ActionError& error, Value code);
 
@@ -178,11 +217,15 @@ class Agent {
   std::vector<Value> scratch_;                       // the frame of the plan being tried
   std::vector<std::pair<Value, Value>> renamed_;
   std::vector<BeliefBase::PerceptChange> percept_changes_;
-  std::unordered_map<std::uint64_t, std::uint32_t> timers_;  // token → intention
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
   std::uint64_t cycles_ = 0;
   std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
+  Intention* executing_ = nullptr;
+  bool uses_subplans_ = false;     // some means has had sub-plans
+  bool changed_ = false;           // since waiting formulas were last looked at
+  std::size_t goal_conditions_ = 0;  // means with a goal condition
+  std::size_t formula_waits_ = 0;
 };
 
 }  // namespace jaywalk

@@ -32,6 +32,29 @@ struct Message {
   std::string in_reply_to;
 };
 
+/// A `.wait` for an event or a formula, or for time alone.
+struct Wait {
+  std::uint64_t id = 0;  // also the token of its timer
+  std::uint32_t intention = 0;
+  bool has_trigger = false;
+  TriggerOperator op = TriggerOperator::add;
+  TriggerKind kind = TriggerKind::belief;
+  Value trigger;  // a literal or a variable
+  bool has_formula = false;
+  Value formula;
+  /// What the time waited is unified with; unset: a timeout fails.
+  Value elapsed;
+  double start_ms = 0;
+};
+
+/// Something to be done at the beginning of the next deliberation.
+struct Task {
+  enum class Kind : std::uint8_t { end_wait, time_out, goal_state };
+  Kind kind = Kind::end_wait;
+  Wait wait;
+  Event event;  // goal_state
+};
+
 /// An action that the environment is to execute.
 struct PendingAction {
   Intention* intention = nullptr;
@@ -54,6 +77,10 @@ struct Circumstance {
   std::deque<PendingAction> actions;      // PA, for the environment to take, one a tick
   std::vector<PendingAction> acting;      // PA, taken, awaiting feedback
   std::deque<Feedback> feedback;          // FA
+  std::vector<Event> pending_events;      // PE, of suspended goals
+  std::vector<Wait> waits;
+  std::vector<Task> tasks;
+  std::vector<std::pair<std::uint64_t, Event>> scheduled;  // by timer (.at)
   std::deque<Message> mailbox;            // MB
   std::vector<Message> arriving;          // sent in this round, to the mailbox at its end
   std::vector<std::unique_ptr<Intention>> intentions;  // owns all of them

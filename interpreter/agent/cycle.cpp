@@ -64,46 +64,65 @@ void Agent::process_message() {
 
 void Agent::deliberate() {
   Circumstance& c = circumstance_;
+  run_tasks();
+  if (changed_ && formula_waits_ > 0) check_formulas();
   // Rule SelEv, for atomic: while an atomic intention exists, only its own events are selected.
   if (c.atomic != nullptr || c.atomic_suspended) return;
+  bool had_candidates = false;
   if (c.atomic_event) {
     const Event event = *c.atomic_event;
     c.atomic_event.reset();
-    if (!find_option(event)) (void)no_plan(event, has_candidates(event));
+    if (!find_option(event, had_candidates)) (void)no_plan(event, had_candidates);
     return;
   }
   // Rule SelEv1: the oldest event. External events that nobody wants do not cost a cycle.
   while (!c.events.empty()) {
     const Event event = c.events.front();
     c.events.pop_front();
-    if (find_option(event) || no_plan(event, has_candidates(event))) return;
+    if (uses_subplans_) start_subplan_intentions(event);
+    if (find_option(event, had_candidates) || no_plan(event, had_candidates)) return;
   }
   // Rule SelEv2: no event.
 }
 
-bool Agent::has_candidates(const Event& event) {
-  return !candidates_for(event).empty();
-}
-
-const std::vector<const Plan*>& Agent::candidates_for(const Event& event) {
+TriggerKey Agent::key_of(const Event& event) {
   const Predicate predicate =
       is_literal(event.literal) ? literal_parts(event.literal).predicate : predicates::truth;
-  return library_->candidates(trigger_key(event.op, event.kind, predicate, symbols_));
+  return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
 // Rules RelPl, ApplPl and SelAppl: the first plan in the library whose trigger unifies with the
-// event's and whose context follows from the beliefs, with the first solution.
-bool Agent::find_option(const Event& event) {
-  for (const Plan* const plan : candidates_for(event)) {
-    if (try_plan(*plan, event)) return true;
+// event's and whose context follows from the beliefs, with the first solution. Goals below a plan
+// with sub-plans look there first, then further out, last in the agent's library.
+bool Agent::find_option(const Event& event, bool& had_candidates) {
+  const TriggerKey key = key_of(event);
+  had_candidates = false;
+  if (event.intention != nullptr && !event.intention->is_finished()) {
+    std::shared_ptr<Scope> scope = event.intention->top().scope;
+    for (; scope != nullptr; scope = scope->outer) {
+      if (try_plans(scope->library->candidates(key), event, scope, had_candidates)) return true;
+      if (had_candidates) return false;
+    }
+  }
+  return try_plans(library_->candidates(key), event, nullptr, had_candidates);
+}
+
+bool Agent::try_plans(const std::vector<const Plan*>& plans, const Event& event,
+                      const std::shared_ptr<Scope>& scope, bool& had_candidates) {
+  for (const Plan* const plan : plans) {
+    if (try_plan(*plan, event, scope)) return true;
+    had_candidates = true;
   }
   return false;
 }
 
-bool Agent::try_plan(const Plan& plan, const Event& event) {
+bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope) {
   Unifier& unifier = machine_.unifier();
   const std::size_t trail = unifier.mark();
   scratch_.assign(plan.slot_count, Value());
+  if (scope != nullptr && scope->owner != nullptr) {
+    for (const auto& [own, outer] : plan.inherited) scratch_[own] = scope->frame[outer];
+  }
   unifier.set_slot_names(plan.slot_names);
   ActionError error;
   const bool applicable = guarded(error, [&] {
@@ -117,12 +136,13 @@ bool Agent::try_plan(const Plan& plan, const Event& event) {
     return false;
   }
   unifier.commit(trail);
-  add_intended_means(plan, event);
+  add_intended_means(plan, event, scope);
   return true;
 }
 
 // Rule AddIM: a new intention for an external event, else on top of the one that waits for it.
-void Agent::add_intended_means(const Plan& plan, const Event& event) {
+void Agent::add_intended_means(const Plan& plan, const Event& event,
+                               const std::shared_ptr<Scope>& scope) {
   Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
   if (event.intention != nullptr) replace_finished_caller(intention, event);
   IntendedMeans means;
@@ -132,8 +152,19 @@ void Agent::add_intended_means(const Plan& plan, const Event& event) {
   means.trigger = event.literal;
   means.cursor.body = plan.code.entry;
   means.keeps = event.keeps;
+  means.scope = scope;
+  if (plan.subplans != nullptr) {
+    uses_subplans_ = true;
+    means.scope = std::make_shared<Scope>(Scope{plan.subplans.get(), &plan, scratch_, scope,
+                                                intention.id, intention.stack.size()});
+  }
+  if (plan.has_goal_condition) ++goal_conditions_;
   if (plan.atomic) circumstance_.atomic_suspended = false;
   intention.push(std::move(means), scratch_);
+  if (event.op != TriggerOperator::goal_state && event.kind != TriggerKind::belief) {
+    signal_goal_state(event.kind, event.literal, "executing",
+                      event.op == TriggerOperator::remove ? "has_failure_plan" : "");
+  }
   make_ready(intention);
 }
 
@@ -148,6 +179,8 @@ void Agent::replace_finished_caller(Intention& intention, const Event& event) {
       literal_parts(caller.trigger).predicate != literal_parts(event.literal).predicate) {
     return;
   }
+  signal_goal_state(caller.kind, caller.trigger, "achieved");
+  signal_goal_state(caller.kind, caller.trigger, "finished");
   const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
     const Value own = deref(pairs[i]);
@@ -174,12 +207,16 @@ bool Agent::no_plan(const Event& event, bool had_candidates) {
 }
 
 void Agent::act() {
+  if (goal_conditions_ > 0) check_goal_conditions();
   // Rule ProcAct
   if (!circumstance_.feedback.empty()) process_feedback();
   // Rules SelInt and ExecInt
   Intention* const intention = select_intention();
   if (intention == nullptr) return;
+  executing_ = intention;
   execute(*intention);
+  executing_ = nullptr;
+  changed_ = true;
   // Rule ClrInt
   if (intention->state != Intention::State::finished) clear_intention(*intention);
 }
@@ -190,6 +227,10 @@ void Agent::process_feedback() {
   Intention& intention = *feedback.intention;
   if (intention.state != Intention::State::acting) return;
   if (feedback.succeeded) {
+    if (intention.also_suspended) {
+      resume(intention);
+      return;
+    }
     go_on(intention);
     clear_intention(intention);
     return;
@@ -218,7 +259,16 @@ Intention* Agent::select_intention() {
 
 // Rule ClrInt: finished means are popped and their results handed on.
 void Agent::clear_intention(Intention& intention) {
-  while (!intention.is_finished() && intention.top().is_finished()) finish_means(intention);
+  while (!intention.is_finished() && intention.top().is_finished()) {
+    if (intention.top().plan->has_goal_condition) {
+      // Not done before the condition holds.
+      std::erase(circumstance_.running, &intention);
+      if (circumstance_.atomic == &intention) circumstance_.atomic = nullptr;
+      suspend(intention, Intention::State::waiting, "goal_condition");
+      return;
+    }
+    finish_means(intention);
+  }
   if (intention.is_finished()) {
     drop(intention);
   } else if (circumstance_.atomic == &intention && !intention.is_atomic()) {
@@ -231,12 +281,21 @@ void Agent::finish_means(Intention& intention) {
   const IntendedMeans& done = intention.top();
   const bool was_failure = done.op == TriggerOperator::remove && done.is_goal();
   const std::size_t keeps = done.keeps;
-  intention.pop();
+  if (done.is_goal() && done.op != TriggerOperator::goal_state) {
+    signal_goal_state(done.kind, done.trigger, "achieved");
+    signal_goal_state(done.kind, done.trigger, "finished");
+  }
+  pop_means(intention);
   // The means of the goal that failed have stayed until now.
-  while (was_failure && intention.stack.size() > keeps) intention.pop();
+  while (was_failure && intention.stack.size() > keeps) pop_means(intention);
   if (intention.is_finished() || intention.top().is_finished()) return;
   return_values(intention);
   intention.advance();
+}
+
+void Agent::pop_means(Intention& intention) {
+  if (intention.top().plan->has_goal_condition) --goal_conditions_;
+  intention.pop();
 }
 
 // The values of the variables that were renamed at the call are copied back; what is still open in
@@ -249,7 +308,13 @@ void Agent::return_values(Intention& intention) {
   const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
     const Value returned = deref(pairs[i + 1]);
-    if (returned.is_variable()) continue;
+    if (returned.is_variable()) {
+      // Still open; if two of them have become one, so do the caller's.
+      for (std::size_t j = 0; j < i; j += 2) {
+        if (deref(pairs[j + 1]).same_as(returned)) (void)unifier.unify(pairs[j], pairs[i]);
+      }
+      continue;
+    }
     const Value value = returned.is_closed() ? returned : unifier.fresh_copy(returned);
     (void)unifier.unify(pairs[i], value);
   }

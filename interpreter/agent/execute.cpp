@@ -9,6 +9,7 @@
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk {
 namespace {
@@ -189,7 +190,8 @@ void Agent::execute_test(Intention& intention, const Step& step) {
       return;
     }
   }
-  fail(intention, make_error("test_goal_failed", ""));
+  fail(intention, make_error("test_goal_failed",
+                             "Failed to test '" + term_text(term, symbols_) + "'"));
 }
 
 void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {

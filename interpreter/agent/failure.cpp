@@ -14,9 +14,12 @@
 
 namespace jaywalk {
 
-bool Agent::has_failure_plan(TriggerKind kind, Value literal) {
+bool Agent::has_failure_plan(TriggerKind kind, Value literal, const Scope* scope) {
   const TriggerKey key = trigger_key(TriggerOperator::remove, kind,
                                      literal_parts(literal).predicate, symbols_);
+  for (; scope != nullptr; scope = scope->outer.get()) {
+    if (!scope->library->candidates(key).empty()) return true;
+  }
   return !library_->candidates(key).empty();
 }
 
@@ -28,7 +31,11 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
   };
   std::vector<Value> annots = error.annots;
   annots.push_back(annot("error", Value::atom(symbols_.predicate(error.id, 0))));
-  annots.push_back(annot("error_msg", heap_.text(error.message)));
+  const Predicate message = symbols_.predicate("error_msg", 1);
+  const bool has_message = std::any_of(annots.begin(), annots.end(), [&](Value annotation) {
+    return annotation.is_structure() && annotation.structure()->predicate() == message;
+  });
+  if (!has_message) annots.push_back(annot("error_msg", heap_.text(error.message)));
   annots.push_back(
       annot("code", code.is_unset() ? Value::atom(symbols_.predicate("no_code", 0)) : code));
   if (line > 0) {
@@ -53,7 +60,9 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
       i = std::min(means.keeps, i);  // the failed means of that goal are skipped
       continue;
     }
-    if (means.op != TriggerOperator::add || !has_failure_plan(means.kind, means.trigger)) continue;
+    if (means.op != TriggerOperator::add || !has_failure_plan(means.kind, means.trigger, means.scope.get())) {
+      continue;
+    }
     add_event({TriggerOperator::remove, means.kind,
                failure_literal(means.trigger, error, code, line), &intention, i});
     return true;
@@ -79,6 +88,9 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
 // The current formula of the intention has failed.
 void Agent::fail(Intention& intention, const ActionError& error) {
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
+  if (intention.top().is_goal_addition()) {
+    signal_goal_state(intention.top().kind, intention.top().trigger, "failed", error.id);
+  }
   Value code;
   std::uint32_t line = 0;
   const IntendedMeans& top = intention.top();
@@ -109,7 +121,8 @@ void Agent::fail_stack(Intention& intention, const ActionError& error, Value cod
 void Agent::fail_event(const Event& event, const ActionError& error) {
   const bool is_failure = event.op == TriggerOperator::remove;
   if (event.intention == nullptr) {
-    if (!is_failure && has_failure_plan(event.kind, event.literal)) {
+    if (!is_failure) signal_goal_state(event.kind, event.literal, "failed", error.id);
+    if (!is_failure && has_failure_plan(event.kind, event.literal, nullptr)) {
       add_event({TriggerOperator::remove, event.kind,
                  failure_literal(event.literal, error, event.literal, 0), nullptr, 0});
     } else {
@@ -127,7 +140,8 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   const std::uint32_t line =
       intention.top().cursor.at_end() ? 0 : intention.top().step().line;
   const Value goal = machine_.unifier().fresh_copy(event.literal);
-  if (has_failure_plan(event.kind, event.literal)) {
+  signal_goal_state(event.kind, event.literal, "failed", error.id);
+  if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
     add_event({TriggerOperator::remove, event.kind,
                failure_literal(event.literal, error, goal, line), &intention,
                intention.stack.size()});

@@ -1,6 +1,7 @@
 #pragma once
 
-// What an agent needs of the system that it lives in. Implemented by the multi-agent system.
+// What an agent needs of the system that it lives in. Implemented by the multi-agent system
+// (mas/system.h).
 
 #include <cstdint>
 #include <string>
@@ -12,15 +13,41 @@
 namespace jaywalk {
 
 class Agent;
+class ServiceDirectory;
 
 /// A message as its sender gives it. The content is copied when it is sent.
 struct OutgoingMessage {
-  std::string_view receiver;
+  std::string_view receiver;  // `self`: the sender
   Symbol performative{};
   Value content;
-  /// Names the exchange: of a question, or of the question that is answered.
+  /// Names the message, so that an answer can say what it answers.
   std::string id;
   std::string in_reply_to;
+};
+
+/// The agents that live together: who there is, who comes and goes.
+class Society {
+ public:
+  /// The name that a new agent got, or why there is none.
+  struct Creation {
+    std::string name;
+    std::string error;  // empty: all went well
+  };
+
+  virtual ~Society() = default;
+
+  /// The agents' names, in the order of their creation.
+  [[nodiscard]] virtual std::vector<std::string> names() const = 0;
+  /// A new agent that runs the program in a file. A name that is taken gets a suffix.
+  [[nodiscard]] virtual Creation create(const std::string& name, const std::string& file) = 0;
+  /// A new agent with the beliefs, plans and goals of another.
+  [[nodiscard]] virtual Creation clone(Agent& original, const std::string& name) = 0;
+  /// The agent goes: at once, or after a time of which it is told. False: there is no such agent.
+  virtual bool kill(std::string_view name, double deadline_ms) = 0;
+  /// The run ends: at once, or after a time of which all agents are told.
+  virtual void stop(double deadline_ms, int exit_code) = 0;
+  /// The yellow pages.
+  [[nodiscard]] virtual ServiceDirectory& services() = 0;
 };
 
 class AgentHost {
@@ -32,14 +59,12 @@ class AgentHost {
   virtual void set_timer(Agent& agent, double at_ms, std::uint64_t token) = 0;
   /// False: there is no such agent.
   virtual bool send(Agent& sender, const OutgoingMessage& message) = 0;
-  virtual void broadcast(Agent& sender, const OutgoingMessage& message) = 0;
-  [[nodiscard]] virtual std::vector<std::string> agent_names() const = 0;
-  /// An action for the environment; false: there is no environment.
+  /// An action for the environment; false: there is none, or the agent has no body in it.
   virtual bool act(Agent& agent) = 0;
   /// Text for the console, without line break and without `[agent]`.
   virtual void print(Agent& agent, std::string_view text) = 0;
   virtual void log(Agent& agent, std::string_view text) = 0;
-  virtual void stop(int exit_code) = 0;
+  [[nodiscard]] virtual Society& society() = 0;
 };
 
 }  // namespace jaywalk

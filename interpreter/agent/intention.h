@@ -17,6 +17,18 @@
 
 namespace jaywalk {
 
+/// The sub-plans that goals and events below a means are looked up in first, and the values of the
+/// enclosing plan's variables when its means was created (AgentSpeak(ER)).
+struct Scope {
+  const PlanLibrary* library = nullptr;
+  const Plan* owner = nullptr;
+  std::vector<Value> frame;
+  std::shared_ptr<Scope> outer;
+  /// The intention and the number of the means whose sub-plans these are.
+  std::uint32_t intention = 0;
+  std::size_t depth = 0;
+};
+
 /// A loop in progress. Bindings made in a round are undone before the next and at the end.
 struct Loop {
   const Step* step = nullptr;
@@ -47,6 +59,7 @@ struct IntendedMeans {
   Cursor cursor;
   std::vector<Cursor> outer;  // where to go on when the cursor's body is done
   std::vector<Loop> loops;
+  std::shared_ptr<Scope> scope;  // null: the agent's library alone
   std::size_t frame = 0;      // index into the intention's values
   std::size_t returns = 0;    // values behind the frame: pairs of the open call
   /// Of a means for a failure, `-!g`: how many means below stay when it is done. Those above them

@@ -107,12 +107,10 @@ class ProgramBuilder {
     program_.goals_.push_back({literal, count, std::move(scope.slot_names())});
   }
 
-  void add_plan(const ast::Plan& plan, PlanLibrary& library, VariableScope* enclosing) {
+  void add_plan(const ast::Plan& plan, PlanLibrary& library, const Plan* enclosing) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
-    VariableScope& variables = enclosing != nullptr ? *enclosing : scope;
-    const Value term = translator_.plan(plan, variables);
-    std::vector<Symbol> names = variables.slot_names();
-    const auto compiled = compile_plan(term, names, actions_, symbols_);
+    const Value term = translator_.plan(plan, scope);
+    const auto compiled = compile_plan(term, scope.slot_names(), actions_, symbols_);
     if (compiled == nullptr) {
       diagnostics_.error(where(plan.span), "this is not a plan");
       return;
@@ -121,11 +119,24 @@ class ProgramBuilder {
     compiled->line = file_ == nullptr ? 0 : file_->source->position(plan.span.begin).line;
     if (!plan.subplans.empty()) {
       compiled->subplans = std::make_unique<PlanLibrary>();
-      for (const ast::Plan* inner : plan.subplans) add_plan(*inner, *compiled->subplans, nullptr);
+      for (const ast::Plan* inner : plan.subplans) {
+        add_plan(*inner, *compiled->subplans, compiled.get());
+      }
     }
+    if (enclosing != nullptr) inherit_variables(*compiled, *enclosing);
     compiled->is_standard = in_standard_plans_;
     if (!in_standard_plans_) check_label(*compiled, plan);
     library.add(compiled);
+  }
+
+  // A sub-plan sees the enclosing plan's variables by name.
+  static void inherit_variables(Plan& plan, const Plan& enclosing) {
+    for (std::uint32_t i = 0; i < plan.slot_names.size(); ++i) {
+      if (plan.slot_names[i] == names::unnamed) continue;
+      for (std::uint32_t j = 0; j < enclosing.slot_names.size(); ++j) {
+        if (plan.slot_names[i] == enclosing.slot_names[j]) plan.inherited.emplace_back(i, j);
+      }
+    }
   }
 
   void check_label(const Plan& plan, const ast::Plan& written) {

@@ -242,7 +242,16 @@ Value Translator::step(const ast::Formula& formula, VariableScope& scope) {
 Value Translator::body(std::span<const ast::Formula> formulas, VariableScope& scope) {
   std::vector<Value> steps;
   steps.reserve(formulas.size());
-  for (const ast::Formula& formula : formulas) steps.push_back(step(formula, scope));
+  for (const ast::Formula& formula : formulas) {
+    // A body within parentheses is just a part of the body around it.
+    if (formula.op == ast::BodyOperator::none && formula.node->kind == ast::Kind::body) {
+      const Value inner = body(formula.node->formulas, scope);
+      const auto inner_steps = inner.structure()->arg_span();
+      steps.insert(steps.end(), inner_steps.begin(), inner_steps.end());
+    } else {
+      steps.push_back(step(formula, scope));
+    }
+  }
   const Predicate predicate = symbols_.predicate(
       Signature{.functor = names::body_text, .arity = static_cast<std::uint16_t>(steps.size())});
   return heap_.structure(predicate, steps, Value::empty_list(), Form::body);

@@ -107,6 +107,8 @@ struct Plan {
   bool all_unifs = false;
   /// It belongs to every agent (the plans for messages), not to the program.
   bool is_standard = false;
+  /// Of a sub-plan: which slots have the value of which slot of the enclosing plan.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> inherited;
   /// Sub-plans of AgentSpeak(ER); null if there are none.
   std::unique_ptr<PlanLibrary> subplans;
   /// The plan as a term of form plan, for programs as data; its variables are slots.

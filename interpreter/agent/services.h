@@ -1,0 +1,48 @@
+#pragma once
+
+// The yellow pages, Jason's directory facilitator: which agent offers which service, and who wants
+// to be told (`.df_register` and its kin).
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jaywalk {
+
+struct Service {
+  std::string name;
+  /// Empty: of any type.
+  std::string type;
+};
+
+class ServiceDirectory {
+ public:
+  /// Tells a subscriber of a provider.
+  using Tell = std::function<void(const std::string& subscriber, const std::string& provider,
+                                  const std::string& service)>;
+
+  explicit ServiceDirectory(Tell tell) : tell_(std::move(tell)) {}
+
+  void add(const std::string& agent, const Service& service);
+  void remove(std::string_view agent, const Service& service);
+  /// The providers, in the order in which they registered.
+  [[nodiscard]] std::vector<std::string> search(const Service& service) const;
+  /// The agent is told of those who offer the service, now and later.
+  void subscribe(const std::string& agent, const Service& service);
+  /// The agent has left.
+  void forget(std::string_view agent);
+
+ private:
+  struct Entry {
+    std::string agent;
+    Service service;
+  };
+  static bool matches(const Service& offered, const Service& wanted);
+
+  Tell tell_;
+  std::vector<Entry> offers_;
+  std::vector<Entry> subscriptions_;
+};
+
+}  // namespace jaywalk

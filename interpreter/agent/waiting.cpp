@@ -1,0 +1,159 @@
+// Intentions that wait: for time, for an event, for a formula to hold (`.wait`); tasks that are put
+// off to the beginning of the next deliberation; the states of goals.
+
+#include <algorithm>
+#include <array>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/agent/step_guard.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
+
+namespace jaywalk {
+
+void Agent::start_wait(Intention& intention, Wait wait, double ms) {
+  wait.id = new_token();
+  wait.intention = intention.id;
+  wait.start_ms = host_.now_ms();
+  if (wait.has_formula) ++formula_waits_;
+  circumstance_.waits.push_back(wait);
+  if (ms >= 0) host_.set_timer(*this, wait.start_ms + ms, wait.id);
+  suspend(intention, Intention::State::waiting, "wait");
+  if (!intention.is_finished() && intention.top().is_goal()) {
+    signal_goal_state(intention.top().kind, intention.top().trigger, "waiting", "wait");
+  }
+}
+
+void Agent::schedule(Event event, double ms) {
+  const std::uint64_t token = new_token();
+  circumstance_.scheduled.emplace_back(token, event);
+  host_.set_timer(*this, host_.now_ms() + ms, token);
+}
+
+void Agent::timer_fired(std::uint64_t token) {
+  auto& scheduled = circumstance_.scheduled;
+  for (std::size_t i = 0; i < scheduled.size(); ++i) {
+    if (scheduled[i].first != token) continue;
+    const Event event = scheduled[i].second;
+    scheduled.erase(scheduled.begin() + static_cast<std::ptrdiff_t>(i));
+    add_event(event);
+    return;
+  }
+  auto& waits = circumstance_.waits;
+  const auto found =
+      std::find_if(waits.begin(), waits.end(), [&](const Wait& wait) { return wait.id == token; });
+  if (found == waits.end()) return;
+  Task task;
+  task.kind = Task::Kind::time_out;
+  task.wait = *found;
+  if (found->has_formula) --formula_waits_;
+  waits.erase(found);
+  circumstance_.tasks.push_back(task);
+}
+
+// An event has been added: does an intention wait for one like it? Plans for it need not exist.
+void Agent::check_waits(const Event& event) {
+  auto& waits = circumstance_.waits;
+  for (std::size_t i = 0; i < waits.size();) {
+    const Wait wait = waits[i];
+    Intention* const intention = find_intention(wait.intention);
+    const std::size_t trail = machine_.unifier().mark();
+    if (!wait.has_trigger || wait.op != event.op || wait.kind != event.kind ||
+        intention == nullptr || !machine_.unifier().unify(wait.trigger, event.literal)) {
+      ++i;
+      continue;
+    }
+    record_bindings(*intention, trail);
+    Task task;
+    task.wait = wait;
+    circumstance_.tasks.push_back(task);
+    waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+void Agent::check_formulas() {
+  changed_ = false;
+  auto& waits = circumstance_.waits;
+  for (std::size_t i = 0; i < waits.size();) {
+    const Wait wait = waits[i];
+    Intention* const intention = find_intention(wait.intention);
+    if (!wait.has_formula || intention == nullptr) {
+      ++i;
+      continue;
+    }
+    ActionError error;
+    const std::size_t trail = machine_.unifier().mark();
+    if (!guarded(error, [&] { return machine_.solve_term(wait.formula); })) {
+      ++i;
+      continue;
+    }
+    record_bindings(*intention, trail);
+    --formula_waits_;
+    waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
+    end_wait(wait, false);
+  }
+}
+
+void Agent::run_tasks() {
+  if (circumstance_.tasks.empty()) return;
+  const std::vector<Task> tasks = std::move(circumstance_.tasks);
+  circumstance_.tasks.clear();
+  std::size_t goal_states = 0;
+  for (const Task& task : tasks) {
+    if (task.kind != Task::Kind::goal_state) {
+      end_wait(task.wait, task.kind == Task::Kind::time_out);
+    } else if (!library_->candidates(key_of(task.event)).empty()) {
+      // Goal states are handled before other events, in their own order.
+      const auto place = std::find_if(
+          circumstance_.events.begin(), circumstance_.events.end(),
+          [](const Event& event) { return event.op != TriggerOperator::goal_state; });
+      circumstance_.events.insert(place, task.event);
+      ++goal_states;
+    }
+  }
+}
+
+void Agent::end_wait(const Wait& wait, bool timed_out) {
+  Intention* const intention = find_intention(wait.intention);
+  if (intention == nullptr || intention->state != Intention::State::waiting) return;
+  const bool for_something = wait.has_trigger || wait.has_formula;
+  if (timed_out && for_something && wait.elapsed.is_unset()) {
+    ActionError error;
+    error.id = "wait_timeout";
+    error.message = "timeout in .wait";
+    intention->also_suspended = false;
+    fail(*intention, error);
+    return;
+  }
+  if (!wait.elapsed.is_unset()) {
+    const std::size_t trail = machine_.unifier().mark();
+    (void)machine_.unifier().unify(wait.elapsed, Value::number(host_.now_ms() - wait.start_ms));
+    record_bindings(*intention, trail);
+  }
+  if (intention->top().is_goal()) {
+    signal_goal_state(intention->top().kind, intention->top().trigger, "executing");
+  }
+  resume(*intention);
+}
+
+void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
+                              std::string_view reason) {
+  if (!library_->has_goal_state_plans() || !is_literal(goal)) return;
+  Value annots = Value::empty_list();
+  if (!reason.empty()) {
+    const Value why = Value::atom(symbols_.predicate(reason, 0));
+    const Value annot = heap_.structure(symbols_.predicate("reason", 1), std::span(&why, 1));
+    annots = heap_.pair(annot, Value::empty_list());
+  }
+  const Value name = Value::atom(symbols_.predicate(state, 0));
+  const Value annot = heap_.structure(symbols_.predicate("state", 1), std::span(&name, 1), annots);
+  goal = machine_.unifier().fresh_copy(goal);
+  const Value all = union_of(heap_, literal_parts(goal).annots,
+                             heap_.pair(annot, Value::empty_list()), symbols_);
+  Task task;
+  task.kind = Task::Kind::goal_state;
+  task.event = {TriggerOperator::goal_state, kind, with_annotations(heap_, goal, all), nullptr, 0};
+  circumstance_.tasks.push_back(task);
+}
+
+}  // namespace jaywalk
