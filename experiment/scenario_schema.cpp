@@ -431,7 +431,7 @@ class LayerReader {
     std::string text = node.text;
     if (node.kind == ConfigNode::Kind::list) {
       for (const ConfigNode& item : node.items) {
-        text += (text.empty() ? "" : ",") + item.text;
+        text += fmt::format("{}{}", text.empty() ? "" : ",", item.text);
       }
     } else if (node.kind != ConfigNode::Kind::scalar) {
       reader_.unexpected(node, "numbers of agents, 1..10,15,20");

@@ -148,7 +148,7 @@ std::optional<ConfigNode> parse_config(const SourcePtr& source, Diagnostics& dia
 }
 
 std::optional<ConfigNode> parse_setting(const std::string& setting, Diagnostics& diagnostics) {
-  const std::string option = "--set " + setting;
+  const std::string option = fmt::format("--set {}", setting);
   const std::size_t equals = setting.find('=');
   const std::string path = setting.substr(0, equals);
   if (equals == std::string::npos || !is_path(path)) {

@@ -40,20 +40,14 @@ std::string describe(const RunOutcome& outcome) {
   return outcome.end == RunEnd::stopped ? "an agent stopped the system" : "the run was cut short";
 }
 
-/// Runs the system until the test ends, be it that agents have nothing left to do before.
-void run_to_the_end(Mas& mas, Crossing& crossing, const TrialObserver& observe,
+void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialObserver& observe,
                     TrialResult& result) {
   if (observe) observe(crossing, mas);
   while (!crossing.finished()) {
-    const int ticks = crossing.ticks();
-    const bool goes_on = mas.step();
-    if (!goes_on && !crossing.finished()) {
-      if (mas.outcome().end != RunEnd::idle) {
-        result.completed = false;
-        result.message = describe(mas.outcome());
-        return;
-      }
-      if (crossing.ticks() == ticks) crossing.advance();
+    if (!mas.step() && !crossing.finished()) {
+      result.completed = false;
+      result.message = describe(mas.outcome());
+      return;
     }
     if (observe) observe(crossing, mas);
   }
