@@ -1,5 +1,7 @@
 // `jaywalk check`: what is wrong with programs, projects and scenarios, without running them.
 
+#include "interpreter/check/check.h"
+
 #include <set>
 #include <string>
 #include <utility>
@@ -7,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "env/environments.h"
 #include "experiment/trial.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"
@@ -15,6 +18,7 @@
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/project_agents.h"
 #include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/vocabulary.h"
 
 namespace jaywalk::command::check {
 namespace {
@@ -29,7 +33,7 @@ class Checker {
     if (is_scenario_file(path)) {
       check_scenario(path);
     } else if (path.ends_with(".asl")) {
-      check_program({.path = path, .include_path = include_path_});
+      check_program({.path = path, .include_path = include_path_}, nullptr);
     } else if (path.ends_with(".mas2j")) {
       check_project(path);
     } else {
@@ -41,7 +45,8 @@ class Checker {
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
  private:
-  void check_program(const ProgramSource& program) {
+  /// Without an environment, that which the program seems to be written for.
+  void check_program(const ProgramSource& program, const EnvironmentKind* environment) {
     if (!program.text && !checked_.insert(program.path).second) return;
     Diagnostics found;
     const SourceTree tree = program.text ? load_agent(program.text, program.include_path, found)
@@ -50,6 +55,10 @@ class Checker {
       SymbolTable symbols;
       (void)compile(tree, symbols, found);
     }
+    if (!found.has_errors()) {
+      if (environment == nullptr) environment = environment_of(tree);
+      jaywalk::check_program(tree, vocabulary_for(environment), found);
+    }
     diagnostics_.append(std::move(found));
   }
 
@@ -57,7 +66,7 @@ class Checker {
     const auto programs =
         read_project_agents(path, include_path_, JavaParts::ignored, diagnostics_);
     if (!programs) return;
-    for (const ProgramSource& program : *programs) check_program(program);
+    for (const ProgramSource& program : *programs) check_program(program, nullptr);
   }
 
   void check_scenario(const std::string& path) {
@@ -68,7 +77,8 @@ class Checker {
     }
     const std::size_t errors = diagnostics_.error_count();
     for (const BehaviourSpec& behaviour : scenario.value().behaviours) {
-      check_program({.path = behaviour.program, .include_path = include_path_});
+      check_program({.path = behaviour.program, .include_path = include_path_},
+                    find_environment("crossing"));
     }
     if (diagnostics_.error_count() > errors) return;
     // What remains is how parameters and programs fit together.
