@@ -87,8 +87,10 @@ std::vector<std::string> names_of(std::span<const Vocabulary::Entry> entries) {
 class Checker {
  public:
   Checker(const SourceTree& program, const Vocabulary& vocabulary)
-      : program_(program), vocabulary_(vocabulary), index_(index_of(program)) {
-    answers_ = index_.beliefs;
+      : program_(program),
+        vocabulary_(vocabulary),
+        index_(index_of(program)),
+        answers_(index_.beliefs) {
     for (const Vocabulary::Entry& percept : vocabulary.percepts) {
       for (int arity = percept.least_args; arity <= percept.most_args; ++arity) {
         answers_.add(percept.name, arity);
