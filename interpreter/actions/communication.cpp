@@ -1,32 +1,61 @@
+// Messages.
+
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
 
 namespace jaywalk::actions {
+namespace {
 
-Outcome my_name(ActionCall& call) {
-  return call.result(0, Value::atom(call.symbols().predicate(call.agent()->name(), 0)));
-}
+struct Alias {
+  std::string_view written;
+  std::string_view meant;
+};
+constexpr std::array<Alias, 5> kAliases{{{"ask-one", "askOne"},
+                                         {"ask-all", "askAll"},
+                                         {"ask-how", "askHow"},
+                                         {"tell-how", "tellHow"},
+                                         {"untell-how", "untellHow"}}};
 
-Outcome all_names(ActionCall& call) {
-  std::vector<Value> names;
-  for (const std::string& name : call.agent()->host().agent_names()) {
-    names.push_back(Value::atom(call.symbols().predicate(name, 0)));
+/// The performative that an argument names; empty if it does not name one.
+std::string performative_of(Value value, const SymbolTable& symbols) {
+  if (!value.is_atom() && !value.is_text()) return {};
+  std::string name = text_of(value, symbols);
+  if (name.size() > 2 && name.front() == '\'' && name.back() == '\'') {
+    name = name.substr(1, name.size() - 2);
   }
-  return call.result(0, call.heap().list(names));
+  const auto alias = std::find_if(kAliases.begin(), kAliases.end(),
+                                  [&](const Alias& each) { return each.written == name; });
+  return alias == kAliases.end() ? name : std::string(alias->meant);
 }
+
+bool asks(std::string_view performative) {
+  return performative == "askOne" || performative == "askAll" || performative == "askHow";
+}
+
+}  // namespace
 
 Outcome send(ActionCall& call) {
-  const Value performative = call.arg(1);
-  if (!performative.is_atom()) return call.wrong_argument(1, "a performative");
-  Agent& agent = *call.agent();
-  OutgoingMessage message;
-  message.performative = call.symbols().signature(performative.atom_id()).functor;
-  message.content = call.arg(2);
-  if (call.count() > 3) message.in_reply_to = text_of(call.arg(3), call.symbols());
+  const std::string performative = performative_of(call.arg(1), call.symbols());
+  if (performative.empty()) return call.wrong_argument(1, "a performative");
+  const bool waits = asks(performative) && call.count() > 3;
+  double timeout_ms = -1;
+  if (call.count() > 4) {
+    if (!waits) return call.wrong_argument(4, "left out, since no answer is waited for");
+    if (!call.arg(4).is_number()) return call.wrong_argument(4, "a number of milliseconds");
+    timeout_ms = std::max(0.0, call.arg(4).as_number());
+  }
   std::vector<Value> receivers{call.arg(0)};
   if (call.arg(0).is_list()) receivers = elements(call.arg(0));
+  Agent& agent = *call.agent();
+  OutgoingMessage message;
+  message.performative = call.symbols().symbol(performative);
+  message.content = call.arg(2);
+  message.id = agent.new_message_id(waits ? "samid" : "mid");
+  if (!waits && call.count() > 3) message.in_reply_to = text_of(call.arg(3), call.symbols());
   for (const Value receiver : receivers) {
     if (!receiver.is_atom() && !receiver.is_text()) {
       return call.wrong_argument(0, "an agent's name or a list of them");
@@ -37,16 +66,31 @@ Outcome send(ActionCall& call) {
       return call.fail("receiver_not_found", "there is no agent " + name);
     }
   }
-  return Outcome::succeeded;
+  if (!waits) return Outcome::succeeded;
+  if (receivers.empty()) return call.result(3, Value::empty_list());
+  PendingAsk ask;
+  ask.id = message.id;
+  ask.answer = call.arg(3);
+  ask.is_one = performative == "askOne";
+  ask.to_many = call.arg(0).is_list();
+  ask.awaited = receivers.size();
+  agent.wait_for_answers(*call.intention(), std::move(ask), timeout_ms);
+  return Outcome::suspended;
 }
 
 Outcome broadcast(ActionCall& call) {
-  const Value performative = call.arg(0);
-  if (!performative.is_atom()) return call.wrong_argument(0, "a performative");
+  const std::string performative = performative_of(call.arg(0), call.symbols());
+  if (performative.empty()) return call.wrong_argument(0, "a performative");
+  Agent& agent = *call.agent();
   OutgoingMessage message;
-  message.performative = call.symbols().signature(performative.atom_id()).functor;
+  message.performative = call.symbols().symbol(performative);
   message.content = call.arg(1);
-  call.agent()->host().broadcast(*call.agent(), message);
+  message.id = agent.new_message_id("mid");
+  for (const std::string& name : agent.host().society().names()) {
+    if (name == agent.name()) continue;
+    message.receiver = name;
+    (void)agent.host().send(agent, message);
+  }
   return Outcome::succeeded;
 }
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
@@ -9,16 +12,150 @@
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
+namespace {
+
+/// Of the names of questions whose answers are waited for.
+constexpr std::string_view kAskPrefix = "samid";
+constexpr std::string_view kWaitsForAnswer = "waiting_ask";
+
+}  // namespace
+
+// Rule ProcMsg: one message a cycle.
+void Agent::process_message() {
+  const Message message = std::move(circumstance_.mailbox.front());
+  circumstance_.mailbox.pop_front();
+  ActionError error;
+  const bool handled = guarded(error, [&] {
+    if (!answer_arrived(message)) handle_message(message);
+    return true;
+  });
+  if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error.message));
+}
+
+void Agent::handle_message(const Message& message) {
+  const Value sender = Value::atom(symbols_.predicate(message.sender, 0));
+  const std::string_view performative = symbols_.text(message.performative);
+  // The usual performatives are done at once unless the agent has its own plans for messages.
+  if (is_literal(message.content) && !has_own_message_plans()) {
+    if (performative == "achieve") {
+      add_goal(add_source(message.content, sender));
+      return;
+    }
+    if (performative == "tell") {
+      add_belief(add_source(message.content, sender), Place::front, nullptr);
+      return;
+    }
+    if (performative == "signal") {
+      add_event({TriggerOperator::add, TriggerKind::belief, add_source(message.content, sender),
+                 nullptr, 0});
+      return;
+    }
+  }
+  const std::array<Value, 4> args{
+      sender, Value::atom(symbols_.predicate(performative, 0)), message.content,
+      Value::atom(symbols_.predicate(message.id.empty() ? "mid" : std::string_view(message.id), 0))};
+  add_goal(heap_.structure(predicates::kqml_received, args));
+}
 
 bool Agent::has_own_message_plans() const {
   const auto& plans = library_->candidates(
       {TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received});
-  return !plans.empty() && !plans.front()->is_standard;
+  return std::any_of(plans.begin(), plans.end(), [](const Plan* plan) {
+    return !plan->is_standard && !plan->any_predicate;
+  });
 }
 
+std::string Agent::new_message_id(std::string_view prefix) {
+  // The texts become atoms, which are never forgotten: so there are only so many.
+  constexpr std::uint32_t kMessageIds = 65'536;
+  while (true) {
+    last_message_ = last_message_ % kMessageIds + 1;
+    std::string id = fmt::format("{}{}", prefix, last_message_);
+    const auto& asks = circumstance_.asks;
+    const bool in_use = std::any_of(asks.begin(), asks.end(),
+                                    [&](const PendingAsk& ask) { return ask.id == id; });
+    if (!in_use) return id;
+  }
+}
+
+void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeout_ms) {
+  // An earlier question of this intention is no longer waited for (its goal was ended meanwhile).
+  std::erase_if(circumstance_.asks,
+                [&](const PendingAsk& other) { return other.intention == &intention; });
+  if (timeout_ms >= 0) {
+    ask.timer = new_token();
+    host_.set_timer(*this, host_.now_ms() + timeout_ms, ask.timer);
+  }
+  ask.intention = &intention;
+  record_bindings(intention, 0);
+  suspend(intention, Intention::State::waiting, std::string(kWaitsForAnswer));
+  if (!intention.is_finished() && intention.top().is_goal()) {
+    signal_goal_state(intention.top().kind, intention.top().trigger, "waiting", kWaitsForAnswer);
+  }
+  circumstance_.asks.push_back(std::move(ask));
+}
+
+// Whether the message answers a question that an intention waits, or has waited, for.
 bool Agent::answer_arrived(const Message& message) {
-  (void)message;
-  return false;
+  if (!message.in_reply_to.starts_with(kAskPrefix)) return false;
+  auto& asks = circumstance_.asks;
+  const auto found = std::find_if(asks.begin(), asks.end(), [&](const PendingAsk& ask) {
+    return ask.id == message.in_reply_to;
+  });
+  if (found == asks.end()) return true;  // too late
+  const Value sender = Value::atom(symbols_.predicate(message.sender, 0));
+  Value answer = message.content;
+  if (found->is_one && symbols_.text(message.performative) == "untell") {
+    answer = Value::atom(predicates::falsity);
+  } else if (answer.is_pair()) {
+    std::vector<Value> answers;
+    for (Value rest = answer; rest.is_pair(); rest = deref(rest.pair()->tail)) {
+      answers.push_back(add_source(deref(rest.pair()->head), sender));
+    }
+    answer = heap_.list(answers);
+  } else {
+    answer = add_source(answer, sender);
+  }
+  found->answers.push_back(answer);
+  if (found->answers.size() < found->awaited) return true;
+  PendingAsk ask = std::move(*found);
+  asks.erase(found);
+  if (ask.to_many) answer = heap_.list(ask.answers);
+  end_ask(std::move(ask), answer);
+  return true;
+}
+
+bool Agent::ask_timed_out(std::uint64_t token) {
+  auto& asks = circumstance_.asks;
+  const auto found = std::find_if(asks.begin(), asks.end(),
+                                  [&](const PendingAsk& ask) { return ask.timer == token; });
+  if (found == asks.end()) return false;
+  PendingAsk ask = std::move(*found);
+  asks.erase(found);
+  const Value answer = ask.to_many ? heap_.list(ask.answers)
+                                   : Value::atom(symbols_.predicate("timeout", 0));
+  end_ask(std::move(ask), answer);
+  return true;
+}
+
+void Agent::end_ask(PendingAsk ask, Value answer) {
+  Intention& intention = *ask.intention;
+  if (intention.state != Intention::State::waiting || intention.reason != kWaitsForAnswer) return;
+  Unifier& unifier = machine_.unifier();
+  const std::size_t trail = unifier.mark();
+  if (unifier.unify(ask.answer, answer)) {
+    record_bindings(intention, trail);
+    if (intention.top().is_goal()) {
+      signal_goal_state(intention.top().kind, intention.top().trigger, "executing");
+    }
+    resume(intention);
+    return;
+  }
+  ActionError error;
+  error.id = "ask_failed";
+  error.message = fmt::format("the answer {} does not unify with {}", term_text(answer, symbols_),
+                              term_text(ask.answer, symbols_));
+  fail_waiting(intention, error);
 }
 
 Value Agent::add_source(Value literal, Value sender) {
@@ -51,44 +188,6 @@ std::string Agent::plan_name(const Plan& plan) const {
     return "plan @" + std::string(symbols_.functor(literal_parts(plan.label).predicate));
   }
   return fmt::format("the plan at {}:{}", plan.file, plan.line);
-}
-
-// {plan} and {head :- body} with an operator: `+` and `-` change the plan library or the rules.
-bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind) {
-  const bool is_rule = term.is_structure() && term.structure()->form() == Form::rule;
-  if (!is_rule) return false;
-  const Value rule =
-      machine_.unifier().instantiate(term, intention.frame(intention.top()));
-  record_bindings(intention, 0);
-  add_rule(rule, kind == Step::Kind::add_end ? Place::back : Place::front);
-  go_on(intention);
-  return true;
-}
-
-// A rule that was data: its variables become slots.
-void Agent::add_rule(Value rule, Place place) {
-  Unifier& unifier = machine_.unifier();
-  renamed_.clear();
-  const std::size_t trail = unifier.mark();
-  const Value copy = unifier.rename(rule, &renamed_);
-  std::vector<Symbol> names;
-  for (std::size_t i = 0; i < renamed_.size(); ++i) {
-    const Value variable = renamed_[i].second;
-    names.push_back(variable.variable()->name());
-    unifier.bind(variable.variable(), Value::slot(static_cast<std::uint32_t>(i)));
-  }
-  const Value with_slots = unifier.apply_slots(copy);
-  unifier.undo(trail);
-  Value head = with_slots.structure()->arg(0);
-  if (!is_literal(head)) return;
-  if (!has_source(literal_parts(head).annots)) {
-    head = with_annotations(heap_, head,
-                            union_of(heap_, literal_parts(head).annots, source_self(), symbols_));
-  }
-  beliefs_.add_rule(make_rule(head, with_slots.structure()->arg(1), std::move(names), heap_,
-                              machine_.actions(), symbols_),
-                    place);
-  heap_.protect();
 }
 
 }  // namespace jaywalk

@@ -9,12 +9,13 @@ bool ServiceDirectory::matches(const Service& offered, const Service& wanted) {
          (offered.type == wanted.type || offered.type.empty() || wanted.type.empty());
 }
 
+std::string ServiceDirectory::key(std::string_view agent, const Service& service) {
+  std::string text(agent);
+  return text.append(1, '\n').append(service.name).append(1, '\n').append(service.type);
+}
+
 void ServiceDirectory::add(const std::string& agent, const Service& service) {
-  const bool known = std::any_of(offers_.begin(), offers_.end(), [&](const Entry& entry) {
-    return entry.agent == agent && entry.service.name == service.name &&
-           entry.service.type == service.type;
-  });
-  if (known) return;
+  if (!known_.insert(key(agent, service)).second) return;
   offers_.push_back({agent, service});
   for (const Entry& subscription : subscriptions_) {
     if (matches(service, subscription.service)) tell_(subscription.agent, agent, service.name);
@@ -23,7 +24,9 @@ void ServiceDirectory::add(const std::string& agent, const Service& service) {
 
 void ServiceDirectory::remove(std::string_view agent, const Service& service) {
   std::erase_if(offers_, [&](const Entry& entry) {
-    return entry.agent == agent && matches(entry.service, service);
+    if (entry.agent != agent || !matches(entry.service, service)) return false;
+    known_.erase(key(agent, entry.service));
+    return true;
   });
 }
 
@@ -45,7 +48,11 @@ void ServiceDirectory::subscribe(const std::string& agent, const Service& servic
 
 void ServiceDirectory::forget(std::string_view agent) {
   const auto is_its = [&](const Entry& entry) { return entry.agent == agent; };
-  std::erase_if(offers_, is_its);
+  std::erase_if(offers_, [&](const Entry& entry) {
+    if (!is_its(entry)) return false;
+    known_.erase(key(agent, entry.service));
+    return true;
+  });
   std::erase_if(subscriptions_, is_its);
 }
 

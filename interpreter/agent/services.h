@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace jaywalk {
@@ -39,9 +40,11 @@ class ServiceDirectory {
     Service service;
   };
   static bool matches(const Service& offered, const Service& wanted);
+  static std::string key(std::string_view agent, const Service& service);
 
   Tell tell_;
   std::vector<Entry> offers_;
+  std::unordered_set<std::string> known_;  // the keys of the offers
   std::vector<Entry> subscriptions_;
 };
 

@@ -12,7 +12,11 @@
 //   4. the environment advances, the clock moves on by one tick.
 //
 // Without an environment a step is one reasoning cycle of every active agent, and when all are idle
-// the clock jumps to the next timer.
+// the clock jumps to the next timer. (Where some agents never rest, a millisecond passes for every
+// thousand steps.)
+//
+// Agents may create others, and end them, while the system runs. Those have no body in the
+// environment: they perceive nothing, and their actions fail.
 
 #include <chrono>
 #include <cstdint>
@@ -56,11 +60,18 @@ struct MasOptions {
   std::uint64_t max_ticks = 0;
   /// Message rounds within one tick.
   std::uint32_t max_rounds = 10'000;
+  /// Agents that live at the same time; beyond, `.create_agent` fails.
+  std::size_t max_agents = 1'000'000;
   /// Heap of one agent in bytes, and the most inferences that one query may take.
   std::uint64_t max_heap_bytes = std::uint64_t{1} << 30U;
   std::uint64_t max_inferences = 1'000'000'000;
-  /// Timers follow the wall clock.
+  /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
+  /// Loads the program of an agent that is created during the run, into the run's own symbols; null
+  /// after setting `error`. Not set: agents cannot be created.
+  std::function<std::shared_ptr<const Program>(const std::string& file, SymbolTable& symbols,
+                                               std::string& error)>
+      load_program;
   /// Where `.print` and its kin write; called with whole lines `[agent] text` without line break.
   std::function<void(std::string_view line)> print;
   /// Warnings and errors of the run (an intention that failed, an unknown action).
@@ -103,17 +114,20 @@ class Mas {
   bool step();
   [[nodiscard]] const RunOutcome& outcome() const;
 
+  /// How many agents there have been; those that were killed count.
   [[nodiscard]] std::size_t agent_count() const;
+  [[nodiscard]] bool is_alive(AgentId id) const;
+  /// REQUIRES: the agent is alive; so do those that follow.
   [[nodiscard]] const Agent& agent(AgentId id) const;
   [[nodiscard]] const std::string& agent_name(AgentId id) const;
-  [[nodiscard]] double now_ms() const;
-  /// Seconds of CPU spent in reasoning so far (0 unless measured).
-  [[nodiscard]] double reasoning_cpu_s() const;
   /// What an agent is after, for people: each intention's goals, the outermost first
   /// ("test_av > cross > step(right)"), in the order of the intentions.
   [[nodiscard]] std::vector<std::string> describe_intentions(AgentId id) const;
   /// The agent's beliefs as texts, in the order of the belief base.
   [[nodiscard]] std::vector<std::string> describe_beliefs(AgentId id) const;
+  [[nodiscard]] double now_ms() const;
+  /// Seconds of CPU spent in reasoning so far (0 unless measured).
+  [[nodiscard]] double reasoning_cpu_s() const;
 
  private:
   class Implementation;

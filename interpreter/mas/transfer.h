@@ -2,12 +2,28 @@
 
 // Terms on their way from one agent to another.
 
+#include <unordered_map>
+
 #include "interpreter/term/heap.h"
 
 namespace jaywalk {
 
-/// A copy of a term in another heap; constants of programs are shared, unbound variables become
-/// fresh ones. REQUIRES: the programs outlive the heap.
-[[nodiscard]] Value transfer(Value term, Heap& to);
+/// Copies terms into another heap: constants of programs are shared, unbound variables become fresh
+/// ones, the same in all terms that one Transfer copies. REQUIRES: the programs outlive the heap.
+class Transfer {
+ public:
+  explicit Transfer(Heap& to) : to_(to) {}
+  [[nodiscard]] Value copy(Value term);
+
+ private:
+  Value list(Value term);
+  Value structure(const Structure& structure);
+
+  Heap& to_;
+  std::unordered_map<std::uint64_t, Value> variables_;
+  int depth_ = 0;
+};
+
+[[nodiscard]] inline Value transfer(Value term, Heap& to) { return Transfer(to).copy(term); }
 
 }  // namespace jaywalk

@@ -1,0 +1,65 @@
+#include "interpreter/mas/residents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace jaywalk {
+
+std::string Residents::free_name(const std::string& name) {
+  if (!by_name_.contains(name)) return name;
+  std::uint32_t& suffix = suffixes_[name];
+  while (true) {
+    std::string suffixed = fmt::format("{}_{}", name, ++suffix);
+    if (!by_name_.contains(suffixed)) return suffixed;
+  }
+}
+
+Resident& Residents::add(std::unique_ptr<Agent> agent, std::shared_ptr<const Program> program) {
+  const auto number = static_cast<std::uint32_t>(all_.size());
+  by_name_.emplace(agent->name(), number);
+  numbers_.emplace(agent.get(), number);
+  Resident& resident = all_.emplace_back();
+  resident.agent = std::move(agent);
+  resident.program = std::move(program);
+  resident.number = number;
+  return resident;
+}
+
+void Residents::remove(Resident& resident) {
+  if (resident.is_leaving) return;
+  resident.is_leaving = true;
+  by_name_.erase(by_name_.find(resident.agent->name()));
+  suffixes_.clear();
+  leaving_.push_back(resident.number);
+}
+
+void Residents::bury() {
+  for (const std::uint32_t number : leaving_) {
+    numbers_.erase(all_[number].agent.get());
+    all_[number].agent.reset();
+  }
+  leaving_.clear();
+}
+
+Resident* Residents::find(std::string_view name) {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : &all_[found->second];
+}
+
+void Residents::wake(Resident& resident) {
+  if (resident.is_listed || resident.is_leaving) return;
+  resident.is_listed = true;
+  woken_.push_back(resident.number);
+}
+
+void Residents::list_woken() {
+  if (woken_.empty()) return;
+  std::sort(woken_.begin(), woken_.end());
+  const auto middle = static_cast<std::ptrdiff_t>(active_.size());
+  active_.insert(active_.end(), woken_.begin(), woken_.end());
+  std::inplace_merge(active_.begin(), active_.begin() + middle, active_.end());
+  woken_.clear();
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,94 @@
+#pragma once
+
+// The agents of a system by number and name, and which of them have something to do. Agents may
+// come and go while others reason: a newcomer first reasons in the next round, one that has left is
+// destroyed only when no agent is reasoning. Idle agents cost nothing.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/agent/agent.h"
+
+namespace jaywalk {
+
+struct Resident {
+  std::unique_ptr<Agent> agent;  // null once it has left
+  /// Kept as long as the run, since terms that were sent refer to its constants.
+  std::shared_ptr<const Program> program;
+  std::uint32_t number = 0;
+  bool has_body = false;     // the environment knows it
+  bool is_listed = false;    // as awake, or to be from the next round on
+  bool is_asleep = false;    // it has been told so (jag_sleeping)
+  bool has_mail = false;
+  bool is_leaving = false;   // reasons no more
+  std::uint64_t period = 0;  // for which cycles_before holds
+  std::uint64_t cycles_before = 0;
+};
+
+class Residents {
+ public:
+  /// `name`, or the first of name_1, name_2, ... that is free.
+  [[nodiscard]] std::string free_name(const std::string& name);
+  /// REQUIRES: the agent's name is free.
+  Resident& add(std::unique_ptr<Agent> agent, std::shared_ptr<const Program> program);
+  /// The agent has left; its name is free again.
+  void remove(Resident& resident);
+  /// Destroys those that have left. REQUIRES: no agent is reasoning.
+  void bury();
+
+  /// The number of agents that there have been.
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  [[nodiscard]] std::size_t living() const { return by_name_.size(); }
+  [[nodiscard]] Resident& operator[](std::uint32_t number) { return all_[number]; }
+  [[nodiscard]] const Resident& operator[](std::uint32_t number) const { return all_[number]; }
+  /// Null if there is no such agent.
+  [[nodiscard]] Resident* find(std::string_view name);
+  [[nodiscard]] Resident& of(const Agent& agent) { return all_[numbers_.at(&agent)]; }
+  /// In the order of their numbers, those that have left included.
+  [[nodiscard]] std::deque<Resident>& all() { return all_; }
+  [[nodiscard]] const std::deque<Resident>& all() const { return all_; }
+
+  /// The agent may have something to do: it takes part from the next round on.
+  void wake(Resident& resident);
+  /// One round: `work` for each agent that has something to do, in the order of numbers.
+  template <class Work>
+  void for_each_active(Work work) {
+    list_woken();
+    std::size_t kept = 0;
+    for (const std::uint32_t number : active_) {
+      Resident& resident = all_[number];
+      if (!resident.is_leaving && resident.agent->is_active()) work(resident);
+      if (!resident.is_leaving && resident.agent->is_active()) {
+        active_[kept++] = number;
+      } else {
+        resident.is_listed = false;
+      }
+    }
+    active_.resize(kept);
+  }
+
+ private:
+  struct NameHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view name) const {
+      return std::hash<std::string_view>{}(name);
+    }
+  };
+
+  void list_woken();
+
+  std::deque<Resident> all_;  // a deque: references stay good when agents come
+  std::unordered_map<std::string, std::uint32_t, NameHash, std::equal_to<>> by_name_;
+  std::unordered_map<const Agent*, std::uint32_t> numbers_;
+  std::unordered_map<std::string, std::uint32_t> suffixes_;  // the last that was taken
+  std::vector<std::uint32_t> active_;  // sorted
+  std::vector<std::uint32_t> woken_;   // to be active from the next round on
+  std::vector<std::uint32_t> leaving_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,414 @@
+#include "interpreter/mas/system.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <thread>
+
+#include "interpreter/agent/step_guard.h"
+#include "interpreter/mas/transfer.h"
+
+namespace jaywalk {
+namespace {
+
+/// How long the virtual clock lets busy agents reason while it moves on by a millisecond, so that
+/// an agent that never rests does not keep the others from waking up. Few programs get there before
+/// they wait.
+constexpr std::uint64_t kStepsPerMs = 1000;
+
+/// How long a step may sleep in real time; between steps the run can be interrupted.
+constexpr double kLongestSleepMs = 20;
+
+double thread_cpu_s() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+void sleep_ms(double ms) {
+  if (ms > 0) std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(ms));
+}
+
+}  // namespace
+
+Mas::Implementation::Implementation(std::shared_ptr<const SymbolTable> symbols, MasOptions options,
+                                    Environment* environment)
+    : symbols_(std::move(symbols)),
+      options_(std::move(options)),
+      environment_(environment),
+      services_([this](const std::string& subscriber, const std::string& provider,
+                       const std::string& service) {
+        tell_of_provider(subscriber, provider, service);
+      }) {}
+
+// Agents come and go.
+
+Resident& Mas::Implementation::settle(const std::string& name,
+                                      std::shared_ptr<const Program> program) {
+  const std::uint64_t seed = mix_seed(options_.seed ^ mix_seed(residents_.size()));
+  auto agent =
+      std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
+                              AgentLimits{options_.max_heap_bytes, options_.max_inferences});
+  Resident& resident = residents_.add(std::move(agent), std::move(program));
+  residents_.wake(resident);
+  return resident;
+}
+
+void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
+  std::vector<Predicate> replaced;
+  std::vector<Value> given;
+  ActionError error;
+  const bool started = guarded(error, [&] {
+    for (const Parameter& parameter : spec.parameters) {
+      replaced.push_back(parameter.predicate);
+      given.push_back(agent.heap().structure(parameter.predicate, parameter.args, source_self()));
+    }
+    agent.start(replaced, given);
+    return true;
+  });
+  if (!started) agent.log("in its initial beliefs and goals: " + error.message);
+}
+
+AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
+  Resident& resident = settle(spec.name, spec.program);
+  resident.has_body = environment_ != nullptr;
+  start(*resident.agent, spec);
+  return AgentId{resident.number};
+}
+
+bool Mas::Implementation::is_full() const { return residents_.living() >= options_.max_agents; }
+
+Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
+  if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
+  if (!options_.load_program) return {{}, "agents cannot be created in this run"};
+  AgentSpec spec;
+  std::string error;
+  spec.program = options_.load_program(file, symbols_, error);
+  if (spec.program == nullptr) return {{}, error};
+  Agent& agent = *settle(name, spec.program).agent;
+  start(agent, spec);
+  return {agent.name(), {}};
+}
+
+Society::Creation Mas::Implementation::clone(Agent& original, const std::string& name) {
+  if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
+  Agent& agent = *settle(name, residents_.of(original).program).agent;
+  agent.copy_from(original);
+  return {agent.name(), {}};
+}
+
+bool Mas::Implementation::kill(std::string_view name, double deadline_ms) {
+  Resident* const resident = residents_.find(name);
+  if (resident == nullptr) return false;
+  if (deadline_ms > 0) {
+    const Value ms = Value::number(deadline_ms);
+    announce(*resident->agent, predicates::jag_shutting_down, std::span(&ms, 1));
+    timers_.add({.at_ms = now_ms_ + deadline_ms,
+                 .purpose = Timer::Purpose::departure,
+                 .agent = resident->number});
+  } else {
+    leave(*resident);
+  }
+  return true;
+}
+
+void Mas::Implementation::leave(Resident& resident) {
+  services_.forget(resident.agent->name());
+  residents_.remove(resident);
+}
+
+void Mas::Implementation::stop(double deadline_ms, int exit_code) {
+  outcome_.exit_code = exit_code;
+  if (deadline_ms <= 0) {
+    end(RunEnd::stopped);
+    return;
+  }
+  const Value ms = Value::number(deadline_ms);
+  for (Resident& resident : residents_.all()) {
+    if (resident.is_leaving) continue;
+    announce(*resident.agent, predicates::jag_shutting_down, std::span(&ms, 1));
+  }
+  timers_.add({.at_ms = now_ms_ + deadline_ms, .purpose = Timer::Purpose::stop});
+}
+
+void Mas::Implementation::end(RunEnd how, std::string message) {
+  if (ended_) return;
+  ended_ = true;
+  outcome_.end = how;
+  outcome_.message = std::move(message);
+}
+
+// What agents ask for.
+
+void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t token) {
+  timers_.add({.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token});
+}
+
+bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_body; }
+
+void Mas::Implementation::print(Agent& agent, std::string_view text) {
+  if (options_.print) options_.print(fmt::format("[{}] {}", agent.name(), text));
+}
+
+void Mas::Implementation::log(Agent& agent, std::string_view text) {
+  if (options_.log) options_.log(fmt::format("[{}] {}", agent.name(), text));
+}
+
+std::vector<std::string> Mas::Implementation::names() const {
+  std::vector<std::string> names;
+  for (const Resident& resident : residents_.all()) {
+    if (!resident.is_leaving) names.push_back(resident.agent->name());
+  }
+  return names;
+}
+
+// Messages.
+
+bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
+  Resident* const receiver = message.receiver == "self" ? &residents_.of(sender)
+                                                        : residents_.find(message.receiver);
+  if (receiver == nullptr) return false;
+  Message copy;
+  copy.sender = receiver->agent.get() == &sender ? "self" : sender.name();
+  copy.performative = message.performative;
+  copy.content = transfer(message.content, receiver->agent->heap());
+  copy.id = message.id;
+  copy.in_reply_to = message.in_reply_to;
+  post(*receiver, std::move(copy));
+  return true;
+}
+
+void Mas::Implementation::tell_of_provider(const std::string& subscriber,
+                                           const std::string& provider,
+                                           const std::string& service) {
+  Resident* const receiver = residents_.find(subscriber);
+  if (receiver == nullptr) return;
+  Heap& heap = receiver->agent->heap();
+  const std::array<Value, 2> args{Value::atom(symbols_.predicate(provider, 0)), heap.text(service)};
+  Message message;
+  message.sender = "df";
+  message.performative = symbols_.symbol("tell");
+  message.content = heap.structure(symbols_.predicate("provider", 2), args);
+  post(*receiver, std::move(message));
+}
+
+void Mas::Implementation::post(Resident& receiver, Message message) {
+  receiver.agent->circumstance().arriving.push_back(std::move(message));
+  if (receiver.has_mail) return;
+  receiver.has_mail = true;
+  receivers_.push_back(receiver.number);
+}
+
+bool Mas::Implementation::deliver_messages() {
+  if (receivers_.empty()) return false;
+  for (const std::uint32_t number : receivers_) {
+    Resident& receiver = residents_[number];
+    receiver.has_mail = false;
+    if (receiver.is_leaving) continue;
+    auto& arriving = receiver.agent->circumstance().arriving;
+    for (Message& message : arriving) receiver.agent->receive(std::move(message));
+    arriving.clear();
+    wake(receiver);
+  }
+  receivers_.clear();
+  return true;
+}
+
+// Events about the agent itself. Most agents have no plans for them.
+
+void Mas::Implementation::announce(Agent& agent, Predicate predicate, std::span<const Value> args) {
+  const Value literal =
+      args.empty() ? Value::atom(predicate) : agent.heap().structure(predicate, args);
+  agent.add_event({TriggerOperator::add, TriggerKind::belief, literal, nullptr, 0});
+  residents_.wake(residents_.of(agent));
+}
+
+void Mas::Implementation::put_to_sleep(Resident& resident) {
+  if (resident.is_asleep) return;
+  resident.is_asleep = true;
+  announce(*resident.agent, predicates::jag_sleeping, {});
+}
+
+void Mas::Implementation::wake(Resident& resident) {
+  residents_.wake(resident);
+  if (!resident.is_asleep) return;
+  resident.is_asleep = false;
+  announce(*resident.agent, predicates::jag_awaking, {});
+}
+
+// The run.
+
+bool Mas::Implementation::step() {
+  if (ended_) return false;
+  environment_ != nullptr ? tick() : free_step();
+  residents_.bury();
+  return !ended_;
+}
+
+double Mas::Implementation::wall_ms() const {
+  const std::chrono::duration<double, std::milli> passed =
+      std::chrono::steady_clock::now() - wall_start_;
+  return passed.count();
+}
+
+// One cycle of an agent that has something to do.
+void Mas::Implementation::reason(Resident& resident) {
+  Agent& agent = *resident.agent;
+  if (resident.period != period_) {
+    resident.period = period_;
+    resident.cycles_before = agent.cycles();
+  }
+  agent.cycle();
+  ++outcome_.cycles;
+  if (agent.cycles() - resident.cycles_before > options_.max_cycles_per_tick) {
+    end(RunEnd::looping, busy_message(agent, options_.max_cycles_per_tick));
+  } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
+    end(RunEnd::limit, fmt::format("agent {} has reasoned for {} cycles, the limit", agent.name(),
+                                   options_.max_cycles));
+  }
+  if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
+}
+
+std::string Mas::Implementation::busy_message(const Agent& agent, std::uint64_t cycles) const {
+  std::string doing;
+  for (const auto& intention : agent.circumstance().intentions) {
+    if (intention->is_finished()) continue;
+    doing = fmt::format(", last in {}", agent.plan_name(*intention->top().plan));
+  }
+  return fmt::format("agent {} reasoned for {} cycles without waiting{}; it seems to loop for ever",
+                     agent.name(), cycles, doing);
+}
+
+// All agents reason, in rounds, until none has anything to do.
+void Mas::Implementation::reason_until_quiet() {
+  ++period_;
+  std::uint32_t rounds = 0;
+  do {
+    if (++rounds > options_.max_rounds) {
+      end(RunEnd::looping, fmt::format("agents exchanged messages for {} rounds in one tick",
+                                       options_.max_rounds));
+      return;
+    }
+    residents_.for_each_active([this](Resident& resident) {
+      while (!ended_ && !resident.is_leaving && resident.agent->is_active()) reason(resident);
+    });
+    if (ended_) return;
+  } while (deliver_messages());
+}
+
+void Mas::Implementation::tick() {
+  if (environment_->finished()) {
+    end(RunEnd::finished);
+    return;
+  }
+  const double start = options_.measure_cpu ? thread_cpu_s() : 0;
+  perceive();
+  reason_until_quiet();
+  if (options_.measure_cpu) cpu_s_ += thread_cpu_s() - start - perceiving_s_;
+  if (ended_) return;
+  residents_.bury();
+  execute_actions();
+  environment_->advance();
+  now_ms_ += environment_->tick_ms();
+  if (options_.realtime) sleep_ms(now_ms_ - wall_ms());
+  fire_timers();
+  ++outcome_.ticks;
+  if (environment_->finished()) {
+    end(RunEnd::finished);
+  } else if (options_.max_ticks != 0 && outcome_.ticks >= options_.max_ticks) {
+    end(RunEnd::limit, fmt::format("{} ticks, the limit", options_.max_ticks));
+  }
+}
+
+void Mas::Implementation::perceive() {
+  perceiving_s_ = 0;
+  for (Resident& resident : residents_.all()) {
+    if (!resident.has_body || resident.is_leaving) continue;
+    const double start = options_.measure_cpu ? thread_cpu_s() : 0;
+    percepts_.clear();
+    environment_->perceive(AgentId{resident.number}, percepts_);
+    if (options_.measure_cpu) perceiving_s_ += thread_cpu_s() - start;
+    resident.agent->update_percepts(percepts_);
+    if (resident.agent->is_active()) wake(resident);
+  }
+}
+
+void Mas::Implementation::execute_actions() {
+  requests_.clear();
+  actors_.clear();
+  for (Resident& resident : residents_.all()) {
+    if (!resident.has_body || resident.is_leaving) continue;
+    const PendingAction* const action = resident.agent->take_action();
+    if (action == nullptr) continue;
+    const Value literal = action->literal;
+    const bool atom = literal.is_atom();
+    requests_.push_back({AgentId{resident.number},
+                         atom ? literal.atom_id() : literal.structure()->predicate(),
+                         atom ? std::span<const Value>{} : literal.structure()->arg_span()});
+    actors_.push_back(resident.agent.get());
+  }
+  results_.assign(requests_.size(), ActionResult{});
+  environment_->execute(requests_, results_);
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    actors_[i]->give_feedback(results_[i].succeeded, std::move(results_[i].reason));
+    wake(residents_.of(*actors_[i]));
+  }
+}
+
+void Mas::Implementation::fire_timers() {
+  while (!timers_.empty() && timers_.next_ms() <= now_ms_ && !ended_) {
+    const Timer timer = timers_.take();
+    if (timer.purpose == Timer::Purpose::stop) {
+      end(RunEnd::stopped);
+      return;
+    }
+    Resident& resident = residents_[timer.agent];
+    if (resident.is_leaving) continue;
+    if (timer.purpose == Timer::Purpose::departure) {
+      leave(resident);
+      continue;
+    }
+    resident.agent->timer_fired(timer.token);
+    if (resident.agent->is_active()) wake(resident);
+  }
+}
+
+// Without an environment: one cycle of every active agent; time passes when all are idle.
+void Mas::Implementation::free_step() {
+  if (options_.realtime) {
+    now_ms_ = std::max(now_ms_, wall_ms());
+    fire_timers();
+  }
+  bool any = false;
+  residents_.for_each_active([&](Resident& resident) {
+    if (ended_) return;
+    any = true;
+    reason(resident);
+  });
+  if (ended_) return;
+  if (!deliver_messages() && !any) {
+    pass_idle_time();
+  } else if (!options_.realtime && ++busy_steps_ >= kStepsPerMs) {
+    busy_steps_ = 0;
+    now_ms_ += 1;
+    fire_timers();
+  }
+}
+
+void Mas::Implementation::pass_idle_time() {
+  if (timers_.empty()) {
+    end(RunEnd::idle);
+    return;
+  }
+  ++period_;
+  if (options_.realtime) {
+    sleep_ms(std::min(timers_.next_ms() - now_ms_, kLongestSleepMs));
+    return;
+  }
+  busy_steps_ = 0;
+  now_ms_ = std::max(now_ms_, timers_.next_ms());
+  fire_timers();
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,98 @@
+#pragma once
+
+// The multi-agent system behind Mas (mas.h, read it first): the order in which things happen, and
+// what agents ask of the system.
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/agent/host.h"
+#include "interpreter/agent/services.h"
+#include "interpreter/mas/mas.h"
+#include "interpreter/mas/residents.h"
+#include "interpreter/mas/timers.h"
+
+namespace jaywalk {
+
+class Mas::Implementation : public AgentHost, public Society {
+ public:
+  Implementation(std::shared_ptr<const SymbolTable> symbols, MasOptions options,
+                 Environment* environment);
+
+  AgentId add_agent(const AgentSpec& spec);
+  bool step();
+
+  [[nodiscard]] const RunOutcome& outcome() const { return outcome_; }
+  [[nodiscard]] const Residents& residents() const { return residents_; }
+  [[nodiscard]] double reasoning_cpu_s() const { return cpu_s_; }
+
+  // AgentHost
+  [[nodiscard]] double now_ms() const override { return now_ms_; }
+  void set_timer(Agent& agent, double at_ms, std::uint64_t token) override;
+  bool send(Agent& sender, const OutgoingMessage& message) override;
+  bool act(Agent& agent) override;
+  void print(Agent& agent, std::string_view text) override;
+  void log(Agent& agent, std::string_view text) override;
+  [[nodiscard]] Society& society() override { return *this; }
+
+  // Society
+  [[nodiscard]] std::vector<std::string> names() const override;
+  [[nodiscard]] Creation create(const std::string& name, const std::string& file) override;
+  [[nodiscard]] Creation clone(Agent& original, const std::string& name) override;
+  bool kill(std::string_view name, double deadline_ms) override;
+  void stop(double deadline_ms, int exit_code) override;
+  [[nodiscard]] ServiceDirectory& services() override { return services_; }
+
+ private:
+  Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
+  [[nodiscard]] bool is_full() const;
+  void start(Agent& agent, const AgentSpec& spec);
+  void end(RunEnd how, std::string message = {});
+  void leave(Resident& resident);
+
+  // One step of the run.
+  void tick();
+  void free_step();
+  void perceive();
+  void reason_until_quiet();
+  void execute_actions();
+  void reason(Resident& resident);
+  void fire_timers();
+  void pass_idle_time();
+
+  void wake(Resident& resident);
+  void put_to_sleep(Resident& resident);
+  void announce(Agent& agent, Predicate predicate, std::span<const Value> args);
+  void post(Resident& receiver, Message message);
+  bool deliver_messages();
+  void tell_of_provider(const std::string& subscriber, const std::string& provider,
+                        const std::string& service);
+  [[nodiscard]] std::string busy_message(const Agent& agent, std::uint64_t cycles) const;
+  [[nodiscard]] double wall_ms() const;
+
+  SymbolTable symbols_;  // of this run, above the programs' own
+  MasOptions options_;
+  Environment* environment_;
+  Residents residents_;
+  Timers timers_;
+  ServiceDirectory services_;
+  std::chrono::steady_clock::time_point wall_start_ = std::chrono::steady_clock::now();
+  double now_ms_ = 0;
+  std::uint64_t period_ = 1;       // counts the ticks, or the times when all agents were idle
+  std::uint64_t busy_steps_ = 0;   // since time passed
+  std::vector<std::uint32_t> receivers_;  // of messages that are to be delivered
+  bool ended_ = false;
+  RunOutcome outcome_;
+  double cpu_s_ = 0;
+  double perceiving_s_ = 0;
+  Percepts percepts_;
+  std::vector<ActionRequest> requests_;
+  std::vector<ActionResult> results_;
+  std::vector<Agent*> actors_;
+};
+
+}  // namespace jaywalk
