@@ -121,19 +121,22 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto include_path = read_include_path(arguments, console);
   if (!include_path) return ExitCode::usage;
   Checker checker(*include_path);
-  bool all_known = true;
+  std::size_t checked = 0;
   for (const std::string& path : arguments.operands()) {
-    if (checker.check_file(path)) continue;
-    console.error(fmt::format("expected a file .asl, .mas2j or .yaml, found '{}'", path));
-    all_known = false;
+    if (checker.check_file(path)) {
+      ++checked;
+    } else {
+      console.error(fmt::format("expected a file .asl, .mas2j or .yaml, found '{}'", path));
+    }
   }
+  const bool all_checked = checked == arguments.operands().size();
   const Diagnostics& found = checker.diagnostics();
   console.report(found);
-  console.print(fmt::format("{} checked: {}, {}\n", counted(arguments.operands().size(), "file"),
+  console.print(fmt::format("{} checked: {}, {}\n", counted(checked, "file"),
                             counted(found.error_count(), "error"),
                             counted(found.warning_count(), "warning")));
   const bool failed = found.has_errors() || (arguments.has("werror") && found.warning_count() > 0);
-  return failed || !all_known ? ExitCode::usage : ExitCode::success;
+  return failed || !all_checked ? ExitCode::usage : ExitCode::success;
 }
 
 }  // namespace jaywalk::command::check

@@ -40,17 +40,20 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return result;
 }
 
+/// Names on the left, summaries on the right; beside a long name there is none, but below it.
 std::string columns(std::string_view indent, const std::vector<Row>& rows) {
   constexpr std::size_t kLineWidth = 100;
-  constexpr std::size_t kLeast = 30;
+  constexpr std::size_t kWidestName = 32;
   std::size_t width = 0;
-  for (const Row& row : rows) width = std::max(width, row.name.size());
+  for (const Row& row : rows) {
+    if (row.name.size() <= kWidestName) width = std::max(width, row.name.size());
+  }
   const std::size_t left = indent.size() + width + 2;
   std::string text;
   for (const Row& row : rows) {
-    const std::string right =
-        wrapped(row.summary, kLineWidth - std::min(left, kLineWidth - kLeast), left);
-    text += fmt::format("{}{:<{}}  {}\n", indent, row.name, width, right);
+    const std::string gap = row.name.size() > width ? '\n' + std::string(left, ' ') : "  ";
+    text += fmt::format("{}{:<{}}{}{}\n", indent, row.name, width, gap,
+                        wrapped(row.summary, kLineWidth - left, left));
   }
   return text;
 }

@@ -13,6 +13,7 @@
 #include "interpreter/syntax/load.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/program_loader.h"
 #include "tools/jaywalk/project_agents.h"
 
 namespace jaywalk {
@@ -70,7 +71,8 @@ ExitCode run_to_end(Mas& mas, const Limits& limits, Console& console) {
       console.note("interrupted");
       return ExitCode::interrupted;
     }
-    if (steps % kStepsBetweenLooks == 0 && deadline.passed()) {
+    // In real time a step may sleep.
+    if ((limits.mas.realtime || steps % kStepsBetweenLooks == 0) && deadline.passed()) {
       console.error(fmt::format("stopped after {:g} s, as --timeout asks", deadline.seconds()));
       return ExitCode::failed;
     }
@@ -97,16 +99,28 @@ std::optional<std::vector<AgentSpec>> compile_all(const std::vector<ProgramSourc
   return agents;
 }
 
-ExitCode run_sources(const std::vector<ProgramSource>& sources, const Limits& limits,
-                     Console& console) {
+/// `folder` is the one of the program or project.
+ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::string& folder,
+                     const Limits& limits, Console& console) {
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
   const auto agents = compile_all(sources, *symbols, diagnostics);
   console.report(diagnostics);
   if (!agents) return ExitCode::usage;
-  Mas mas(symbols, limits.mas, nullptr);
+  MasOptions options = limits.mas;
+  const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
+  options.load_program = [loader =
+                              std::make_shared<ProgramLoader>(std::vector{folder}, include_path)](
+                             const std::string& file, SymbolTable& run_symbols,
+                             std::string& error) { return loader->load(file, run_symbols, error); };
+  Mas mas(symbols, std::move(options), nullptr);
   for (const AgentSpec& agent : *agents) mas.add_agent(agent);
   return run_to_end(mas, limits, console);
+}
+
+std::string folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
 }
 
 }  // namespace
@@ -118,7 +132,7 @@ ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Con
   const ProgramSource source{.path = path,
                              .include_path = *include_path,
                              .agents = {std::filesystem::path(path).stem().string()}};
-  return run_sources({source}, *limits, console);
+  return run_sources({source}, folder_of(path), *limits, console);
 }
 
 ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
@@ -130,7 +144,7 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   const auto sources = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
   if (!sources) return ExitCode::usage;
-  return run_sources(*sources, *limits, console);
+  return run_sources(*sources, folder_of(path), *limits, console);
 }
 
 }  // namespace jaywalk

@@ -1,0 +1,55 @@
+#include "tools/jaywalk/program_loader.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "interpreter/compile/compiler.h"
+
+namespace jaywalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string first_error(const Diagnostics& diagnostics) {
+  const auto error = std::ranges::find(diagnostics.items(), Severity::error, &Diagnostic::severity);
+  if (error == diagnostics.items().end()) return "the program cannot be read";
+  if (error->where.source == nullptr) return fmt::format("{}: {}", error->subject, error->message);
+  const auto at = error->where.source->position(error->where.span.begin);
+  return fmt::format("{}:{}:{}: {}", error->where.source->name(), at.line, at.column,
+                     error->message);
+}
+
+}  // namespace
+
+std::string ProgramLoader::find(const std::string& file) const {
+  for (const auto& folders : {folders_, include_path_.folders}) {
+    for (const std::string& folder : folders) {
+      const fs::path candidate = (fs::path(folder) / file).lexically_normal();
+      std::error_code ignored;
+      if (fs::is_regular_file(candidate, ignored)) return candidate.string();
+    }
+  }
+  return file;
+}
+
+std::shared_ptr<const Program> ProgramLoader::load(const std::string& file, SymbolTable& symbols,
+                                                   std::string& error) {
+  const std::string path = find(file);
+  std::error_code ignored;
+  const fs::file_time_type changed = fs::last_write_time(path, ignored);
+  const auto known = loaded_.find(path);
+  if (known != loaded_.end() && known->second.changed == changed) return known->second.program;
+  Diagnostics diagnostics;
+  const SourceTree tree = load_agent(path, include_path_, diagnostics);
+  auto program = compile(tree, symbols, diagnostics);
+  if (program == nullptr) {
+    error = first_error(diagnostics);
+    return nullptr;
+  }
+  loaded_[path] = {changed, program};
+  return program;
+}
+
+}  // namespace jaywalk
