@@ -1,8 +1,10 @@
 #include "experiment/scenario_yaml.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 namespace jaywalk {
@@ -100,18 +102,49 @@ std::string as_message(std::string text) {
   return text;
 }
 
+/// Notes where the documents of a text begin.
+class DocumentStarts : public YAML::EventHandler {
+ public:
+  std::vector<YAML::Mark> marks;
+
+  void OnDocumentStart(const YAML::Mark& mark) override { marks.push_back(mark); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+// Where the first documents begin, two at most. yaml-cpp's own LoadAll never ends on a text such as
+// `, a`, which it takes for documents without end that all begin at the same place.
+std::vector<YAML::Mark> document_starts(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  while (starts.marks.size() < 2 && parser.HandleNextDocument(starts)) {
+  }
+  return std::move(starts.marks);
+}
+
 std::optional<ConfigNode> convert_text(const std::string& text, Converter& converter,
                                        Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty()) return ConfigNode{};
-    if (documents.size() > 1) {
-      report(diagnostics, converter.origin(documents[1].Mark(), 1),
-             "a second document, only one is expected");
+    const std::vector<YAML::Mark> starts = document_starts(text);
+    if (starts.empty()) return ConfigNode{};
+    if (starts.size() > 1) {
+      const bool stuck = starts[1].pos == starts[0].pos;
+      report(diagnostics, converter.origin(starts[1], 1),
+             stuck ? "expected keys and values" : "a second document, only one is expected");
       return std::nullopt;
     }
-    ConfigNode result = converter.convert(documents[0], 0);
+    ConfigNode result = converter.convert(YAML::Load(text), 0);
     if (diagnostics.error_count() > errors) return std::nullopt;
     return result;
   } catch (const YAML::Exception& error) {

@@ -64,6 +64,15 @@ std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& in
   return {test->second.begin(), test->second.begin() + input.agents};
 }
 
+StartCells start_cells(const Scenario& scenario, std::uint32_t agents, std::uint64_t seed,
+                       std::uint64_t tests) {
+  StartCells cells;
+  for (std::uint64_t test = 0; test < tests; ++test) {
+    cells[test] = start_cells(scenario, {.agents = agents, .seed = seed, .test = test});
+  }
+  return cells;
+}
+
 std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) {
   if (input.behaviour >= prepared.behaviours().size()) {
     return fmt::format("there is no behaviour {}, only {}", input.behaviour,

@@ -95,6 +95,10 @@ struct TrialResult {
 /// do not depend on the behaviour.
 [[nodiscard]] std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input);
 
+/// Those of the tests from 0, as a file could hold them (print_start_cells).
+[[nodiscard]] StartCells start_cells(const Scenario& scenario, std::uint32_t agents,
+                                     std::uint64_t seed, std::uint64_t tests);
+
 /// Why the trial cannot run (a behaviour or start cells that do not exist); empty if it can.
 [[nodiscard]] std::string obstacle(const PreparedScenario& prepared, const TrialInput& input);
 

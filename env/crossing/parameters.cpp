@@ -1,5 +1,6 @@
 #include "env/crossing/parameters.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -8,11 +9,14 @@
 namespace jaywalk {
 namespace {
 
-// Keeps what is a whole number by design (1.33 s · 6 cells/s excepted) from being rounded away.
+// Keeps a whole number that came out a little less (0.1 · 3 / 0.3) from being rounded away.
 constexpr double kEpsilon = 1e-9;
+// Beyond any grid, and small enough to be added up.
+constexpr double kFar = 1e9;
 
-int floor_to_int(double value) { return static_cast<int>(std::floor(value + kEpsilon)); }
-int ceil_to_int(double value) { return static_cast<int>(std::ceil(value - kEpsilon)); }
+int to_cell(double whole) { return static_cast<int>(std::clamp(whole, -kFar, kFar)); }
+int floor_to_cell(double value) { return to_cell(std::floor(value + kEpsilon)); }
+int ceil_to_cell(double value) { return to_cell(std::ceil(value - kEpsilon)); }
 
 void check_av(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const AvParameters& av = parameters.av;
@@ -124,15 +128,15 @@ Interval zone_ahead(const CrossingParameters& parameters) {
   if (zone.ahead) return *zone.ahead;
   // The middle of the k-th cell ahead is reached after (k - 1/2) / speed.
   const double cells_per_second = parameters.av.speed / parameters.tick_s;
-  return {ceil_to_int(zone.ttc.from * cells_per_second + 0.5),
-          floor_to_int(zone.ttc.to * cells_per_second + 0.5)};
+  return {ceil_to_cell(zone.ttc.from * cells_per_second + 0.5),
+          floor_to_cell(zone.ttc.to * cells_per_second + 0.5)};
 }
 
 int zone_origin(const CrossingParameters& parameters, int ticks) {
   const AvParameters& av = parameters.av;
   const int ahead =
       parameters.zone.origin == ZoneOrigin::stopping_distance ? av.stopping_distance : 0;
-  return av.start + ahead + floor_to_int(av.speed * ticks);
+  return av.start + ahead + floor_to_cell(av.speed * ticks);
 }
 
 std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {

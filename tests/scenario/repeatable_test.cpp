@@ -1,6 +1,8 @@
 // A trial is a pure function of the scenario and its input: the order of trials, the thread and
 // what ran before do not matter.
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <thread>
 
@@ -78,6 +80,25 @@ TEST(Trials, StartAllBehavioursAlike) {
                          .outcome.start);
   }
   for (const std::vector<Position>& start : starts) EXPECT_EQ(start, starts[0]);
+}
+
+TEST(Trials, RunAlikeFromStartCellsThatWereWrittenAndRead) {
+  const auto drawn = paper();
+  const std::string file = testing::TempDir() + "jaywalk_starts.csv";
+  std::ofstream(file) << print_start_cells(start_cells(drawn->scenario(), 3, 5, 10));
+  ScenarioOptions options;
+  options.sets = {"world.spawn.cells=" + file, "world.spawn.choose=cell"};
+  const auto read = paper(options);
+  std::filesystem::remove(file);
+  ASSERT_NE(read, nullptr);
+  for (std::uint64_t test = 0; test < 10; ++test) {
+    const TrialInput input{.behaviour = 0, .agents = 3, .seed = 5, .test = test};
+    const CrossingResult expected = run_trial(*drawn, input).outcome;
+    const CrossingResult result = run_trial(*read, input).outcome;
+    EXPECT_EQ(result.start, expected.start);
+    EXPECT_EQ(result.score(), expected.score());
+  }
+  EXPECT_NE(obstacle(*read, {.behaviour = 0, .agents = 3, .seed = 5, .test = 10}), "");
 }
 
 TEST(Trials, SayWhyTheyCannotRun) {

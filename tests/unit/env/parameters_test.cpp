@@ -60,6 +60,14 @@ TEST(CrossingParameters, RoundPositionsOfAFractionalSpeedDownToCells) {
   EXPECT_EQ(zone_origin(parameters, 2), 11);
 }
 
+TEST(CrossingParameters, StayWithinBoundsWhateverTheSpeed) {
+  CrossingParameters parameters;
+  parameters.av.speed = 1e12;
+  parameters.zone.ttc = {0, 3600};
+  EXPECT_GT(zone_origin(parameters, 1000), parameters.road_end);
+  EXPECT_GT(zone_ahead(parameters).last, parameters.length);
+}
+
 TEST(CrossingParameters, SayWhatDoesNotFitTogether) {
   CrossingParameters parameters;
   parameters.av.rows = {11, 12};
