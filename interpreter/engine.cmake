@@ -6,6 +6,7 @@ jaywalk_add_library(engine
   SOURCES
     term/compare.cpp
     term/heap.cpp
+    term/object.cpp
     term/print.cpp
     term/symbol.cpp
     logic/action.cpp
@@ -20,18 +21,25 @@ jaywalk_add_library(engine
     compile/compiler.cpp
     compile/goal_patterns.cpp
     compile/kqml_plans.cpp
+    compile/plan_reader.cpp
+    compile/term_reader.cpp
     compile/translator.cpp
     agent/agent.cpp
     agent/bindings.cpp
+    agent/clone.cpp
     agent/cycle.cpp
     agent/execute.cpp
     agent/failure.cpp
     agent/goals.cpp
     agent/intention.cpp
     agent/messages.cpp
+    agent/plan_terms.cpp
+    agent/services.cpp
     agent/waiting.cpp
     mas/mas.cpp
     mas/percepts.cpp
+    mas/residents.cpp
+    mas/system.cpp
     mas/transfer.cpp
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support

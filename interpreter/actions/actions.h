@@ -2,19 +2,59 @@
 
 // The standard internal actions, declared from their table.
 
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "interpreter/logic/action.h"
 
 namespace jaywalk::actions {
 
-#define JAYWALK_ACTION(function, least, most, kind, signature, summary) Outcome function(ActionCall&);
+#define JAYWALK_ACTION(function, least, most, kind, signature, summary) \
+  Outcome function(ActionCall&);
 #include "interpreter/actions/actions.def"
 #undef JAYWALK_ACTION
+
+[[nodiscard]] inline Outcome when(bool holds) {
+  return holds ? Outcome::succeeded : Outcome::failed;
+}
 
 /// The elements of a list, dereferenced; what is not a list gives none.
 [[nodiscard]] std::vector<Value> elements(Value list);
 
+/// An error of the kind that in Jason is a Java exception.
+[[nodiscard]] inline Outcome java_exception(ActionCall& call, std::string message) {
+  return call.fail("unknown", std::move(message));
+}
+
+/// The list or set in an argument as values; false if it is neither.
+[[nodiscard]] bool collection_in(Value value, std::vector<Value>& all);
+/// Sorted by the order of terms, without duplicates.
+void sort_as_set(std::vector<Value>& all, const SymbolTable& symbols);
+
 /// The text of an argument: a string's content, anything else as it prints.
 [[nodiscard]] std::string text_of(Value value, const SymbolTable& symbols);
+
+/// A literal without its annotations source(_). REQUIRES: is_literal(literal).
+[[nodiscard]] Value without_sources(Heap& heap, Value literal);
+
+/// The solutions that a function object makes: it binds and returns true, or returns false at the
+/// end.
+template <class Next>
+class MadeSolutions : public Solutions {
+ public:
+  explicit MadeSolutions(Next next) : next_(std::move(next)) {}
+  bool next(ActionCall& call) override { return next_(call); }
+
+ private:
+  Next next_;
+};
+
+template <class Next>
+[[nodiscard]] Outcome each(ActionCall& call, Next next) {
+  return call.many(std::make_unique<MadeSolutions<Next>>(std::move(next)));
+}
 
 /// The solutions of an action that are known beforehand: each is unified with one argument.
 class ValueSolutions : public Solutions {

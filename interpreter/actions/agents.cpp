@@ -12,9 +12,12 @@ namespace jaywalk::actions {
 namespace {
 
 /// Java classes that do what every agent of ours does.
-constexpr std::array<std::string_view, 6> kOwnClasses = {
-    "Agent",  "jason.asSemantics.Agent",  "AgArch", "jason.architecture.AgArch",
-    "jason.bb.DefaultBeliefBase", "DefaultBeliefBase"};
+constexpr std::array<std::string_view, 6> kOwnClasses = {"Agent",
+                                                         "jason.asSemantics.Agent",
+                                                         "AgArch",
+                                                         "jason.architecture.AgArch",
+                                                         "jason.bb.DefaultBeliefBase",
+                                                         "DefaultBeliefBase"};
 
 /// The first of the options agentClass(C), agentArchClass(C), beliefBaseClass(C) that only Java
 /// could follow; empty if there is none.
@@ -32,8 +35,8 @@ std::string name_for(Value variable, const SymbolTable& symbols) {
   std::string name(symbols.text(variable.variable()->name()));
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto letter = std::find_if(name.begin(), name.end(),
-                                   [](unsigned char c) { return std::isalpha(c) != 0; });
+  const auto letter =
+      std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
   name.erase(name.begin(), letter);
   return name.empty() ? "agent" : name;
 }

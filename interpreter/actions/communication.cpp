@@ -101,8 +101,8 @@ Outcome kqml_answer(ActionCall& call) {
   // An open set of annotations takes those of the belief that answers.
   const Value rest = call.heap().variable();
   const LiteralParts parts = literal_parts(query);
-  const Value open = call.heap().structure(
-      parts.predicate, parts.args, call.heap().list(elements(parts.annots), rest));
+  const Value open = call.heap().structure(parts.predicate, parts.args,
+                                           call.heap().list(elements(parts.annots), rest));
   call.machine().solve_all_terms(open, [&] {
     const Value answer = call.unifier().fresh_copy(open);
     std::vector<Value> annots;

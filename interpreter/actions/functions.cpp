@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "interpreter/actions/actions.h"
+#include "interpreter/actions/java_text.h"
 
 namespace jaywalk::functions {
 namespace {
@@ -49,6 +50,22 @@ bool extreme(Args args, Value& result, double empty, double (*better)(double, do
   return true;
 }
 
+// Math.round: halves go up; as a long, so not a number is 0 and large ones are cut.
+double java_round(double x) {
+  if (std::isnan(x)) return 0;
+  constexpr double kLimit = 9223372036854775808.0;
+  const double whole = std::floor(x);
+  return std::clamp(x - whole >= 0.5 ? whole + 1 : whole, -kLimit, kLimit);
+}
+
+// Math.max, Math.min: not a number if one of them is not.
+double java_max(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::quiet_NaN() : std::max(a, b);
+}
+double java_min(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::quiet_NaN() : std::min(a, b);
+}
+
 double total(const std::vector<double>& all) {
   double sum = 0;
   for (const double x : all) sum += x;
@@ -57,8 +74,8 @@ double total(const std::vector<double>& all) {
 
 }  // namespace
 
-#define JAYWALK_ONE(name, expression)                                           \
-  bool name(Args args, Heap&, SymbolTable&, Value& result) {                    \
+#define JAYWALK_ONE(name, expression)                                               \
+  bool name(Args args, Heap&, SymbolTable&, Value& result) {                        \
     return one_number(args, result, [](double x) -> double { return expression; }); \
   }
 JAYWALK_ONE(absolute, std::fabs(x))
@@ -70,7 +87,7 @@ JAYWALK_ONE(sine, std::sin(x))
 JAYWALK_ONE(tangent, std::tan(x))
 JAYWALK_ONE(ceiling, std::ceil(x))
 JAYWALK_ONE(floor_of, std::floor(x))
-JAYWALK_ONE(rounded, std::floor(x + 0.5))
+JAYWALK_ONE(rounded, java_round(x))
 JAYWALK_ONE(square_root, std::sqrt(x))
 JAYWALK_ONE(logarithm, std::log(x))
 #undef JAYWALK_ONE
@@ -86,13 +103,11 @@ bool pi(Args, Heap&, SymbolTable&, Value& result) {
 }
 
 bool maximum(Args args, Heap&, SymbolTable&, Value& result) {
-  return extreme(args, result, -std::numeric_limits<double>::max(),
-                 [](double a, double b) { return std::max(a, b); });
+  return extreme(args, result, -std::numeric_limits<double>::max(), java_max);
 }
 
 bool minimum(Args args, Heap&, SymbolTable&, Value& result) {
-  return extreme(args, result, std::numeric_limits<double>::max(),
-                 [](double a, double b) { return std::min(a, b); });
+  return extreme(args, result, std::numeric_limits<double>::max(), java_min);
 }
 
 bool sum(Args args, Heap&, SymbolTable&, Value& result) {
@@ -135,14 +150,18 @@ bool standard_deviation(Args args, Heap&, SymbolTable&, Value& result) {
 }
 
 bool length_of(Args args, Heap&, SymbolTable&, Value& result) {
-  const Value value = deref(args[0]);
+  Value value = deref(args[0]);
+  std::size_t length = 0;
   if (value.is_text()) {
-    result = Value::number(static_cast<double>(value.text()->length));
+    length = actions::utf16_length(value.text()->view());
   } else if (value.is_list()) {
-    result = Value::number(static_cast<double>(actions::elements(value).size()));
+    for (; value.is_pair(); value = deref(value.pair()->tail)) ++length;
+  } else if (value.is_object()) {
+    length = value.object()->object->size();
   } else {
     return false;
   }
+  result = Value::number(static_cast<double>(length));
   return true;
 }
 

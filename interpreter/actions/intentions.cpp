@@ -116,7 +116,8 @@ Value stack_term(Agent& agent, Intention& intention) {
                                      bindings_term(agent, intention, means)};
     stack.push_back(heap.structure(agent.symbols().predicate("im", 4), parts));
   }
-  return heap.list(stack);
+  // A copy: the open variables are those of the stack's own frames, perhaps of this very action.
+  return agent.machine().unifier().fresh_copy(heap.list(stack));
 }
 
 std::string state_name(const Agent& agent, const Intention& intention) {
@@ -190,6 +191,8 @@ bool has_future_goal(Agent& agent, Intention& intention, Value goal) {
 Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
   bool own = false;
   for (Intention* const intention : intentions) {
+    // Within a query of the executing intention, that one has to stay.
+    if (call.intention() == nullptr && intention == call.agent()->executing()) continue;
     if (!intention->is_finished()) {
       const IntendedMeans& means = intention->stack.front();
       if (means.is_goal()) call.agent()->signal_goal_state(means.kind, means.trigger, "dropped");
@@ -203,6 +206,11 @@ Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
   if (!own) return Outcome::succeeded;
   call.agent()->drop(*call.intention());
   return Outcome::suspended;
+}
+
+void end_goal(ActionCall& call, Agent::GoalEnd end) {
+  Intention* const kept = call.intention() == nullptr ? call.agent()->executing() : nullptr;
+  call.agent()->end_goal(call.arg(0), end, kept);
 }
 
 bool is_plan_part(Value value, Form form) {
@@ -394,12 +402,12 @@ Outcome drop_future_intention(ActionCall& call) {
 }
 
 Outcome succeed_goal(ActionCall& call) {
-  call.agent()->end_goal(call.arg(0), Agent::GoalEnd::succeed);
+  end_goal(call, Agent::GoalEnd::succeed);
   return Outcome::succeeded;
 }
 
 Outcome fail_goal(ActionCall& call) {
-  call.agent()->end_goal(call.arg(0), Agent::GoalEnd::fail);
+  end_goal(call, Agent::GoalEnd::fail);
   return Outcome::succeeded;
 }
 
@@ -424,8 +432,8 @@ Outcome done(ActionCall& call) {
 Outcome suspend(ActionCall& call) {
   Agent& agent = *call.agent();
   Intention* const own = call.intention();
-  if (own == nullptr) return Outcome::failed;
   if (call.count() == 1) agent.suspend_goal(call.arg(0));
+  if (own == nullptr) return call.count() == 1 ? Outcome::succeeded : Outcome::failed;
   if (call.count() == 1 && !own->also_suspended) return Outcome::succeeded;
   own->also_suspended = false;
   own->advance();
@@ -450,12 +458,6 @@ Outcome suspended(ActionCall& call) {
     call.unifier().undo(trail);
   }
   return Outcome::failed;
-}
-
-Outcome stop_mas(ActionCall& call) {
-  const Value code = call.count() == 2 ? call.arg(1) : Value::number(0);
-  call.agent()->host().stop(code.is_number() ? static_cast<int>(code.as_number()) : 0);
-  return Outcome::succeeded;
 }
 
 }  // namespace jaywalk::actions

@@ -2,6 +2,8 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/actions/functions.h"
+#include "interpreter/actions/java_text.h"
+#include "interpreter/agent/agent.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk::actions {
@@ -14,10 +16,8 @@ Outcome extreme(ActionCall& call, int sign) {
       candidates.push_back(call.unifier().fresh_copy(call.applied(0)));
       return true;
     });
-  } else {
-    const Value list = call.applied(0);
-    if (!list.is_list()) return call.wrong_argument(0, "a list");
-    candidates = elements(list);
+  } else if (!collection_in(call.applied(0), candidates)) {
+    return call.wrong_argument(0, "a list");
   }
   if (candidates.empty()) return Outcome::failed;
   Value best = candidates.front();
@@ -27,29 +27,80 @@ Outcome extreme(ActionCall& call, int sign) {
   return call.result(call.count() - 1, best);
 }
 
-// Numbers from first to last; endless steps are refused by the caller.
-class RangeSolutions : public Solutions {
- public:
-  RangeSolutions(double next, double last, double step) : next_(next), last_(last), step_(step) {}
-  bool next(ActionCall& call) override {
-    while (step_ > 0 ? next_ <= last_ : next_ >= last_) {
-      const double value = next_;
-      next_ += step_;
-      if (call.unify(0, Value::number(value))) return true;
+// Each character of a text, as a string of its own, by its index.
+Value character_string(ActionCall& call, std::string_view text, std::size_t index) {
+  return call.heap().text(utf16_slice(text, index, index + 1));
+}
+
+Outcome nth_of_all(ActionCall& call, std::vector<Value> all) {
+  return each(call, [all = std::move(all), next = std::size_t{0}](ActionCall& inner) mutable {
+    while (next < all.size()) {
+      const std::size_t trail = inner.unifier().mark();
+      const std::size_t at = next++;
+      if (inner.unify(2, all[at]) && inner.unify(0, Value::number(static_cast<double>(at)))) {
+        return true;
+      }
+      inner.unifier().undo(trail);
     }
     return false;
-  }
+  });
+}
 
- private:
-  double next_, last_, step_;
-};
+using SetOperation = std::vector<Value> (*)(const std::vector<Value>& a,
+                                            const std::vector<Value>& b,
+                                            const SymbolTable& symbols);
+
+Outcome combine_sets(ActionCall& call, SetOperation operation) {
+  std::vector<Value> a;
+  std::vector<Value> b;
+  if (!collection_in(call.arg(0), a)) return call.wrong_argument(0, "a list");
+  if (!collection_in(call.arg(1), b)) return call.wrong_argument(1, "a list");
+  sort_as_set(a, call.symbols());
+  sort_as_set(b, call.symbols());
+  return call.result(2, call.heap().list(operation(a, b, call.symbols())));
+}
+
+auto less_than(const SymbolTable& symbols) {
+  return [&symbols](Value a, Value b) { return compare_terms(a, b, symbols) < 0; };
+}
 
 }  // namespace
 
+bool collection_in(Value value, std::vector<Value>& all) {
+  if (value.is_list()) {
+    all = elements(value);
+    return true;
+  }
+  if (!value.is_object() || value.object()->object->kind() == Object::Kind::map) return false;
+  value.object()->object->visit([&](Value& element) { all.push_back(deref(element)); });
+  return true;
+}
+
+void sort_as_set(std::vector<Value>& all, const SymbolTable& symbols) {
+  std::stable_sort(all.begin(), all.end(), less_than(symbols));
+  const auto last = std::unique(
+      all.begin(), all.end(), [&](Value a, Value b) { return compare_terms(a, b, symbols) == 0; });
+  all.erase(last, all.end());
+}
+
 Outcome member(ActionCall& call) {
   const Value list = call.arg(1);
-  if (!list.is_list()) return call.wrong_argument(1, "a list");
-  return call.many(std::make_unique<ValueSolutions>(0, elements(list)));
+  if (list.is_list()) {
+    return each(call, [rest = list](ActionCall& inner) mutable {
+      while (rest.is_pair()) {
+        const Value element = rest.pair()->head;
+        rest = deref(rest.pair()->tail);
+        if (inner.unify(0, element)) return true;
+      }
+      return false;
+    });
+  }
+  std::vector<Value> all;
+  if (!collection_in(list, all)) return call.wrong_argument(1, "a list, set or queue");
+  if (!is_ground(call.arg(0)))
+    return call.many(std::make_unique<ValueSolutions>(0, std::move(all)));
+  return when(std::any_of(all.begin(), all.end(),
+                          [&](Value element) { return equal_terms(call.arg(0), element); }));
 }
 
 Outcome length(ActionCall& call) {
@@ -63,51 +114,55 @@ Outcome length(ActionCall& call) {
 
 Outcome empty(ActionCall& call) {
   const Value value = call.arg(0);
-  const bool is_empty = value.is_empty_list() || (value.is_text() && value.text()->length == 0);
-  return is_empty ? Outcome::succeeded : Outcome::failed;
+  if (value.is_text()) return when(value.text()->length == 0);
+  if (value.is_object()) return when(value.object()->object->size() == 0);
+  return when(value.is_empty_list());
 }
 
 Outcome nth(ActionCall& call) {
-  const Value list = call.arg(1);
-  if (!list.is_list()) return call.wrong_argument(1, "a list");
-  const std::vector<Value> all = elements(list);
   const Value index = call.arg(0);
-  if (index.is_number()) {
-    const double at = index.as_number();
-    if (!(at >= 0) || at >= static_cast<double>(all.size())) {
-      return call.fail("internal_action", "nth: the index is out of range");
-    }
-    return call.result(2, all[static_cast<std::size_t>(at)]);
+  const Value whole = call.arg(1);
+  if (!index.is_number() && !index.is_variable()) {
+    return call.wrong_argument(0, "a number or a variable");
   }
-  if (!index.is_variable()) return call.wrong_argument(0, "a number or a variable");
-  class Indexes : public Solutions {
-   public:
-    explicit Indexes(std::vector<Value> values) : values_(std::move(values)) {}
-    bool next(ActionCall& inner) override {
-      while (next_ < values_.size()) {
-        const std::size_t trail = inner.unifier().mark();
-        const std::size_t at = next_++;
-        if (inner.unify(2, values_[at]) && inner.unify(0, Value::number(static_cast<double>(at)))) {
-          return true;
-        }
-        inner.unifier().undo(trail);
-      }
-      return false;
+  if (!whole.is_list() && !whole.is_text()) return call.wrong_argument(1, "a list or a string");
+  if (index.is_number()) {
+    const std::int32_t at = java_int(index.as_number());
+    const auto out_of_range = [&] {
+      return call.fail("internal_action", "nth: index " + std::to_string(at) + " is out of bounds");
+    };
+    if (at < 0) return out_of_range();
+    if (whole.is_text()) {
+      const std::string_view text = whole.text()->view();
+      if (static_cast<std::size_t>(at) >= utf16_length(text)) return out_of_range();
+      return call.result(2, character_string(call, text, static_cast<std::size_t>(at)));
     }
-
-   private:
-    std::vector<Value> values_;
-    std::size_t next_ = 0;
-  };
-  return call.many(std::make_unique<Indexes>(all));
+    Value rest = whole;
+    for (std::int32_t i = 0; i < at && rest.is_pair(); ++i) rest = deref(rest.pair()->tail);
+    return rest.is_pair() ? call.result(2, rest.pair()->head) : out_of_range();
+  }
+  if (whole.is_list()) return nth_of_all(call, elements(whole));
+  std::vector<Value> characters;
+  const std::string_view text = whole.text()->view();
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < text.size(); i += size) {
+    (void)character_at(text, i, size);
+    characters.push_back(call.heap().text(text.substr(i, size)));
+  }
+  return nth_of_all(call, std::move(characters));
 }
 
 Outcome reverse(ActionCall& call) {
   const Value value = call.arg(0);
   if (value.is_text()) {
-    std::string text(value.text()->view());
-    std::reverse(text.begin(), text.end());
-    return call.result(1, call.heap().text(text));
+    const std::string_view text = value.text()->view();
+    std::string reversed(text.size(), '\0');
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < text.size(); i += size) {
+      (void)character_at(text, i, size);
+      text.copy(reversed.data() + (text.size() - i - size), size, i);
+    }
+    return call.result(1, call.heap().text(reversed));
   }
   if (!value.is_list()) return call.wrong_argument(0, "a list or a string");
   std::vector<Value> all = elements(value);
@@ -116,58 +171,73 @@ Outcome reverse(ActionCall& call) {
 }
 
 Outcome sort(ActionCall& call) {
+  std::vector<Value> all;
+  if (!collection_in(call.arg(0), all)) return call.wrong_argument(0, "a list");
+  std::stable_sort(all.begin(), all.end(), less_than(call.symbols()));
+  return call.result(1, call.heap().list(all));
+}
+
+Outcome shuffle(ActionCall& call) {
   if (!call.arg(0).is_list()) return call.wrong_argument(0, "a list");
+  if (call.agent() == nullptr) return Outcome::failed;
   std::vector<Value> all = elements(call.arg(0));
-  std::stable_sort(all.begin(), all.end(), [&](Value a, Value b) {
-    return compare_terms(a, b, call.symbols()) < 0;
-  });
+  for (std::size_t i = all.size(); i > 1; --i) {
+    const std::int32_t with = call.agent()->random().next_int(static_cast<std::int32_t>(i));
+    std::swap(all[i - 1], all[static_cast<std::size_t>(with)]);
+  }
   return call.result(1, call.heap().list(all));
 }
 
 Outcome max(ActionCall& call) { return extreme(call, 1); }
 Outcome min(ActionCall& call) { return extreme(call, -1); }
 
+Outcome set_union(ActionCall& call) {
+  return combine_sets(call, [](const auto& a, const auto& b, const SymbolTable& symbols) {
+    std::vector<Value> result;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result),
+                   less_than(symbols));
+    return result;
+  });
+}
+
+Outcome set_intersection(ActionCall& call) {
+  return combine_sets(call, [](const auto& a, const auto& b, const SymbolTable& symbols) {
+    std::vector<Value> result;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result),
+                          less_than(symbols));
+    return result;
+  });
+}
+
+Outcome set_difference(ActionCall& call) {
+  return combine_sets(call, [](const auto& a, const auto& b, const SymbolTable& symbols) {
+    std::vector<Value> result;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result),
+                        less_than(symbols));
+    return result;
+  });
+}
+
 Outcome range(ActionCall& call) {
   for (std::size_t i = 1; i < call.count(); ++i) {
     if (!call.arg(i).is_number()) return call.wrong_argument(i, "a number");
   }
-  const double first = call.arg(1).as_number();
-  const double last = call.arg(2).as_number();
-  const double step = call.count() == 4 ? call.arg(3).as_number() : 1;
+  // Jason counts in whole numbers.
+  const std::int64_t first = java_int(call.arg(1).as_number());
+  const std::int64_t last = java_int(call.arg(2).as_number());
+  const std::int64_t step = call.count() == 4 ? java_int(call.arg(3).as_number()) : 1;
   const Value x = call.arg(0);
-  if (x.is_number()) {
-    const bool inside = x.as_number() >= first && x.as_number() <= last;
-    return inside ? Outcome::succeeded : Outcome::failed;
+  if (!x.is_variable()) {
+    if (!x.is_number()) return java_exception(call, "argument 1 of .range is not a number");
+    const std::int64_t number = java_int(x.as_number());
+    return when(number >= first && number <= last);
   }
-  if (!(step < 0 || step > 0) || first + step == first) {
-    return call.fail("internal_action", "range: the step makes no progress");
-  }
-  return call.many(std::make_unique<RangeSolutions>(first, last, step));
-}
-
-Outcome concat(ActionCall& call) {
-  const std::size_t last = call.count() - 1;
-  if (call.arg(0).is_list()) {
-    std::vector<Value> all;
-    for (std::size_t i = 0; i < last; ++i) {
-      if (!call.arg(i).is_list()) return call.wrong_argument(i, "a list");
-      const std::vector<Value> part = elements(call.arg(i));
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    return call.result(last, call.heap().list(all));
-  }
-  std::string text;
-  for (std::size_t i = 0; i < last; ++i) {
-    std::string part = text_of(call.arg(i), call.symbols());
-    if (call.arg(i).is_atom() && part.size() > 1 && part.front() == '\'') {
-      part = part.substr(1, part.size() - 2);
-    }
-    text += part;
-    if (text.size() > (std::size_t{64} << 20U)) {
-      return call.fail("limit", "concat: the text is longer than 64 MB");
-    }
-  }
-  return call.result(last, call.heap().text(text));
+  if (step == 0) return call.fail("internal_action", "range: the step makes no progress");
+  return each(call, [next = first, last, step](ActionCall& inner) mutable {
+    if (step > 0 ? next > last : next < last) return false;
+    const std::int64_t number = std::exchange(next, next + step);
+    return inner.unify(0, Value::number(static_cast<double>(number)));
+  });
 }
 
 }  // namespace jaywalk::actions

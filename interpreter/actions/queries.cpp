@@ -22,8 +22,9 @@ Outcome findall(ActionCall& call) {
 }
 
 Outcome setof(ActionCall& call) {
-  const std::vector<Value> found = collect(call);
-  return call.result(2, sorted_set(call.heap(), call.heap().list(found), call.symbols()));
+  std::vector<Value> found = collect(call);
+  sort_as_set(found, call.symbols());
+  return call.result(2, call.heap().list(found));
 }
 
 Outcome count(ActionCall& call) {
@@ -35,28 +36,13 @@ Outcome count(ActionCall& call) {
   return call.count() == 1 ? Outcome::succeeded : call.result(1, Value::number(number));
 }
 
-Outcome abolish(ActionCall& call) {
-  Agent* const agent = call.agent();
-  if (agent == nullptr) return Outcome::failed;
-  Unifier& unifier = call.unifier();
-  const Value pattern = call.arg(0);
-  std::vector<std::pair<Relation*, std::int64_t>> matches;
-  for (const auto& relation : agent->beliefs().relations()) {
-    for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {
-      const Row& row = relation->row(seq);
-      if (row.fact.is_unset()) continue;
-      const std::size_t trail = unifier.mark();
-      if (unifier.unify(pattern, row.fact)) matches.emplace_back(relation.get(), seq);
-      unifier.undo(trail);
-    }
-  }
-  for (const auto& [relation, seq] : matches) {
-    const Value fact =
-        with_annotations(call.heap(), relation->row(seq).fact, Value::empty_list());
-    agent->beliefs().erase(*relation, seq);
-    agent->add_event({TriggerOperator::remove, TriggerKind::belief, fact, nullptr, 0});
-  }
-  return Outcome::succeeded;
+Outcome eval(ActionCall& call) {
+  bool holds = false;
+  call.solve(1, [&] {
+    holds = true;
+    return false;
+  });
+  return call.result(0, Value::atom(holds ? predicates::truth : predicates::falsity));
 }
 
 }  // namespace jaywalk::actions

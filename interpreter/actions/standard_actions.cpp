@@ -27,6 +27,7 @@ struct ActionKind {
 
 constexpr ActionKind plain{};
 constexpr ActionKind body_only{.body_only = true};
+constexpr ActionKind raw{.raw_args = true};
 constexpr ActionKind query(unsigned argument) {
   return {.raw_args = true, .formula_args = 1U << argument};
 }
@@ -37,15 +38,14 @@ std::string name_in(std::string_view signature) {
 
 ActionRegistry make_standard_actions() {
   ActionRegistry registry;
-#define JAYWALK_ACTION(function, least, most, kind, signature, summary)                      \
-  registry.add(ActionDefinition{name_in(signature), least, most, &actions::function,         \
-                                signature, summary, (kind).body_only, (kind).formula_args,   \
-                                (kind).raw_args});
+#define JAYWALK_ACTION(function, least, most, kind, signature, summary)                         \
+  registry.add(ActionDefinition{name_in(signature), least, most, &actions::function, signature, \
+                                summary, (kind).body_only, (kind).formula_args, (kind).raw_args});
 #include "interpreter/actions/actions.def"
 #undef JAYWALK_ACTION
-#define JAYWALK_FUNCTION(function, least, most, signature, summary)                               \
-  registry.add(FunctionDefinition{name_in(signature), least, most, &functions::function, signature, \
-                                  summary});
+#define JAYWALK_FUNCTION(function, least, most, signature, summary)                      \
+  registry.add(FunctionDefinition{name_in(signature), least, most, &functions::function, \
+                                  signature, summary});
 #define JAYWALK_MACHINE_FUNCTION(least, most, signature, summary) \
   registry.add(FunctionDefinition{name_in(signature), least, most, nullptr, signature, summary});
 #include "interpreter/actions/functions.def"

@@ -1,6 +1,7 @@
 #include "interpreter/agent/agent.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "interpreter/program/plan_compiler.h"
@@ -24,6 +25,7 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
   machine_.set_limits(limits.inferences);
   machine_.set_log([this](std::string_view text) { log(text); });
   machine_.random = [this] { return random_.next_double(); };
+  machine_.clock_ms = [this] { return kEpochMs + std::floor(host_.now_ms()); };
   for (const Program::Function& function : program_->functions()) {
     machine_.register_function(function.name, function.arity, function.predicate);
   }
@@ -32,6 +34,11 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
 Agent::~Agent() = default;
 
 void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {
+  begin(*program_, replaced, given);
+}
+
+void Agent::begin(const Program& program, std::span<const Predicate> replaced,
+                  std::span<const Value> given) {
   const auto is_replaced = [&](Predicate predicate) {
     return std::find(replaced.begin(), replaced.end(), predicate) != replaced.end();
   };
@@ -42,7 +49,7 @@ void Agent::start(std::span<const Predicate> replaced, std::span<const Value> gi
   };
   for (const Value fact : given) believe(fact);
   // From the last to the first: queries find them in source order, events come in reverse.
-  const auto& initial = program_->beliefs();
+  const auto& initial = program.beliefs();
   for (std::size_t i = initial.size(); i > 0; --i) {
     const Program::Belief& belief = initial[i - 1];
     if (belief.rule != nullptr) {
@@ -51,7 +58,7 @@ void Agent::start(std::span<const Predicate> replaced, std::span<const Value> gi
       believe(belief.fact);
     }
   }
-  for (const Program::Goal& goal : program_->goals()) {
+  for (const Program::Goal& goal : program.goals()) {
     std::vector<Value> slots(goal.slot_count);
     machine_.unifier().set_slot_names(goal.slot_names);
     add_goal(machine_.unifier().instantiate(goal.literal, slots.data()));
@@ -194,6 +201,7 @@ void Agent::drop(Intention& intention) {
     if (means.plan->has_goal_condition) --goal_conditions_;
   }
   std::erase_if(c.pending_events, is_its);
+  std::erase_if(c.asks, is_its);
   std::erase_if(c.waits, [&](const Wait& wait) {
     if (wait.intention != intention.id) return false;
     if (wait.has_formula) --formula_waits_;
@@ -274,6 +282,10 @@ void Agent::collect_garbage() {
       relocate(wait.elapsed);
     };
     for (Wait& wait : c.waits) visit_wait(wait);
+    for (PendingAsk& ask : c.asks) {
+      relocate(ask.answer);
+      for (Value& answer : ask.answers) relocate(answer);
+    }
     for (Task& task : c.tasks) {
       visit_wait(task.wait);
       relocate(task.event.literal);

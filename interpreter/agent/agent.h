@@ -19,6 +19,8 @@
 
 namespace jaywalk {
 
+class Transfer;
+
 struct AgentLimits {
   std::uint64_t heap_bytes = std::uint64_t{1} << 30U;
   std::uint64_t inferences = 1'000'000'000;
@@ -35,6 +37,9 @@ class Agent {
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
   void start(std::span<const Predicate> replaced, std::span<const Value> given);
+  /// Starts as a copy of another agent with the same program: its beliefs, its plans, its goals and
+  /// what it is doing (clone.cpp).
+  void copy_from(const Agent& original);
 
   /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not.
   void update_percepts(const Percepts& percepts);
@@ -88,8 +93,9 @@ class Agent {
   [[nodiscard]] std::vector<Intention*> intentions_with(Value goal);
   [[nodiscard]] std::vector<Intention*> all_intentions();
   enum class GoalEnd { succeed, fail };
-  /// Ends the goal in every intention and event that has it, as achieved or as failed.
-  void end_goal(Value goal, GoalEnd end);
+  /// Ends the goal in every intention and event that has it, as achieved or as failed; `except` (or
+  /// null) is left alone.
+  void end_goal(Value goal, GoalEnd end, const Intention* except);
   /// Ends the means number `depth` of an intention and everything above it.
   void end_means(Intention& intention, std::size_t depth, GoalEnd end);
   /// Removes events for the goal from the queues. True: there were some.
@@ -104,6 +110,12 @@ class Agent {
   /// The event that is being handled or that the executing intention is of; for `.intention`.
   [[nodiscard]] Intention* executing() const { return executing_; }
 
+  /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms` is
+  /// negative.
+  void wait_for_answers(Intention& intention, PendingAsk ask, double timeout_ms);
+  /// A name for a message. Names come again after very many messages.
+  [[nodiscard]] std::string new_message_id(std::string_view prefix);
+
   /// Makes an intention wait; resume() goes on with it behind the current formula.
   void suspend(Intention& intention, Intention::State state, std::string reason);
   void resume(Intention& intention);
@@ -117,6 +129,16 @@ class Agent {
   /// Adds a plan made at run time, last or first.
   void add_plan(std::shared_ptr<Plan> plan, Place place);
   void remove_plan(const Plan& plan);
+  /// The plan as a term whose variables are fresh.
+  [[nodiscard]] Value plan_term(const Plan& plan);
+  /// Adds a term of form plan; `problem` receives why that is not possible.
+  [[nodiscard]] bool add_plan_term(Value term, Value source, Place place, std::string& problem);
+  [[nodiscard]] const Plan* plan_with_label(Value label) const;
+  /// The plans whose trigger unifies, whatever their context.
+  [[nodiscard]] std::vector<const Plan*> relevant_plans(TriggerOperator op, TriggerKind kind,
+                                                        Value literal);
+  /// Takes over the beliefs, goals and plans of a program loaded at run time.
+  void include(std::shared_ptr<const Program> program);
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
 
@@ -134,6 +156,9 @@ class Agent {
   void sense();
   void process_message();
   [[nodiscard]] bool answer_arrived(const Message& message);
+  [[nodiscard]] bool ask_timed_out(std::uint64_t token);
+  void end_ask(PendingAsk ask, Value answer);
+  void handle_message(const Message& message);
   [[nodiscard]] bool has_own_message_plans() const;
   [[nodiscard]] TriggerKey key_of(const Event& event);
   void deliberate();
@@ -197,6 +222,16 @@ class Agent {
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line);
   void lose(Intention& intention, const ActionError& error, Value code);
 
+  [[nodiscard]] static bool same_plan(const Plan& a, const Plan& b);
+  [[nodiscard]] Value as_template(Value term, std::vector<Symbol>& slot_names);
+  void begin(const Program& program, std::span<const Predicate> replaced,
+             std::span<const Value> given);
+  // Cloning (clone.cpp).
+  using PlanMap = std::unordered_map<const Plan*, const Plan*>;
+  void copy_beliefs(const Agent& original, Transfer& transfer);
+  PlanMap copy_plans(const Agent& original, Transfer& transfer);
+  void copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans);
+
   void make_ready(Intention& intention);
   Intention& new_intention();
   void collect_garbage();
@@ -214,11 +249,14 @@ class Agent {
   const PlanLibrary* library_;
   std::unique_ptr<PlanLibrary> own_library_;         // once the program's has been changed
   std::vector<std::shared_ptr<Plan>> own_plans_;     // made at run time, perhaps removed again
+  std::vector<std::shared_ptr<const Program>> included_;
+  std::uint32_t next_label_ = 0;
   std::vector<Value> scratch_;                       // the frame of the plan being tried
   std::vector<std::pair<Value, Value>> renamed_;
   std::vector<BeliefBase::PerceptChange> percept_changes_;
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
+  std::uint32_t last_message_ = 0;
   std::uint64_t cycles_ = 0;
   std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
   Intention* executing_ = nullptr;

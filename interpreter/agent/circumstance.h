@@ -55,6 +55,18 @@ struct Task {
   Event event;  // goal_state
 };
 
+/// A question whose answer an intention waits for: `.send(ag, askOne, q, Answer)`.
+struct PendingAsk {
+  std::string id;  // of the message; the answers reply to it
+  Intention* intention = nullptr;
+  Value answer;    // the call's argument, which is unified with the answer
+  bool is_one = false;   // askOne: `untell` means false
+  bool to_many = false;  // a list of agents was asked: a list of answers is wanted
+  std::size_t awaited = 0;
+  std::vector<Value> answers;
+  std::uint64_t timer = 0;  // its token; 0: it waits for ever
+};
+
 /// An action that the environment is to execute.
 struct PendingAction {
   Intention* intention = nullptr;
@@ -79,6 +91,7 @@ struct Circumstance {
   std::deque<Feedback> feedback;          // FA
   std::vector<Event> pending_events;      // PE, of suspended goals
   std::vector<Wait> waits;
+  std::vector<PendingAsk> asks;
   std::vector<Task> tasks;
   std::vector<std::pair<std::uint64_t, Event>> scheduled;  // by timer (.at)
   std::deque<Message> mailbox;            // MB

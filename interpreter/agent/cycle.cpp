@@ -19,9 +19,18 @@ namespace jaywalk {
 
 void Agent::cycle() {
   ++cycles_;
-  sense();
-  deliberate();
-  act();
+  ActionError error;
+  const bool completed = guarded(error, [&] {
+    sense();
+    deliberate();
+    act();
+    return true;
+  });
+  if (!completed) {
+    log(error.message);
+    if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
+    executing_ = nullptr;
+  }
   // Nothing holds a Value any more but the circumstance and the beliefs.
   machine_.unifier().commit(0);
   machine_.forget_temporary_code();
@@ -31,35 +40,8 @@ void Agent::cycle() {
 }
 
 void Agent::sense() {
+  // Rule ProcMsg: one message a cycle (messages.cpp).
   if (!circumstance_.mailbox.empty()) process_message();
-}
-
-// Rule ProcMsg: one message a cycle.
-void Agent::process_message() {
-  const Message message = std::move(circumstance_.mailbox.front());
-  circumstance_.mailbox.pop_front();
-  if (answer_arrived(message)) return;
-  const Value sender = Value::atom(symbols_.predicate(message.sender, 0));
-  const std::string_view performative = symbols_.text(message.performative);
-  // The usual performatives are done at once unless the agent has its own plans for messages.
-  if (!has_own_message_plans() && is_literal(message.content) && message.in_reply_to.empty()) {
-    if (performative == "achieve" || performative == "tell" || performative == "signal") {
-      const Value content = add_source(message.content, sender);
-      if (performative == "achieve") {
-        add_goal(content);
-      } else if (performative == "tell") {
-        add_belief(content, Place::front, nullptr);
-      } else {
-        add_event({TriggerOperator::add, TriggerKind::belief, content, nullptr, 0});
-      }
-      return;
-    }
-  }
-  const std::string& id = message.id.empty() ? message.in_reply_to : message.id;
-  const std::array<Value, 4> args{
-      sender, Value::atom(symbols_.predicate(performative, 0)), message.content,
-      Value::atom(symbols_.predicate(id.empty() ? std::string_view("mid") : id, 0))};
-  add_goal(heap_.structure(predicates::kqml_received, args));
 }
 
 void Agent::deliberate() {
@@ -207,7 +189,8 @@ bool Agent::no_plan(const Event& event, bool had_candidates) {
 }
 
 void Agent::act() {
-  if (goal_conditions_ > 0) check_goal_conditions();
+  if (changed_ && goal_conditions_ > 0) check_goal_conditions();
+  changed_ = false;
   // Rule ProcAct
   if (!circumstance_.feedback.empty()) process_feedback();
   // Rules SelInt and ExecInt
@@ -215,10 +198,10 @@ void Agent::act() {
   if (intention == nullptr) return;
   executing_ = intention;
   execute(*intention);
-  executing_ = nullptr;
   changed_ = true;
   // Rule ClrInt
   if (intention->state != Intention::State::finished) clear_intention(*intention);
+  executing_ = nullptr;
 }
 
 void Agent::process_feedback() {
@@ -311,7 +294,11 @@ void Agent::return_values(Intention& intention) {
     if (returned.is_variable()) {
       // Still open; if two of them have become one, so do the caller's.
       for (std::size_t j = 0; j < i; j += 2) {
-        if (deref(pairs[j + 1]).same_as(returned)) (void)unifier.unify(pairs[j], pairs[i]);
+        const Value own = deref(pairs[i]);
+        if (deref(pairs[j + 1]).same_as(returned) && own.is_variable() &&
+            !own.same_as(deref(pairs[j]))) {
+          unifier.bind(own.variable(), pairs[j]);
+        }
       }
       continue;
     }

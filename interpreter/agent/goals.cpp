@@ -118,8 +118,9 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end) {
   clear_intention(intention);
 }
 
-void Agent::end_goal(Value goal, GoalEnd end) {
+void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
   for (Intention* const intention : all_intentions()) {
+    if (intention == except) continue;
     for (std::size_t i = 0; i < intention->stack.size(); ++i) {
       const IntendedMeans& means = intention->stack[i];
       if (means.kind != TriggerKind::achieve || means.op != TriggerOperator::add) continue;

@@ -50,6 +50,10 @@ class Society {
   [[nodiscard]] virtual ServiceDirectory& services() = 0;
 };
 
+/// Time is virtual: a system begins at midnight of 1 January 2000, UTC, whenever it runs, so that
+/// runs can be repeated. Milliseconds since 1970.
+inline constexpr double kEpochMs = 946'684'800'000;
+
 class AgentHost {
  public:
   virtual ~AgentHost() = default;

@@ -1,9 +1,9 @@
 // Messages as far as they are not handled by plans, and texts about events and plans.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+
+#include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/step_guard.h"
@@ -53,16 +53,16 @@ void Agent::handle_message(const Message& message) {
   }
   const std::array<Value, 4> args{
       sender, Value::atom(symbols_.predicate(performative, 0)), message.content,
-      Value::atom(symbols_.predicate(message.id.empty() ? "mid" : std::string_view(message.id), 0))};
+      Value::atom(
+          symbols_.predicate(message.id.empty() ? "mid" : std::string_view(message.id), 0))};
   add_goal(heap_.structure(predicates::kqml_received, args));
 }
 
 bool Agent::has_own_message_plans() const {
-  const auto& plans = library_->candidates(
-      {TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received});
-  return std::any_of(plans.begin(), plans.end(), [](const Plan* plan) {
-    return !plan->is_standard && !plan->any_predicate;
-  });
+  const auto& plans =
+      library_->candidates({TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received});
+  return std::any_of(plans.begin(), plans.end(),
+                     [](const Plan* plan) { return !plan->is_standard && !plan->any_predicate; });
 }
 
 std::string Agent::new_message_id(std::string_view prefix) {
@@ -72,8 +72,8 @@ std::string Agent::new_message_id(std::string_view prefix) {
     last_message_ = last_message_ % kMessageIds + 1;
     std::string id = fmt::format("{}{}", prefix, last_message_);
     const auto& asks = circumstance_.asks;
-    const bool in_use = std::any_of(asks.begin(), asks.end(),
-                                    [&](const PendingAsk& ask) { return ask.id == id; });
+    const bool in_use =
+        std::any_of(asks.begin(), asks.end(), [&](const PendingAsk& ask) { return ask.id == id; });
     if (!in_use) return id;
   }
 }
@@ -132,8 +132,8 @@ bool Agent::ask_timed_out(std::uint64_t token) {
   if (found == asks.end()) return false;
   PendingAsk ask = std::move(*found);
   asks.erase(found);
-  const Value answer = ask.to_many ? heap_.list(ask.answers)
-                                   : Value::atom(symbols_.predicate("timeout", 0));
+  const Value answer =
+      ask.to_many ? heap_.list(ask.answers) : Value::atom(symbols_.predicate("timeout", 0));
   end_ask(std::move(ask), answer);
   return true;
 }

@@ -31,6 +31,7 @@ void Agent::schedule(Event event, double ms) {
 }
 
 void Agent::timer_fired(std::uint64_t token) {
+  if (ask_timed_out(token)) return;
   auto& scheduled = circumstance_.scheduled;
   for (std::size_t i = 0; i < scheduled.size(); ++i) {
     if (scheduled[i].first != token) continue;
@@ -72,7 +73,6 @@ void Agent::check_waits(const Event& event) {
 }
 
 void Agent::check_formulas() {
-  changed_ = false;
   auto& waits = circumstance_.waits;
   for (std::size_t i = 0; i < waits.size();) {
     const Wait wait = waits[i];

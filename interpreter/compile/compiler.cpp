@@ -126,6 +126,7 @@ class ProgramBuilder {
     if (enclosing != nullptr) inherit_variables(*compiled, *enclosing);
     compiled->is_standard = in_standard_plans_;
     if (!in_standard_plans_) check_label(*compiled, plan);
+    complete_label(*compiled);
     library.add(compiled);
   }
 
@@ -137,6 +138,16 @@ class ProgramBuilder {
         if (plan.slot_names[i] == enclosing.slot_names[j]) plan.inherited.emplace_back(i, j);
       }
     }
+  }
+
+  // Plans without a label get one, and all have a source, which .remove_plan asks for.
+  void complete_label(Plan& plan) {
+    Value annots = is_literal(plan.label) ? literal_parts(plan.label).annots : Value::empty_list();
+    annots = union_of(constants(), annots, source_self(), symbols_);
+    const bool named = is_literal(plan.label) &&
+                       !symbols_.functor(literal_parts(plan.label).predicate).empty();
+    if (!named) plan.label = Value::atom(symbols_.predicate(fmt::format("p__{}", ++labelled_), 0));
+    plan.label = with_annotations(constants(), plan.label, annots);
   }
 
   void check_label(const Plan& plan, const ast::Plan& written) {
@@ -257,6 +268,7 @@ class ProgramBuilder {
   std::unordered_set<std::string> labels_;
   std::vector<std::unique_ptr<ast::File>> expanded_;
   bool in_standard_plans_ = false;
+  int labelled_ = 0;
   int anonymous_namespaces_ = 0;
   int local_namespaces_ = 0;
 };

@@ -275,10 +275,13 @@ Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
   } else if (plan.label != nullptr) {
     label = literal(*plan.label, scope);
   }
-  const std::array<Value, 6> parts{
+  std::array<Value, 6> parts{
       label, trigger(plan.trigger, scope),
       plan.context == nullptr ? Value() : formula(*plan.context, scope), body(plan.body, scope),
       plan.goal_condition == nullptr ? Value() : formula(*plan.goal_condition, scope), Value()};
+  for (const std::size_t part : {std::size_t{1}, std::size_t{3}}) {
+    parts[part].structure()->info |= Structure::kBare;
+  }
   return heap_.structure(symbols_.predicate(Signature{.functor = names::plan_text, .arity = 6}),
                          parts, Value::empty_list(), Form::plan);
 }

@@ -23,6 +23,11 @@ class VariableScope {
       : kind_(kind), heap_(heap), symbols_(symbols) {}
 
   [[nodiscard]] Value variable(std::string_view name);
+  /// Unset if there is no such variable yet.
+  [[nodiscard]] Value find(std::string_view name) const {
+    const auto found = known_.find(std::string(name));
+    return found == known_.end() ? Value() : found->second;
+  }
   [[nodiscard]] std::vector<Symbol>& slot_names() { return slot_names_; }
 
  private:

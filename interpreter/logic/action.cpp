@@ -46,8 +46,10 @@ Value ActionCall::applied(std::size_t index) {
 }
 
 bool ActionCall::unify(std::size_t index, Value value) {
+  // Arguments that were applied have no slots; what is bound meanwhile, unifying finds by itself.
+  const bool raw = goal_.action == nullptr || goal_.action->raw_args;
   const Value own = args_[index];
-  return machine_.unifier().unify(own.is_closed() ? own : applied(index), value);
+  return machine_.unifier().unify(raw && !own.is_closed() ? applied(index) : own, value);
 }
 
 Outcome ActionCall::fail(std::string id, std::string message) {

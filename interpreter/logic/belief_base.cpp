@@ -376,6 +376,16 @@ void BeliefBase::end_percepts(std::vector<PerceptChange>& changes) {
   });
 }
 
+void BeliefBase::set_namespace_property(NamespaceProperty property) {
+  for (NamespaceProperty& known : namespace_properties_) {
+    if (known.ns == property.ns && known.key.same_as(property.key)) {
+      known.value = property.value;
+      return;
+    }
+  }
+  namespace_properties_.push_back(property);
+}
+
 void BeliefBase::compact() {
   for (Relation* const rel : with_holes_) rel->compact();
   with_holes_.clear();

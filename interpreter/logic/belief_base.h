@@ -110,6 +110,13 @@ class Relation {
 
 enum class Place { front, back };
 
+/// Something known of a namespace, `.namespace_set_prop(ns, key, Value)`.
+struct NamespaceProperty {
+  Symbol ns;
+  Value key;
+  Value value;
+};
+
 class BeliefBase {
  public:
   BeliefBase(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
@@ -150,7 +157,15 @@ class BeliefBase {
   template <class Visit>
   void visit_terms(Visit&& visit) {
     for (const auto& relation : relations_) relation->visit_terms(visit);
+    for (NamespaceProperty& property : namespace_properties_) visit(property.value);
   }
+
+  /// In the order in which they were first set.
+  [[nodiscard]] const std::vector<NamespaceProperty>& namespace_properties() const {
+    return namespace_properties_;
+  }
+  /// The key is an atom.
+  void set_namespace_property(NamespaceProperty property);
 
  private:
   Relation& relation(Predicate predicate);
@@ -163,6 +178,7 @@ class BeliefBase {
   std::vector<Relation*> with_holes_;
   std::vector<Relation*> perceived_;
   std::uint32_t generation_ = 0;
+  std::vector<NamespaceProperty> namespace_properties_;
 };
 
 }  // namespace jaywalk

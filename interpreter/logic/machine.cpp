@@ -533,7 +533,9 @@ bool Machine::any_belief(const Goal& goal, Value pattern, std::size_t base) {
 bool Machine::unify(const Goal& goal) {
   const Value left = goal.args()[0];
   const Value right = unifier_.build(goal.args()[1], environment_->slots);
-  if (left.is_slot() && environment_->slots[left.slot_index()].is_unset()) {
+  const bool foreign = (right.is_atom() && is_foreign(right.atom_id())) ||
+                       (right.is_structure() && is_foreign(right.structure()->predicate()));
+  if (left.is_slot() && environment_->slots[left.slot_index()].is_unset() && !foreign) {
     unifier_.set_slot(environment_->slots + left.slot_index(), right);
     return true;
   }
@@ -556,6 +558,12 @@ bool Machine::compare(const Goal& goal) {
         default: return a != b;
       }
     }
+  }
+  if (left.is_variable() && right.is_variable() && left.same_as(right)) {
+    // Unbound variables that have been unified are still two: Jason compares their names.
+    const bool one = goal.args()[0].same_as(goal.args()[1]);
+    if (goal.predicate == predicates::equal) return one;
+    if (goal.predicate == predicates::not_equal) return !one;
   }
   const Value a = unifier_.apply(left);
   const Value b = unifier_.apply(right);
@@ -677,6 +685,11 @@ bool Machine::call_function(const Structure& function, Value& result) {
       return true;
     });
     result = Value::number(count);
+    return true;
+  }
+  if (definition->name == "system.time") {
+    if (!clock_ms) return false;
+    result = Value::number(clock_ms());
     return true;
   }
   if (!random) return false;  // math.random([N])

@@ -97,6 +97,8 @@ class Machine : public FunctionCaller {
   void register_function(Symbol name, std::uint16_t arity, Predicate predicate);
   /// `math.random` and its kin draw from here.
   std::function<double()> random;
+  /// `system.time`: milliseconds since 1970.
+  std::function<double()> clock_ms;
 
  private:
   struct Environment {

@@ -11,20 +11,6 @@
 namespace jaywalk {
 namespace {
 
-class DepthGuard {
- public:
-  explicit DepthGuard(int& depth) : depth_(depth) {
-    if (depth_ >= kMaxTermDepth) throw TermTooDeep{};
-    ++depth_;
-  }
-  ~DepthGuard() { --depth_; }
-  DepthGuard(const DepthGuard&) = delete;
-  DepthGuard& operator=(const DepthGuard&) = delete;
-
- private:
-  int& depth_;
-};
-
 // A buffer on the stack for the usual few arguments.
 class ArgumentBuffer {
  public:
@@ -43,6 +29,12 @@ class ArgumentBuffer {
 
 bool is_form(Value value, Form form) {
   return value.is_structure() && value.structure()->form() == form;
+}
+
+// A literal of another namespace, which a plain variable does not take.
+bool is_foreign_literal(Value value) {
+  if (value.is_atom()) return is_foreign(value.atom_id());
+  return value.is_structure() && is_foreign(value.structure()->predicate());
 }
 
 bool is_evaluable(Value value) {
@@ -86,12 +78,14 @@ bool Unifier::unify(Value a, Value b) {
 }
 
 bool Unifier::unify_no_undo(Value a, Value b) {
-  const DepthGuard guard(depth_);
+  const TermWalk::Level level(walk_);
+  ListWalk list;
   for (;;) {
     a = deref(a);
     b = deref(b);
     if (a.same_as(b)) return true;
     if (!a.is_pair() || !b.is_pair()) break;
+    list.visit(a);
     if (!unify_no_undo(a.pair()->head, b.pair()->head)) return false;
     a = a.pair()->tail;
     b = b.pair()->tail;
@@ -110,7 +104,7 @@ bool Unifier::unify_no_undo(Value a, Value b) {
   switch (a.kind()) {
     case Value::Kind::number: return b.is_number() && a.as_number() == b.as_number();
     case Value::Kind::text: return b.is_text() && a.text()->view() == b.text()->view();
-    case Value::Kind::object: return b.is_object() && a.object()->object == b.object()->object;
+    case Value::Kind::object: return equal_terms(a, b);
     case Value::Kind::atom:
     case Value::Kind::structure: return unify_literals(a, b);
     default: return false;
@@ -126,6 +120,7 @@ bool Unifier::unify_variable(Value variable, Value value) {
     a_points ? bind(a, value) : bind(b, variable);
     return true;
   }
+  if (is_foreign_literal(value)) return false;
   bind(variable.variable(), value);
   return true;
 }
@@ -169,8 +164,10 @@ bool Unifier::unify_bodies(const Structure& a, const Structure& b) {
     return plain && term.is_variable() ? term : Value();
   };
   const auto rest = [this](const Structure& body, std::size_t from) {
-    return heap_.structure(body.predicate(), body.arg_span().subspan(from), Value::empty_list(),
-                           Form::body);
+    const Value made = heap_.structure(body.predicate(), body.arg_span().subspan(from),
+                                       Value::empty_list(), Form::body);
+    made.structure()->info |= body.info & Structure::kBare;
+    return made;
   };
   std::size_t i = 0;
   for (;; ++i) {
@@ -262,12 +259,13 @@ bool Unifier::unify_annotations(Value a, Value b) {
 }
 
 bool Unifier::match(Value pattern, Value* slots, Value value, Direction direction) {
-  const DepthGuard guard(depth_);
+  const TermWalk::Level level(walk_);
   for (;;) {
     if (pattern.is_slot()) {
       Value* const slot = slots + pattern.slot_index();
       value = deref(value);
       if (slot->is_unset()) {
+        if (is_foreign_literal(value)) return false;
         set_slot(slot, value);
         return true;
       }
@@ -323,7 +321,7 @@ Value Unifier::instantiate(Value term, Value* slots) {
     term = deref(term);
     return term.is_variable() || term.is_closed() ? term : instantiate(term, slots);
   }
-  const DepthGuard guard(depth_);
+  const TermWalk::Level level(walk_);
   return term.is_pair() ? instantiate_pairs(term, slots)
                         : instantiate_structure(*term.structure(), slots);
 }
@@ -335,7 +333,7 @@ Value Unifier::build(Value term, Value* slots) {
     const Value value = slots[term.slot_index()];
     return value.is_unset() ? instantiate(term, slots) : deref(value);
   }
-  const DepthGuard guard(depth_);
+  const TermWalk::Level level(walk_);
   if (term.is_pair()) {
     // Templates are short: nesting is bounded by the parser.
     const Value head = build(term.pair()->head, slots);
@@ -349,10 +347,13 @@ Value Unifier::build(Value term, Value* slots) {
 }
 
 Value Unifier::apply_slots(Value term) {
-  keep_slots_ = true;
-  const Value made = apply(term);
-  keep_slots_ = false;
-  return made;
+  struct KeepSlots {
+    explicit KeepSlots(bool& keep) : keep_(keep) { keep_ = true; }
+    ~KeepSlots() { keep_ = false; }  // also when a limit ends the walk
+    bool& keep_;
+  };
+  const KeepSlots keep(keep_slots_);
+  return apply(term);
 }
 
 Value Unifier::fresh_copy(Value term) { return rename(term, nullptr); }
@@ -362,6 +363,7 @@ Value Unifier::rename(Value term, std::vector<std::pair<Value, Value>>* renamed)
   if (term.is_closed()) return term;
   // Each variable is bound to its copy while the term is applied, and set free again afterwards.
   const std::size_t start = mark();
+  fresh_.clear();  // a limit may have ended an earlier walk
   std::vector<Value> todo{term};
   while (!todo.empty()) {
     const Value value = deref(todo.back());
@@ -395,7 +397,9 @@ Value Unifier::instantiate_pairs(Value list, Value* slots) {
   // A loop, since lists are long: the elements first, then the pairs from the end.
   std::vector<Value> elements;
   Value tail = list;
+  ListWalk walk;
   while (tail.is_pair() && !tail.is_closed()) {
+    walk.visit(tail);
     elements.push_back(instantiate(tail.pair()->head, slots));
     tail = tail.pair()->tail;
     if (tail.is_slot() && !keep_slots_ && !slots[tail.slot_index()].is_unset()) {
@@ -418,16 +422,31 @@ Value Unifier::instantiate_structure(const Structure& s, Value* slots) {
   ArgumentBuffer args(s.arity);
   for (std::size_t i = 0; i < s.arity; ++i) {
     const Value arg = s.arg(i);
-    args[i] = arg.is_closed() ? arg : instantiate(arg, slots);
+    // An expression with an unknown part is kept as a whole: no part of it is evaluated alone.
+    const bool kept = s.form() == Form::expression && is_form(arg, Form::expression);
+    args[i] = arg.is_closed() ? arg
+              : kept          ? keep_expression(*arg.structure(), slots)
+                              : instantiate(arg, slots);
   }
   Value annots = s.annots();
   if (!annots.is_closed()) annots = sorted_set(heap_, instantiate(annots, slots), symbols_);
   Value made = heap_.structure(s.predicate(), args.span(), annots, s.form());
+  if ((s.info & Structure::kBare) != 0) made.structure()->info |= Structure::kBare;
   if (s.form() == Form::function && functions_ != nullptr) {
     Value result;
     if (functions_->call_function(*made.structure(), result)) return result;
   }
   return made;
+}
+
+Value Unifier::keep_expression(const Structure& s, Value* slots) {
+  const TermWalk::Level level(walk_);
+  ArgumentBuffer args(s.arity);
+  for (std::size_t i = 0; i < s.arity; ++i) {
+    args[i] = is_form(s.arg(i), Form::expression) ? keep_expression(*s.arg(i).structure(), slots)
+                                                  : instantiate(s.arg(i), slots);
+  }
+  return heap_.structure(s.predicate(), args.span(), Value::empty_list(), Form::expression);
 }
 
 Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
@@ -481,7 +500,7 @@ bool Unifier::evaluate(Value term, Value* slots, double& result) {
     result = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
-  const DepthGuard guard(depth_);
+  const TermWalk::Level level(walk_);
   const Structure& s = *term.structure();
   double a = 0;
   if (!evaluate(s.arg(0), slots, a)) return false;

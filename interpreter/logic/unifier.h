@@ -10,6 +10,7 @@
 
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
+#include "interpreter/term/walk.h"
 
 namespace jaywalk {
 
@@ -91,6 +92,7 @@ class Unifier {
 
  private:
   Value instantiate_structure(const Structure& structure, Value* slots);
+  Value keep_expression(const Structure& structure, Value* slots);
   Value instantiate_decorated(const Structure& structure, Value* slots);
   Value instantiate_pairs(Value list, Value* slots);
   bool unify_literals(Value a, Value b);
@@ -106,7 +108,7 @@ class Unifier {
   std::vector<Value*> trail_;
   std::span<const Symbol> slot_names_;
   std::unordered_set<std::uint64_t> fresh_;  // only while fresh_copy runs
-  int depth_ = 0;
+  TermWalk walk_;
   bool keep_slots_ = false;
 };
 

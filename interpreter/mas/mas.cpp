@@ -24,8 +24,8 @@ std::string plain_text(Value literal, const SymbolTable& symbols) {
 }  // namespace
 
 Mas::Mas(std::shared_ptr<const SymbolTable> symbols, MasOptions options, Environment* environment)
-    : implementation_(std::make_unique<Implementation>(std::move(symbols), std::move(options),
-                                                       environment)) {}
+    : implementation_(
+          std::make_unique<Implementation>(std::move(symbols), std::move(options), environment)) {}
 Mas::~Mas() = default;
 
 AgentId Mas::add_agent(const AgentSpec& spec) { return implementation_->add_agent(spec); }

@@ -81,19 +81,19 @@ struct MasOptions {
 };
 
 enum class RunEnd {
-  stopped,    // `.stopMAS`
-  idle,       // every agent is idle, no timer and no message pending
-  finished,   // the environment says so
-  limit,      // max_cycles, max_ticks or max_rounds
-  looping,    // an agent reasoned max_cycles_per_tick cycles within one tick
+  stopped,   // `.stopMAS`
+  idle,      // every agent is idle, no timer and no message pending
+  finished,  // the environment says so
+  limit,     // max_cycles, max_ticks or max_rounds
+  looping,   // an agent reasoned max_cycles_per_tick cycles within one tick
 };
 
 struct RunOutcome {
   RunEnd end = RunEnd::idle;
   std::uint64_t ticks = 0;
   std::uint64_t cycles = 0;
-  int exit_code = 0;       // given to .stopMAS
-  std::string message;     // of limit and looping: which agent, doing what
+  int exit_code = 0;    // given to .stopMAS
+  std::string message;  // of limit and looping: which agent, doing what
 };
 
 class Mas {

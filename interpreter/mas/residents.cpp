@@ -1,8 +1,8 @@
 #include "interpreter/mas/residents.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace jaywalk {
 

@@ -21,9 +21,9 @@ struct Resident {
   /// Kept as long as the run, since terms that were sent refer to its constants.
   std::shared_ptr<const Program> program;
   std::uint32_t number = 0;
-  bool has_body = false;     // the environment knows it
-  bool is_listed = false;    // as awake, or to be from the next round on
-  bool is_asleep = false;    // it has been told so (jag_sleeping)
+  bool has_body = false;   // the environment knows it
+  bool is_listed = false;  // as awake, or to be from the next round on
+  bool is_asleep = false;  // it has been told so (jag_sleeping)
   bool has_mail = false;
   bool is_leaving = false;   // reasons no more
   std::uint64_t period = 0;  // for which cycles_before holds
@@ -86,8 +86,8 @@ class Residents {
   std::unordered_map<std::string, std::uint32_t, NameHash, std::equal_to<>> by_name_;
   std::unordered_map<const Agent*, std::uint32_t> numbers_;
   std::unordered_map<std::string, std::uint32_t> suffixes_;  // the last that was taken
-  std::vector<std::uint32_t> active_;  // sorted
-  std::vector<std::uint32_t> woken_;   // to be active from the next round on
+  std::vector<std::uint32_t> active_;                        // sorted
+  std::vector<std::uint32_t> woken_;                         // to be active from the next round on
   std::vector<std::uint32_t> leaving_;
 };
 

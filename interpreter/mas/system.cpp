@@ -1,10 +1,10 @@
 #include "interpreter/mas/system.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <ctime>
 #include <thread>
+
+#include <fmt/format.h>
 
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/transfer.h"
@@ -166,8 +166,8 @@ std::vector<std::string> Mas::Implementation::names() const {
 // Messages.
 
 bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
-  Resident* const receiver = message.receiver == "self" ? &residents_.of(sender)
-                                                        : residents_.find(message.receiver);
+  Resident* const receiver =
+      message.receiver == "self" ? &residents_.of(sender) : residents_.find(message.receiver);
   if (receiver == nullptr) return false;
   Message copy;
   copy.sender = receiver->agent.get() == &sender ? "self" : sender.name();
@@ -286,8 +286,8 @@ void Mas::Implementation::reason_until_quiet() {
   std::uint32_t rounds = 0;
   do {
     if (++rounds > options_.max_rounds) {
-      end(RunEnd::looping, fmt::format("agents exchanged messages for {} rounds in one tick",
-                                       options_.max_rounds));
+      end(RunEnd::looping,
+          fmt::format("agents exchanged messages for {} rounds in one tick", options_.max_rounds));
       return;
     }
     residents_.for_each_active([this](Resident& resident) {

@@ -82,8 +82,8 @@ class Mas::Implementation : public AgentHost, public Society {
   ServiceDirectory services_;
   std::chrono::steady_clock::time_point wall_start_ = std::chrono::steady_clock::now();
   double now_ms_ = 0;
-  std::uint64_t period_ = 1;       // counts the ticks, or the times when all agents were idle
-  std::uint64_t busy_steps_ = 0;   // since time passed
+  std::uint64_t period_ = 1;      // counts the ticks, or the times when all agents were idle
+  std::uint64_t busy_steps_ = 0;  // since time passed
   std::vector<std::uint32_t> receivers_;  // of messages that are to be delivered
   bool ended_ = false;
   RunOutcome outcome_;

@@ -10,16 +10,20 @@ Value Transfer::copy(Value term) {
   switch (term.kind()) {
     case Value::Kind::number:
     case Value::Kind::atom:
-    case Value::Kind::special: return term;
-    case Value::Kind::text: return to_.text(term.text()->view());
+    case Value::Kind::special:
+      return term;
+    case Value::Kind::text:
+      return to_.text(term.text()->view());
     case Value::Kind::variable: {
       const auto [entry, is_new] = variables_.try_emplace(term.bits());
       if (is_new) entry->second = to_.variable(term.variable()->name());
       return entry->second;
     }
-    case Value::Kind::object: return Value::empty_list();  // a reference means nothing elsewhere
+    case Value::Kind::object:
+      return Value::empty_list();  // a reference means nothing elsewhere
     case Value::Kind::pair:
-    case Value::Kind::structure: break;
+    case Value::Kind::structure:
+      break;
   }
   if (depth_ >= kMaxTermDepth) throw TermTooDeep{};
   ++depth_;
@@ -40,8 +44,8 @@ Value Transfer::structure(const Structure& structure) {
   std::vector<Value> args;
   args.reserve(structure.arity);
   for (const Value arg : structure.arg_span()) args.push_back(copy(arg));
-  const Value made = to_.structure(structure.predicate(), args, copy(structure.annots()),
-                                   structure.form());
+  const Value made =
+      to_.structure(structure.predicate(), args, copy(structure.annots()), structure.form());
   if (made.is_structure()) made.structure()->info |= structure.info & Structure::kBare;
   return made;
 }

@@ -44,7 +44,7 @@ const Body* BodyCompiler::compile(Value body) {
   Body made;
   body = deref(body);
   if (is_form(body, Form::body)) {
-    for (const Value step : body.structure()->arg_span()) made.steps.push_back(compile_step(step));
+    compile_steps(*body.structure(), made);
   } else {
     Step step;
     step.kind = Step::Kind::action;
@@ -53,6 +53,21 @@ const Body* BodyCompiler::compile(Value body) {
     made.steps.push_back(std::move(step));
   }
   return &code_.bodies.emplace_back(std::move(made));
+}
+
+void BodyCompiler::compile_steps(const Structure& body, Body& made) {
+  for (Value step : body.arg_span()) {
+    step = deref(step);
+    // A body in the place of a formula (a variable had it as its value) is a part of this one.
+    const bool plain = is_form(step, Form::step) &&
+                       symbols_.signature(step.structure()->predicate()).functor == names::empty;
+    const Value inner = plain ? deref(step.structure()->arg(0)) : Value();
+    if (is_form(inner, Form::body)) {
+      compile_steps(*inner.structure(), made);
+    } else {
+      made.steps.push_back(compile_step(step));
+    }
+  }
 }
 
 Step BodyCompiler::compile_step(Value term) {

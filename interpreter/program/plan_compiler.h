@@ -19,6 +19,7 @@ class BodyCompiler {
   const Goal* compile_formula(Value formula) { return formulas_.compile(formula, nullptr); }
 
  private:
+  void compile_steps(const Structure& body, Body& made);
   Step compile_step(Value step);
   void compile_plain(Step& step);
   bool compile_statement(Step& step);

@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/term/walk.h"
+
 namespace jaywalk {
 namespace {
-
-struct Depth {
-  explicit Depth(int& counter) : counter_(counter) {
-    if (++counter_ > kMaxTermDepth) throw TermTooDeep{};
-  }
-  ~Depth() { --counter_; }
-  Depth(const Depth&) = delete;
-  Depth& operator=(const Depth&) = delete;
-  int& counter_;
-};
 
 int sign(std::strong_ordering order) { return order < 0 ? -1 : order > 0 ? 1 : 0; }
 
@@ -34,18 +26,26 @@ LiteralView view_of(Value value) {
   return {s.predicate(), s.arg_span(), s.annots(), s.form()};
 }
 
+std::vector<Value> contents(Object& object) {
+  std::vector<Value> all;
+  object.visit([&](Value& value) { all.push_back(value); });
+  return all;
+}
+
 class Equality {
  public:
   explicit Equality(Annotations annotations) : annotations_(annotations) {}
 
   bool equal(Value a, Value b) {
-    const Depth guard(depth_);
+    const TermWalk::Level level(walk_);
+    ListWalk list;
     // Lists are walked in a loop: they may be long.
     for (;;) {
       a = deref(a);
       b = deref(b);
       if (a.same_as(b)) return true;
       if (!a.is_pair() || !b.is_pair()) break;
+      list.visit(a);
       if (!equal(a.pair()->head, b.pair()->head)) return false;
       a = a.pair()->tail;
       b = b.pair()->tail;
@@ -55,8 +55,7 @@ class Equality {
     if ((a.is_structure() || a.is_atom()) && (b.is_structure() || b.is_atom())) {
       return equal_literals(view_of(a), view_of(b));
     }
-    if (a.is_object() && b.is_object()) return a.object()->object == b.object()->object;
-    return false;
+    return a.is_object() && b.is_object() && equal_objects(*a.object()->object, *b.object()->object);
   }
 
  private:
@@ -69,12 +68,26 @@ class Equality {
       if (!equal(a.args[i], b.args[i])) return false;
     }
     // Annotations of arguments always count; those of the literal itself if asked.
-    if (depth_ == 1 && annotations_ == Annotations::ignore) return true;
+    if (walk_.depth() == 1 && annotations_ == Annotations::ignore) return true;
     return equal(a.annots, b.annots);
   }
 
+  // Sets and maps are equal if their contents are, as in Java; a queue equals itself alone.
+  bool equal_objects(Object& a, Object& b) {
+    if (&a == &b) return true;
+    if (a.kind() != b.kind() || a.size() != b.size() || a.kind() == Object::Kind::queue) {
+      return false;
+    }
+    const std::vector<Value> left = contents(a);
+    const std::vector<Value> right = contents(b);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (!equal(left[i], right[i])) return false;
+    }
+    return true;
+  }
+
   Annotations annotations_;
-  int depth_ = 0;
+  TermWalk walk_;
 };
 
 class Order {
@@ -82,12 +95,14 @@ class Order {
   explicit Order(const SymbolTable& symbols) : symbols_(symbols) {}
 
   int compare(Value a, Value b) {
-    const Depth guard(depth_);
+    const TermWalk::Level level(walk_);
+    ListWalk list;
     for (;;) {
       a = deref(a);
       b = deref(b);
       if (a.same_as(b)) return 0;
       if (!a.is_pair() || !b.is_pair()) break;
+      list.visit(a);
       if (const int order = compare(a.pair()->head, b.pair()->head); order != 0) return order;
       a = a.pair()->tail;
       b = b.pair()->tail;
@@ -100,7 +115,7 @@ class Order {
       case 1: return sign(a.text()->view() <=> b.text()->view());
       case 2: return a.is_empty_list() ? -1 : 1;  // one of them has ended
       case 3: return literals(view_of(a), view_of(b));
-      case 4: return a.bits() < b.bits() ? -1 : 1;
+      case 4: return objects(*a.object()->object, *b.object()->object);
       default: return variables(*a.variable(), *b.variable());
     }
   }
@@ -145,6 +160,20 @@ class Order {
     return compare(a.annots, b.annots);
   }
 
+  // Sets before maps before queues; the smaller first; then by their contents; queues by age.
+  int objects(Object& a, Object& b) {
+    if (&a == &b) return 0;
+    if (a.kind() != b.kind()) return a.kind() < b.kind() ? -1 : 1;
+    if (a.kind() == Object::Kind::queue) return a.serial < b.serial ? -1 : 1;
+    if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
+    const std::vector<Value> left = contents(a);
+    const std::vector<Value> right = contents(b);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (const int order = compare(left[i], right[i]); order != 0) return order;
+    }
+    return 0;
+  }
+
   int variables(const Variable& a, const Variable& b) {
     const bool named_a = a.name() != names::unnamed;
     const bool named_b = b.name() != names::unnamed;
@@ -156,7 +185,7 @@ class Order {
   }
 
   const SymbolTable& symbols_;
-  int depth_ = 0;
+  TermWalk walk_;
 };
 
 constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
@@ -167,11 +196,13 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
 class Hash {
  public:
   std::uint64_t hash(Value value) {
-    const Depth guard(depth_);
+    const TermWalk::Level level(walk_);
+    ListWalk list;
     std::uint64_t result = 0x51ED270B;
     for (;;) {
       value = deref(value);
       if (!value.is_pair()) break;
+      list.visit(value);
       const std::uint64_t head = hash(value.pair()->head);
       if (head == 0) return 0;
       result = mix(result, head);
@@ -186,11 +217,10 @@ class Hash {
     switch (value.kind()) {
       case Value::Kind::number:
         return mix(1, std::bit_cast<std::uint64_t>(value.as_number() + 0.0));
-      case Value::Kind::atom: return mix(2, static_cast<std::uint64_t>(value.atom_id()));
+      case Value::Kind::atom: return mix(2, static_cast<std::uint64_t>(value.atom_id())) | 1U;
       case Value::Kind::special: return mix(3, value.bits());
       case Value::Kind::text: return mix(4, std::hash<std::string_view>{}(value.text()->view())) | 1;
-      case Value::Kind::object:
-        return mix(5, reinterpret_cast<std::uintptr_t>(value.object()->object));
+      case Value::Kind::object: return 5;  // its contents change
       case Value::Kind::structure: break;
       default: return 0;
     }
@@ -205,25 +235,27 @@ class Hash {
     return result | 1U;
   }
 
-  int depth_ = 0;
+  TermWalk walk_;
 };
 
-bool ground(Value value, int& depth) {
-  const Depth guard(depth);
+bool ground(Value value, TermWalk& walk) {
+  const TermWalk::Level level(walk);
+  ListWalk list;
   for (;;) {
     value = deref(value);
     if (!value.is_pair()) break;
     if (value.is_closed()) return true;
-    if (!ground(value.pair()->head, depth)) return false;
+    list.visit(value);
+    if (!ground(value.pair()->head, walk)) return false;
     value = value.pair()->tail;
   }
   if (value.is_variable() || value.is_slot() || value.is_unset()) return false;
   if (!value.is_structure() || value.is_closed()) return true;
   const Structure& s = *value.structure();
   for (std::size_t i = 0; i < s.arity; ++i) {
-    if (!ground(s.arg(i), depth)) return false;
+    if (!ground(s.arg(i), walk)) return false;
   }
-  return ground(s.annots(), depth);
+  return ground(s.annots(), walk);
 }
 
 }  // namespace
@@ -239,8 +271,8 @@ int compare_terms(Value a, Value b, const SymbolTable& symbols) {
 std::uint64_t hash_term(Value term) { return Hash().hash(term); }
 
 bool is_ground(Value term) {
-  int depth = 0;
-  return ground(term, depth);
+  TermWalk walk;
+  return ground(term, walk);
 }
 
 Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {

@@ -153,6 +153,7 @@ Value Heap::object(std::unique_ptr<Object> object) {
   std::uint64_t* const cell = allocate(2);
   auto* const made = reinterpret_cast<ObjectCell*>(cell);
   made->info = kObjectInfo;
+  object->serial = next_object_++;
   made->object = object.get();
   objects_.push_back(std::move(object));
   return Value::reference(Value::Kind::object, cell, 0);

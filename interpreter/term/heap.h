@@ -45,6 +45,8 @@ struct Structure {
   std::uint16_t info;
 
   static constexpr std::uint16_t kAnnotated = 0x100;
+  /// Of a plan's own trigger and body: printed without braces.
+  static constexpr std::uint16_t kBare = 0x200;
 
   [[nodiscard]] Predicate predicate() const { return static_cast<Predicate>(predicate_id); }
   [[nodiscard]] Form form() const { return static_cast<Form>(info & 0xFFU); }
@@ -188,6 +190,7 @@ class Heap {
   std::size_t collect_at_ = 64 * 1024;
   std::uint64_t static_flag_ = 0;
   std::uint32_t next_serial_ = 1;
+  std::uint64_t next_object_ = 1;
   std::vector<std::unique_ptr<Object>> objects_;
 };
 

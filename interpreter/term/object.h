@@ -1,10 +1,16 @@
 #pragma once
 
 // Mutable collections that terms refer to: sets, maps and queues. They are shared by reference and
-// live as long as a reachable term names them.
+// live as long as a reachable term names them. Sets and maps are in the order of terms (compare.h).
+// What is put into them must be protected from being released (Heap::protect).
 
+#include <cstdint>
+#include <deque>
 #include <functional>
+#include <utility>
+#include <vector>
 
+#include "interpreter/term/symbol.h"
 #include "interpreter/term/value.h"
 
 namespace jaywalk {
@@ -15,11 +21,79 @@ class Object {
 
   virtual ~Object() = default;
   [[nodiscard]] virtual Kind kind() const = 0;
-  /// Passes every Value that it holds to `visit`, which may move it.
+  /// The number of elements, or of pairs.
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  /// Passes every Value that it holds to `visit`, which may move it: of a map, each key and then
+  /// its value.
   virtual void visit(const std::function<void(Value&)>& visit) = 0;
 
   /// Set by the collector.
   bool reached = false;
+  /// Tells objects of a heap apart, in the order of their making.
+  std::uint64_t serial = 0;
+};
+
+class SetObject final : public Object {
+ public:
+  [[nodiscard]] Kind kind() const override { return Kind::set; }
+  [[nodiscard]] std::size_t size() const override { return elements_.size(); }
+  void visit(const std::function<void(Value&)>& visit) override;
+
+  [[nodiscard]] const std::vector<Value>& elements() const { return elements_; }
+  void add(Value element, const SymbolTable& symbols);
+  void remove(Value element, const SymbolTable& symbols);
+  [[nodiscard]] bool contains(Value element, const SymbolTable& symbols) const;
+  /// Keeps the elements that `other`, a sorted set, has, or has not.
+  enum class Keep { common, others };
+  void keep(Keep which, const SetObject& other, const SymbolTable& symbols);
+  void clear() { elements_.clear(); }
+  void assign(const SetObject& other) { elements_ = other.elements_; }
+
+ private:
+  std::vector<Value> elements_;
+};
+
+class MapObject final : public Object {
+ public:
+  using Entry = std::pair<Value, Value>;
+
+  [[nodiscard]] Kind kind() const override { return Kind::map; }
+  [[nodiscard]] std::size_t size() const override { return entries_.size(); }
+  void visit(const std::function<void(Value&)>& visit) override;
+
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  void put(Value key, Value value, const SymbolTable& symbols);
+  /// Null if there is none.
+  [[nodiscard]] const Value* find(Value key, const SymbolTable& symbols) const;
+  void remove(Value key, const SymbolTable& symbols);
+  void clear() { entries_.clear(); }
+  void assign(const MapObject& other) { entries_ = other.entries_; }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+/// First in, first out; or the least first, a binary heap in the order in which Java's has it.
+class QueueObject final : public Object {
+ public:
+  enum class Order { arrival, priority };
+  explicit QueueObject(Order order) : order_(order) {}
+
+  [[nodiscard]] Kind kind() const override { return Kind::queue; }
+  [[nodiscard]] std::size_t size() const override { return elements_.size(); }
+  void visit(const std::function<void(Value&)>& visit) override;
+
+  [[nodiscard]] const std::deque<Value>& elements() const { return elements_; }
+  void add(Value element, const SymbolTable& symbols);
+  /// Takes the head away. REQUIRES: not empty.
+  Value take(const SymbolTable& symbols);
+  void clear() { elements_.clear(); }
+  [[nodiscard]] Order order() const { return order_; }
+  void assign(const QueueObject& other) { elements_ = other.elements_; }
+
+ private:
+  Order order_;
+  std::deque<Value> elements_;
 };
 
 }  // namespace jaywalk

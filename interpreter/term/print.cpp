@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "interpreter/term/walk.h"
+
 namespace jaywalk {
 namespace {
 
@@ -66,13 +68,18 @@ class Printer {
         append_variable_name(out_, *value.variable(), symbols_);
         return;
       case Value::Kind::special: special(value); return;
-      case Value::Kind::object: object(*value.object()->object); return;
+      case Value::Kind::object:
       case Value::Kind::pair:
       case Value::Kind::structure: break;
     }
-    if (++depth_ > kMaxTermDepth) throw TermTooDeep{};
-    value.is_pair() ? list(value, '[', ']') : structure(*value.structure());
-    --depth_;
+    const TermWalk::Level level(walk_);
+    if (value.is_object()) {
+      object(*value.object()->object);
+    } else if (value.is_pair()) {
+      list(value, '[', ']');
+    } else {
+      structure(*value.structure());
+    }
   }
 
  private:
@@ -99,7 +106,10 @@ class Printer {
   void list(Value value, char open, char close) {
     out_ += open;
     bool first = true;
+    ListWalk walk;
     for (value = deref(value); value.is_pair(); value = deref(value.pair()->tail)) {
+      walk.visit(value);
+      walk_.visit();
       if (!first) out_ += ',';
       first = false;
       term(value.pair()->head);
@@ -148,11 +158,13 @@ class Printer {
       case Form::decorated: decorated(s); return;
       case Form::body: body(s); return;
       case Form::step: step(s); return;
-      case Form::trigger:
-        out_ += "{ ";
+      case Form::trigger: {
+        const bool bare = (s.info & Structure::kBare) != 0;
+        if (!bare) out_ += "{ ";
         trigger(s);
-        out_ += " }";
+        if (!bare) out_ += " }";
         return;
+      }
       case Form::plan: plan(s); return;
       case Form::rule:
         out_ += "{ ";
@@ -220,9 +232,10 @@ class Printer {
   }
 
   void body(const Structure& s) {
-    out_ += "{ ";
+    const bool bare = (s.info & Structure::kBare) != 0;
+    if (!bare) out_ += "{ ";
     steps(s);
-    out_ += s.arity > 0 ? " }" : "}";
+    if (!bare) out_ += s.arity > 0 ? " }" : "}";
   }
 
   void trigger(const Structure& s) {
@@ -279,7 +292,7 @@ class Printer {
 
   std::string& out_;
   const SymbolTable& symbols_;
-  int depth_ = 0;
+  TermWalk walk_;
 };
 
 }  // namespace

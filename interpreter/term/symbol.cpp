@@ -74,7 +74,8 @@ Predicate SymbolTable::predicate(const Signature& signature) {
   Signature complete = signature;
   complete.dotted = is_dotted(text(signature.functor));
   if (const Predicate* known = find(complete)) return *known;
-  const Predicate id{static_cast<std::uint32_t>(predicate_count())};
+  const Predicate id{static_cast<std::uint32_t>(predicate_count()) |
+                     (signature.ns == names::default_ns ? 0 : kForeignBit)};
   predicates_.emplace(signatures_.emplace_back(complete), id);
   return id;
 }
@@ -92,9 +93,10 @@ std::string_view SymbolTable::text(Symbol symbol) const {
 }
 
 const Signature& SymbolTable::signature(Predicate predicate) const {
+  const std::uint32_t index = static_cast<std::uint32_t>(predicate) & ~kForeignBit;
   const SymbolTable* table = this;
-  while (static_cast<std::uint32_t>(predicate) < table->first_predicate_) table = table->base_.get();
-  return table->signatures_[static_cast<std::uint32_t>(predicate) - table->first_predicate_];
+  while (index < table->first_predicate_) table = table->base_.get();
+  return table->signatures_[index - table->first_predicate_];
 }
 
 std::string_view SymbolTable::functor(Predicate predicate) const {

@@ -18,6 +18,12 @@ namespace jaywalk {
 enum class Symbol : std::uint32_t {};
 enum class Predicate : std::uint32_t {};
 
+/// Predicates outside the default namespace have this bit: plain variables do not take them.
+inline constexpr std::uint32_t kForeignBit = 0x8000'0000U;
+[[nodiscard]] constexpr bool is_foreign(Predicate predicate) {
+  return (static_cast<std::uint32_t>(predicate) & kForeignBit) != 0;
+}
+
 /// The names that the engine itself needs; every table has them under these ids.
 namespace names {
 enum class SymbolIndex : std::uint32_t {

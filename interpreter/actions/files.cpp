@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "interpreter/actions/actions.h"
+#include "interpreter/actions/java_regex.h"
+
+namespace jaywalk::actions {
+namespace {
+
+constexpr std::size_t kMaxFiles = 1'000'000;
+constexpr int kMaxFolderDepth = 100;
+
+// Links to folders are not followed, and what cannot be read is passed over.
+void find_files(const std::filesystem::path& folder, const Regex& pattern, int depth,
+                std::vector<std::string>& found) {
+  std::error_code error;
+  std::vector<std::filesystem::path> entries;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    entries.push_back(entry->path());
+  }
+  std::sort(entries.begin(), entries.end());
+  for (const std::filesystem::path& path : entries) {
+    if (found.size() >= kMaxFiles) return;
+    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+    if (!error && std::filesystem::is_directory(status)) {
+      if (depth < kMaxFolderDepth) find_files(path, pattern, depth + 1, found);
+    } else if (std::filesystem::is_regular_file(path, error) &&
+               pattern.matches(path.filename().string())) {
+      found.push_back(path.string());
+    }
+  }
+}
+
+}  // namespace
+
+Outcome list_files(ActionCall& call) {
+  const std::size_t result = call.count() - 1;
+  for (std::size_t i = 0; i < result; ++i) {
+    if (!call.arg(i).is_text()) return call.wrong_argument(i, "a string");
+  }
+  std::string error;
+  const std::optional<Regex> pattern =
+      Regex::parse(result == 2 ? call.arg(1).text()->view() : std::string_view(".*"), error);
+  if (!pattern) return java_exception(call, error);
+  std::vector<std::string> found;
+  find_files(std::filesystem::path(call.arg(0).text()->view()), *pattern, 0, found);
+  std::vector<Value> files;
+  for (const std::string& file : found) files.push_back(call.heap().text(file));
+  return call.result(result, call.heap().list(files));
+}
+
+}  // namespace jaywalk::actions

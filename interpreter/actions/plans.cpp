@@ -1,0 +1,195 @@
+// Plans: added, removed, looked up.
+
+#include <array>
+#include <memory>
+
+#include "interpreter/actions/actions.h"
+#include "interpreter/agent/agent.h"
+#include "interpreter/compile/plan_reader.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk::actions {
+namespace {
+
+bool is_plan(Value value) {
+  return value.is_structure() && value.structure()->form() == Form::plan;
+}
+
+// A plan, a body that stands for a plan without body ({+!g}), a text, or a list of them.
+Outcome add(ActionCall& call, Value what, Value source, Place place) {
+  if (what.is_list()) {
+    for (const Value element : elements(what)) {
+      const Outcome outcome = add(call, element, source, place);
+      if (outcome != Outcome::succeeded) return outcome;
+    }
+    return Outcome::succeeded;
+  }
+  std::string problem;
+  Value plan = what;
+  if (what.is_text()) {
+    std::string text(what.text()->view());
+    std::erase(text, '\\');
+    plan = read_plan(text, call.heap(), call.symbols(), call.machine().actions(), problem);
+  } else if (!is_plan(what)) {
+    plan = plan_of_trigger(what, call.heap(), call.symbols());
+  }
+  if (problem.empty() && !plan.is_unset() &&
+      call.agent()->add_plan_term(plan, source, place, problem)) {
+    return Outcome::succeeded;
+  }
+  if (problem.empty()) problem = "not a plan: " + text_of(what, call.symbols());
+  return call.fail("internal_action", problem);
+}
+
+Value label_of(ActionCall& call, Value what) {
+  if (is_plan(what)) return plan_parts(what).label;
+  if (!what.is_text()) return what;
+  std::string text(what.text()->view());
+  if (text.starts_with('@')) text.erase(0, 1);
+  return Value::atom(call.symbols().predicate(text, 0));
+}
+
+void remove(ActionCall& call, Value what, Value source) {
+  if (what.is_list()) {
+    for (const Value element : elements(what)) remove(call, element, source);
+    return;
+  }
+  const Plan* const plan = call.agent()->plan_with_label(label_of(call, what));
+  if (plan == nullptr) return;
+  std::size_t others = 0;
+  bool named = false;
+  for (const Value annot : elements(literal_parts(plan->label).annots)) {
+    if (!annot.is_structure() || annot.structure()->predicate() != predicates::source) continue;
+    equal_terms(annot.structure()->arg(0), source) ? static_cast<void>(named = true)
+                                                    : static_cast<void>(++others);
+  }
+  if (named && others == 0) call.agent()->remove_plan(*plan);
+}
+
+bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) {
+  TriggerParts parts;
+  if (trigger.is_text()) {
+    std::string problem;
+    const Value plan = read_plan(std::string(trigger.text()->view()), call.heap(), call.symbols(),
+                                 call.machine().actions(), problem);
+    if (plan.is_unset()) return false;
+    trigger = plan_parts(plan).trigger;
+  }
+  if (!trigger_parts(trigger, call.symbols(), parts)) return false;
+  Value literal = parts.literal;
+  if (is_literal(literal) && !has_source(literal_parts(literal).annots)) {
+    // Plans may ask for a source: any will do.
+    const Value any = call.heap().variable();
+    const Value source = call.heap().structure(predicates::source, std::span(&any, 1));
+    literal = with_annotations(
+        call.heap(), literal,
+        union_of(call.heap(), literal_parts(literal).annots,
+                 call.heap().pair(source, Value::empty_list()), call.symbols()));
+  }
+  plans = call.agent()->relevant_plans(parts.op, parts.kind, literal);
+  return true;
+}
+
+Value bare_label(ActionCall& call, const Plan& plan) {
+  return call.unifier().apply(plan.label);
+}
+
+// Pairs of plan and label, one after another.
+class PlanSolutions : public Solutions {
+ public:
+  PlanSolutions(std::size_t plan_arg, std::size_t label_arg, std::vector<const Plan*> plans)
+      : plan_arg_(plan_arg), label_arg_(label_arg), plans_(std::move(plans)) {}
+
+  bool next(ActionCall& call) override {
+    while (next_ < plans_.size()) {
+      const Plan& plan = *plans_[next_++];
+      const std::size_t trail = call.unifier().mark();
+      if (call.unify(plan_arg_, call.agent()->plan_term(plan)) &&
+          (label_arg_ >= call.count() || call.unify(label_arg_, bare_label(call, plan)))) {
+        return true;
+      }
+      call.unifier().undo(trail);
+    }
+    return false;
+  }
+
+ private:
+  std::size_t plan_arg_;
+  std::size_t label_arg_;
+  std::vector<const Plan*> plans_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Outcome add_plan(ActionCall& call) {
+  const Value source = call.count() > 1 ? call.arg(1) : Value::atom(predicates::self);
+  Place place = Place::back;
+  if (call.count() > 2) {
+    const std::string where = text_of(call.arg(2), call.symbols());
+    if (where == "begin") place = Place::front;
+    else if (where != "end") return call.wrong_argument(2, "begin or end");
+  }
+  return add(call, call.arg(0), source, place);
+}
+
+Outcome remove_plan(ActionCall& call) {
+  remove(call, call.arg(0), call.count() > 1 ? call.arg(1) : Value::atom(predicates::self));
+  return Outcome::succeeded;
+}
+
+Outcome plan_label(ActionCall& call) {
+  const Value label = call.arg(1);
+  if (is_literal(label)) {
+    const Plan* const plan = call.agent()->plan_with_label(label);
+    return plan == nullptr ? Outcome::failed : call.result(0, call.agent()->plan_term(*plan));
+  }
+  if (is_plan(call.arg(0))) {
+    const Value own = plan_parts(call.arg(0)).label;
+    return own.is_unset() ? Outcome::failed : call.result(1, own);
+  }
+  std::vector<const Plan*> all;
+  for (const auto& plan : call.agent()->library().plans()) all.push_back(plan.get());
+  return call.many(std::make_unique<PlanSolutions>(0, 1, std::move(all)));
+}
+
+Outcome relevant_plans(ActionCall& call) {
+  std::vector<const Plan*> plans;
+  if (!relevant(call, call.arg(0), plans)) return call.wrong_argument(0, "a trigger like {+!g}");
+  std::vector<Value> terms;
+  std::vector<Value> labels;
+  for (const Plan* const plan : plans) {
+    terms.push_back(call.agent()->plan_term(*plan));
+    labels.push_back(bare_label(call, *plan));
+  }
+  if (!call.unify(1, call.heap().list(terms))) return Outcome::failed;
+  return call.count() == 2 ? Outcome::succeeded : call.result(2, call.heap().list(labels));
+}
+
+Outcome relevant_plan(ActionCall& call) {
+  if (call.arg(0).is_variable() && is_plan(call.arg(1))) {
+    return call.result(0, plan_parts(call.arg(1)).trigger);
+  }
+  std::vector<const Plan*> plans;
+  if (!relevant(call, call.arg(0), plans)) return call.wrong_argument(0, "a trigger like {+!g}");
+  return call.many(std::make_unique<PlanSolutions>(1, call.count(), std::move(plans)));
+}
+
+Outcome list_plans(ActionCall& call) {
+  std::vector<const Plan*> plans;
+  if (call.count() == 1) {
+    if (!relevant(call, call.arg(0), plans)) return call.wrong_argument(0, "a trigger like {+!g}");
+  } else {
+    for (const auto& plan : call.agent()->library().plans()) plans.push_back(plan.get());
+  }
+  for (const Plan* const plan : plans) {
+    if (plan->is_standard) continue;
+    std::string text = term_text(call.agent()->plan_term(*plan), call.symbols());
+    call.agent()->host().print(*call.agent(), text.substr(2, text.size() - 4) + ".");
+  }
+  return Outcome::succeeded;
+}
+
+}  // namespace jaywalk::actions

@@ -1,0 +1,178 @@
+// Plans and rules as data: an agent's plans as terms, and terms as plans.
+
+#include <algorithm>
+#include <array>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+
+// A template's slots as variables of the plan's names.
+Value Agent::plan_term(const Plan& plan) {
+  std::vector<Value> slots(plan.slot_count);
+  Unifier& unifier = machine_.unifier();
+  const std::size_t trail = unifier.mark();
+  unifier.set_slot_names(plan.slot_names);
+  const PlanParts parts = plan_parts(plan.source);
+  std::array<Value, 6> made{plan.label,      parts.trigger,        parts.context,
+                            parts.body,      parts.goal_condition, Value()};
+  for (Value& part : made) part = unifier.instantiate(part, slots.data());
+  unifier.commit(trail);
+  return heap_.structure(plan.source.structure()->predicate(), made, Value::empty_list(),
+                         Form::plan);
+}
+
+// The variables of a term become slots 0, 1, ...; their names are collected.
+Value Agent::as_template(Value term, std::vector<Symbol>& slot_names) {
+  Unifier& unifier = machine_.unifier();
+  renamed_.clear();
+  const std::size_t trail = unifier.mark();
+  const Value copy = unifier.rename(term, &renamed_);
+  for (std::size_t i = 0; i < renamed_.size(); ++i) {
+    Variable* const variable = renamed_[i].second.variable();
+    slot_names.push_back(variable->name());
+    unifier.bind(variable, Value::slot(static_cast<std::uint32_t>(i)));
+  }
+  const Value made = unifier.apply_slots(copy);
+  unifier.undo(trail);
+  return made;
+}
+
+bool Agent::add_plan_term(Value term, Value source, Place place, std::string& problem) {
+  if (!term.is_structure() || term.structure()->form() != Form::plan) {
+    problem = term_text(term, symbols_) + " is not a plan";
+    return false;
+  }
+  std::vector<Symbol> names;
+  const Value made = as_template(term, names);
+  const std::shared_ptr<Plan> plan =
+      compile_plan(made, std::move(names), machine_.actions(), symbols_);
+  if (plan == nullptr) {
+    problem = term_text(term, symbols_) + " has no trigger";
+    return false;
+  }
+  plan->file = program_->name();
+  const Value source_annot = heap_.structure(predicates::source, std::span(&source, 1));
+  const Value sources = heap_.pair(source_annot, Value::empty_list());
+  for (const auto& known : library_->plans()) {
+    const bool same_label = is_literal(plan->label) && is_literal(known->label) &&
+                            literal_parts(plan->label).predicate ==
+                                literal_parts(known->label).predicate;
+    if (!same_label) continue;
+    if (same_plan(*known, *plan)) return true;  // it is there already
+    problem = "another plan has the label " + plan_name(*plan);
+    return false;
+  }
+  if (!is_literal(plan->label)) {
+    plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++next_label_), 0));
+    while (plan_with_label(plan->label) != nullptr) {
+      plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++next_label_), 0));
+    }
+  }
+  plan->label = with_annotations(
+      heap_, plan->label,
+      union_of(heap_, literal_parts(plan->label).annots, sources, symbols_));
+  heap_.protect();
+  add_plan(plan, place);
+  return true;
+}
+
+bool Agent::same_plan(const Plan& a, const Plan& b) {
+  const PlanParts x = plan_parts(a.source);
+  const PlanParts y = plan_parts(b.source);
+  const auto same = [](Value p, Value q) {
+    return (p.is_unset() && q.is_unset()) || (!p.is_unset() && !q.is_unset() && equal_terms(p, q));
+  };
+  return same(x.trigger, y.trigger) && same(x.context, y.context) && same(x.body, y.body);
+}
+
+const Plan* Agent::plan_with_label(Value label) const {
+  label = deref(label);
+  if (!is_literal(label)) return nullptr;
+  const LiteralParts wanted = literal_parts(label);
+  for (const auto& plan : library_->plans()) {
+    if (!is_literal(plan->label)) continue;
+    const LiteralParts known = literal_parts(plan->label);
+    if (known.predicate != wanted.predicate) continue;
+    bool equal = true;
+    for (std::size_t i = 0; i < wanted.args.size(); ++i) {
+      equal = equal && equal_terms(wanted.args[i], known.args[i]);
+    }
+    if (equal) return plan.get();
+  }
+  return nullptr;
+}
+
+std::vector<const Plan*> Agent::relevant_plans(TriggerOperator op, TriggerKind kind,
+                                               Value literal) {
+  std::vector<const Plan*> found;
+  Unifier& unifier = machine_.unifier();
+  const Event event{op, kind, literal, nullptr, 0};
+  for (const Plan* const plan : library_->candidates(key_of(event))) {
+    const std::size_t trail = unifier.mark();
+    std::vector<Value> slots(plan->slot_count);
+    unifier.set_slot_names(plan->slot_names);
+    if (unifier.match(plan->trigger, slots.data(), literal, Unifier::Direction::template_first)) {
+      found.push_back(plan);
+    }
+    unifier.undo(trail);
+  }
+  return found;
+}
+
+// {plan} and {head :- body} with an operator: `+` and `-` change the plan library or the rules.
+bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind) {
+  const bool is_rule = term.is_structure() && term.structure()->form() == Form::rule;
+  const bool is_plan = term.is_structure() && term.structure()->form() == Form::plan;
+  if (!is_rule && !is_plan) return false;
+  const Value code = machine_.unifier().instantiate(term, intention.frame(intention.top()));
+  record_bindings(intention, 0);
+  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
+  const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
+  ActionError error;
+  if (is_rule) {
+    add_rule(code, place);
+  } else if (removes) {
+    const Plan* const known = plan_with_label(plan_parts(code).label);
+    if (known != nullptr) remove_plan(*known);
+  } else if (!add_plan_term(code, Value::atom(predicates::self), place, error.message)) {
+    fail(intention, error);
+    return true;
+  }
+  go_on(intention);
+  return true;
+}
+
+// A rule that was data.
+void Agent::add_rule(Value rule, Place place) {
+  std::vector<Symbol> names;
+  const Value made = as_template(rule, names);
+  Value head = made.structure()->arg(0);
+  if (!is_literal(head)) return;
+  if (!has_source(literal_parts(head).annots)) {
+    head = with_annotations(heap_, head,
+                            union_of(heap_, literal_parts(head).annots, source_self(), symbols_));
+  }
+  beliefs_.add_rule(make_rule(head, made.structure()->arg(1), std::move(names), heap_,
+                              machine_.actions(), symbols_),
+                    place);
+  heap_.protect();
+}
+
+void Agent::include(std::shared_ptr<const Program> program) {
+  for (const auto& plan : program->library().plans()) {
+    if (plan->is_standard) continue;
+    if (own_library_ == nullptr) {
+      own_library_ = std::make_unique<PlanLibrary>(program_->library());
+      library_ = own_library_.get();
+    }
+    own_library_->add(plan);
+  }
+  included_.push_back(program);
+  begin(*program, {}, {});
+}
+
+}  // namespace jaywalk
