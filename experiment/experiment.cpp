@@ -5,6 +5,7 @@
 #include <cassert>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -39,13 +40,21 @@ class Work {
     for (Cell& cell : cells_) cell.remaining = plan.tests;
   }
 
+  /// What a worker does. An exception is kept for the thread that waits.
   void run_chunks() {
-    const std::uint64_t count = chunks_per_cell_ * cells_.size();
-    while (!failed_ && !cancelled_) {
-      const std::uint64_t chunk = next_chunk_.fetch_add(1);
-      if (chunk >= count || !run_chunk(chunk)) break;
+    std::exception_ptr thrown;
+    try {
+      const std::uint64_t count = chunks_per_cell_ * cells_.size();
+      while (!failed_ && !cancelled_) {
+        const std::uint64_t chunk = next_chunk_.fetch_add(1);
+        if (chunk >= count || !run_chunk(chunk)) break;
+      }
+    } catch (...) {
+      thrown = std::current_exception();
+      cancelled_ = true;
     }
     const std::lock_guard lock(mutex_);
+    if (thrown) thrown_ = thrown;
     ++workers_done_;
     changed_.notify_one();
   }
@@ -60,6 +69,7 @@ class Work {
   }
 
   ExperimentOutcome outcome() {
+    if (thrown_) std::rethrow_exception(thrown_);
     ExperimentOutcome outcome{.progress = progress()};
     for (Cell& cell : cells_) {
       if (cell.summary) outcome.summaries.push_back(std::move(*cell.summary));
@@ -127,6 +137,7 @@ class Work {
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   unsigned workers_done_ = 0;
+  std::exception_ptr thrown_;
   std::optional<std::uint64_t> failed_chunk_;
   TestCase failed_test_;
   Diagnostics failure_;
@@ -136,7 +147,7 @@ class Work {
 
 ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction& test,
                                  const ProgressFunction& progress) {
-  assert(plan.threads > 0);
+  assert(plan.threads > 0 && plan.tests <= kMaxTests);
   Work work(plan, test);
   {
     std::vector<std::jthread> workers;

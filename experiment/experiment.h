@@ -25,9 +25,13 @@ struct TestCase {
 /// Runs one test. Called from several threads at once.
 using TestFunction = std::function<Result<TestResult>(const TestCase&)>;
 
+/// The results of the tests in progress are kept in memory: about 40 bytes each.
+inline constexpr std::uint64_t kMaxTests = 10'000'000;
+
 struct ExperimentPlan {
   std::vector<std::string> behaviours;
   std::vector<std::uint32_t> agents;
+  /// REQUIRES: at most kMaxTests.
   std::uint64_t tests = 1000;
   /// REQUIRES: at least 1.
   unsigned threads = 1;
@@ -55,6 +59,7 @@ struct ExperimentOutcome {
   [[nodiscard]] bool complete() const { return progress.done == progress.total; }
 };
 
+/// What a test throws (there is no memory left, say) is thrown from here.
 [[nodiscard]] ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction& test,
                                                const ProgressFunction& progress);
 

@@ -115,6 +115,21 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   return request;
 }
 
+/// What is too large to be carried out.
+Diagnostics excesses(const Request& request) {
+  Diagnostics diagnostics;
+  if (request.plan.tests > kMaxTests) {
+    diagnostics.error("--tests",
+                      fmt::format("at most {}, found {}", kMaxTests, request.plan.tests));
+  }
+  for (const std::uint32_t agents : request.plan.agents) {
+    if (agents > kMaxAgents) {
+      diagnostics.error("--agents", fmt::format("at most {}, found {}", kMaxAgents, agents));
+    }
+  }
+  return diagnostics;
+}
+
 /// Why some test cannot be run (there are no start cells for it, say); empty if all can.
 std::string first_obstacle(const Request& request) {
   for (const std::uint32_t agents : request.plan.agents) {
@@ -246,6 +261,10 @@ CommandHelp help() {
 ExitCode execute(const Arguments& arguments, Console& console) {
   const auto request = read_request(arguments, console);
   if (!request) return ExitCode::usage;
+  if (const Diagnostics wrong = excesses(*request); wrong.has_errors()) {
+    console.report(wrong);
+    return ExitCode::usage;
+  }
   if (const std::string why = first_obstacle(*request); !why.empty()) {
     console.error(why);
     return ExitCode::usage;

@@ -20,7 +20,6 @@ namespace jaywalk {
 namespace {
 
 constexpr double kDefaultSpeed = 2;
-constexpr std::uint64_t kMaxAgents = 10'000;
 
 struct Request {
   std::shared_ptr<const PreparedScenario> prepared;

@@ -4,9 +4,11 @@
 // how it is made ready.
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiment/trial.h"
 #include "tools/jaywalk/arguments.h"
@@ -21,6 +23,9 @@ inline constexpr std::array kScenarioOptions = {
     OptionSpec{"preset", "NAME", "begin with these values instead of the scenario's preset"},
     OptionSpec{"seed", "N", "the seed from which all chance derives"},
 };
+
+/// More pedestrians than this are a slip.
+inline constexpr std::uint64_t kMaxAgents = 10'000;
 
 /// The file names a scenario.
 [[nodiscard]] bool is_scenario_file(const std::string& path);

@@ -1,6 +1,7 @@
 #include "experiment/experiment.h"
 
 #include <atomic>
+#include <new>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -93,6 +94,14 @@ TEST(Experiment, EndsWhenItIsToldToAndKeepsWhatIsFinished) {
   EXPECT_TRUE(told);
   EXPECT_FALSE(outcome.failed_test);
   EXPECT_GE(outcome.summaries.size(), 2U);
+}
+
+TEST(Experiment, ThrowsWhatATestThrows) {
+  const auto throwing = [](const TestCase& test) -> Result<TestResult> {
+    if (test.number == 40) throw std::bad_alloc();
+    return invented(test);
+  };
+  EXPECT_THROW((void)run_experiment(with_threads(2), throwing, always), std::bad_alloc);
 }
 
 TEST(Experiment, TellsItsProgressToTheEnd) {
