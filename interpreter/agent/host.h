@@ -4,6 +4,7 @@
 // (mas/system.h).
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace jaywalk {
 
 class Agent;
+class Program;
 class ServiceDirectory;
 
 /// A message as its sender gives it. The content is copied when it is sent.
@@ -38,6 +40,10 @@ class Society {
 
   /// The agents' names, in the order of their creation.
   [[nodiscard]] virtual std::vector<std::string> names() const = 0;
+  /// The program in a file, for agents of this run; null after setting `error`. It lives as long as
+  /// the run.
+  [[nodiscard]] virtual std::shared_ptr<const Program> load(const std::string& file,
+                                                            std::string& error) = 0;
   /// A new agent that runs the program in a file. A name that is taken gets a suffix.
   [[nodiscard]] virtual Creation create(const std::string& name, const std::string& file) = 0;
   /// A new agent with the beliefs, plans and goals of another.

@@ -68,6 +68,7 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
     return true;
   });
   if (!started) agent.log("in its initial beliefs and goals: " + error.message);
+  if (!agent.is_active()) put_to_sleep(residents_.of(agent));
 }
 
 AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
@@ -79,12 +80,22 @@ AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
 
 bool Mas::Implementation::is_full() const { return residents_.living() >= options_.max_agents; }
 
+std::shared_ptr<const Program> Mas::Implementation::load(const std::string& file,
+                                                         std::string& error) {
+  if (!options_.load_program) {
+    error = "programs cannot be loaded in this run";
+    return nullptr;
+  }
+  auto program = options_.load_program(file, symbols_, error);
+  if (program != nullptr) loaded_.insert(program);
+  return program;
+}
+
 Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
   if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
-  if (!options_.load_program) return {{}, "agents cannot be created in this run"};
   AgentSpec spec;
   std::string error;
-  spec.program = options_.load_program(file, symbols_, error);
+  spec.program = load(file, error);
   if (spec.program == nullptr) return {{}, error};
   Agent& agent = *settle(name, spec.program).agent;
   start(agent, spec);

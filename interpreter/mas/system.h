@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "interpreter/agent/host.h"
@@ -41,6 +42,8 @@ class Mas::Implementation : public AgentHost, public Society {
 
   // Society
   [[nodiscard]] std::vector<std::string> names() const override;
+  [[nodiscard]] std::shared_ptr<const Program> load(const std::string& file,
+                                                    std::string& error) override;
   [[nodiscard]] Creation create(const std::string& name, const std::string& file) override;
   [[nodiscard]] Creation clone(Agent& original, const std::string& name) override;
   bool kill(std::string_view name, double deadline_ms) override;
@@ -75,6 +78,8 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] double wall_ms() const;
 
   SymbolTable symbols_;  // of this run, above the programs' own
+  /// Loaded during the run. Terms that agents send refer to their constants.
+  std::unordered_set<std::shared_ptr<const Program>> loaded_;
   MasOptions options_;
   Environment* environment_;
   Residents residents_;
