@@ -381,7 +381,7 @@ Outcome drop_all_intentions(ActionCall& call) {
 Outcome drop_all_desires(ActionCall& call) {
   const Outcome outcome = drop_all_intentions(call);
   Circumstance& c = call.agent()->circumstance();
-  std::erase_if(c.events, [](const Event& event) { return event.kind == TriggerKind::achieve; });
+  erase_if(c.events, [](const Event& event) { return event.kind == TriggerKind::achieve; });
   c.pending_events.clear();
   return outcome;
 }

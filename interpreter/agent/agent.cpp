@@ -189,14 +189,14 @@ void Agent::resume(Intention& intention) {
 
 void Agent::drop(Intention& intention) {
   Circumstance& c = circumstance_;
-  std::erase(c.running, &intention);
+  erase(c.running, &intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
   if (c.atomic_event && c.atomic_event->intention == &intention) c.atomic_event.reset();
   const auto is_its = [&](const auto& item) { return item.intention == &intention; };
-  std::erase_if(c.events, is_its);
-  std::erase_if(c.actions, is_its);
-  std::erase_if(c.feedback, is_its);
+  erase_if(c.events, is_its);
+  erase_if(c.actions, is_its);
+  erase_if(c.feedback, is_its);
   for (const IntendedMeans& means : intention.stack) {
     if (means.plan->has_goal_condition) --goal_conditions_;
   }

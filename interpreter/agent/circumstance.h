@@ -4,13 +4,13 @@
 // (I), pending actions and their feedback (PA, FA), the mailbox (MB).
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "interpreter/agent/intention.h"
+#include "interpreter/support/ring.h"
 
 namespace jaywalk {
 
@@ -59,7 +59,7 @@ struct Task {
 struct PendingAsk {
   std::string id;  // of the message; the answers reply to it
   Intention* intention = nullptr;
-  Value answer;    // the call's argument, which is unified with the answer
+  Value answer;          // the call's argument, which is unified with the answer
   bool is_one = false;   // askOne: `untell` means false
   bool to_many = false;  // a list of agents was asked: a list of answers is wanted
   std::size_t awaited = 0;
@@ -81,21 +81,21 @@ struct Feedback {
 };
 
 struct Circumstance {
-  std::deque<Event> events;               // E
-  std::optional<Event> atomic_event;      // of the atomic intention
-  std::deque<Intention*> running;         // I, those ready to run
-  Intention* atomic = nullptr;            // the atomic intention, if it is ready to run
-  bool atomic_suspended = false;          // there is one, and it waits
-  std::deque<PendingAction> actions;      // PA, for the environment to take, one a tick
-  std::vector<PendingAction> acting;      // PA, taken, awaiting feedback
-  std::deque<Feedback> feedback;          // FA
-  std::vector<Event> pending_events;      // PE, of suspended goals
+  Ring<Event> events;                 // E
+  std::optional<Event> atomic_event;  // of the atomic intention
+  Ring<Intention*> running;           // I, those ready to run
+  Intention* atomic = nullptr;        // the atomic intention, if it is ready to run
+  bool atomic_suspended = false;      // there is one, and it waits
+  Ring<PendingAction> actions;        // PA, for the environment to take, one a tick
+  std::vector<PendingAction> acting;  // PA, taken, awaiting feedback
+  Ring<Feedback> feedback;            // FA
+  std::vector<Event> pending_events;  // PE, of suspended goals
   std::vector<Wait> waits;
   std::vector<PendingAsk> asks;
   std::vector<Task> tasks;
   std::vector<std::pair<std::uint64_t, Event>> scheduled;  // by timer (.at)
-  std::deque<Message> mailbox;            // MB
-  std::vector<Message> arriving;          // sent in this round, to the mailbox at its end
+  Ring<Message> mailbox;             // MB
+  std::vector<Message> arriving;  // sent in this round, to the mailbox at its end
   std::vector<std::unique_ptr<Intention>> intentions;  // owns all of them
 };
 

@@ -245,7 +245,7 @@ void Agent::clear_intention(Intention& intention) {
   while (!intention.is_finished() && intention.top().is_finished()) {
     if (intention.top().plan->has_goal_condition) {
       // Not done before the condition holds.
-      std::erase(circumstance_.running, &intention);
+      erase(circumstance_.running, &intention);
       if (circumstance_.atomic == &intention) circumstance_.atomic = nullptr;
       suspend(intention, Intention::State::waiting, "goal_condition");
       return;

@@ -65,7 +65,7 @@ void Agent::drop_goal_events(Value goal) {
     if (found) signal_goal_state(event.kind, event.literal, "dropped");
     return found;
   };
-  std::erase_if(c.events, matches);
+  erase_if(c.events, matches);
   std::erase_if(c.pending_events, matches);
   if (c.atomic_event && matches(*c.atomic_event)) c.atomic_event.reset();
   for (Intention* const intention : orphaned) drop(*intention);
@@ -74,15 +74,15 @@ void Agent::drop_goal_events(Value goal) {
 void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end) {
   Circumstance& c = circumstance_;
   // Whatever the intention was waiting for is off.
-  std::erase(c.running, &intention);
+  erase(c.running, &intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
   const auto is_its = [&](const auto& item) { return item.intention == &intention; };
-  std::erase_if(c.events, is_its);
+  erase_if(c.events, is_its);
   std::erase_if(c.pending_events, is_its);
   if (c.atomic_event && c.atomic_event->intention == &intention) c.atomic_event.reset();
-  std::erase_if(c.actions, is_its);
-  std::erase_if(c.feedback, is_its);
+  erase_if(c.actions, is_its);
+  erase_if(c.feedback, is_its);
   std::erase_if(c.waits, [&](const Wait& wait) {
     if (wait.intention != intention.id) return false;
     if (wait.has_formula) --formula_waits_;
@@ -143,7 +143,7 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
     if (found) ended.push_back(event);
     return found;
   };
-  std::erase_if(c.events, take);
+  erase_if(c.events, take);
   std::erase_if(c.pending_events, take);
   for (const Event& event : ended) {
     if (end == GoalEnd::fail) {
@@ -160,7 +160,7 @@ void Agent::suspend_goal(Value goal) {
   Circumstance& c = circumstance_;
   for (Intention* const intention : intentions_with(goal)) {
     if (intention->state == Intention::State::running) {
-      std::erase(c.running, intention);
+      erase(c.running, intention);
       if (c.atomic == intention) c.atomic = nullptr;
       if (intention != executing_) suspend(*intention, Intention::State::suspended, "suspend_ia");
       else intention->also_suspended = true;
@@ -170,7 +170,7 @@ void Agent::suspend_goal(Value goal) {
     signal_goal_state(TriggerKind::achieve, goal, "suspended");
   }
   std::vector<Event> moved;
-  std::erase_if(c.events, [&](const Event& event) {
+  erase_if(c.events, [&](const Event& event) {
     if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
     const std::size_t trail = machine_.unifier().mark();
     const bool found = machine_.unifier().unify(goal, event.literal) ||
