@@ -136,7 +136,8 @@ TEST_F(ProgramsTest, MayStopTheTest) {
 TEST_F(ProgramsTest, FailWhenTheyLeaveTheGrid) {
   const auto prepared = prepare(
       "!west. +!west <- move(left); !west.\n"
-      "-!west[error_msg(Why)] <- .print(Why).\n");
+      "-!west[error_msg(Why)] <- .print(Why).\n",
+      "world: {bands: [{kind: pavement, rows: 2}, {kind: lane, rows: 4}]}\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
   EXPECT_TRUE(run(*prepared.value(), 1).completed);
   ASSERT_EQ(printed_.size(), 1U);

@@ -7,5 +7,5 @@
 
 +!exercise_av <- !set_out; !walk_until_time; !cross_road.
 
-+!walk_until_time : time_to_cross.
++!walk_until_time : time_to_cross.  // jaywalk: allow unknown-belief
 +!walk_until_time <- !walk; !walk_until_time.
