@@ -55,6 +55,8 @@ class Agent {
   [[nodiscard]] const PendingAction* take_action();
   void give_feedback(bool succeeded, std::string reason);
   void timer_fired(std::uint64_t token);
+  /// Whether timer_fired would still do something.
+  [[nodiscard]] bool expects_timer(std::uint64_t token) const;
 
   // For internal actions and observers.
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -157,7 +159,7 @@ class Agent {
   void process_message();
   [[nodiscard]] bool answer_arrived(const Message& message);
   [[nodiscard]] bool ask_timed_out(std::uint64_t token);
-  void end_ask(PendingAsk ask, Value answer);
+  void end_ask(const PendingAsk& ask, Value answer);
   void handle_message(const Message& message);
   [[nodiscard]] bool has_own_message_plans() const;
   [[nodiscard]] TriggerKey key_of(const Event& event);

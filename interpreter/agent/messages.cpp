@@ -118,10 +118,10 @@ bool Agent::answer_arrived(const Message& message) {
   }
   found->answers.push_back(answer);
   if (found->answers.size() < found->awaited) return true;
-  PendingAsk ask = std::move(*found);
+  const PendingAsk ask = std::move(*found);
   asks.erase(found);
   if (ask.to_many) answer = heap_.list(ask.answers);
-  end_ask(std::move(ask), answer);
+  end_ask(ask, answer);
   return true;
 }
 
@@ -132,13 +132,28 @@ bool Agent::ask_timed_out(std::uint64_t token) {
   if (found == asks.end()) return false;
   PendingAsk ask = std::move(*found);
   asks.erase(found);
-  const Value answer =
-      ask.to_many ? heap_.list(ask.answers) : Value::atom(symbols_.predicate("timeout", 0));
-  end_ask(std::move(ask), answer);
+  ActionError error;
+  const bool ended = guarded(error, [&] {
+    const Value answer =
+        ask.to_many ? heap_.list(ask.answers) : Value::atom(symbols_.predicate("timeout", 0));
+    end_ask(ask, answer);
+    return true;
+  });
+  if (!ended) fail_waiting(*ask.intention, error);
   return true;
 }
 
-void Agent::end_ask(PendingAsk ask, Value answer) {
+bool Agent::expects_timer(std::uint64_t token) const {
+  const Circumstance& c = circumstance_;
+  const auto is_its = [&](const auto& each) { return each.first == token; };
+  return std::any_of(c.waits.begin(), c.waits.end(),
+                     [&](const Wait& wait) { return wait.id == token; }) ||
+         std::any_of(c.asks.begin(), c.asks.end(),
+                     [&](const PendingAsk& ask) { return ask.timer == token; }) ||
+         std::any_of(c.scheduled.begin(), c.scheduled.end(), is_its);
+}
+
+void Agent::end_ask(const PendingAsk& ask, Value answer) {
   Intention& intention = *ask.intention;
   if (intention.state != Intention::State::waiting || intention.reason != kWaitsForAnswer) return;
   Unifier& unifier = machine_.unifier();
@@ -184,10 +199,12 @@ std::string Agent::trigger_text(const Event& event) const {
 }
 
 std::string Agent::plan_name(const Plan& plan) const {
-  if (is_literal(plan.label) && !symbols_.functor(literal_parts(plan.label).predicate).empty()) {
-    return "plan @" + std::string(symbols_.functor(literal_parts(plan.label).predicate));
+  std::string name = "the plan";
+  if (is_literal(plan.label)) {
+    const std::string_view label = symbols_.functor(literal_parts(plan.label).predicate);
+    if (!label.starts_with("p__")) name = fmt::format("plan @{}", label);
   }
-  return fmt::format("the plan at {}:{}", plan.file, plan.line);
+  return plan.line == 0 ? name : fmt::format("{} at {}:{}", name, plan.file, plan.line);
 }
 
 }  // namespace jaywalk

@@ -407,7 +407,21 @@ void Mas::Implementation::free_step() {
   }
 }
 
+// Timers that nobody waits for any more are not worth waiting for.
+void Mas::Implementation::drop_stale_timers() {
+  while (!timers_.empty()) {
+    const Timer& next = timers_.next();
+    if (next.purpose == Timer::Purpose::stop) return;
+    const Resident& resident = residents_[next.agent];
+    const bool is_wanted = !resident.is_leaving && (next.purpose == Timer::Purpose::departure ||
+                                                    resident.agent->expects_timer(next.token));
+    if (is_wanted) return;
+    (void)timers_.take();
+  }
+}
+
 void Mas::Implementation::pass_idle_time() {
+  drop_stale_timers();
   if (timers_.empty()) {
     end(RunEnd::idle);
     return;

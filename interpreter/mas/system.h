@@ -66,6 +66,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason(Resident& resident);
   void fire_timers();
   void pass_idle_time();
+  void drop_stale_timers();
 
   void wake(Resident& resident);
   void put_to_sleep(Resident& resident);

@@ -31,7 +31,8 @@ class Timers {
     queue_.push(timer);
   }
   [[nodiscard]] bool empty() const { return queue_.empty(); }
-  /// REQUIRES: not empty; so does take().
+  /// REQUIRES: not empty; so do the others.
+  [[nodiscard]] const Timer& next() const { return queue_.top(); }
   [[nodiscard]] double next_ms() const { return queue_.top().at_ms; }
   Timer take() {
     const Timer timer = queue_.top();

@@ -41,6 +41,14 @@ TEST(Run, FiresTimersOfOneTimeInTheOrderOfAsking) {
   EXPECT_THAT(system.printed, ElementsAre("[ann] x", "[ann] ann", "[bob] bob"));
 }
 
+TEST(Run, DoesNotWaitForTimersThatNobodyNeeds) {
+  System system;
+  system.add("ann", "!s. !t. +!s <- .wait({+e}, 60000); .print(e). +!t <- .wait(10); +e.");
+  system.run();
+  EXPECT_THAT(system.printed, ElementsAre("[ann] e"));
+  EXPECT_EQ(system.mas->now_ms(), 10);
+}
+
 TEST(Run, LetsWaitingAgentsThroughWhereAnotherNeverRests) {
   System system;
   system.add("ann", "!s. +!s <- !s.");
