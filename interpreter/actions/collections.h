@@ -74,9 +74,7 @@ struct Collections {
     const Collection* const collection = get(call);
     if (collection == nullptr) return wrong(call);
     if (!call.arg(1).is_variable()) return Outcome::failed;
-    auto copied = std::make_unique<Collection>();
-    copied->assign(*collection);
-    return call.result(1, made(call, std::move(copied)));
+    return call.result(1, made(call, collection->copy()));
   }
 };
 

@@ -51,13 +51,6 @@ Outcome queue_to_list(ActionCall& call) {
 
 Outcome queue_clear(ActionCall& call) { return Queues::clear(call); }
 
-Outcome queue_copy(ActionCall& call) {
-  const QueueObject* const queue = Queues::get(call);
-  if (queue == nullptr) return Queues::wrong(call);
-  if (!call.arg(1).is_variable()) return Outcome::failed;
-  auto copy = std::make_unique<QueueObject>(queue->order());
-  copy->assign(*queue);
-  return call.result(1, made(call, std::move(copy)));
-}
+Outcome queue_copy(ActionCall& call) { return Queues::copy(call); }
 
 }  // namespace jaywalk::actions

@@ -1,5 +1,7 @@
 #include "interpreter/mas/transfer.h"
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace jaywalk {
@@ -20,16 +22,24 @@ Value Transfer::copy(Value term) {
       return entry->second;
     }
     case Value::Kind::object:
-      return Value::empty_list();  // a reference means nothing elsewhere
     case Value::Kind::pair:
     case Value::Kind::structure:
       break;
   }
   if (depth_ >= kMaxTermDepth) throw TermTooDeep{};
   ++depth_;
-  const Value made = term.is_pair() ? list(term) : structure(*term.structure());
+  const Value made = term.is_object() ? object(*term.object()->object)
+                     : term.is_pair() ? list(term)
+                                      : structure(*term.structure());
   --depth_;
   return made;
+}
+
+// A collection is copied, too: agents share nothing.
+Value Transfer::object(const Object& from) {
+  std::unique_ptr<Object> copied = from.copy();
+  copied->visit([this](Value& value) { value = copy(value); });
+  return to_.object(std::move(copied));
 }
 
 Value Transfer::list(Value term) {

@@ -17,6 +17,7 @@ class Transfer {
 
  private:
   Value list(Value term);
+  Value object(const Object& from);
   Value structure(const Structure& structure);
 
   Heap& to_;

@@ -55,7 +55,8 @@ class Equality {
     if ((a.is_structure() || a.is_atom()) && (b.is_structure() || b.is_atom())) {
       return equal_literals(view_of(a), view_of(b));
     }
-    return a.is_object() && b.is_object() && equal_objects(*a.object()->object, *b.object()->object);
+    return a.is_object() && b.is_object() &&
+           equal_objects(*a.object()->object, *b.object()->object);
   }
 
  private:
@@ -111,26 +112,40 @@ class Order {
     const int rank_b = rank(b);
     if (rank_a != rank_b) return rank_a < rank_b ? -1 : 1;
     switch (rank_a) {
-      case 0: return numbers(a.as_number(), b.as_number());
-      case 1: return sign(a.text()->view() <=> b.text()->view());
-      case 2: return a.is_empty_list() ? -1 : 1;  // one of them has ended
-      case 3: return literals(view_of(a), view_of(b));
-      case 4: return objects(*a.object()->object, *b.object()->object);
-      default: return variables(*a.variable(), *b.variable());
+      case 0:
+        return numbers(a.as_number(), b.as_number());
+      case 1:
+        return sign(a.text()->view() <=> b.text()->view());
+      case 2:
+        return a.is_empty_list() ? -1 : 1;  // one of them has ended
+      case 3:
+        return literals(view_of(a), view_of(b));
+      case 4:
+        return objects(*a.object()->object, *b.object()->object);
+      default:
+        return variables(*a.variable(), *b.variable());
     }
   }
 
  private:
   static int rank(Value value) {
     switch (value.kind()) {
-      case Value::Kind::number: return 0;
-      case Value::Kind::text: return 1;
-      case Value::Kind::pair: return 2;
-      case Value::Kind::special: return 2;
-      case Value::Kind::atom: return 3;
-      case Value::Kind::structure: return 3;
-      case Value::Kind::object: return 4;
-      case Value::Kind::variable: return 5;
+      case Value::Kind::number:
+        return 0;
+      case Value::Kind::text:
+        return 1;
+      case Value::Kind::pair:
+        return 2;
+      case Value::Kind::special:
+        return 2;
+      case Value::Kind::atom:
+        return 3;
+      case Value::Kind::structure:
+        return 3;
+      case Value::Kind::object:
+        return 4;
+      case Value::Kind::variable:
+        return 5;
     }
     return 5;
   }
@@ -217,12 +232,18 @@ class Hash {
     switch (value.kind()) {
       case Value::Kind::number:
         return mix(1, std::bit_cast<std::uint64_t>(value.as_number() + 0.0));
-      case Value::Kind::atom: return mix(2, static_cast<std::uint64_t>(value.atom_id())) | 1U;
-      case Value::Kind::special: return mix(3, value.bits());
-      case Value::Kind::text: return mix(4, std::hash<std::string_view>{}(value.text()->view())) | 1;
-      case Value::Kind::object: return 5;  // its contents change
-      case Value::Kind::structure: break;
-      default: return 0;
+      case Value::Kind::atom:
+        return mix(2, static_cast<std::uint64_t>(value.atom_id())) | 1U;
+      case Value::Kind::special:
+        return mix(3, value.bits());
+      case Value::Kind::text:
+        return mix(4, std::hash<std::string_view>{}(value.text()->view())) | 1;
+      case Value::Kind::object:
+        return 5;  // its contents change
+      case Value::Kind::structure:
+        break;
+      default:
+        return 0;
     }
     const Structure& s = *value.structure();
     if (s.form() == Form::decorated) return 0;
@@ -282,9 +303,8 @@ Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
     elements.push_back(deref(list.pair()->head));
   }
   if (elements.size() < 2) return heap.list(elements, list);
-  std::stable_sort(elements.begin(), elements.end(), [&](Value a, Value b) {
-    return compare_terms(a, b, symbols) < 0;
-  });
+  std::stable_sort(elements.begin(), elements.end(),
+                   [&](Value a, Value b) { return compare_terms(a, b, symbols) < 0; });
   const auto last = std::unique(elements.begin(), elements.end(), [&](Value a, Value b) {
     return compare_terms(a, b, symbols) == 0;
   });

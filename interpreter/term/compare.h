@@ -25,7 +25,8 @@ enum class Annotations { compare, ignore };
 /// Whether a term has no unbound variables.
 [[nodiscard]] bool is_ground(Value term);
 
-/// The annotations as a sorted set: sorted by compare_terms, duplicates dropped; an open tail stays.
+/// The annotations as a sorted set: sorted by compare_terms, duplicates dropped; an open tail
+/// stays.
 [[nodiscard]] Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols);
 
 /// Union of two closed sets of annotations.

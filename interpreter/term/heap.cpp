@@ -24,8 +24,8 @@ struct SourceConstant {
   explicit SourceConstant(Predicate agent)
       : structure{static_cast<std::uint32_t>(predicates::source), 1, 0},
         agent_value(Value::atom(agent)) {
-    list.head = Value::reference(Value::Kind::structure, &structure,
-                                 Value::kClosed | Value::kStatic);
+    list.head =
+        Value::reference(Value::Kind::structure, &structure, Value::kClosed | Value::kStatic);
     list.tail = Value::empty_list();
   }
   [[nodiscard]] Value value() const {
@@ -171,7 +171,8 @@ std::vector<Heap::Chunk> Heap::start_collection() {
 
 void Heap::finish_collection() {
   std::erase_if(objects_, [](const auto& object) { return !object->reached; });
-  collect_at_ = std::max(kLeastCollection, 2 * bytes());
+  // Before the limit is reached, however much is alive.
+  collect_at_ = std::max(kLeastCollection, std::min(2 * bytes(), bytes() / 2 + limit_bytes_ / 2));
 }
 
 void Heap::Relocator::operator()(Value& value) {
@@ -197,9 +198,15 @@ void Heap::Relocator::operator()(Value& value) {
       words = 1 + value_count;
       break;
     }
-    case Value::Kind::pair: value_count = 2; break;
-    case Value::Kind::text: words = text_words(reinterpret_cast<const Text*>(cell)->length); break;
-    case Value::Kind::variable: value_count = 1; break;
+    case Value::Kind::pair:
+      value_count = 2;
+      break;
+    case Value::Kind::text:
+      words = text_words(reinterpret_cast<const Text*>(cell)->length);
+      break;
+    case Value::Kind::variable:
+      value_count = 1;
+      break;
     case Value::Kind::object: {
       Object* const object = reinterpret_cast<ObjectCell*>(cell)->object;
       if (!object->reached) {
@@ -208,7 +215,8 @@ void Heap::Relocator::operator()(Value& value) {
       }
       break;
     }
-    default: break;
+    default:
+      break;
   }
   std::uint64_t* const moved = heap_.allocate(words);
   std::memcpy(moved, cell, words * sizeof(std::uint64_t));

@@ -23,8 +23,8 @@
 
 namespace jaywalk {
 
-/// What a structure stands for. Everything but a literal is made by the language itself: unevaluated
-/// expressions and programs as data.
+/// What a structure stands for. Everything but a literal is made by the language itself:
+/// unevaluated expressions and programs as data.
 enum class Form : std::uint8_t {
   literal,
   expression,  // arithmetic not evaluated yet: `X+1`

@@ -19,6 +19,12 @@ auto key_less_than(const SymbolTable& symbols) {
 
 }  // namespace
 
+std::unique_ptr<Object> SetObject::copy() const {
+  auto copied = std::make_unique<SetObject>();
+  copied->elements_ = elements_;
+  return copied;
+}
+
 void SetObject::visit(const std::function<void(Value&)>& visit) {
   for (Value& element : elements_) visit(element);
 }
@@ -46,6 +52,12 @@ void SetObject::keep(Keep which, const SetObject& other, const SymbolTable& symb
   std::erase_if(elements_, [&](Value element) {
     return other.contains(element, symbols) != (which == Keep::common);
   });
+}
+
+std::unique_ptr<Object> MapObject::copy() const {
+  auto copied = std::make_unique<MapObject>();
+  copied->entries_ = entries_;
+  return copied;
 }
 
 void MapObject::visit(const std::function<void(Value&)>& visit) {
@@ -78,6 +90,12 @@ void MapObject::remove(Value key, const SymbolTable& symbols) {
   if (place != entries_.end() && compare_terms(place->first, key, symbols) == 0) {
     entries_.erase(place);
   }
+}
+
+std::unique_ptr<Object> QueueObject::copy() const {
+  auto copied = std::make_unique<QueueObject>(order_);
+  copied->elements_ = elements_;
+  return copied;
 }
 
 void QueueObject::visit(const std::function<void(Value&)>& visit) {

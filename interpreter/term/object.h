@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,8 @@ class Object {
   [[nodiscard]] virtual Kind kind() const = 0;
   /// The number of elements, or of pairs.
   [[nodiscard]] virtual std::size_t size() const = 0;
+  /// Another object with the same Values.
+  [[nodiscard]] virtual std::unique_ptr<Object> copy() const = 0;
   /// Passes every Value that it holds to `visit`, which may move it: of a map, each key and then
   /// its value.
   virtual void visit(const std::function<void(Value&)>& visit) = 0;
@@ -37,6 +40,7 @@ class SetObject final : public Object {
  public:
   [[nodiscard]] Kind kind() const override { return Kind::set; }
   [[nodiscard]] std::size_t size() const override { return elements_.size(); }
+  [[nodiscard]] std::unique_ptr<Object> copy() const override;
   void visit(const std::function<void(Value&)>& visit) override;
 
   [[nodiscard]] const std::vector<Value>& elements() const { return elements_; }
@@ -47,7 +51,6 @@ class SetObject final : public Object {
   enum class Keep { common, others };
   void keep(Keep which, const SetObject& other, const SymbolTable& symbols);
   void clear() { elements_.clear(); }
-  void assign(const SetObject& other) { elements_ = other.elements_; }
 
  private:
   std::vector<Value> elements_;
@@ -59,6 +62,7 @@ class MapObject final : public Object {
 
   [[nodiscard]] Kind kind() const override { return Kind::map; }
   [[nodiscard]] std::size_t size() const override { return entries_.size(); }
+  [[nodiscard]] std::unique_ptr<Object> copy() const override;
   void visit(const std::function<void(Value&)>& visit) override;
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
@@ -67,7 +71,6 @@ class MapObject final : public Object {
   [[nodiscard]] const Value* find(Value key, const SymbolTable& symbols) const;
   void remove(Value key, const SymbolTable& symbols);
   void clear() { entries_.clear(); }
-  void assign(const MapObject& other) { entries_ = other.entries_; }
 
  private:
   std::vector<Entry> entries_;
@@ -81,6 +84,7 @@ class QueueObject final : public Object {
 
   [[nodiscard]] Kind kind() const override { return Kind::queue; }
   [[nodiscard]] std::size_t size() const override { return elements_.size(); }
+  [[nodiscard]] std::unique_ptr<Object> copy() const override;
   void visit(const std::function<void(Value&)>& visit) override;
 
   [[nodiscard]] const std::deque<Value>& elements() const { return elements_; }
@@ -88,8 +92,6 @@ class QueueObject final : public Object {
   /// Takes the head away. REQUIRES: not empty.
   Value take(const SymbolTable& symbols);
   void clear() { elements_.clear(); }
-  [[nodiscard]] Order order() const { return order_; }
-  void assign(const QueueObject& other) { elements_ = other.elements_; }
 
  private:
   Order order_;

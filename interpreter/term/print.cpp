@@ -1,10 +1,10 @@
 #include "interpreter/term/print.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <charconv>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "interpreter/term/walk.h"
 
@@ -57,8 +57,12 @@ class Printer {
   void term(Value value) {
     value = deref(value);
     switch (value.kind()) {
-      case Value::Kind::number: append_number(out_, value.as_number()); return;
-      case Value::Kind::atom: name(value.atom_id()); return;
+      case Value::Kind::number:
+        append_number(out_, value.as_number());
+        return;
+      case Value::Kind::atom:
+        name(value.atom_id());
+        return;
       case Value::Kind::text:
         out_ += '"';
         out_ += value.text()->view();
@@ -67,10 +71,13 @@ class Printer {
       case Value::Kind::variable:
         append_variable_name(out_, *value.variable(), symbols_);
         return;
-      case Value::Kind::special: special(value); return;
+      case Value::Kind::special:
+        special(value);
+        return;
       case Value::Kind::object:
       case Value::Kind::pair:
-      case Value::Kind::structure: break;
+      case Value::Kind::structure:
+        break;
     }
     const TermWalk::Level level(walk_);
     if (value.is_object()) {
@@ -152,12 +159,22 @@ class Printer {
         args(s);
         annots(s);
         return;
-      case Form::expression: expression(s); return;
+      case Form::expression:
+        expression(s);
+        return;
       case Form::relation:
-      case Form::logical: formula(s); return;
-      case Form::decorated: decorated(s); return;
-      case Form::body: body(s); return;
-      case Form::step: step(s); return;
+      case Form::logical:
+        formula(s);
+        return;
+      case Form::decorated:
+        decorated(s);
+        return;
+      case Form::body:
+        body(s);
+        return;
+      case Form::step:
+        step(s);
+        return;
       case Form::trigger: {
         const bool bare = (s.info & Structure::kBare) != 0;
         if (!bare) out_ += "{ ";
@@ -165,7 +182,9 @@ class Printer {
         if (!bare) out_ += " }";
         return;
       }
-      case Form::plan: plan(s); return;
+      case Form::plan:
+        plan(s);
+        return;
       case Form::rule:
         out_ += "{ ";
         term(s.arg(0));

@@ -76,7 +76,9 @@ class SymbolTable {
   [[nodiscard]] const Signature& signature(Predicate predicate) const;
   [[nodiscard]] std::string_view functor(Predicate predicate) const;
   [[nodiscard]] std::size_t symbol_count() const { return first_symbol_ + texts_.size(); }
-  [[nodiscard]] std::size_t predicate_count() const { return first_predicate_ + signatures_.size(); }
+  [[nodiscard]] std::size_t predicate_count() const {
+    return first_predicate_ + signatures_.size();
+  }
 
  private:
   struct SignatureHash {
