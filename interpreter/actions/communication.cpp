@@ -27,8 +27,8 @@ std::string performative_of(Value value, const SymbolTable& symbols) {
   if (name.size() > 2 && name.front() == '\'' && name.back() == '\'') {
     name = name.substr(1, name.size() - 2);
   }
-  const auto alias = std::find_if(kAliases.begin(), kAliases.end(),
-                                  [&](const Alias& each) { return each.written == name; });
+  const auto* const alias = std::find_if(kAliases.begin(), kAliases.end(),
+                                         [&](const Alias& each) { return each.written == name; });
   return alias == kAliases.end() ? name : std::string(alias->meant);
 }
 

@@ -281,7 +281,7 @@ void Mas::Implementation::reason(Resident& resident) {
   if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
 }
 
-std::string Mas::Implementation::busy_message(const Agent& agent, std::uint64_t cycles) const {
+std::string Mas::Implementation::busy_message(const Agent& agent, std::uint64_t cycles) {
   std::string doing;
   for (const auto& intention : agent.circumstance().intentions) {
     if (intention->is_finished()) continue;

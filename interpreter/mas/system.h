@@ -75,7 +75,7 @@ class Mas::Implementation : public AgentHost, public Society {
   bool deliver_messages();
   void tell_of_provider(const std::string& subscriber, const std::string& provider,
                         const std::string& service);
-  [[nodiscard]] std::string busy_message(const Agent& agent, std::uint64_t cycles) const;
+  [[nodiscard]] static std::string busy_message(const Agent& agent, std::uint64_t cycles);
   [[nodiscard]] double wall_ms() const;
 
   SymbolTable symbols_;  // of this run, above the programs' own
