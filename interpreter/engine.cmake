@@ -40,7 +40,7 @@ jaywalk_add_library(engine
     mas/percepts.cpp
     mas/residents.cpp
     mas/system.cpp
-    mas/transfer.cpp
+    term/transfer.cpp
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support
   PRIVATE fmt::fmt)

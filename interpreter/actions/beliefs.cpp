@@ -30,7 +30,7 @@ bool is_pattern(Value value) {
 
 // A rule as a term with variables of its own.
 Value rule_term(Unifier& unifier, const RuleCode& rule) {
-  std::vector<Value> slots(rule.slot_count);
+  ScratchSlots slots(unifier, rule.slot_count);
   const std::span<const Symbol> names = unifier.slot_names();
   unifier.set_slot_names(rule.slot_names);
   const std::size_t trail = unifier.mark();

@@ -73,7 +73,9 @@ Value remaining_body(Agent& agent, Intention& intention, const IntendedMeans& me
 }
 
 Value trigger_term(Agent& agent, TriggerOperator op, TriggerKind kind, Value literal) {
-  std::string functor = op == TriggerOperator::add ? "+" : op == TriggerOperator::remove ? "-" : "^";
+  std::string functor = op == TriggerOperator::add      ? "+"
+                        : op == TriggerOperator::remove ? "-"
+                                                        : "^";
   if (kind != TriggerKind::belief) functor += kind == TriggerKind::achieve ? '!' : '?';
   literal = agent.machine().unifier().apply(literal);
   return agent.heap().structure(agent.symbols().predicate(functor, 1), std::span(&literal, 1),
@@ -107,13 +109,13 @@ Value stack_term(Agent& agent, Intention& intention) {
       const std::array<Value, 2> place{
           heap.structure(agent.symbols().predicate("code_line", 1), std::span(&number, 1)),
           heap.structure(agent.symbols().predicate("code_src", 1), std::span(&file, 1))};
-      label = with_annotations(heap, label,
-                               union_of(heap, literal_parts(label).annots, heap.list(place),
-                                        agent.symbols()));
+      label = with_annotations(
+          heap, label,
+          union_of(heap, literal_parts(label).annots, heap.list(place), agent.symbols()));
     }
-    const std::array<Value, 4> parts{label, trigger_term(agent, means.op, means.kind, means.trigger),
-                                     remaining_body(agent, intention, means),
-                                     bindings_term(agent, intention, means)};
+    const std::array<Value, 4> parts{
+        label, trigger_term(agent, means.op, means.kind, means.trigger),
+        remaining_body(agent, intention, means), bindings_term(agent, intention, means)};
     stack.push_back(heap.structure(agent.symbols().predicate("im", 4), parts));
   }
   // A copy: the open variables are those of the stack's own frames, perhaps of this very action.
@@ -122,8 +124,8 @@ Value stack_term(Agent& agent, Intention& intention) {
 
 std::string state_name(const Agent& agent, const Intention& intention) {
   if (is_suspended(intention)) return "suspended";
-  const bool waits = intention.state == Intention::State::waiting ||
-                     intention.state == Intention::State::acting;
+  const bool waits =
+      intention.state == Intention::State::waiting || intention.state == Intention::State::acting;
   (void)agent;
   return waits ? "waiting" : "running";
 }
@@ -143,8 +145,8 @@ class IntentionSolutions : public Solutions {
         const Value why = Value::atom(agent.symbols().predicate(intention.reason, 0));
         const Value reason =
             agent.heap().structure(agent.symbols().predicate("reason", 1), std::span(&why, 1));
-        state = with_annotations(agent.heap(), state,
-                                 agent.heap().pair(reason, Value::empty_list()));
+        state =
+            with_annotations(agent.heap(), state, agent.heap().pair(reason, Value::empty_list()));
       }
       if (call.unify(0, Value::number(intention.id)) &&
           (call.count() < 2 || call.unify(1, state)) &&
@@ -170,7 +172,8 @@ bool has_future_goal(Agent& agent, Intention& intention, Value goal) {
     const auto found_in = [&](const Cursor& cursor, std::size_t from) {
       for (std::size_t k = from; k < cursor.body->steps.size(); ++k) {
         const Step& step = cursor.body->steps[k];
-        if (step.kind != Step::Kind::achieve && step.kind != Step::Kind::achieve_new_focus) continue;
+        if (step.kind != Step::Kind::achieve && step.kind != Step::Kind::achieve_new_focus)
+          continue;
         const std::size_t trail = unifier.mark();
         const bool found =
             unifier.unify(goal, unifier.instantiate(step.term, intention.frame(means)));
@@ -224,8 +227,10 @@ double parse_delay(const std::string& text) {
   std::string rest;
   in >> now;
   std::getline(in, rest);
-  if (now.starts_with("now") && now.size() > 3) rest = now.substr(3) + rest;
-  else if (now != "now") return -1;
+  if (now.starts_with("now") && now.size() > 3)
+    rest = now.substr(3) + rest;
+  else if (now != "now")
+    return -1;
   std::istringstream amount_in(rest);
   char plus = 0;
   double amount = 0;
@@ -237,11 +242,16 @@ double parse_delay(const std::string& text) {
     return amount;
   }
   switch (unit.front()) {
-    case 's': return amount * 1000;
-    case 'm': return amount * 60'000;
-    case 'h': return amount * 3'600'000;
-    case 'd': return amount * 86'400'000;
-    default: return -1;
+    case 's':
+      return amount * 1000;
+    case 'm':
+      return amount * 60'000;
+    case 'h':
+      return amount * 3'600'000;
+    case 'd':
+      return amount * 86'400'000;
+    default:
+      return -1;
   }
 }
 
@@ -292,9 +302,8 @@ Outcome at(ActionCall& call) {
   if (!trigger_parts(call.arg(1), call.symbols(), trigger) || !is_literal(trigger.literal)) {
     return call.wrong_argument(1, "a trigger like {+!g}");
   }
-  call.agent()->schedule({trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal),
-                          nullptr, 0},
-                         delay);
+  call.agent()->schedule(
+      {trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal), nullptr, 0}, delay);
   return Outcome::succeeded;
 }
 

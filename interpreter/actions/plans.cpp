@@ -63,7 +63,7 @@ void remove(ActionCall& call, Value what, Value source) {
   for (const Value annot : elements(literal_parts(plan->label).annots)) {
     if (!annot.is_structure() || annot.structure()->predicate() != predicates::source) continue;
     equal_terms(annot.structure()->arg(0), source) ? static_cast<void>(named = true)
-                                                    : static_cast<void>(++others);
+                                                   : static_cast<void>(++others);
   }
   if (named && others == 0) call.agent()->remove_plan(*plan);
 }
@@ -83,18 +83,16 @@ bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) 
     // Plans may ask for a source: any will do.
     const Value any = call.heap().variable();
     const Value source = call.heap().structure(predicates::source, std::span(&any, 1));
-    literal = with_annotations(
-        call.heap(), literal,
-        union_of(call.heap(), literal_parts(literal).annots,
-                 call.heap().pair(source, Value::empty_list()), call.symbols()));
+    literal =
+        with_annotations(call.heap(), literal,
+                         union_of(call.heap(), literal_parts(literal).annots,
+                                  call.heap().pair(source, Value::empty_list()), call.symbols()));
   }
   plans = call.agent()->relevant_plans(parts.op, parts.kind, literal);
   return true;
 }
 
-Value bare_label(ActionCall& call, const Plan& plan) {
-  return call.unifier().apply(plan.label);
-}
+Value bare_label(ActionCall& call, const Plan& plan) { return call.unifier().apply(plan.label); }
 
 // Pairs of plan and label, one after another.
 class PlanSolutions : public Solutions {
@@ -129,8 +127,10 @@ Outcome add_plan(ActionCall& call) {
   Place place = Place::back;
   if (call.count() > 2) {
     const std::string where = text_of(call.arg(2), call.symbols());
-    if (where == "begin") place = Place::front;
-    else if (where != "end") return call.wrong_argument(2, "begin or end");
+    if (where == "begin")
+      place = Place::front;
+    else if (where != "end")
+      return call.wrong_argument(2, "begin or end");
   }
   return add(call, call.arg(0), source, place);
 }

@@ -59,7 +59,7 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
     }
   }
   for (const Program::Goal& goal : program.goals()) {
-    std::vector<Value> slots(goal.slot_count);
+    ScratchSlots slots(machine_.unifier(), goal.slot_count);
     machine_.unifier().set_slot_names(goal.slot_names);
     add_goal(machine_.unifier().instantiate(goal.literal, slots.data()));
     machine_.unifier().commit(0);
@@ -101,14 +101,15 @@ const PendingAction* Agent::take_action() {
 void Agent::give_feedback(bool succeeded, std::string reason) {
   const PendingAction action = circumstance_.acting.back();
   circumstance_.acting.pop_back();
-  circumstance_.feedback.push_back({action.intention, succeeded, std::move(reason), action.literal});
+  circumstance_.feedback.push_back(
+      {action.intention, succeeded, std::move(reason), action.literal});
 }
 
 bool Agent::add_belief(Value literal, Place place, Intention* focus) {
   const LiteralParts parts = literal_parts(literal);
   if (!has_source(parts.annots)) {
-    literal = with_annotations(heap_, literal,
-                               union_of(heap_, parts.annots, source_self(), symbols_));
+    literal =
+        with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
   }
   const std::optional<Value> added = beliefs_.add(literal, place);
   if (!added) return false;
@@ -119,11 +120,12 @@ bool Agent::add_belief(Value literal, Place place, Intention* focus) {
 bool Agent::remove_belief(Value literal, Intention* focus) {
   const LiteralParts parts = literal_parts(literal);
   if (!has_source(parts.annots)) {
-    literal = with_annotations(heap_, literal,
-                               union_of(heap_, parts.annots, source_self(), symbols_));
+    literal =
+        with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
   }
   if (!beliefs_.remove(literal, machine_.unifier())) return false;
-  add_event({TriggerOperator::remove, TriggerKind::belief, machine_.unifier().apply(literal), focus});
+  add_event(
+      {TriggerOperator::remove, TriggerKind::belief, machine_.unifier().apply(literal), focus});
   return true;
 }
 
@@ -220,7 +222,8 @@ void Agent::add_plan(std::shared_ptr<Plan> plan, Place place) {
     library_ = own_library_.get();
   }
   own_plans_.push_back(plan);
-  place == Place::back ? own_library_->add(std::move(plan)) : own_library_->add_first(std::move(plan));
+  place == Place::back ? own_library_->add(std::move(plan))
+                       : own_library_->add_first(std::move(plan));
 }
 
 void Agent::remove_plan(const Plan& plan) {

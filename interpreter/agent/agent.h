@@ -1,7 +1,8 @@
 #pragma once
 
-// A BDI agent: beliefs, plans and a circumstance, and the reasoning cycle that moves them. The cycle
-// follows Jason's semantic rules; each is a function that bears its name, in cycle.cpp, in order.
+// A BDI agent: beliefs, plans and a circumstance, and the reasoning cycle that moves them. The
+// cycle follows Jason's semantic rules; each is a function that bears its name, in cycle.cpp, in
+// order.
 
 #include <cstdint>
 #include <functional>
@@ -82,8 +83,8 @@ class Agent {
   /// Posts a goal as an external event.
   void add_goal(Value literal);
 
-  /// `.wait`: the intention goes on when a trigger or formula comes true, or time is over (`ms` < 0:
-  /// never). `wait.elapsed` set: running out of time is no failure.
+  /// `.wait`: the intention goes on when a trigger or formula comes true, or time is over (`ms` <
+  /// 0: never). `wait.elapsed` set: running out of time is no failure.
   void start_wait(Intention& intention, Wait wait, double ms);
   /// Posts an event after `ms` milliseconds (`.at`).
   void schedule(Event event, double ms);
@@ -112,8 +113,8 @@ class Agent {
   /// The event that is being handled or that the executing intention is of; for `.intention`.
   [[nodiscard]] Intention* executing() const { return executing_; }
 
-  /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms` is
-  /// negative.
+  /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms`
+  /// is negative.
   void wait_for_answers(Intention& intention, PendingAsk ask, double timeout_ms);
   /// A name for a message. Names come again after very many messages.
   [[nodiscard]] std::string new_message_id(std::string_view prefix);
@@ -218,8 +219,8 @@ class Agent {
   void fail(Intention& intention, const ActionError& error);
   void fail_event(const Event& event, const ActionError& error);
   void fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
-  [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor,
-                                  const ActionError& error, Value code, std::uint32_t line);
+  [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor, const ActionError& error,
+                                  Value code, std::uint32_t line);
   [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal, const Scope* scope);
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line);
   void lose(Intention& intention, const ActionError& error, Value code);
@@ -249,11 +250,11 @@ class Agent {
   JavaRandom random_;
   Circumstance circumstance_;
   const PlanLibrary* library_;
-  std::unique_ptr<PlanLibrary> own_library_;         // once the program's has been changed
-  std::vector<std::shared_ptr<Plan>> own_plans_;     // made at run time, perhaps removed again
+  std::unique_ptr<PlanLibrary> own_library_;      // once the program's has been changed
+  std::vector<std::shared_ptr<Plan>> own_plans_;  // made at run time, perhaps removed again
   std::vector<std::shared_ptr<const Program>> included_;
   std::uint32_t next_label_ = 0;
-  std::vector<Value> scratch_;                       // the frame of the plan being tried
+  std::vector<Value> scratch_;  // the frame of the plan being tried
   std::vector<std::pair<Value, Value>> renamed_;
   std::vector<BeliefBase::PerceptChange> percept_changes_;
   std::uint64_t next_token_ = 1;
@@ -262,8 +263,8 @@ class Agent {
   std::uint64_t cycles_ = 0;
   std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
   Intention* executing_ = nullptr;
-  bool uses_subplans_ = false;     // some means has had sub-plans
-  bool changed_ = false;           // since waiting formulas were last looked at
+  bool uses_subplans_ = false;       // some means has had sub-plans
+  bool changed_ = false;             // since waiting formulas were last looked at
   std::size_t goal_conditions_ = 0;  // means with a goal condition
   std::size_t formula_waits_ = 0;
 };

@@ -8,14 +8,12 @@
 namespace jaywalk {
 namespace {
 
-
-Value variable_of(Value* cell) {
-  return Value::reference(Value::Kind::variable, cell, 0);
-}
+Value variable_of(Value* cell) { return Value::reference(Value::Kind::variable, cell, 0); }
 
 }  // namespace
 
-// Bindings made by a step are for good, unless the step is in a loop: then the round remembers them.
+// Bindings made by a step are for good, unless the step is in a loop: then the round remembers
+// them.
 void Agent::record_bindings(Intention& intention, std::size_t trail) {
   IntendedMeans& means = intention.top();
   if (!means.loops.empty()) {
@@ -23,8 +21,7 @@ void Agent::record_bindings(Intention& intention, std::size_t trail) {
     Value* const last = first + means.plan->slot_count;
     for (Value* const cell : machine_.unifier().bindings_since(trail)) {
       if (cell >= first && cell < last) {
-        means.loops.back().bound.push_back(
-            Value::slot(static_cast<std::uint32_t>(cell - first)));
+        means.loops.back().bound.push_back(Value::slot(static_cast<std::uint32_t>(cell - first)));
       } else if (!machine_.is_in_frame(cell)) {
         means.loops.back().bound.push_back(variable_of(cell));
       }

@@ -94,7 +94,7 @@ struct Circumstance {
   std::vector<PendingAsk> asks;
   std::vector<Task> tasks;
   std::vector<std::pair<std::uint64_t, Event>> scheduled;  // by timer (.at)
-  Ring<Message> mailbox;             // MB
+  Ring<Message> mailbox;                                   // MB
   std::vector<Message> arriving;  // sent in this round, to the mailbox at its end
   std::vector<std::unique_ptr<Intention>> intentions;  // owns all of them
 };

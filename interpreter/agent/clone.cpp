@@ -5,8 +5,8 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/logic/formula_compiler.h"
-#include "interpreter/mas/transfer.h"
 #include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/transfer.h"
 
 namespace jaywalk {
 namespace {

@@ -1,6 +1,6 @@
-// The reasoning cycle. The functions stand in the order of Jason's semantic rules (Bordini, Huebner,
-// Wooldridge 2007, ch. 10) and bear their names; where Jason's interpreter differs from the book, it
-// is Jason that is followed:
+// The reasoning cycle. The functions stand in the order of Jason's semantic rules (Bordini,
+// Huebner, Wooldridge 2007, ch. 10) and bear their names; where Jason's interpreter differs from
+// the book, it is Jason that is followed:
 //
 //   sense       ProcMsg
 //   deliberate  SelEv → RelPl, ApplPl, SelAppl (found in one go: FindOp) → AddIM
@@ -137,8 +137,8 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
   means.scope = scope;
   if (plan.subplans != nullptr) {
     uses_subplans_ = true;
-    means.scope = std::make_shared<Scope>(Scope{plan.subplans.get(), &plan, scratch_, scope,
-                                                intention.id, intention.stack.size()});
+    means.scope = std::make_shared<Scope>(
+        Scope{plan.subplans.get(), &plan, scratch_, scope, intention.id, intention.stack.size()});
   }
   if (plan.has_goal_condition) ++goal_conditions_;
   if (plan.atomic) circumstance_.atomic_suspended = false;
@@ -176,8 +176,9 @@ bool Agent::no_plan(const Event& event, bool had_candidates) {
   if (event.kind != TriggerKind::belief && event.op != TriggerOperator::goal_state) {
     ActionError error;
     error.id = had_candidates ? "no_applicable" : "no_relevant";
-    error.message = std::string(had_candidates ? "no applicable plan for " : "no relevant plan for ") +
-                    trigger_text(event);
+    error.message =
+        std::string(had_candidates ? "no applicable plan for " : "no relevant plan for ") +
+        trigger_text(event);
     fail_event(event, error);
     return true;
   }

@@ -48,14 +48,19 @@ void Agent::execute(Intention& intention) {
   });
   if (!completed) {
     machine_.unifier().undo(0);
+    const MemoryReserve reserve(heap_);
     fail(intention, error);
   }
 }
 
 void Agent::execute_step(Intention& intention, const Step& step) {
   switch (step.kind) {
-    case Step::Kind::action: execute_action(intention, step.term); return;
-    case Step::Kind::internal_action: execute_internal_action(intention, *step.goal); return;
+    case Step::Kind::action:
+      execute_action(intention, step.term);
+      return;
+    case Step::Kind::internal_action:
+      execute_internal_action(intention, *step.goal);
+      return;
     case Step::Kind::constraint: {
       const std::size_t trail = machine_.unifier().mark();
       if (!machine_.solve(step.goal, intention.frame(intention.top()))) {
@@ -67,23 +72,42 @@ void Agent::execute_step(Intention& intention, const Step& step) {
       return;
     }
     case Step::Kind::achieve:
-    case Step::Kind::achieve_new_focus: execute_achieve(intention, step.term, step.kind); return;
-    case Step::Kind::test: execute_test(intention, step); return;
+    case Step::Kind::achieve_new_focus:
+      execute_achieve(intention, step.term, step.kind);
+      return;
+    case Step::Kind::test:
+      execute_test(intention, step);
+      return;
     case Step::Kind::add:
     case Step::Kind::add_new_focus:
     case Step::Kind::add_begin:
     case Step::Kind::add_end:
     case Step::Kind::remove:
     case Step::Kind::remove_new_focus:
-    case Step::Kind::replace: execute_belief(intention, step.term, step.kind); return;
-    case Step::Kind::variable: execute_variable(intention, step); return;
-    case Step::Kind::if_statement: execute_if(intention, step); return;
-    case Step::Kind::while_loop: execute_while(intention, step); return;
-    case Step::Kind::for_loop: execute_for(intention, step); return;
+    case Step::Kind::replace:
+      execute_belief(intention, step.term, step.kind);
+      return;
+    case Step::Kind::variable:
+      execute_variable(intention, step);
+      return;
+    case Step::Kind::if_statement:
+      execute_if(intention, step);
+      return;
+    case Step::Kind::while_loop:
+      execute_while(intention, step);
+      return;
+    case Step::Kind::for_loop:
+      execute_for(intention, step);
+      return;
     case Step::Kind::fork_and:
-    case Step::Kind::fork_or: execute_fork(intention, step); return;
-    case Step::Kind::join: execute_join(intention); return;
-    case Step::Kind::wrong: break;
+    case Step::Kind::fork_or:
+      execute_fork(intention, step);
+      return;
+    case Step::Kind::join:
+      execute_join(intention);
+      return;
+    case Step::Kind::wrong:
+      break;
   }
   fail(intention, make_error("body_var_not_literal", "this formula cannot be executed"));
 }
@@ -110,8 +134,7 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   ActionError error;
   // The action may drop its own intention, or finish its goal: look at the state afterwards.
   const std::size_t depth = intention.stack.size();
-  const Outcome outcome =
-      machine_.call(goal, intention.frame(intention.top()), &intention, error);
+  const Outcome outcome = machine_.call(goal, intention.frame(intention.top()), &intention, error);
   if (intention.state != Intention::State::running || intention.stack.size() != depth) {
     if (outcome != Outcome::suspended && intention.state == Intention::State::running) {
       make_ready(intention);
@@ -123,10 +146,15 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
       record_bindings(intention, trail);
       go_on(intention);
       return;
-    case Outcome::suspended: return;
-    case Outcome::failed: fail(intention, make_error("ia_failed", "")); return;
+    case Outcome::suspended:
+      return;
+    case Outcome::failed:
+      fail(intention, make_error("ia_failed", ""));
+      return;
     case Outcome::many:
-    case Outcome::error: fail(intention, error); return;
+    case Outcome::error:
+      fail(intention, error);
+      return;
   }
 }
 
@@ -190,14 +218,13 @@ void Agent::execute_test(Intention& intention, const Step& step) {
       return;
     }
   }
-  fail(intention, make_error("test_goal_failed",
-                             "Failed to test '" + term_text(term, symbols_) + "'"));
+  fail(intention,
+       make_error("test_goal_failed", "Failed to test '" + term_text(term, symbols_) + "'"));
 }
 
 void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
   if (execute_plan_or_rule(intention, term, kind)) return;
-  const bool new_focus =
-      kind == Step::Kind::add_new_focus || kind == Step::Kind::remove_new_focus;
+  const bool new_focus = kind == Step::Kind::add_new_focus || kind == Step::Kind::remove_new_focus;
   Intention* const focus = new_focus ? nullptr : &intention;
   const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
   // Deleting binds the variables of the pattern, so they are not renamed.
@@ -214,8 +241,7 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
   }
   const std::size_t trail = removes ? 0 : machine_.unifier().mark();
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
-  const bool changed =
-      removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
+  const bool changed = removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
   record_bindings(intention, trail);
   if (!changed || new_focus) go_on(intention);
 }
@@ -267,8 +293,10 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
   if (is_form(value, Form::body)) {
     // The formulas come in the variable's place, the first of them in this step.
     enter_body(intention, body, std::move(code));
-    if (!intention.top().cursor.at_end()) execute(intention);
-    else make_ready(intention);
+    if (!intention.top().cursor.at_end())
+      execute(intention);
+    else
+      make_ready(intention);
   } else {
     enter_body(intention, body, std::move(code));
     execute(intention);

@@ -1,11 +1,12 @@
 // What happens when a formula fails or a goal has no plan: Jason looks from the top of the stack
 // downwards for a goal that has a plan for its failure, `-!g`, and posts that event on the same
-// intention; the failed means stay below until that plan is done. Without one the intention is lost.
-
-#include <fmt/format.h>
+// intention; the failed means stay below until that plan is done. Without one the intention is
+// lost.
 
 #include <algorithm>
 #include <array>
+
+#include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/program/plan_compiler.h"
@@ -15,8 +16,8 @@
 namespace jaywalk {
 
 bool Agent::has_failure_plan(TriggerKind kind, Value literal, const Scope* scope) {
-  const TriggerKey key = trigger_key(TriggerOperator::remove, kind,
-                                     literal_parts(literal).predicate, symbols_);
+  const TriggerKey key =
+      trigger_key(TriggerOperator::remove, kind, literal_parts(literal).predicate, symbols_);
   for (; scope != nullptr; scope = scope->outer.get()) {
     if (!scope->library->candidates(key).empty()) return true;
   }
@@ -60,7 +61,8 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
       i = std::min(means.keeps, i);  // the failed means of that goal are skipped
       continue;
     }
-    if (means.op != TriggerOperator::add || !has_failure_plan(means.kind, means.trigger, means.scope.get())) {
+    if (means.op != TriggerOperator::add ||
+        !has_failure_plan(means.kind, means.trigger, means.scope.get())) {
       continue;
     }
     add_event({TriggerOperator::remove, means.kind,
@@ -79,8 +81,7 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
   }
   log(fmt::format("{}{}no failure event was generated: {}{}{}{}",
                   place.empty() ? "" : fmt::format("{}:{}: ", place, line), "", error.id,
-                  error.message.empty() ? "" : ": " + error.message,
-                  code.is_unset() ? "" : " in ",
+                  error.message.empty() ? "" : ": " + error.message, code.is_unset() ? "" : " in ",
                   code.is_unset() ? "" : term_text(code, symbols_)));
   drop(intention);
 }
@@ -103,6 +104,10 @@ void Agent::fail(Intention& intention, const ActionError& error) {
       code = machine_.unifier().fresh_copy(
           machine_.unifier().instantiate(step.term, intention.frame(top)));
     } catch (const DivisionByZero&) {
+      code = Value();
+    } catch (const TermTooDeep&) {
+      code = Value();
+    } catch (const HeapExhausted&) {
       code = Value();
     }
   }
@@ -137,8 +142,7 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
     return;
   }
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
-  const std::uint32_t line =
-      intention.top().cursor.at_end() ? 0 : intention.top().step().line;
+  const std::uint32_t line = intention.top().cursor.at_end() ? 0 : intention.top().step().line;
   const Value goal = machine_.unifier().fresh_copy(event.literal);
   signal_goal_state(event.kind, event.literal, "failed", error.id);
   if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
@@ -150,8 +154,6 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   fail_stack(intention, error, goal, line);
 }
 
-void Agent::fail_waiting(Intention& intention, const ActionError& error) {
-  fail(intention, error);
-}
+void Agent::fail_waiting(Intention& intention, const ActionError& error) { fail(intention, error); }
 
 }  // namespace jaywalk

@@ -94,8 +94,8 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end) {
     const IntendedMeans& means = intention.top();
     signal_goal_state(means.kind, means.trigger, "failed", "fail_goal");
     if (has_failure_plan(means.kind, means.trigger, means.scope.get())) {
-      Event event{TriggerOperator::remove, means.kind,
-                  machine_.unifier().apply(means.trigger), &intention, depth};
+      Event event{TriggerOperator::remove, means.kind, machine_.unifier().apply(means.trigger),
+                  &intention, depth};
       add_event(event);
       return;
     }
@@ -162,8 +162,10 @@ void Agent::suspend_goal(Value goal) {
     if (intention->state == Intention::State::running) {
       erase(c.running, intention);
       if (c.atomic == intention) c.atomic = nullptr;
-      if (intention != executing_) suspend(*intention, Intention::State::suspended, "suspend_ia");
-      else intention->also_suspended = true;
+      if (intention != executing_)
+        suspend(*intention, Intention::State::suspended, "suspend_ia");
+      else
+        intention->also_suspended = true;
     } else if (intention->state != Intention::State::in_event) {
       intention->also_suspended = true;
     }
@@ -232,8 +234,7 @@ void Agent::start_subplan_intentions(const Event& event) {
   if (event.intention != nullptr || event.kind != TriggerKind::belief) return;
   const TriggerKey key = key_of(event);
   for (Intention* const intention : all_intentions()) {
-    std::shared_ptr<Scope> scope =
-        intention->is_finished() ? nullptr : intention->top().scope;
+    std::shared_ptr<Scope> scope = intention->is_finished() ? nullptr : intention->top().scope;
     for (; scope != nullptr; scope = scope->outer) {
       if (scope->intention != intention->id) continue;  // an inner intention of its own
       bool had_candidates = false;

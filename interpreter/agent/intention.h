@@ -60,8 +60,8 @@ struct IntendedMeans {
   std::vector<Cursor> outer;  // where to go on when the cursor's body is done
   std::vector<Loop> loops;
   std::shared_ptr<Scope> scope;  // null: the agent's library alone
-  std::size_t frame = 0;      // index into the intention's values
-  std::size_t returns = 0;    // values behind the frame: pairs of the open call
+  std::size_t frame = 0;         // index into the intention's values
+  std::size_t returns = 0;       // values behind the frame: pairs of the open call
   /// Of a means for a failure, `-!g`: how many means below stay when it is done. Those above them
   /// are of the goal that failed.
   std::size_t keeps = 0;
@@ -75,10 +75,10 @@ struct IntendedMeans {
 /// Several branches of one fork, `|&|` or `|||`.
 struct Fork {
   bool is_or = false;
-  std::size_t depth = 0;  // how many means the branches share
-  std::size_t open = 0;   // branches that have not joined
+  std::size_t depth = 0;                // how many means the branches share
+  std::size_t open = 0;                 // branches that have not joined
   std::vector<std::uint32_t> branches;  // ids of the intentions
-  std::shared_ptr<Fork> outer;  // the fork of which this one's intention was a branch
+  std::shared_ptr<Fork> outer;          // the fork of which this one's intention was a branch
 };
 
 class Intention {

@@ -12,13 +12,13 @@ namespace jaywalk {
 
 // A template's slots as variables of the plan's names.
 Value Agent::plan_term(const Plan& plan) {
-  std::vector<Value> slots(plan.slot_count);
   Unifier& unifier = machine_.unifier();
+  ScratchSlots slots(unifier, plan.slot_count);
   const std::size_t trail = unifier.mark();
   unifier.set_slot_names(plan.slot_names);
   const PlanParts parts = plan_parts(plan.source);
-  std::array<Value, 6> made{plan.label,      parts.trigger,        parts.context,
-                            parts.body,      parts.goal_condition, Value()};
+  std::array<Value, 6> made{plan.label, parts.trigger,        parts.context,
+                            parts.body, parts.goal_condition, Value()};
   for (Value& part : made) part = unifier.instantiate(part, slots.data());
   unifier.commit(trail);
   return heap_.structure(plan.source.structure()->predicate(), made, Value::empty_list(),
@@ -58,9 +58,9 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   const Value source_annot = heap_.structure(predicates::source, std::span(&source, 1));
   const Value sources = heap_.pair(source_annot, Value::empty_list());
   for (const auto& known : library_->plans()) {
-    const bool same_label = is_literal(plan->label) && is_literal(known->label) &&
-                            literal_parts(plan->label).predicate ==
-                                literal_parts(known->label).predicate;
+    const bool same_label =
+        is_literal(plan->label) && is_literal(known->label) &&
+        literal_parts(plan->label).predicate == literal_parts(known->label).predicate;
     if (!same_label) continue;
     if (same_plan(*known, *plan)) return true;  // it is there already
     problem = "another plan has the label " + plan_name(*plan);
@@ -73,8 +73,7 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
     }
   }
   plan->label = with_annotations(
-      heap_, plan->label,
-      union_of(heap_, literal_parts(plan->label).annots, sources, symbols_));
+      heap_, plan->label, union_of(heap_, literal_parts(plan->label).annots, sources, symbols_));
   heap_.protect();
   add_plan(plan, place);
   return true;
@@ -113,7 +112,7 @@ std::vector<const Plan*> Agent::relevant_plans(TriggerOperator op, TriggerKind k
   const Event event{op, kind, literal, nullptr, 0};
   for (const Plan* const plan : library_->candidates(key_of(event))) {
     const std::size_t trail = unifier.mark();
-    std::vector<Value> slots(plan->slot_count);
+    ScratchSlots slots(unifier, plan->slot_count);
     unifier.set_slot_names(plan->slot_names);
     if (unifier.match(plan->trigger, slots.data(), literal, Unifier::Direction::template_first)) {
       found.push_back(plan);

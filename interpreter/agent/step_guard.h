@@ -28,4 +28,21 @@ template <class Body>
   return false;
 }
 
+/// Memory beyond an agent's limit while it lives: what it takes to tell of a failure when there is
+/// none left. The next collection comes at the end of the cycle.
+class MemoryReserve {
+ public:
+  explicit MemoryReserve(Heap& heap) : heap_(heap), limit_(heap.limit()) {
+    constexpr std::size_t kBytes = std::size_t{1} << 20U;
+    heap_.set_limit(limit_ + kBytes);
+  }
+  ~MemoryReserve() { heap_.set_limit(limit_); }
+  MemoryReserve(const MemoryReserve&) = delete;
+  MemoryReserve& operator=(const MemoryReserve&) = delete;
+
+ private:
+  Heap& heap_;
+  std::size_t limit_;
+};
+
 }  // namespace jaywalk

@@ -104,9 +104,9 @@ void Agent::run_tasks() {
       end_wait(task.wait, task.kind == Task::Kind::time_out);
     } else if (!library_->candidates(key_of(task.event)).empty()) {
       // Goal states are handled before other events, in their own order.
-      const auto place = std::find_if(
-          circumstance_.events.begin(), circumstance_.events.end(),
-          [](const Event& event) { return event.op != TriggerOperator::goal_state; });
+      const auto place =
+          std::find_if(circumstance_.events.begin(), circumstance_.events.end(),
+                       [](const Event& event) { return event.op != TriggerOperator::goal_state; });
       circumstance_.events.insert(place, task.event);
       ++goal_states;
     }
@@ -148,8 +148,8 @@ void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view sta
   const Value name = Value::atom(symbols_.predicate(state, 0));
   const Value annot = heap_.structure(symbols_.predicate("state", 1), std::span(&name, 1), annots);
   goal = machine_.unifier().fresh_copy(goal);
-  const Value all = union_of(heap_, literal_parts(goal).annots,
-                             heap_.pair(annot, Value::empty_list()), symbols_);
+  const Value all =
+      union_of(heap_, literal_parts(goal).annots, heap_.pair(annot, Value::empty_list()), symbols_);
   Task task;
   task.kind = Task::Kind::goal_state;
   task.event = {TriggerOperator::goal_state, kind, with_annotations(heap_, goal, all), nullptr, 0};

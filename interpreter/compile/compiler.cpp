@@ -1,14 +1,14 @@
 #include "interpreter/compile/compiler.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <unordered_set>
 
-#include "interpreter/compile/kqml_plans.h"
+#include <fmt/format.h>
+
 #include "interpreter/compile/goal_patterns.h"
+#include "interpreter/compile/kqml_plans.h"
 #include "interpreter/compile/translator.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/program/plan_compiler.h"
@@ -59,10 +59,18 @@ class ProgramBuilder {
 
   void add_component(const ast::Component& component) {
     switch (component.kind) {
-      case ast::ComponentKind::belief: add_belief(component); return;
-      case ast::ComponentKind::goal: add_goal(component); return;
-      case ast::ComponentKind::plan: add_plan(*component.plan, program_.library_, nullptr); return;
-      case ast::ComponentKind::directive: add_directive(component); return;
+      case ast::ComponentKind::belief:
+        add_belief(component);
+        return;
+      case ast::ComponentKind::goal:
+        add_goal(component);
+        return;
+      case ast::ComponentKind::plan:
+        add_plan(*component.plan, program_.library_, nullptr);
+        return;
+      case ast::ComponentKind::directive:
+        add_directive(component);
+        return;
     }
   }
 
@@ -84,14 +92,19 @@ class ProgramBuilder {
     const SourceSpan place = where(component.literal->span);
     if (component.body == nullptr && scope.slot_names().empty()) {
       // Arithmetic in facts is evaluated now.
-      head = machine_.unifier().apply(head);
+      try {
+        head = machine_.unifier().apply(head);
+      } catch (const DivisionByZero&) {
+        diagnostics_.error(place, "division by zero in a belief");
+        return;
+      }
       program_.beliefs_.push_back({head, nullptr, predicate, place});
       return;
     }
     const Value body = component.body == nullptr ? Value::atom(predicates::truth)
                                                  : translator_.formula(*component.body, scope);
-    program_.rules_.push_back(make_rule(head, body, std::move(scope.slot_names()), constants(),
-                                        actions_, symbols_));
+    program_.rules_.push_back(
+        make_rule(head, body, std::move(scope.slot_names()), constants(), actions_, symbols_));
     program_.beliefs_.push_back({Value(), program_.rules_.back().get(), predicate, place});
   }
 
@@ -99,9 +112,9 @@ class ProgramBuilder {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
     Value literal = translator_.literal(*component.literal, scope);
     if (is_literal(literal) && !has_source(literal_parts(literal).annots)) {
-      literal = with_annotations(constants(), literal,
-                                 union_of(constants(), literal_parts(literal).annots,
-                                          source_self(), symbols_));
+      literal = with_annotations(
+          constants(), literal,
+          union_of(constants(), literal_parts(literal).annots, source_self(), symbols_));
     }
     const auto count = static_cast<std::uint32_t>(scope.slot_names().size());
     program_.goals_.push_back({literal, count, std::move(scope.slot_names())});
@@ -144,8 +157,8 @@ class ProgramBuilder {
   void complete_label(Plan& plan) {
     Value annots = is_literal(plan.label) ? literal_parts(plan.label).annots : Value::empty_list();
     annots = union_of(constants(), annots, source_self(), symbols_);
-    const bool named = is_literal(plan.label) &&
-                       !symbols_.functor(literal_parts(plan.label).predicate).empty();
+    const bool named =
+        is_literal(plan.label) && !symbols_.functor(literal_parts(plan.label).predicate).empty();
     if (!named) plan.label = Value::atom(symbols_.predicate(fmt::format("p__{}", ++labelled_), 0));
     plan.label = with_annotations(constants(), plan.label, annots);
   }
@@ -155,8 +168,8 @@ class ProgramBuilder {
         written.label->kind != ast::Kind::literal) {
       return;
     }
-    const std::string label = term_text(
-        with_annotations(constants(), plan.label, Value::empty_list()), symbols_);
+    const std::string label =
+        term_text(with_annotations(constants(), plan.label, Value::empty_list()), symbols_);
     if (labels_.insert(label).second) return;
     diagnostics_.error(where(written.label->span),
                        fmt::format("another plan has the label '{}' already", label),
@@ -173,7 +186,8 @@ class ProgramBuilder {
         directive.args[2]->kind != ast::Kind::string) {
       return;
     }
-    const auto arity = static_cast<std::uint16_t>(std::clamp(directive.args[1]->number, 0.0, 255.0));
+    const auto arity =
+        static_cast<std::uint16_t>(std::clamp(directive.args[1]->number, 0.0, 255.0));
     translator_.add_function(directive.args[0]->text, arity);
     program_.functions_.push_back(
         {symbols_.symbol(directive.args[0]->text), arity,
@@ -188,8 +202,7 @@ class ProgramBuilder {
       add_namespace(component);
     } else if (directive.text == "register_function") {
       if (directive.args.size() == 1) {
-        diagnostics_.error(where(directive.span),
-                           "functions written in Java are not supported",
+        diagnostics_.error(where(directive.span), "functions written in Java are not supported",
                            "define it by a rule: register_function(\"my.f\", Arity, \"pred\")");
       }
     } else if (is_goal_pattern(directive.text)) {
@@ -225,8 +238,8 @@ class ProgramBuilder {
     const Symbol written = symbols_.symbol(directive.args[0]->text);
     if (directive.args.size() > 1 && directive.args[1]->text == "local") {
       translator_.rename_namespace(
-          written, symbols_.symbol(fmt::format("#{}{}", ++local_namespaces_,
-                                               directive.args[0]->text)));
+          written,
+          symbols_.symbol(fmt::format("#{}{}", ++local_namespaces_, directive.args[0]->text)));
     } else if (directive.args.size() > 1 && directive.args[1]->text == "global") {
       translator_.rename_namespace(written, written);
     }

@@ -1,15 +1,16 @@
 #include "interpreter/compile/goal_patterns.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace jaywalk {
 namespace {
 
-const std::vector<std::string> kPatterns{"dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga"};
+const std::vector<std::string> kPatterns{"dg", "bdg", "ebdg", "bc", "smc",
+                                         "rc", "omc", "mg",   "sga"};
 
 // A plan between the directive's braces, in the pieces that patterns put together anew.
 struct InnerPlan {
@@ -25,9 +26,9 @@ class Expansion {
 
   std::string expand(std::string& problem) {
     const ast::Node& directive = *component_.literal;
-    const std::size_t wanted = directive.text == "smc" || directive.text == "rc" ? 2
+    const std::size_t wanted = directive.text == "smc" || directive.text == "rc"    ? 2
                                : directive.text == "omc" || directive.text == "sga" ? 3
-                                                                                     : 1;
+                                                                                    : 1;
     if (directive.args.size() < wanted) {
       problem = fmt::format("directive '{}' needs {} argument{}", directive.text, wanted,
                             wanted == 1 ? "" : "s");
@@ -79,8 +80,10 @@ class Expansion {
     if (name == "smc") result += fmt::format("+{} <- .fail_goal({}).\n", a[1], g);
     if (name == "rc") result += fmt::format("-{} <- .succeed_goal({}).\n", a[1], g);
     if (name == "omc") {
-      result += fmt::format("+{0} <- .fail_goal({1}).\n+{1} <- .drop_intention({1}).\n"
-                            "-{2} <- .succeed_goal({1}).\n", a[1], g, a[2]);
+      result += fmt::format(
+          "+{0} <- .fail_goal({1}).\n+{1} <- .drop_intention({1}).\n"
+          "-{2} <- .succeed_goal({1}).\n",
+          a[1], g, a[2]);
     }
     return result;
   }
@@ -139,8 +142,10 @@ class Expansion {
           plan.context.empty() ? "not " + mark : fmt::format("not {} & ({})", mark, plan.context);
       result += join(plan, context, "+" + mark, "?" + g);
     }
-    return result + fmt::format("-!{0} <- !{0}.\n+{0} <- .abolish(p__f(_,{0})); .succeed_goal({0}).\n"
-                                "-{0} <- .abolish(p__f(_,{0})).\n", g);
+    return result + fmt::format(
+                        "-!{0} <- !{0}.\n+{0} <- .abolish(p__f(_,{0})); .succeed_goal({0}).\n"
+                        "-{0} <- .abolish(p__f(_,{0})).\n",
+                        g);
   }
 
   // Sequenced goal adoption: sga("trigger", "context", goal).

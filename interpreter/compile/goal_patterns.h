@@ -18,7 +18,7 @@ namespace jaywalk {
 [[nodiscard]] std::span<const std::string> directive_names();
 
 /// The program text that a pattern stands for. `problem` receives why there is none.
-[[nodiscard]] std::string expand_goal_pattern(const ast::Component& component,
-                                              const Source& source, std::string& problem);
+[[nodiscard]] std::string expand_goal_pattern(const ast::Component& component, const Source& source,
+                                              std::string& problem);
 
 }  // namespace jaywalk

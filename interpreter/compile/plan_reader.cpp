@@ -29,8 +29,8 @@ Value plan_of_trigger(Value trigger, Heap& heap, SymbolTable& symbols) {
     const Structure& step = *deref(trigger.structure()->arg(0)).structure();
     const Value literal = step.arg(0);
     const std::string op(symbols.functor(step.predicate()));
-    trigger = heap.structure(symbols.predicate(op, 1), std::span(&literal, 1),
-                             Value::empty_list(), Form::trigger);
+    trigger = heap.structure(symbols.predicate(op, 1), std::span(&literal, 1), Value::empty_list(),
+                             Form::trigger);
   }
   const Value body = heap.structure(symbols.predicate(Signature{.functor = names::body_text}), {},
                                     Value::empty_list(), Form::body);

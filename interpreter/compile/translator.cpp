@@ -11,27 +11,47 @@ namespace {
 
 Predicate operator_predicate(ast::Operator op) {
   switch (op) {
-    case ast::Operator::logical_and: return predicates::logical_and;
-    case ast::Operator::logical_or: return predicates::logical_or;
-    case ast::Operator::less: return predicates::less;
-    case ast::Operator::less_equal: return predicates::less_equal;
-    case ast::Operator::greater: return predicates::greater;
-    case ast::Operator::greater_equal: return predicates::greater_equal;
-    case ast::Operator::equal: return predicates::equal;
-    case ast::Operator::not_equal: return predicates::not_equal;
-    case ast::Operator::unify: return predicates::unify;
-    case ast::Operator::univ: return predicates::univ;
-    case ast::Operator::add: return predicates::add;
-    case ast::Operator::subtract: return predicates::subtract;
-    case ast::Operator::multiply: return predicates::multiply;
-    case ast::Operator::divide: return predicates::divide;
-    case ast::Operator::int_divide: return predicates::int_divide;
-    case ast::Operator::modulo: return predicates::modulo;
-    case ast::Operator::power: return predicates::power;
+    case ast::Operator::logical_and:
+      return predicates::logical_and;
+    case ast::Operator::logical_or:
+      return predicates::logical_or;
+    case ast::Operator::less:
+      return predicates::less;
+    case ast::Operator::less_equal:
+      return predicates::less_equal;
+    case ast::Operator::greater:
+      return predicates::greater;
+    case ast::Operator::greater_equal:
+      return predicates::greater_equal;
+    case ast::Operator::equal:
+      return predicates::equal;
+    case ast::Operator::not_equal:
+      return predicates::not_equal;
+    case ast::Operator::unify:
+      return predicates::unify;
+    case ast::Operator::univ:
+      return predicates::univ;
+    case ast::Operator::add:
+      return predicates::add;
+    case ast::Operator::subtract:
+      return predicates::subtract;
+    case ast::Operator::multiply:
+      return predicates::multiply;
+    case ast::Operator::divide:
+      return predicates::divide;
+    case ast::Operator::int_divide:
+      return predicates::int_divide;
+    case ast::Operator::modulo:
+      return predicates::modulo;
+    case ast::Operator::power:
+      return predicates::power;
     case ast::Operator::negative:
-    case ast::Operator::positive: return predicates::negative;
-    case ast::Operator::logical_not: return predicates::logical_not;
-    case ast::Operator::none: break;
+    case ast::Operator::positive:
+      return predicates::negative;
+    case ast::Operator::logical_not:
+      return predicates::logical_not;
+    case ast::Operator::none:
+      break;
   }
   return predicates::truth;
 }
@@ -43,17 +63,28 @@ Form operator_form(ast::Operator op) {
 
 Symbol body_operator(ast::BodyOperator op) {
   switch (op) {
-    case ast::BodyOperator::none: return names::empty;
-    case ast::BodyOperator::achieve: return names::achieve;
-    case ast::BodyOperator::achieve_new_focus: return names::achieve_new_focus;
-    case ast::BodyOperator::test: return names::test;
-    case ast::BodyOperator::add: return names::plus;
-    case ast::BodyOperator::add_new_focus: return names::add_new_focus;
-    case ast::BodyOperator::add_begin: return names::add_begin;
-    case ast::BodyOperator::add_end: return names::add_end;
-    case ast::BodyOperator::remove: return names::minus;
-    case ast::BodyOperator::remove_new_focus: return names::remove_new_focus;
-    case ast::BodyOperator::replace: return names::replace;
+    case ast::BodyOperator::none:
+      return names::empty;
+    case ast::BodyOperator::achieve:
+      return names::achieve;
+    case ast::BodyOperator::achieve_new_focus:
+      return names::achieve_new_focus;
+    case ast::BodyOperator::test:
+      return names::test;
+    case ast::BodyOperator::add:
+      return names::plus;
+    case ast::BodyOperator::add_new_focus:
+      return names::add_new_focus;
+    case ast::BodyOperator::add_begin:
+      return names::add_begin;
+    case ast::BodyOperator::add_end:
+      return names::add_end;
+    case ast::BodyOperator::remove:
+      return names::minus;
+    case ast::BodyOperator::remove_new_focus:
+      return names::remove_new_focus;
+    case ast::BodyOperator::replace:
+      return names::replace;
   }
   return names::empty;
 }
@@ -61,8 +92,8 @@ Symbol body_operator(ast::BodyOperator op) {
 // Names that no namespace applies to.
 bool is_keyword(std::string_view name, std::size_t arity) {
   constexpr std::array<std::string_view, 14> kWords{
-      "atomic", "breakpoint", "all_unifs", "default",  "this_ns", "self",    "percept",
-      "tell",   "untell",     "achieve",   "unachieve", "askOne", "askAll", "askHow"};
+      "atomic", "breakpoint", "all_unifs", "default",   "this_ns", "self",   "percept",
+      "tell",   "untell",     "achieve",   "unachieve", "askOne",  "askAll", "askHow"};
   if (name == "source") return arity == 1;
   if (name == "tellHow" || name == "untellHow") return arity == 0;
   return arity == 0 && std::find(kWords.begin(), kWords.end(), name) != kWords.end();
@@ -75,8 +106,8 @@ bool is_dotted(std::string_view name) {
 }  // namespace
 
 Value VariableScope::variable(std::string_view name) {
-  const bool numbered = name.size() > 1 && name[0] == '_' &&
-                        std::isdigit(static_cast<unsigned char>(name[1])) != 0;
+  const bool numbered =
+      name.size() > 1 && name[0] == '_' && std::isdigit(static_cast<unsigned char>(name[1])) != 0;
   const bool unnamed = name[0] == '_';
   std::string key(name);
   if (numbered) {  // `_12abc` is `_12`
@@ -131,20 +162,31 @@ Symbol Translator::namespace_of(const ast::Node& node, Position position, std::s
 
 Value Translator::translate(const ast::Node& node, VariableScope& scope, Position position) {
   switch (node.kind) {
-    case ast::Kind::number: return Value::number(node.number);
-    case ast::Kind::string: return heap_.text(node.text);
-    case ast::Kind::variable: return translate_variable(node, scope);
-    case ast::Kind::literal: return translate_literal(node, scope, position);
+    case ast::Kind::number:
+      return Value::number(node.number);
+    case ast::Kind::string:
+      return heap_.text(node.text);
+    case ast::Kind::variable:
+      return translate_variable(node, scope);
+    case ast::Kind::literal:
+      return translate_literal(node, scope, position);
     case ast::Kind::truth:
       return Value::atom(node.text == "true" ? predicates::truth : predicates::falsity);
-    case ast::Kind::list: return translate_list(node, scope);
-    case ast::Kind::unary: return translate_unary(node, scope, position);
-    case ast::Kind::binary: return translate_binary(node, scope, position);
-    case ast::Kind::body: return body(node.formulas, scope);
-    case ast::Kind::trigger: return trigger(*node.trigger, scope);
-    case ast::Kind::plan: return plan(*node.plan, scope);
+    case ast::Kind::list:
+      return translate_list(node, scope);
+    case ast::Kind::unary:
+      return translate_unary(node, scope, position);
+    case ast::Kind::binary:
+      return translate_binary(node, scope, position);
+    case ast::Kind::body:
+      return body(node.formulas, scope);
+    case ast::Kind::trigger:
+      return trigger(*node.trigger, scope);
+    case ast::Kind::plan:
+      return plan(*node.plan, scope);
     case ast::Kind::rule: {
-      const std::array<Value, 2> parts{literal(*node.args[0], scope), formula(*node.args[1], scope)};
+      const std::array<Value, 2> parts{literal(*node.args[0], scope),
+                                       formula(*node.args[1], scope)};
       return heap_.structure(symbols_.predicate(Signature{.functor = names::rule_text, .arity = 2}),
                              parts, Value::empty_list(), Form::rule);
     }
@@ -167,9 +209,9 @@ Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
                             .arity = static_cast<std::uint16_t>(args.size()),
                             .negated = node.negated};
   const bool function = !node.negated && is_function(node.text, args.size());
-  const Value made = heap_.structure(symbols_.predicate(signature), args,
-                                     annotations(node.annots, scope),
-                                     function ? Form::function : Form::literal);
+  const Value made =
+      heap_.structure(symbols_.predicate(signature), args, annotations(node.annots, scope),
+                      function ? Form::function : Form::literal);
   if (node.ns == nullptr || node.ns->kind != ast::Kind::variable) return made;
   // The namespace is a variable: known when the literal is applied.
   const std::array<Value, 2> parts{made, translate_variable(*node.ns, scope)};
@@ -208,8 +250,8 @@ Value Translator::translate_list(const ast::Node& node, VariableScope& scope) {
 }
 
 Value Translator::translate_unary(const ast::Node& node, VariableScope& scope, Position position) {
-  const Value operand = translate(*node.args[0], scope,
-                                  node.op == ast::Operator::logical_not ? position : Position::term);
+  const Value operand = translate(
+      *node.args[0], scope, node.op == ast::Operator::logical_not ? position : Position::term);
   if (node.op == ast::Operator::positive) return operand;
   if (node.op == ast::Operator::negative && operand.is_number()) {
     return Value::number(-operand.as_number());
@@ -219,8 +261,7 @@ Value Translator::translate_unary(const ast::Node& node, VariableScope& scope, P
                          node.op == ast::Operator::logical_not ? Form::logical : Form::expression);
 }
 
-Value Translator::translate_binary(const ast::Node& node, VariableScope& scope,
-                                   Position position) {
+Value Translator::translate_binary(const ast::Node& node, VariableScope& scope, Position position) {
   const Form form = operator_form(node.op);
   const Position inner = form == Form::logical ? position : Position::term;
   const std::array<Value, 2> args{translate(*node.args[0], scope, inner),
@@ -276,9 +317,12 @@ Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
     label = literal(*plan.label, scope);
   }
   std::array<Value, 6> parts{
-      label, trigger(plan.trigger, scope),
-      plan.context == nullptr ? Value() : formula(*plan.context, scope), body(plan.body, scope),
-      plan.goal_condition == nullptr ? Value() : formula(*plan.goal_condition, scope), Value()};
+      label,
+      trigger(plan.trigger, scope),
+      plan.context == nullptr ? Value() : formula(*plan.context, scope),
+      body(plan.body, scope),
+      plan.goal_condition == nullptr ? Value() : formula(*plan.goal_condition, scope),
+      Value()};
   for (const std::size_t part : {std::size_t{1}, std::size_t{3}}) {
     parts[part].structure()->info |= Structure::kBare;
   }

@@ -24,7 +24,7 @@ class ActionCall;
 
 /// What came of a call.
 enum class Outcome : std::uint8_t {
-  failed,     // false: the formula fails with ia_failed, the query has no solution
+  failed,  // false: the formula fails with ia_failed, the query has no solution
   succeeded,
   many,       // ActionCall::solutions yields them one by one
   suspended,  // the intention waits; whoever resumes it goes on after the formula
@@ -43,9 +43,9 @@ class Solutions {
 using ActionFunction = Outcome (*)(ActionCall& call);
 
 struct ActionDefinition {
-  std::string name;       // with its dot: ".print"
+  std::string name;  // with its dot: ".print"
   int least_args = 0;
-  int most_args = -1;     // -1: any number
+  int most_args = -1;  // -1: any number
   ActionFunction function = nullptr;
   std::string signature;  // ".print(Term, ...)"
   std::string summary;    // one sentence

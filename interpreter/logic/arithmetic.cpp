@@ -20,19 +20,26 @@ std::int64_t to_int(double value) {
 
 std::optional<double> calculate(Predicate op, double a, double b) {
   switch (op) {
-    case predicates::add: return a + b;
-    case predicates::subtract: return a - b;
-    case predicates::multiply: return a * b;
-    case predicates::divide: return a / b;
-    case predicates::modulo: return std::fmod(a, b);
-    case predicates::power: return std::pow(a, b);
+    case predicates::add:
+      return a + b;
+    case predicates::subtract:
+      return a - b;
+    case predicates::multiply:
+      return a * b;
+    case predicates::divide:
+      return a / b;
+    case predicates::modulo:
+      return std::fmod(a, b);
+    case predicates::power:
+      return std::pow(a, b);
     case predicates::int_divide: {
       const std::int64_t divisor = to_int(b);
       if (divisor == 0) return std::nullopt;
       // Java's int division wraps for the least int by -1.
       return static_cast<double>(static_cast<std::int32_t>(to_int(a) / divisor));
     }
-    default: return std::nullopt;
+    default:
+      return std::nullopt;
   }
 }
 

@@ -47,10 +47,14 @@ std::uint64_t argument_key(Value argument) {
   switch (argument.kind()) {
     case Value::Kind::number:
       return mix(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
-    case Value::Kind::atom: return mix(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
-    case Value::Kind::text: return mix(std::hash<std::string_view>{}(argument.text()->view()));
-    case Value::Kind::pair: return 3;
-    case Value::Kind::special: return argument.is_empty_list() ? 5 : 0;
+    case Value::Kind::atom:
+      return mix(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
+    case Value::Kind::text:
+      return mix(std::hash<std::string_view>{}(argument.text()->view()));
+    case Value::Kind::pair:
+      return 3;
+    case Value::Kind::special:
+      return argument.is_empty_list() ? 5 : 0;
     case Value::Kind::structure: {
       const Structure& s = *argument.structure();
       if (s.form() != Form::literal) return 0;
@@ -58,7 +62,8 @@ std::uint64_t argument_key(Value argument) {
       const auto id = static_cast<std::uint64_t>(s.predicate());
       return mix(s.arity == 0 ? id << 3U | 2U : id << 3U | 4U);
     }
-    default: return 0;
+    default:
+      return 0;
   }
 }
 
@@ -161,6 +166,7 @@ void Relation::erase(std::int64_t seq) {
     const auto found = std::find_if(first, last, [&](const auto& e) { return e.second == seq; });
     if (found != last) facts_->erase(found);
   }
+  if (!indexes_.empty()) erased_.emplace_back(seq, r.rule != nullptr ? r.rule->head : r.fact);
   if (r.rule != nullptr) std::erase(rules_, r.rule);
   r = Row{};
   ++holes_;
@@ -190,6 +196,21 @@ std::optional<std::int64_t> Relation::find(std::span<const Value> args) {
   return std::nullopt;
 }
 
+// Takes the erased rows out of the indexes: their numbers may be given to other rows.
+void Relation::forget_erased() {
+  for (const auto& [seq, literal] : erased_) {
+    for (std::size_t i = 0; i < indexes_.size(); ++i) {
+      if (indexes_[i] == nullptr) continue;
+      const std::uint64_t key = argument_key(literal.structure()->arg(i));
+      auto& list = key == 0 ? indexes_[i]->wild : indexes_[i]->rows[key];
+      const auto found = std::lower_bound(list.begin(), list.end(), seq);
+      if (found != list.end() && *found == seq) list.erase(found);
+      if (key != 0 && list.empty()) indexes_[i]->rows.erase(key);
+    }
+  }
+  erased_.clear();
+}
+
 void Relation::compact() {
   while (!rows_.empty() && rows_.front().is_hole()) {
     rows_.pop_front();
@@ -201,11 +222,15 @@ void Relation::compact() {
     --holes_;
   }
   // Indexes name rows by number: holes inside are worth closing only when they prevail.
-  if (holes_ * 2 <= rows_.size()) return;
+  if (holes_ * 2 <= rows_.size()) {
+    forget_erased();
+    return;
+  }
   std::erase_if(rows_, [](const Row& r) { return r.is_hole(); });
   holes_ = 0;
   facts_.reset();
   indexes_.clear();
+  erased_.clear();
 }
 
 Relation& BeliefBase::relation(Predicate predicate) {
@@ -258,9 +283,8 @@ std::optional<Value> BeliefBase::add(Value literal, Place place) {
 void BeliefBase::add_rule(const RuleCode& rule, Place place) {
   const LiteralParts head = literal_parts(rule.head);
   Relation& rel = relation(head.predicate);
-  const Row row{.fact = Value(),
-                .rule = &rule,
-                .key = head.args.empty() ? 0 : argument_key(head.args[0])};
+  const Row row{
+      .fact = Value(), .rule = &rule, .key = head.args.empty() ? 0 : argument_key(head.args[0])};
   place == Place::front ? rel.add_front(row) : rel.add_back(row);
 }
 
@@ -319,7 +343,7 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
   std::int64_t seq = 0;
   while (const Row* row = rel->advance(cursor, seq)) {
     if (row->rule != nullptr) {
-      std::vector<Value> slots(row->rule->slot_count);
+      ScratchSlots slots(unifier, row->rule->slot_count);
       const Value head = unifier.instantiate(row->rule->head, slots.data());
       if (!unifier.unify(literal, head)) continue;
       erase(*rel, seq);

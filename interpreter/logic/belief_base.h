@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "interpreter/logic/code.h"
@@ -60,12 +61,12 @@ class Relation {
   /// A walk over the rows that may match arguments, newest first. Rows added after its start are
   /// not seen; removed ones are skipped.
   struct Cursor {
-    std::int64_t next = 0;       // without an index: rows below this one are to come
+    std::int64_t next = 0;  // without an index: rows below this one are to come
     const std::vector<std::int64_t>* listed = nullptr;  // with an index: the rows of one key,
     const std::vector<std::int64_t>* wild = nullptr;    // and those that may match any key
     std::size_t listed_left = 0;
     std::size_t wild_left = 0;
-    std::uint64_t key = 0;       // of the first argument
+    std::uint64_t key = 0;  // of the first argument
     bool indexed = false;
   };
   [[nodiscard]] Cursor open(std::span<const Value> args);
@@ -86,6 +87,7 @@ class Relation {
   void visit_terms(Visit&& visit) {
     for (Row& row : rows_) visit(row.fact);
     for (auto& rule : rules_owned_) rule->visit_terms(visit);
+    for (auto& [seq, literal] : erased_) visit(literal);
   }
 
  private:
@@ -96,6 +98,7 @@ class Relation {
   static constexpr std::size_t kUnindexedRows = 8;
 
   void insert_in_indexes(std::int64_t seq, bool at_back);
+  void forget_erased();
   ArgumentIndex& index_of(std::size_t argument);
 
   Predicate predicate_;
@@ -106,6 +109,9 @@ class Relation {
   std::vector<std::unique_ptr<RuleCode>> rules_owned_;
   std::unique_ptr<std::unordered_multimap<std::uint64_t, std::int64_t>> facts_;
   std::vector<std::unique_ptr<ArgumentIndex>> indexes_;
+  // Rows erased since compact(), with their literals: the indexes still name them, since a cursor
+  // may be on its way through them.
+  std::vector<std::pair<std::int64_t, Value>> erased_;
 };
 
 enum class Place { front, back };

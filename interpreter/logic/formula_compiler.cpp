@@ -49,11 +49,16 @@ const Goal* FormulaCompiler::compile_structure(Value formula, const Goal* next) 
       goal.predicate = s.predicate();
       return &goal;
     }
-    case Form::function: return compile_action(formula, next);
-    case Form::relation: return compile_relation(formula, next);
-    case Form::decorated: return &add(Goal::Kind::variable, formula, next);
-    case Form::logical: break;
-    default: return &add(Goal::Kind::falsity, formula, next);
+    case Form::function:
+      return compile_action(formula, next);
+    case Form::relation:
+      return compile_relation(formula, next);
+    case Form::decorated:
+      return &add(Goal::Kind::variable, formula, next);
+    case Form::logical:
+      break;
+    default:
+      return &add(Goal::Kind::falsity, formula, next);
   }
   if (s.predicate() == predicates::logical_and) return compile(s.arg(0), compile(s.arg(1), next));
   if (s.predicate() == predicates::logical_or) {
@@ -102,8 +107,9 @@ std::unique_ptr<RuleCode> make_rule(Value head, Value body, std::vector<Symbol> 
                                     SymbolTable& symbols) {
   auto rule = std::make_unique<RuleCode>();
   const std::array<Value, 2> parts{head, body};
-  rule->source = heap.structure(symbols.predicate(Signature{.functor = names::rule_text, .arity = 2}),
-                                parts, Value::empty_list(), Form::rule);
+  rule->source =
+      heap.structure(symbols.predicate(Signature{.functor = names::rule_text, .arity = 2}), parts,
+                     Value::empty_list(), Form::rule);
   FormulaCompiler compiler(rule->body, actions, symbols);
   const Goal* entry = nullptr;
   if (head.is_structure()) {

@@ -1,9 +1,9 @@
 #include "interpreter/logic/machine.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+
+#include <fmt/format.h>
 
 #include "interpreter/logic/formula_compiler.h"
 #include "interpreter/logic/univ.h"
@@ -94,6 +94,7 @@ class Machine::Run {
         outer_root_(machine.root_),
         frames_(machine.frames_.mark()),
         names_(machine.unifier_.slot_names()),
+        trail_(machine.unifier_.mark()),
         base_(machine.choices_.size()),
         root_{nullptr, nullptr, slots, names_, base_, frames_} {
     if (machine.nesting_ == 0) machine.query_start_ = machine.inferences_;
@@ -107,6 +108,7 @@ class Machine::Run {
   }
   ~Run() {
     --machine_.nesting_;
+    if (!keeps_bindings_) machine_.unifier_.undo(trail_);
     machine_.choices_.erase(machine_.choices_.begin() + static_cast<std::ptrdiff_t>(base_),
                             machine_.choices_.end());
     machine_.frames_.release(frames_);
@@ -118,6 +120,8 @@ class Machine::Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
   [[nodiscard]] std::size_t base() const { return base_; }
+  /// What the run has bound stays; else it is undone at its end, also when a limit ends it.
+  void keep_bindings() { keeps_bindings_ = true; }
 
  private:
   Machine& machine_;
@@ -126,13 +130,18 @@ class Machine::Run {
   Environment* outer_root_;
   FrameStack::Mark frames_;
   std::span<const Symbol> names_;
+  std::size_t trail_;
   std::size_t base_;
+  bool keeps_bindings_ = false;
   Environment root_;
 };
 
 Machine::Machine(Heap& heap, SymbolTable& symbols, BeliefBase& beliefs,
                  const ActionRegistry& actions)
-    : heap_(heap), symbols_(symbols), beliefs_(beliefs), actions_(actions),
+    : heap_(heap),
+      symbols_(symbols),
+      beliefs_(beliefs),
+      actions_(actions),
       unifier_(heap, symbols) {
   unifier_.set_functions(this);
 }
@@ -141,16 +150,15 @@ Machine::~Machine() = default;
 
 bool Machine::solve(const Goal* entry, Value* slots) {
   if (entry == nullptr) return true;
-  const std::size_t trail = unifier_.mark();
   Run state(*this, entry, slots);
-  if (run(state.base())) return true;
-  unifier_.undo(trail);
-  return false;
+  if (!run(state.base())) return false;
+  state.keep_bindings();
+  return true;
 }
 
 void Machine::solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution) {
-  const std::size_t trail = unifier_.mark();
   if (entry == nullptr) {
+    const std::size_t trail = unifier_.mark();
     solution();
     unifier_.undo(trail);
     return;
@@ -162,7 +170,6 @@ void Machine::solve_all(const Goal* entry, Value* slots, const std::function<boo
     heap_.protect();  // what the caller made of the solution
     found = more && fail(state.base()) && run(state.base());
   }
-  unifier_.undo(trail);
 }
 
 bool Machine::solve_term(Value formula) {
@@ -189,42 +196,59 @@ bool Machine::run(std::size_t base) {
       environment_ = environment_->parent;
       continue;
     }
-    if (!step(base)) return false;
+    count_inference();
+    if (!step() && !fail(base)) return false;
   }
 }
 
-// One goal. False: it failed, and no choice is left.
-bool Machine::step(std::size_t base) {
+// One goal. False: it failed.
+bool Machine::step() {
   const Goal& goal = *goal_;
   unifier_.set_slot_names(environment_->names);
   bool holds = false;
   switch (goal.kind) {
-    case Goal::Kind::query: return query(goal, base);
+    case Goal::Kind::query:
+      return query(goal);
     case Goal::Kind::slow_query:
-      return slow_query(goal, unifier_.instantiate(goal.term, environment_->slots), base);
-    case Goal::Kind::variable: return variable_goal(goal, base);
-    case Goal::Kind::action: return action(goal, base);
+      return slow_query(goal, unifier_.instantiate(goal.term, environment_->slots));
+    case Goal::Kind::variable:
+      return variable_goal(goal);
+    case Goal::Kind::action:
+      return action(goal);
     case Goal::Kind::negation:
       push(ChoicePoint::Kind::negation, goal);
       goal_ = goal.inner;
       return true;
-    case Goal::Kind::negation_done: return finish_negation(goal, base);
+    case Goal::Kind::negation_done:
+      return finish_negation(goal);
     case Goal::Kind::disjunction:
       push(ChoicePoint::Kind::alternative, goal);
       goal_ = goal.inner;
       return true;
-    case Goal::Kind::unify: holds = unify(goal); break;
-    case Goal::Kind::compare: holds = compare(goal); break;
-    case Goal::Kind::univ: holds = univ(goal); break;
-    case Goal::Kind::truth: holds = true; break;
-    case Goal::Kind::falsity: break;
+    case Goal::Kind::unify:
+      holds = unify(goal);
+      break;
+    case Goal::Kind::compare:
+      holds = compare(goal);
+      break;
+    case Goal::Kind::univ:
+      holds = univ(goal);
+      break;
+    case Goal::Kind::truth:
+      holds = true;
+      break;
+    case Goal::Kind::falsity:
+      break;
   }
-  if (!holds) return fail(base);
+  if (!holds) return false;
   goal_ = goal.next;
   return true;
 }
 
 Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
+  if (choices_.size() * sizeof(ChoicePoint) > heap_.limit()) {
+    throw QueryLimit{"a query leaves too many choices open for the memory allowed"};
+  }
   ChoicePoint& choice = choices_.emplace_back();
   choice.kind = kind;
   choice.goal = &goal;
@@ -242,19 +266,29 @@ void Machine::restore(const ChoicePoint& choice) {
   environment_ = choice.environment;
 }
 
-// Goes back to the latest choice point; false if none is left above `base`.
+// Goes back to the latest choice point that has something left; false if there is none above
+// `base`. A loop: a query may leave any number of choice points that turn out to be empty.
 bool Machine::fail(std::size_t base) {
-  if (choices_.size() <= base) return false;
+  while (choices_.size() > base) {
+    count_inference();
+    restore(choices_.back());
+    if (retry()) return true;
+  }
+  return false;
+}
+
+// Goes on with the latest choice point. False: it was the last of its choices, and failed.
+bool Machine::retry() {
   ChoicePoint& choice = choices_.back();
-  restore(choice);
   switch (choice.kind) {
-    case ChoicePoint::Kind::rows: return retry_rows(base);
+    case ChoicePoint::Kind::rows:
+      return retry_rows();
     case ChoicePoint::Kind::annotated: {
       const AnnotatedQuery query{choice.relation, choice.cursor, choice.seq, choice.combination,
                                  choice.literal};
       const Goal& goal = *choice.goal;
       choices_.pop_back();
-      return try_annotated(query, goal, base);
+      return try_annotated(query, goal);
     }
     case ChoicePoint::Kind::alternative:
       goal_ = choice.goal->other;
@@ -264,12 +298,13 @@ bool Machine::fail(std::size_t base) {
       goal_ = choice.goal->next;
       choices_.pop_back();
       return true;
-    case ChoicePoint::Kind::solutions: return next_solution(base);
+    case ChoicePoint::Kind::solutions:
+      return next_solution();
   }
   return false;
 }
 
-bool Machine::next_solution(std::size_t base) {
+bool Machine::next_solution() {
   ChoicePoint& choice = choices_.back();
   const Goal& goal = *choice.goal;
   // The action may run queries of its own, which use the stack above this choice point.
@@ -278,7 +313,7 @@ bool Machine::next_solution(std::size_t base) {
   choices_.back().call = std::move(call);
   if (!found) {
     choices_.pop_back();
-    return fail(base);
+    return false;
   }
   goal_ = goal.next;
   return true;
@@ -289,23 +324,25 @@ void Machine::count_inference() {
   if (inferences_ - query_start_ > max_inferences_) {
     throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_)};
   }
+  constexpr std::uint64_t kOften = 4096;
+  if (inferences_ % kOften == 0 && unifier_.mark() * sizeof(Value*) > heap_.limit()) {
+    throw QueryLimit{"a query binds too many variables for the memory allowed"};
+  }
 }
 
-bool Machine::query(const Goal& goal, std::size_t base) {
-  count_inference();
+bool Machine::query(const Goal& goal) {
   Relation* const relation = beliefs_.find(goal.predicate);
-  if (relation == nullptr) return fail(base);
+  if (relation == nullptr) return false;
   const std::span<const Value> args = goal.args();
   registers_.resize(args.size());
   for (std::size_t i = 0; i < args.size(); ++i) {
     registers_[i] = unifier_.build(args[i], environment_->slots);
   }
-  return try_rows(*relation, relation->open(registers_), goal, base);
+  return try_rows(*relation, relation->open(registers_), goal);
 }
 
 // The candidates of a cursor for the arguments in the registers.
-bool Machine::try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal,
-                       std::size_t base) {
+bool Machine::try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal) {
   std::int64_t seq = 0;
   const Row* row = relation.advance(cursor, seq);
   while (row != nullptr) {
@@ -340,10 +377,10 @@ bool Machine::try_rows(Relation& relation, Relation::Cursor cursor, const Goal& 
     cursor = rest;
     row = following;
   }
-  return fail(base);
+  return false;
 }
 
-bool Machine::retry_rows(std::size_t base) {
+bool Machine::retry_rows() {
   ChoicePoint& choice = choices_.back();
   registers_.assign(choice.args.begin(), choice.args.end());
   Relation& relation = *choice.relation;
@@ -351,7 +388,7 @@ bool Machine::retry_rows(std::size_t base) {
   const Goal& goal = *choice.goal;
   frames_.release(choice.below_args);
   choices_.pop_back();
-  return try_rows(relation, cursor, goal, base);
+  return try_rows(relation, cursor, goal);
 }
 
 bool Machine::unify_fact(Value fact, std::span<const Value> args) {
@@ -411,21 +448,20 @@ bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const
   return true;
 }
 
-bool Machine::slow_query(const Goal& goal, Value literal, std::size_t base) {
-  count_inference();
-  if (!is_literal(literal)) return enter_term(literal, goal, base);
+bool Machine::slow_query(const Goal& goal, Value literal) {
+  if (!is_literal(literal)) return enter_term(literal, goal);
   const LiteralParts parts = literal_parts(literal);
   Relation* const relation = beliefs_.find(parts.predicate);
-  if (relation == nullptr) return fail(base);
-  return try_annotated({relation, relation->open(parts.args), 0, kNextRow, literal}, goal, base);
+  if (relation == nullptr) return false;
+  return try_annotated({relation, relation->open(parts.args), 0, kNextRow, literal}, goal);
 }
 
 // Facts with each subset of their annotations that is as large as the query's; rules by their head.
-bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal, std::size_t base) {
+bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal) {
   const LiteralParts parts = literal_parts(query.literal);
   for (;;) {
     if (query.combination == kNextRow) {
-      if (query.relation->advance(query.cursor, query.seq) == nullptr) return fail(base);
+      if (query.relation->advance(query.cursor, query.seq) == nullptr) return false;
       query.combination = 0;
     }
     const Row& row = query.relation->row(query.seq);
@@ -439,12 +475,11 @@ bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal, std::size_t 
     } else if (row.rule != nullptr) {
       choice.combination = kNextRow;
       Environment* const caller = environment_;
-      const bool entered =
-          unifier_.unify_no_undo(with_annotations(heap_, Value::atom(predicates::self),
-                                                  parts.annots),
-                                 with_annotations(heap_, Value::atom(predicates::self),
-                                                  literal_parts(row.rule->head).annots)) &&
-          enter_rule(*row.rule, goal, parts.args);
+      const bool entered = unifier_.unify_no_undo(
+                               with_annotations(heap_, Value::atom(predicates::self), parts.annots),
+                               with_annotations(heap_, Value::atom(predicates::self),
+                                                literal_parts(row.rule->head).annots)) &&
+                           enter_rule(*row.rule, goal, parts.args);
       if (entered) return true;
       environment_ = caller;
       query.combination = kNextRow;
@@ -487,27 +522,26 @@ bool Machine::unify_subset(Value literal, Value fact, std::size_t combination, b
   return unify_fact(fact, wanted.args) && unifier_.unify_annotations(wanted.annots, annots);
 }
 
-bool Machine::variable_goal(const Goal& goal, std::size_t base) {
+bool Machine::variable_goal(const Goal& goal) {
   const Value value = unifier_.instantiate(goal.term, environment_->slots);
-  const bool open = value.is_variable() ||
-                    (value.is_structure() && value.structure()->form() == Form::decorated);
-  return open ? any_belief(goal, value, base) : enter_term(value, goal, base);
+  const bool open =
+      value.is_variable() || (value.is_structure() && value.structure()->form() == Form::decorated);
+  return open ? any_belief(goal, value) : enter_term(value, goal);
 }
 
-bool Machine::enter_term(Value formula, const Goal& goal, std::size_t base) {
+bool Machine::enter_term(Value formula, const Goal& goal) {
   if (temporary_.size() > kMaxTemporaryCode) throw QueryLimit{"too many formulas made in a query"};
-  count_inference();
   auto code = std::make_unique<FormulaCode>();
   code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
   const Goal* const entry = code->entry;
   temporary_.push_back(std::move(code));
-  if (entry != nullptr && entry->kind == Goal::Kind::falsity) return fail(base);
+  if (entry != nullptr && entry->kind == Goal::Kind::falsity) return false;
   environment_ = make_environment(environment_, goal.next, {}, 0);
   goal_ = entry;
   return true;
 }
 
-bool Machine::any_belief(const Goal& goal, Value pattern, std::size_t base) {
+bool Machine::any_belief(const Goal& goal, Value pattern) {
   std::vector<Value> found;
   std::vector<Relation*> relations;
   for (const auto& relation : beliefs_.relations()) relations.push_back(relation.get());
@@ -516,7 +550,7 @@ bool Machine::any_belief(const Goal& goal, Value pattern, std::size_t base) {
       const Row& row = relation->row(seq);
       if (!row.fact.is_unset()) found.push_back(row.fact);
       if (row.rule == nullptr) continue;
-      std::vector<Value> slots(row.rule->slot_count);
+      ScratchSlots slots(unifier_, row.rule->slot_count);
       const RuleCode& rule = *row.rule;
       solve_all(rule.body.entry, slots.data(), [&] {
         found.push_back(unifier_.instantiate(rule.head, slots.data()));
@@ -527,7 +561,7 @@ bool Machine::any_belief(const Goal& goal, Value pattern, std::size_t base) {
   auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
   call->solutions = std::make_unique<ListedSolutions>(pattern, std::move(found));
   push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
-  return next_solution(base);
+  return next_solution();
 }
 
 bool Machine::unify(const Goal& goal) {
@@ -550,12 +584,18 @@ bool Machine::compare(const Goal& goal) {
     const double b = right.as_number();
     if (a == a && b == b) {
       switch (goal.predicate) {
-        case predicates::less: return a < b;
-        case predicates::less_equal: return a <= b;
-        case predicates::greater: return a > b;
-        case predicates::greater_equal: return a >= b;
-        case predicates::equal: return a == b;
-        default: return a != b;
+        case predicates::less:
+          return a < b;
+        case predicates::less_equal:
+          return a <= b;
+        case predicates::greater:
+          return a > b;
+        case predicates::greater_equal:
+          return a >= b;
+        case predicates::equal:
+          return a == b;
+        default:
+          return a != b;
       }
     }
   }
@@ -568,16 +608,23 @@ bool Machine::compare(const Goal& goal) {
   const Value a = unifier_.apply(left);
   const Value b = unifier_.apply(right);
   switch (goal.predicate) {
-    case predicates::equal: return equal_terms(a, b);
-    case predicates::not_equal: return !equal_terms(a, b);
-    default: break;
+    case predicates::equal:
+      return equal_terms(a, b);
+    case predicates::not_equal:
+      return !equal_terms(a, b);
+    default:
+      break;
   }
   const int order = compare_terms(a, b, symbols_);
   switch (goal.predicate) {
-    case predicates::less: return order < 0;
-    case predicates::less_equal: return order <= 0;
-    case predicates::greater: return order > 0;
-    default: return order >= 0;
+    case predicates::less:
+      return order < 0;
+    case predicates::less_equal:
+      return order <= 0;
+    case predicates::greater:
+      return order > 0;
+    default:
+      return order >= 0;
   }
 }
 
@@ -587,7 +634,7 @@ bool Machine::univ(const Goal& goal) {
   return unify_univ(unifier_, left, right);
 }
 
-bool Machine::finish_negation(const Goal& done, std::size_t base) {
+bool Machine::finish_negation(const Goal& done) {
   std::size_t index = choices_.size() - 1;
   while (choices_[index].kind != ChoicePoint::Kind::negation ||
          choices_[index].goal != done.origin || choices_[index].environment != environment_) {
@@ -595,36 +642,40 @@ bool Machine::finish_negation(const Goal& done, std::size_t base) {
   }
   restore(choices_[index]);
   choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(index), choices_.end());
-  return fail(base);
+  return false;
 }
 
-bool Machine::action(const Goal& goal, std::size_t base) {
+bool Machine::action(const Goal& goal) {
   ActionError error;
   if (goal.action == nullptr) {
     warn(fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
-    return fail(base);
+    return false;
   }
   if (goal.action->body_only) {
     warn(fmt::format("{} cannot be used within a formula", goal.action->name));
-    return fail(base);
+    return false;
   }
   auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
   const auto count = static_cast<int>(call->count());
   if (count < goal.action->least_args ||
       (goal.action->most_args >= 0 && count > goal.action->most_args)) {
     warn(fmt::format("wrong number of arguments: {}", goal.action->signature));
-    return fail(base);
+    return false;
   }
   switch (goal.action->function(*call)) {
-    case Outcome::succeeded: goal_ = goal.next; return true;
-    case Outcome::failed: return fail(base);
+    case Outcome::succeeded:
+      goal_ = goal.next;
+      return true;
+    case Outcome::failed:
+      return false;
     case Outcome::many:
       push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
-      return next_solution(base);
-    case Outcome::suspended: return fail(base);
+      return next_solution();
+    case Outcome::suspended:
+      return false;
     case Outcome::error:
       warn(fmt::format("{}: {}", goal.action->name, call->error.message));
-      return fail(base);
+      return false;
   }
   return false;
 }

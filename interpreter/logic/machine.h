@@ -3,7 +3,8 @@
 // Solves logical formulas: depth first, left to right, with an explicit stack, so that no recursion
 // of a program becomes a recursion of ours. A small machine in the manner of Warren's:
 //
-//   environment   the frame of a rule (its slots), the goal to go on with afterwards and whose frame
+//   environment   the frame of a rule (its slots), the goal to go on with afterwards and whose
+//   frame
 //                 that goal uses; frames lie on a stack and are reused by the last call of a rule
 //   choice point  where to go on when a goal fails: another row, the other side of a disjunction,
 //                 the next solution of an internal action; it remembers how long the trail, the
@@ -132,11 +133,12 @@ class Machine : public FunctionCaller {
 
   bool run(std::size_t base);
   bool fail(std::size_t base);
-  bool step(std::size_t base);
-  bool query(const Goal& goal, std::size_t base);
-  bool slow_query(const Goal& goal, Value literal, std::size_t base);
-  bool try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal, std::size_t base);
-  bool retry_rows(std::size_t base);
+  bool step();
+  bool retry();
+  bool query(const Goal& goal);
+  bool slow_query(const Goal& goal, Value literal);
+  bool try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal);
+  bool retry_rows();
   struct AnnotatedQuery {
     Relation* relation;
     Relation::Cursor cursor;
@@ -145,19 +147,19 @@ class Machine : public FunctionCaller {
     Value literal;
   };
   static constexpr std::size_t kNextRow = static_cast<std::size_t>(-1);
-  bool try_annotated(AnnotatedQuery query, const Goal& goal, std::size_t base);
+  bool try_annotated(AnnotatedQuery query, const Goal& goal);
   bool unify_fact(Value fact, std::span<const Value> args);
   bool unify_subset(Value literal, Value fact, std::size_t combination, bool& exhausted);
   bool enter_rule(const RuleCode& rule, const Goal& goal, std::span<const Value> args);
-  bool variable_goal(const Goal& goal, std::size_t base);
-  bool any_belief(const Goal& goal, Value pattern, std::size_t base);
-  bool enter_term(Value formula, const Goal& goal, std::size_t base);
-  bool next_solution(std::size_t base);
+  bool variable_goal(const Goal& goal);
+  bool any_belief(const Goal& goal, Value pattern);
+  bool enter_term(Value formula, const Goal& goal);
+  bool next_solution();
   bool unify(const Goal& goal);
   bool compare(const Goal& goal);
   bool univ(const Goal& goal);
-  bool action(const Goal& goal, std::size_t base);
-  bool finish_negation(const Goal& done, std::size_t base);
+  bool action(const Goal& goal);
+  bool finish_negation(const Goal& done);
   ChoicePoint& push(ChoicePoint::Kind kind, const Goal& goal);
   void restore(const ChoicePoint& choice);
   Environment* make_environment(Environment* parent, const Goal* continuation,

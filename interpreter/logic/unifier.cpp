@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 #include "interpreter/logic/arithmetic.h"
@@ -43,9 +44,7 @@ bool is_evaluable(Value value) {
 
 }  // namespace
 
-bool is_literal(Value value) {
-  return value.is_atom() || is_form(value, Form::literal);
-}
+bool is_literal(Value value) { return value.is_atom() || is_form(value, Form::literal); }
 
 LiteralParts literal_parts(Value value) {
   if (value.is_atom()) return {.predicate = value.atom_id(), .args = {}};
@@ -68,6 +67,16 @@ bool has_source(Value annots) {
     if (annot.is_structure() && annot.structure()->predicate() == predicates::source) return true;
   }
   return false;
+}
+
+void Unifier::forget(std::size_t mark, const Value* first, const Value* last) {
+  if (mark >= trail_.size()) return;
+  const auto is_among_them = [&](const Value* cell) {
+    return !std::less<>{}(cell, first) && std::less<>{}(cell, last);
+  };
+  trail_.erase(std::remove_if(trail_.begin() + static_cast<std::ptrdiff_t>(mark), trail_.end(),
+                              is_among_them),
+               trail_.end());
 }
 
 bool Unifier::unify(Value a, Value b) {
@@ -102,12 +111,17 @@ bool Unifier::unify_no_undo(Value a, Value b) {
   if (b.is_variable()) return unify_variable(b, a);
   if (is_form(a, Form::decorated) || is_form(b, Form::decorated)) return unify_decorated(a, b);
   switch (a.kind()) {
-    case Value::Kind::number: return b.is_number() && a.as_number() == b.as_number();
-    case Value::Kind::text: return b.is_text() && a.text()->view() == b.text()->view();
-    case Value::Kind::object: return equal_terms(a, b);
+    case Value::Kind::number:
+      return b.is_number() && a.as_number() == b.as_number();
+    case Value::Kind::text:
+      return b.is_text() && a.text()->view() == b.text()->view();
+    case Value::Kind::object:
+      return equal_terms(a, b);
     case Value::Kind::atom:
-    case Value::Kind::structure: return unify_literals(a, b);
-    default: return false;
+    case Value::Kind::structure:
+      return unify_literals(a, b);
+    default:
+      return false;
   }
 }
 
@@ -188,8 +202,8 @@ bool Unifier::unify_decorated(Value a, Value b) {
   const bool a_is_variable = is_form(a, Form::decorated);
   const Value pattern = apply(a_is_variable ? a : b);
   const Value other = apply(a_is_variable ? b : a);
-  if (!is_form(pattern, Form::decorated)) return unify_no_undo(a_is_variable ? pattern : other,
-                                                               a_is_variable ? other : pattern);
+  if (!is_form(pattern, Form::decorated))
+    return unify_no_undo(a_is_variable ? pattern : other, a_is_variable ? other : pattern);
   if (other.is_variable()) {
     bind(other.variable(), pattern);
     return true;
@@ -224,8 +238,7 @@ bool Unifier::unify_decorated(Value a, Value b) {
   const Predicate bare = symbols_.predicate(signature);
   const bool keep_annots = !p.is_annotated();
   return unify_no_undo(p.arg(0), heap_.structure(bare, parts.args,
-                                                 keep_annots ? parts.annots
-                                                             : Value::empty_list()));
+                                                 keep_annots ? parts.annots : Value::empty_list()));
 }
 
 bool Unifier::unify_annotations(Value a, Value b) {
@@ -290,8 +303,8 @@ bool Unifier::match_structure(Value pattern, Value* slots, Value value, Directio
     const Structure& v = *value.structure();
     if (p.predicate_id != v.predicate_id) return false;
     // The annotations of the first must be among those of the second.
-    const bool annotated = direction == Direction::template_first ? p.is_annotated()
-                                                                  : v.is_annotated();
+    const bool annotated =
+        direction == Direction::template_first ? p.is_annotated() : v.is_annotated();
     if (!annotated) {
       for (std::size_t i = 0; i < p.arity; ++i) {
         if (!match(p.arg(i), slots, v.arg(i), direction)) return false;
@@ -310,8 +323,8 @@ Value Unifier::instantiate(Value term, Value* slots) {
     if (keep_slots_) return term;
     Value* const slot = slots + term.slot_index();
     if (slot->is_unset()) {
-      const Symbol name = term.slot_index() < slot_names_.size() ? slot_names_[term.slot_index()]
-                                                                 : names::unnamed;
+      const Symbol name =
+          term.slot_index() < slot_names_.size() ? slot_names_[term.slot_index()] : names::unnamed;
       set_slot(slot, heap_.variable(name));
       return *slot;
     }

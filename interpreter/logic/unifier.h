@@ -83,6 +83,8 @@ class Unifier {
   }
   /// The bindings since a mark are kept for good.
   void commit(std::size_t mark) { trail_.resize(mark); }
+  /// Bindings of these cells since a mark are not undone: the cells are about to go.
+  void forget(std::size_t mark, const Value* first, const Value* last);
   [[nodiscard]] std::span<Value* const> bindings_since(std::size_t mark) const {
     return std::span(trail_).subspan(mark);
   }
@@ -110,6 +112,24 @@ class Unifier {
   std::unordered_set<std::uint64_t> fresh_;  // only while fresh_copy runs
   TermWalk walk_;
   bool keep_slots_ = false;
+};
+
+/// Slots for a template that is instantiated aside, without a place in any frame. When they go,
+/// also because a limit was hit, the trail forgets them.
+class ScratchSlots {
+ public:
+  ScratchSlots(Unifier& unifier, std::size_t count)
+      : unifier_(unifier), mark_(unifier.mark()), slots_(count) {}
+  ~ScratchSlots() { unifier_.forget(mark_, slots_.data(), slots_.data() + slots_.size()); }
+  ScratchSlots(const ScratchSlots&) = delete;
+  ScratchSlots& operator=(const ScratchSlots&) = delete;
+
+  [[nodiscard]] Value* data() { return slots_.data(); }
+
+ private:
+  Unifier& unifier_;
+  std::size_t mark_;
+  std::vector<Value> slots_;
 };
 
 /// A literal's (or atom's) parts, for code that treats both alike.

@@ -50,7 +50,9 @@ bool put_together(Unifier& unifier, Value term, Value list) {
   if (parts[first].is_text()) {
     functor = parts[first].text()->view();
   } else if (is_literal(parts[first])) {
-    functor = symbols.functor(literal_parts(parts[first]).predicate);
+    const Predicate named = literal_parts(parts[first]).predicate;
+    functor = symbols.functor(named);
+    if (symbols.signature(named).negated) functor.insert(0, "~");
   } else {
     return false;
   }

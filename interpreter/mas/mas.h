@@ -64,7 +64,7 @@ struct MasOptions {
   std::size_t max_agents = 1'000'000;
   /// Heap of one agent in bytes, and the most inferences that one query may take.
   std::uint64_t max_heap_bytes = std::uint64_t{1} << 30U;
-  std::uint64_t max_inferences = 1'000'000'000;
+  std::uint64_t max_inferences = 100'000'000;
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
   /// Loads the program of an agent that is created during the run, into the run's own symbols; null

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/step_guard.h"
-#include "interpreter/mas/transfer.h"
+#include "interpreter/term/transfer.h"
 
 namespace jaywalk {
 namespace {

@@ -37,21 +37,27 @@ struct Body;
 /// One formula of a plan body.
 struct Step {
   enum class Kind : std::uint8_t {
-    action,            // a(1): for the environment
-    internal_action,   // .print(1): goal
-    constraint,        // X > 1: goal
-    achieve,           // !g
-    achieve_new_focus, // !!g
-    test,              // ?q: goal
-    add, add_new_focus, add_begin, add_end,  // +b ++b +<b +>b
-    remove, remove_new_focus, replace,       // -b --b -+b
-    variable,          // X, with any operator: what it is bound to decides
-    if_statement,      // goal is the condition; first, second the branches (second may be null)
-    while_loop,        // goal, first
-    for_loop,          // goal, first
-    fork_and, fork_or, // branches
-    join,              // the end of a branch, never written
-    wrong,             // a formula that cannot be executed: fails
+    action,             // a(1): for the environment
+    internal_action,    // .print(1): goal
+    constraint,         // X > 1: goal
+    achieve,            // !g
+    achieve_new_focus,  // !!g
+    test,               // ?q: goal
+    add,
+    add_new_focus,
+    add_begin,
+    add_end,  // +b ++b +<b +>b
+    remove,
+    remove_new_focus,
+    replace,       // -b --b -+b
+    variable,      // X, with any operator: what it is bound to decides
+    if_statement,  // goal is the condition; first, second the branches (second may be null)
+    while_loop,    // goal, first
+    for_loop,      // goal, first
+    fork_and,
+    fork_or,  // branches
+    join,     // the end of a branch, never written
+    wrong,    // a formula that cannot be executed: fails
   };
 
   Kind kind = Kind::wrong;
@@ -139,7 +145,9 @@ class PlanLibrary {
   struct KeyHash {
     std::size_t operator()(const TriggerKey& key) const {
       return (static_cast<std::size_t>(key.predicate) * 16 + static_cast<std::size_t>(key.op) * 4 +
-              static_cast<std::size_t>(key.kind)) * 0x9E3779B97F4A7C15U >> 7U;
+              static_cast<std::size_t>(key.kind)) *
+                 0x9E3779B97F4A7C15U >>
+             7U;
     }
   };
   static std::size_t kind_index(const TriggerKey& key) {

@@ -85,8 +85,8 @@ Step BodyCompiler::compile_step(Value term) {
   step.term = deref(s.arg(0));
   const Value line = deref(s.arg(1));
   step.line = line.is_number() ? static_cast<std::uint32_t>(line.as_number()) : 0;
-  const bool open = step.term.is_slot() || step.term.is_variable() ||
-                    is_form(step.term, Form::decorated);
+  const bool open =
+      step.term.is_slot() || step.term.is_variable() || is_form(step.term, Form::decorated);
   if (open) {
     step.variable_kind = step.kind;
     step.kind = Step::Kind::variable;
@@ -114,11 +114,11 @@ void BodyCompiler::compile_plain(Step& step) {
   }
   const bool callable = is_literal(term) || is_form(term, Form::function);
   const bool dotted =
-      callable && symbols_.signature(term.is_atom() ? term.atom_id()
-                                                    : term.structure()->predicate()).dotted;
+      callable &&
+      symbols_.signature(term.is_atom() ? term.atom_id() : term.structure()->predicate()).dotted;
   if (!dotted) {
-    step.kind = is_literal(term) || is_form(term, Form::logical) ? Step::Kind::action
-                                                                 : Step::Kind::wrong;
+    step.kind =
+        is_literal(term) || is_form(term, Form::logical) ? Step::Kind::action : Step::Kind::wrong;
     return;
   }
   if (compile_statement(step)) return;
@@ -135,8 +135,9 @@ bool BodyCompiler::compile_statement(Step& step) {
   const bool is_while = name == ".loop" && s.arity == 2;
   const bool is_for = name == ".foreach" && s.arity == 2;
   if (is_if || is_while || is_for) {
-    step.kind = is_if ? Step::Kind::if_statement
-                      : is_while ? Step::Kind::while_loop : Step::Kind::for_loop;
+    step.kind = is_if      ? Step::Kind::if_statement
+                : is_while ? Step::Kind::while_loop
+                           : Step::Kind::for_loop;
     step.goal = formulas_.compile(s.arg(0), nullptr);
     step.first = compile(s.arg(1));
     if (s.arity == 3) step.second = compile(s.arg(2));
@@ -177,10 +178,17 @@ bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts) 
   std::string_view op = symbols.functor(term.structure()->predicate());
   if (op.empty()) return false;
   switch (op.front()) {
-    case '+': parts.op = TriggerOperator::add; break;
-    case '-': parts.op = TriggerOperator::remove; break;
-    case '^': parts.op = TriggerOperator::goal_state; break;
-    default: return false;
+    case '+':
+      parts.op = TriggerOperator::add;
+      break;
+    case '-':
+      parts.op = TriggerOperator::remove;
+      break;
+    case '^':
+      parts.op = TriggerOperator::goal_state;
+      break;
+    default:
+      return false;
   }
   op.remove_prefix(1);
   if (op.empty()) {
@@ -226,8 +234,8 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   plan->any_predicate = !is_literal(trigger.literal);
   plan->key = {trigger.op, trigger.kind, Predicate{}};
   if (!plan->any_predicate) {
-    plan->key = trigger_key(trigger.op, trigger.kind, literal_parts(trigger.literal).predicate,
-                            symbols);
+    plan->key =
+        trigger_key(trigger.op, trigger.kind, literal_parts(trigger.literal).predicate, symbols);
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);

@@ -103,7 +103,7 @@ struct HeapExhausted {};
 struct TermTooDeep {};
 
 /// How deeply terms may be nested at run time.
-inline constexpr int kMaxTermDepth = 5000;
+inline constexpr int kMaxTermDepth = 2000;
 
 class Heap {
  public:

@@ -15,6 +15,7 @@
 #include "experiment/number_list.h"
 #include "experiment/report/chart.h"
 #include "experiment/report/table.h"
+#include "experiment/trial.h"
 #include "experiment/trimmed.h"
 #include "experiment/verdict.h"
 #include "tools/jaywalk/command.h"
@@ -182,7 +183,15 @@ Comparison make_comparison(const Request& request, ExperimentOutcome& outcome) {
   return comparison;
 }
 
-bool write_outputs(const Arguments& arguments, const Comparison& comparison, Console& console) {
+/// The start cells of all tests of the largest number of agents.
+std::string start_cells_csv(const Request& request) {
+  const std::uint32_t agents = *std::ranges::max_element(request.plan.agents);
+  return print_start_cells(
+      start_cells(request.prepared->scenario(), agents, request.seed, request.plan.tests));
+}
+
+bool write_outputs(const Arguments& arguments, const Request& request, const Comparison& comparison,
+                   Console& console) {
   struct Output {
     std::string_view option;
     std::function<std::string()> text;
@@ -192,6 +201,7 @@ bool write_outputs(const Arguments& arguments, const Comparison& comparison, Con
   const std::array outputs = {
       Output{"csv", [&] { return to_csv(comparison); }},
       Output{"json", [&] { return to_json(comparison); }},
+      Output{"starts", [&] { return start_cells_csv(request); }},
       Output{"report", [&] { return picture ? render_svg(comparison) : render_html(comparison); }},
   };
   bool written = true;
@@ -242,6 +252,9 @@ CommandHelp help() {
               {"threads", "N", "threads (default: as many as cores)"},
               {"csv", "FILE", "write the results as CSV"},
               {"json", "FILE", "write the results as JSON, the published ones with them"},
+              {"starts", "FILE",
+               "write the start cells of the largest number of agents as CSV,\n"
+               "which world.spawn.cells reads"},
               {"report", "FILE", "write a page (.html) or a picture (.svg) of the results"},
               {"fail-on", "EXPR",
                "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
@@ -285,7 +298,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
 
   const Comparison comparison = make_comparison(*request, outcome);
-  const bool written = write_outputs(arguments, comparison, console);
+  const bool written = write_outputs(arguments, *request, comparison, console);
   if (!arguments.has("quiet")) console.print(render_table(comparison));
   if (!comparison.complete) {
     console.note(fmt::format(

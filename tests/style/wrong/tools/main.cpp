@@ -1,3 +1,4 @@
-#include <boost/spirit/home/x3.hpp>
 #include <boost/program_options.hpp>
+#include <boost/spirit/home/x3.hpp>
+
 #include "experiment/trial.h"

@@ -1,3 +1,4 @@
-#include "interpreter/mas/mas.h"
 #include <yaml-cpp/yaml.h>
+
 #include "experiment/trial.h"
+#include "interpreter/mas/mas.h"

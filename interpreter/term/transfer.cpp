@@ -1,4 +1,4 @@
-#include "interpreter/mas/transfer.h"
+#include "interpreter/term/transfer.h"
 
 #include <memory>
 #include <utility>

@@ -1,0 +1,4 @@
+// Arithmetic on what is no number gives NaN.
+!start.
++!start <- X = a; Y = X + 1; .print(Y).
+// expect: NaN

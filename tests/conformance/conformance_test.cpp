@@ -1,0 +1,87 @@
+// Runs every program in this folder and compares what comes of it with what its comments say.
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/conformance/board.h"
+#include "tests/conformance/program_file.h"
+
+namespace jaywalk::test {
+namespace {
+
+const std::filesystem::path kFolder = JAYWALK_SOURCE_DIR "/tests/conformance";
+
+std::vector<std::string> program_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kFolder)) {
+    if (entry.path().extension() != ".asl") continue;
+    names.push_back(entry.path().lexically_relative(kFolder).replace_extension().generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string end_text(RunEnd end) {
+  switch (end) {
+    case RunEnd::stopped:
+      return "stopped";
+    case RunEnd::idle:
+      return "idle";
+    case RunEnd::finished:
+      return "finished";
+    case RunEnd::limit:
+      return "limit";
+    case RunEnd::looping:
+      return "looping";
+  }
+  return "unknown";
+}
+
+class Conformance : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Conformance, DoesAsItsCommentsSay) {
+  const std::string path = (kFolder / (GetParam() + ".asl")).string();
+  const ProgramFile file = read_program_file(path);
+  ASSERT_THAT(file.problems, ::testing::IsEmpty());
+  ASSERT_FALSE(file.printed.empty() && file.errors.empty() && file.logged.empty() &&
+               file.end == "idle")
+      << "the program expects nothing";
+  const AgentRun run =
+      file.on_board
+          ? run_agents(file.agents, file.options,
+                       [](SymbolTable& symbols) { return std::make_unique<Board>(symbols); })
+          : run_agents(file.agents, file.options);
+  EXPECT_EQ(run.errors, file.errors) << path;
+  if (!run.errors.empty()) return;
+  for (const NamedProgram& agent : file.agents) {
+    const auto expected = file.printed.find(agent.name);
+    EXPECT_EQ(run.printed_by(agent.name),
+              expected == file.printed.end() ? std::vector<std::string>{} : expected->second)
+        << path << ", agent " << agent.name;
+  }
+  for (const std::string& text : file.logged) {
+    EXPECT_THAT(run.logged, ::testing::Contains(::testing::HasSubstr(text))) << path;
+  }
+  EXPECT_EQ(end_text(run.outcome.end), file.on_board && file.end == "idle" ? "limit" : file.end)
+      << path << ": " << run.outcome.message;
+  if (::testing::Test::HasFailure()) {
+    for (const std::string& line : run.logged) std::printf("log: %s\n", line.c_str());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Conformance, ::testing::ValuesIn(program_names()),
+                         [](const auto& program) {
+                           std::string name = program.param;
+                           std::replace(name.begin(), name.end(), '/', '_');
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace jaywalk::test

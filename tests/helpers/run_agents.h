@@ -1,0 +1,43 @@
+#pragma once
+
+// Runs of small programs, for the tests of agents.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/mas/mas.h"
+
+namespace jaywalk::test {
+
+struct NamedProgram {
+  std::string name;
+  std::string text;
+};
+
+struct AgentRun {
+  /// What was printed, as `[agent] text`, and what was logged.
+  std::vector<std::string> printed;
+  std::vector<std::string> logged;
+  RunOutcome outcome;
+  /// `line:column: message` of the errors for which a program was refused; then nothing ran.
+  std::vector<std::string> errors;
+
+  /// What one agent printed.
+  [[nodiscard]] std::vector<std::string> printed_by(std::string_view agent) const;
+};
+
+/// Runs the programs together until nothing more happens, or for 100,000 cycles of one agent if
+/// the options have no limit. `make_environment` may add names to the table of the programs.
+using EnvironmentMaker = std::function<std::unique_ptr<Environment>(SymbolTable&)>;
+[[nodiscard]] AgentRun run_agents(const std::vector<NamedProgram>& programs,
+                                  MasOptions options = {},
+                                  const EnvironmentMaker& make_environment = {});
+
+/// Runs one agent, called `agent`; what it printed, without its name.
+[[nodiscard]] std::vector<std::string> printed_by(std::string_view program,
+                                                  MasOptions options = {});
+
+}  // namespace jaywalk::test

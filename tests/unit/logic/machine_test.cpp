@@ -1,0 +1,222 @@
+#include "interpreter/logic/machine.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/helpers/terms.h"
+
+namespace jaywalk {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+struct Row {
+  std::string formula;
+  std::string shown;
+  std::vector<std::string> answers;
+};
+
+void expect_answers(std::string_view program, const std::vector<Row>& rows) {
+  for (const Row& row : rows) {
+    test::Terms terms;
+    terms.believe(program);
+    EXPECT_EQ(terms.answers(row.formula, row.shown), row.answers) << row.formula;
+  }
+}
+
+TEST(Machine, AnswersFromFactsInTheirOrder) {
+  expect_answers("p(3). p(1). p(2). q(2). q(3). r.", {
+                                                         {"p(X)", "X", {"3", "1", "2"}},
+                                                         {"p(X) & q(X)", "X", {"3", "2"}},
+                                                         {"q(X) & p(X)", "X", {"2", "3"}},
+                                                         {"r", "yes", {"yes"}},
+                                                         {"s", "yes", {}},
+                                                         {"p(4)", "yes", {}},
+                                                     });
+}
+
+TEST(Machine, TriesTheLeftOfADisjunctionFirst) {
+  expect_answers("p(1). p(2). q(3).", {
+                                          {"p(X) | q(X)", "X", {"1", "2", "3"}},
+                                          {"q(X) | p(X)", "X", {"3", "1", "2"}},
+                                          {"(p(X) | q(X)) & X > 1", "X", {"2", "3"}},
+                                          {"p(X) & (X = 2 | X = 1)", "X", {"1", "2"}},
+                                          {"false | true", "yes", {"yes"}},
+                                          {"true | true", "yes", {"yes", "yes"}},
+                                      });
+}
+
+TEST(Machine, NegatesWithoutBinding) {
+  expect_answers("p(1). p(2). q(2).", {
+                                          {"p(X) & not q(X)", "X", {"1"}},
+                                          {"not p(3)", "yes", {"yes"}},
+                                          {"not p(1)", "yes", {}},
+                                          {"not p(X)", "X", {}},
+                                          {"not (not p(X))", "X", {"X"}},
+                                          {"not (p(X) & q(X)) | p(X)", "X", {"1", "2"}},
+                                          {"not false & p(X)", "X", {"1", "2"}},
+                                          {"not (X = 1 & false) & p(X)", "X", {"1", "2"}},
+                                      });
+}
+
+TEST(Machine, SolvesRelations) {
+  expect_answers("", {
+                         {"X = 1 & X == 1", "X", {"1"}},
+                         {"1 == 1.0", "yes", {"yes"}},
+                         {"1 \\== 2", "yes", {"yes"}},
+                         {"a < b", "yes", {"yes"}},
+                         {"10 < 9", "yes", {}},
+                         {"\"10\" < \"9\"", "yes", {"yes"}},
+                         {"1 < a", "yes", {"yes"}},
+                         {"f(2) > f(1,0)", "yes", {"yes"}},
+                         {"X == Y", "yes", {}},
+                         {"X == X", "yes", {"yes"}},
+                         {"3 >= 3 & 3 <= 3", "yes", {"yes"}},
+                         {"[1,2] = [H|T]", "f(H,T)", {"f(1,[2])"}},
+                         {"X = Y & Y = 3", "X", {"3"}},
+                     });
+}
+
+TEST(Machine, AnswersFromRulesAndFactsInTheirOrder) {
+  expect_answers("p(1). p(X) :- q(X). p(2). q(8). q(9).", {
+                                                              {"p(X)", "X", {"1", "8", "9", "2"}},
+                                                              {"p(9)", "yes", {"yes"}},
+                                                              {"p(7)", "yes", {}},
+                                                          });
+}
+
+TEST(Machine, GoesBackIntoRules) {
+  expect_answers(R"(
+      edge(a,b). edge(b,c). edge(c,d). edge(b,e).
+      path(X,Y) :- edge(X,Y).
+      path(X,Y) :- edge(X,Z) & path(Z,Y).
+      app([],L,L).
+      app([H|T],L,[H|R]) :- app(T,L,R).
+      )",
+                 {
+                     {"path(a,X)", "X", {"b", "c", "e", "d"}},
+                     {"path(X,d)", "X", {"c", "a", "b"}},
+                     {"app(A,B,[1,2])", "f(A,B)", {"f([],[1,2])", "f([1],[2])", "f([1,2],[])"}},
+                     {"app([1],[2],R)", "R", {"[1,2]"}},
+                     {"app(A,[X],[1,2,3])", "X", {"3"}},
+                 });
+}
+
+TEST(Machine, DoesNotLetARuleSeeItsCaller) {
+  expect_answers("r(Y) :- Y = X. s(X,Z) :- X = 1 & Z = 2.",
+                 {{"X = 5 & r(Y)", "X", {"5"}}, {"X = 1 & s(A,B)", "f(X,A,B)", {"f(1,1,2)"}}});
+}
+
+TEST(Machine, EvaluatesTheArithmeticOfAHeadAfterTheBody) {
+  expect_answers("double(X, X * 2). next(X + 1) :- at(X). at(4).", {{"double(4,R)", "R", {"8"}},
+                                                                    {"next(N)", "N", {"5"}},
+                                                                    {"next(5)", "yes", {"yes"}},
+                                                                    {"next(4)", "yes", {}}});
+}
+
+TEST(Machine, AsksForAnnotationsThatAreThere) {
+  expect_answers("p(1)[a,b]. p(2)[b]. p(3).", {
+                                                  {"p(X)[b]", "X", {"1", "2"}},
+                                                  {"p(X)[a,b]", "X", {"1"}},
+                                                  {"p(X)[source(self)]", "X", {"1", "2", "3"}},
+                                                  {"p(X)[source(bob)]", "X", {}},
+                                                  {"p(X)[c]", "X", {}},
+                                              });
+}
+
+TEST(Machine, EnumeratesTheSubsetsOfAnnotations) {
+  expect_answers(
+      "p[a,b,c].",
+      {
+          {"p[X]", "X", {"a", "b", "c", "source(self)"}},
+          {"p[X,Y] & X \\== source(S) & Y \\== source(S)", "X", {"a", "a", "a", "b", "b", "c"}},
+          {"p[a|T]", "T", {"[b,c,source(self)]"}},
+          {"p[X|T]", "X", {"a"}},
+          {"p[|T]", "T", {"[a,b,c,source(self)]"}},
+      });
+}
+
+TEST(Machine, GivesRulesTheSourceSelf) {
+  expect_answers(
+      "p(X) :- q(X). q(1).",
+      {{"p(X)[source(self)]", "X", {"1"}}, {"p(X)[source(bob)]", "X", {}}, {"p(X)[k]", "X", {}}});
+}
+
+TEST(Machine, SolvesAVariableThatIsBoundToAFormula) {
+  expect_answers("p(1). p(2).", {{"F = p(X) & F", "X", {"1", "2"}},
+                                 {"F = (p(X) & X > 1) & F", "X", {"2"}},
+                                 {"F = p(3) & not F", "yes", {"yes"}}});
+}
+
+TEST(Machine, LetsAFreeVariableStandForEveryBelief) {
+  test::Terms terms;
+  terms.believe("p(1). q(2). r(X) :- p(X).");
+  EXPECT_THAT(terms.answers("B", "B"),
+              ::testing::UnorderedElementsAre("p(1)[source(self)]", "q(2)[source(self)]",
+                                              "r(1)[source(self)]"));
+}
+
+TEST(Machine, AsksForStrongNegationSeparately) {
+  expect_answers("p(1). ~p(2).", {{"p(X)", "X", {"1"}}, {"~p(X)", "X", {"2"}}});
+}
+
+TEST(Machine, RunsThroughAllSolutionsOfAnInternalAction) {
+  expect_answers("big(2). big(3).",
+                 {{".member(X,[1,2,3])", "X", {"1", "2", "3"}},
+                  {".member(X,[1,2,3]) & big(X)", "X", {"2", "3"}},
+                  {".range(X,1,2) & .range(Y,X,2)", "f(X,Y)", {"f(1,1)", "f(1,2)", "f(2,2)"}},
+                  {"not .member(4,[1,2,3])", "yes", {"yes"}}});
+}
+
+TEST(Machine, NestsQueries) {
+  expect_answers("p(1). p(2). p(3). n(N) :- .count(p(_),N).",
+                 {{".findall(X,p(X),L)", "L", {"[1,2,3]"}},
+                  {"p(X) & .findall(Y,p(Y) & Y > X,L)", "L", {"[2,3]", "[3]", "[]"}},
+                  {".findall(N,n(N),L)", "L", {"[3]"}},
+                  {"n(N) & p(N)", "N", {"3"}}});
+}
+
+TEST(Machine, FailsWhereAnInternalActionIsUnknownAndWarns) {
+  test::Terms terms;
+  EXPECT_THAT(terms.answers(".no_such_action(1)", "yes"), IsEmpty());
+  EXPECT_FALSE(terms.warnings.empty());
+}
+
+TEST(Machine, KeepsTheBindingsOfTheFirstSolutionOnly) {
+  test::Terms terms;
+  terms.believe("p(1). p(2).");
+  EXPECT_TRUE(terms.holds("p(X) & X > 1"));
+  EXPECT_EQ(terms.text("X"), "2");
+}
+
+TEST(Machine, LeavesNoBindingBehindWhenItFails) {
+  test::Terms terms;
+  terms.believe("p(1). p(2).");
+  EXPECT_FALSE(terms.holds("p(X) & X > 2"));
+  EXPECT_EQ(terms.text("X"), "X");
+  EXPECT_EQ(terms.answers("p(X)", "X").size(), 2U);
+  EXPECT_EQ(terms.text("X"), "X");
+}
+
+TEST(Machine, StopsWhenItIsToldTo) {
+  test::Terms terms;
+  terms.believe("p(1). p(2). p(3).");
+  int seen = 0;
+  terms.machine.solve_all_terms(terms.term("p(X)"), [&] { return ++seen < 2; });
+  EXPECT_EQ(seen, 2);
+  EXPECT_TRUE(terms.holds("p(3)"));
+}
+
+TEST(Machine, GivesOpenFactsFreshVariablesEachTime) {
+  test::Terms terms;
+  (void)terms.beliefs.add(terms.term("p(Z,Z)[source(self)]"), Place::front);
+  EXPECT_THAT(terms.answers("p(1,A) & p(2,B)", "f(A,B)"), ElementsAre("f(1,2)"));
+  EXPECT_THAT(terms.answers("p(1,2)", "yes"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace jaywalk

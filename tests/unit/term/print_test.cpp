@@ -1,0 +1,151 @@
+#include "interpreter/term/print.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/helpers/terms.h"
+
+namespace jaywalk {
+namespace {
+
+struct Row {
+  std::string written;
+  std::string printed;
+};
+
+void expect_printed(const std::vector<Row>& rows) {
+  for (const Row& row : rows) {
+    test::Terms terms;
+    EXPECT_EQ(term_text(terms.term(row.written), terms.symbols), row.printed) << row.written;
+  }
+}
+
+TEST(Print, LiteralsAndLists) {
+  expect_printed({
+      {"a", "a"},
+      {"~a", "~a"},
+      {"'Quoted atom'", "'Quoted atom'"},
+      {"\"text\"", "\"text\""},
+      {"\"\"", "\"\""},
+      {"f(a, 1, \"s\")", "f(a,1,\"s\")"},
+      {"ns::f(a)", "ns::f(a)"},
+      {"ns::~f(a)", "ns::~f(a)"},
+      {"f(a)[ b, a, b ]", "f(a)[a,b]"},
+      {"f[source(x)]", "f[source(x)]"},
+      {"[]", "[]"},
+      {"[ 1, a, [2] ]", "[1,a,[2]]"},
+      {"[a|T]", "[a|T]"},
+      {"[a|[b,c]]", "[a,b,c]"},
+      {"X", "X"},
+      {"true", "true"},
+      {".print", ".print"},
+  });
+}
+
+TEST(Print, ExpressionsAndFormulas) {
+  expect_printed({
+      {"X + 1", "(X+1)"},
+      {"X - 1 - 2", "((X-1)-2)"},
+      {"X * 2 + 1", "((X*2)+1)"},
+      {"-X", "(-X)"},
+      {"X mod 2", "(X mod 2)"},
+      {"X div 2", "(X div 2)"},
+      {"X ** 2", "(X**2)"},
+      {"X > 1", "(X > 1)"},
+      {"X \\== y", "(X \\== y)"},
+      {"X =.. Y", "(X =.. Y)"},
+      {"a & b", "(a & b)"},
+      {"a | b & c", "(a | (b & c))"},
+      {"not a", "not (a)"},
+  });
+}
+
+TEST(Print, ProgramsAsData) {
+  expect_printed({
+      {"{}", "{ }"},
+      {"{ !g }", "{ !g }"},
+      {"{ !g(1); ?t; +a; -b; .print(1); act; -+c; !!h; X = 1 }",
+       "{ !g(1); ?t; +a; -b; .print(1); act; -+c; !!h; (X = 1) }"},
+      {"{ +!g }", "{ +!g }"},
+      {"{ -?t(X) }", "{ -?t(X) }"},
+      {"{ ^!g[state(S)] }", "{ ^!g[state(S)] }"},
+      {"{ @l[atomic] +!g(X) : c & d <- b1; b2 }", "{ @l[atomic] +!g(X) : (c & d) <- b1; b2 }"},
+      {"{ +!g(X) <- b1 }", "{ +!g(X) <- b1 }"},
+      {"{ h(X) :- b(X) & X > 1 }", "{ h(X) :- (b(X) & (X > 1)) }"},
+  });
+}
+
+TEST(Print, StatementsAsTheInternalActionsThatTheyAre) {
+  expect_printed({
+      {"{ if (a) { b } }", "{ .if_then_else(a,{ b }) }"},
+      {"{ if (a) { b } else { c } }", "{ .if_then_else(a,{ b },{ c }) }"},
+      {"{ while (a) { b } }", "{ .loop(a,{ b }) }"},
+      {"{ for (a(X)) { b(X) } }", "{ .foreach(a(X),{ b(X) }) }"},
+      {"{ a |&| b }", "{ .fork(and,{ a },{ b }) }"},
+      {"{ a ||| b ||| c }", "{ .fork(or,{ a },{ b },{ c }) }"},
+  });
+}
+
+TEST(Print, FollowsBoundVariables) {
+  test::Terms terms;
+  ASSERT_TRUE(terms.unify("X", "f(Y)"));
+  ASSERT_TRUE(terms.unify("Y", "1"));
+  EXPECT_EQ(term_text(terms.term("g(X)"), terms.symbols), "g(f(1))");
+}
+
+TEST(Print, NumbersUnnamedVariables) {
+  test::Terms terms;
+  const std::string text = term_text(terms.term("f(_,_)"), terms.symbols);
+  EXPECT_EQ(text.substr(0, 3), "f(_");
+  const std::size_t comma = text.find(',');
+  EXPECT_NE(text.substr(2, comma - 2), text.substr(comma + 1, text.size() - comma - 2));
+}
+
+TEST(Print, ShowsArgumentsOfPrintAsJasonDoes) {
+  test::Terms terms;
+  const auto shown = [&](std::string_view written) {
+    std::string out;
+    append_argument(out, terms.term(written), terms.symbols);
+    return out;
+  };
+  EXPECT_EQ(shown("\"no quotes\""), "no quotes");
+  EXPECT_EQ(shown("[\"quotes\"]"), "[\"quotes\"]");
+  EXPECT_EQ(shown("X"), "X<no-value>");
+  EXPECT_EQ(shown("f(X)"), "f(X)");
+  EXPECT_EQ(shown("1.50"), "1.5");
+}
+
+TEST(Print, RefusesTermsThatAreNestedTooDeeply) {
+  test::Terms terms;
+  Value term = Value::atom(predicates::self);
+  for (int i = 0; i < 100'000; ++i) {
+    term = terms.heap.structure(predicates::source, std::span(&term, 1));
+  }
+  EXPECT_THROW((void)term_text(term, terms.symbols), TermTooDeep);
+}
+
+TEST(Print, RefusesTermsThatContainThemselves) {
+  test::Terms terms;
+  const Value variable = terms.term("X");
+  variable.variable()->value = terms.heap.structure(predicates::source, std::span(&variable, 1));
+  EXPECT_THROW((void)term_text(variable, terms.symbols), TermTooDeep);
+}
+
+TEST(Print, RefusesListsThatEndInThemselves) {
+  test::Terms terms;
+  const Value tail = terms.term("T");
+  tail.variable()->value = terms.term("[1,2|T]");
+  EXPECT_THROW((void)term_text(tail, terms.symbols), TermTooDeep);
+}
+
+TEST(Print, WritesLongListsInALoop) {
+  test::Terms terms;
+  const std::vector<Value> elements(1'000'000, Value::number(1));
+  const std::string text = term_text(terms.heap.list(elements), terms.symbols);
+  EXPECT_EQ(text.size(), 2'000'001U);
+}
+
+}  // namespace
+}  // namespace jaywalk
