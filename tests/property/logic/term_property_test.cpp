@@ -34,7 +34,8 @@ TEST(TermProperty, UnificationIsSymmetricWithoutAnnotations) {
     try {
       const bool forth = one.unify(a, b);
       ASSERT_EQ(two.unify(b, a), forth) << "seed " << seed << ": " << a << " = " << b;
-      if (forth) ASSERT_EQ(one.text(a), two.text(a)) << "seed " << seed << ": " << a << " = " << b;
+      if (!forth) continue;
+      ASSERT_EQ(one.text(a), two.text(a)) << "seed " << seed << ": " << a << " = " << b;
     } catch (const TermTooDeep&) {
       // A term that contains itself.
     }
@@ -116,7 +117,8 @@ TEST(TermProperty, TheOrderIsTotalAndAgreesWithEquality) {
     ASSERT_EQ(order(a, a), 0) << which;
     ASSERT_EQ(sign(order(a, b)), -sign(order(b, a))) << which;
     ASSERT_EQ(order(a, b) == 0, equal_terms(a, b)) << which;
-    if (order(a, b) <= 0 && order(b, c) <= 0) ASSERT_LE(order(a, c), 0) << which;
+    if (order(a, b) > 0 || order(b, c) > 0) continue;
+    ASSERT_LE(order(a, c), 0) << which;
   }
 }
 
