@@ -96,7 +96,7 @@ class Machine::Run {
         names_(machine.unifier_.slot_names()),
         trail_(machine.unifier_.mark()),
         base_(machine.choices_.size()),
-        root_{nullptr, nullptr, slots, names_, base_, frames_} {
+        root_{nullptr, nullptr, slots, names_, base_, frames_, machine.unifier_.mark(), 0} {
     if (machine.nesting_ == 0) machine.query_start_ = machine.inferences_;
     if (++machine.nesting_ > kMaxNestedQueries) {
       --machine.nesting_;
@@ -419,7 +419,8 @@ Machine::Environment* Machine::make_environment(Environment* parent, const Goal*
   std::uint64_t* const block = frames_.allocate(kWords + slot_count);
   auto* const slots = reinterpret_cast<Value*>(block + kWords);
   std::fill_n(slots, slot_count, Value());
-  return new (block) Environment{parent, continuation, slots, names, choices_.size(), start};
+  return new (block) Environment{parent,          continuation, slots,           names,
+                                 choices_.size(), start,        unifier_.mark(), slot_count};
 }
 
 bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const Value> args) {
@@ -430,7 +431,10 @@ bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const
     Environment* const caller = parent;
     continuation = caller->continuation;
     parent = caller->parent;
-    if (caller->choice_points == choices_.size()) frames_.release(caller->start);
+    if (caller->choice_points == choices_.size()) {
+      unifier_.forget(caller->trail, {caller->slots, caller->slot_count});
+      frames_.release(caller->start);
+    }
   }
   Environment* const made =
       make_environment(parent, continuation, rule.slot_names, rule.slot_count);

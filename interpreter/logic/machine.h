@@ -109,6 +109,8 @@ class Machine : public FunctionCaller {
     std::span<const Symbol> names;
     std::size_t choice_points;  // when the frame was made
     FrameStack::Mark start;
+    std::size_t trail;  // when the frame was made
+    std::size_t slot_count;
   };
   struct ChoicePoint {
     enum class Kind : std::uint8_t { rows, annotated, alternative, negation, solutions };

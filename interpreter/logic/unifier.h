@@ -3,6 +3,7 @@
 // Unification and application of unifiers (Jason's `unifies` and `capply`). Bindings are written
 // into variable cells and frame slots and recorded on a trail, so that undoing is popping.
 
+#include <algorithm>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -85,6 +86,15 @@ class Unifier {
   void commit(std::size_t mark) { trail_.resize(mark); }
   /// Bindings of these cells since a mark are not undone: the cells are about to go.
   void forget(std::size_t mark, const Value* first, const Value* last);
+  /// Forgets the bindings of a frame that is given up: nothing will ask for its slots again.
+  void forget(std::size_t mark, std::span<Value> slots) {
+    const auto is_of_frame = [slots](const Value* cell) {
+      return cell >= slots.data() && cell < slots.data() + slots.size();
+    };
+    trail_.erase(std::remove_if(trail_.begin() + static_cast<std::ptrdiff_t>(mark), trail_.end(),
+                                is_of_frame),
+                 trail_.end());
+  }
   [[nodiscard]] std::span<Value* const> bindings_since(std::size_t mark) const {
     return std::span(trail_).subspan(mark);
   }

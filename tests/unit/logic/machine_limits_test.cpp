@@ -31,6 +31,16 @@ TEST(MachineLimits, RunTailRecursionInConstantSpace) {
   EXPECT_FALSE(terms.holds("down(10000)"));
 }
 
+TEST(MachineLimits, RememberNoBindingsOfFramesThatAreGivenUp) {
+  test::Terms terms;
+  terms.believe("down(N) :- N > 0 & M = N - 1 & down(M).");
+  terms.believe("stays(X,N) :- N > 0 & stays(X,N - 1).");
+  // A word for each level would be sixteen times as much.
+  terms.heap.set_limit(terms.heap.bytes() + (1U << 20U));
+  EXPECT_FALSE(terms.holds("down(2000000)"));
+  EXPECT_FALSE(terms.holds("stays(a,2000000)"));
+}
+
 TEST(MachineLimits, RecurseDeeplyWithoutRecursingThemselves) {
   test::Terms terms;
   terms.believe("sum(0,0). sum(N,S) :- N > 0 & sum(N - 1,T) & S = T + N.");
