@@ -204,7 +204,8 @@ class Agent {
   void execute_fork(Intention& intention, const Step& step);
   void execute_join(Intention& intention);
   bool leave_failed_branch(Intention& intention);
-  Intention& copy_for_branch(const Intention& intention);
+  class FreedRounds;
+  Intention& copy_for_branch(Intention& intention);
   [[nodiscard]] Intention* find_intention(std::uint32_t id);
   void enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code);
   void go_on(Intention& intention);

@@ -80,23 +80,76 @@ Intention* Agent::find_intention(std::uint32_t id) {
   return nullptr;
 }
 
+// What the rounds of an intention's loops have bound is free while this lives: the copy of the stack
+// needs the places as well as the values.
+class Agent::FreedRounds {
+ public:
+  explicit FreedRounds(Intention& intention) : intention_(intention) {
+    for (std::size_t i = 0; i < intention.stack.size(); ++i) {
+      for (const Loop& loop : intention.stack[i].loops) {
+        for (const Value place : loop.bound) {
+          Value& cell = cell_of(intention, i, place);
+          held_.push_back({i, place, cell});
+          cell = Value();
+        }
+      }
+    }
+  }
+  ~FreedRounds() {
+    for (std::size_t i = held_.size(); i > 0; --i) {
+      cell_of(intention_, held_[i - 1].means, held_[i - 1].place) = held_[i - 1].value;
+    }
+  }
+  FreedRounds(const FreedRounds&) = delete;
+  FreedRounds& operator=(const FreedRounds&) = delete;
+
+  struct Held {
+    std::size_t means;
+    Value place;
+    Value value;
+  };
+  [[nodiscard]] const std::vector<Held>& held() const { return held_; }
+  static Value& cell_of(Intention& intention, std::size_t means, Value place) {
+    return place.is_slot() ? intention.frame(intention.stack[means])[place.slot_index()]
+                           : place.variable()->value;
+  }
+
+ private:
+  Intention& intention_;
+  std::vector<Held> held_;
+};
+
 // The same stack with variables of its own.
-Intention& Agent::copy_for_branch(const Intention& intention) {
+Intention& Agent::copy_for_branch(Intention& intention) {
+  const FreedRounds rounds(intention);
   Intention& copy = new_intention();
   copy.stack = intention.stack;
   copy.atomic_means = intention.atomic_means;
   copy.fork = intention.fork;
+  copy.values = intention.values;
   // All terms are renamed together, so that what was shared stays shared.
   std::vector<Value> terms;
-  const auto visit_all = [](Intention& of, auto&& visit) { of.visit_terms(visit); };
-  copy.values = intention.values;
-  visit_all(copy, [&](Value& value) { terms.push_back(value.is_unset() ? Value() : value); });
+  const auto note = [&](Value value) { terms.push_back(value.is_slot() ? Value() : value); };
+  copy.visit_terms(note);
+  for (const FreedRounds::Held& held : rounds.held()) {
+    note(held.place);
+    note(held.value);
+  }
   Value renamed = machine_.unifier().fresh_copy(heap_.list(terms));
-  visit_all(copy, [&](Value& value) {
-    const Value now = renamed.pair()->head;
+  const auto next = [&] {
+    const Value value = renamed.pair()->head;
     renamed = renamed.pair()->tail;
+    return value;
+  };
+  copy.visit_terms([&](Value& value) {
+    const Value now = next();
     if (!value.is_slot()) value = now;
   });
+  for (const FreedRounds::Held& held : rounds.held()) {
+    const Value variable = next();
+    const Value place = held.place.is_slot() ? held.place : variable;
+    FreedRounds::cell_of(copy, held.means, place) = next();
+  }
   return copy;
 }
 
