@@ -80,8 +80,8 @@ Intention* Agent::find_intention(std::uint32_t id) {
   return nullptr;
 }
 
-// What the rounds of an intention's loops have bound is free while this lives: the copy of the stack
-// needs the places as well as the values.
+// What the rounds of an intention's loops have bound is free while this lives: the copy of the
+// stack needs the places as well as the values.
 class Agent::FreedRounds {
  public:
   explicit FreedRounds(Intention& intention) : intention_(intention) {

@@ -19,9 +19,7 @@
 // A sanitizer's finding is to end as a signal, so that report_crash can name the case.
 // NOLINTBEGIN(bugprone-reserved-identifier): the names are the sanitizers'.
 extern "C" const char* __asan_default_options() { return "abort_on_error=1"; }
-extern "C" const char* __ubsan_default_options() {
-  return "abort_on_error=1:print_stacktrace=1";
-}
+extern "C" const char* __ubsan_default_options() { return "abort_on_error=1:print_stacktrace=1"; }
 // NOLINTEND(bugprone-reserved-identifier)
 
 namespace jaywalk::test {
