@@ -111,7 +111,11 @@ class ProgramBuilder {
   void add_goal(const ast::Component& component) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
     Value literal = translator_.literal(*component.literal, scope);
-    if (is_literal(literal) && !has_source(literal_parts(literal).annots)) {
+    if (!is_literal(literal)) {
+      diagnostics_.error(where(component.literal->span), "an initial goal must be a literal");
+      return;
+    }
+    if (!has_source(literal_parts(literal).annots)) {
       literal = with_annotations(
           constants(), literal,
           union_of(constants(), literal_parts(literal).annots, source_self(), symbols_));
