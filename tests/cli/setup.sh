@@ -12,6 +12,12 @@ fail() {
   exit 1
 }
 
+# skip REASON: ends the script; ctest says that the test was skipped.
+skip() {
+  echo "SKIPPED: $*" >&2
+  exit 77
+}
+
 # expect CODE COMMAND...: runs the command, with a limit of 60 s; its output is in $output.
 expect() {
   local wanted=$1 code=0
