@@ -40,16 +40,29 @@ std::string describe(const RunOutcome& outcome) {
   return outcome.end == RunEnd::stopped ? "an agent stopped the system" : "the run was cut short";
 }
 
-void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialObserver& observe,
+void record_events(const Crossing& crossing, Recording& recording) {
+  for (const std::size_t pedestrian : crossing.result().hit_by) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(crossing.result().ticks),
+                                .actor = static_cast<std::uint32_t>(pedestrian + 1),
+                                .kind = "precondition",
+                                .text = {}});
+  }
+}
+
+void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& options,
                     TrialResult& result) {
-  if (observe) observe(crossing, mas);
+  const auto observe = [&] {
+    if (options.observe) options.observe(crossing, mas);
+    if (options.record != nullptr) options.record->add(crossing.scene());
+  };
+  observe();
   while (!crossing.finished()) {
     if (!mas.step() && !crossing.finished()) {
       result.completed = false;
       result.message = describe(mas.outcome());
       return;
     }
-    if (observe) observe(crossing, mas);
+    observe();
   }
 }
 
@@ -103,7 +116,11 @@ TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
   add_agents(prepared.behaviours()[input.behaviour], input.agents, mas);
 
   TrialResult result;
-  run_to_the_end(mas, crossing, options.observe, result);
+  if (options.record != nullptr) {
+    *options.record = Recording(prepared.scenario().world.tick_s, crossing.actors());
+  }
+  run_to_the_end(mas, crossing, options, result);
+  if (options.record != nullptr) record_events(crossing, *options.record);
   result.outcome = crossing.result();
   result.cycles = mas.outcome().cycles;
   result.cpu_s = mas.reasoning_cpu_s();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "env/crossing/crossing.h"
+#include "experiment/recording.h"
 #include "experiment/scenario.h"
 #include "interpreter/mas/mas.h"
 
@@ -66,6 +67,9 @@ using TrialObserver = std::function<void(const Crossing& crossing, const Mas& ma
 
 struct TrialOptions {
   TrialObserver observe;
+  /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
+  /// the first in the zone. Null: nothing is recorded.
+  Recording* record = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the trial is given up.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,21 @@ namespace {
 
 ActionResult failure(std::string reason) {
   return {.succeeded = false, .reason = std::move(reason)};
+}
+
+double heading_rad(Direction direction) {
+  using std::numbers::pi;
+  switch (direction) {
+    case Direction::left:
+      return pi;
+    case Direction::right:
+      return 0;
+    case Direction::forward:
+      return pi / 2;
+    case Direction::back:
+      return -pi / 2;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -31,8 +47,13 @@ Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabular
       zone_ahead_(zone_ahead(parameters)),
       positions_(std::move(start)),
       acted_in_(positions_.size(), 0),
+      stepped_in_(positions_.size(), 0),
       origin_(zone_origin(parameters, 0)) {
   result_.start = positions_;
+  // Before its first step everyone looks at the AV's lane.
+  for (const Position& position : positions_) {
+    facing_.push_back(position.x > parameters.av.rows.last ? Direction::left : Direction::right);
+  }
   result_.pedestrians.resize(positions_.size());
 }
 
@@ -91,6 +112,8 @@ ActionResult Crossing::act(const ActionRequest& action) {
                                  positions_[index].x, positions_[index].y));
     }
     positions_[index] = target;
+    stepped_in_[index] = ticks_ + 1;
+    facing_[index] = direction;
     return {};
   }
   return failure("unknown way to move, expected left, right, forward or back");
@@ -160,6 +183,32 @@ int Crossing::av_edge() const {
                         ? parameters_.av.stopping_distance
                         : 0;
   return origin_ - ahead;
+}
+
+std::vector<Actor> Crossing::actors() const {
+  const double cell = parameters_.cell_m;
+  std::vector<Actor> actors{
+      {"av", ActorKind::vehicle, parameters_.av.length * cell, parameters_.av.rows.size() * cell}};
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    actors.push_back(
+        {fmt::format("p{}", i + 1), ActorKind::pedestrian, kPedestrianSizeM, kPedestrianSizeM});
+  }
+  return actors;
+}
+
+Scene Crossing::scene() const {
+  const double cell = parameters_.cell_m;
+  const AvParameters& av = parameters_.av;
+  const double step_mps = cell / parameters_.tick_s;
+  Scene scene{{(av.rows.first + av.rows.last + 1) / 2.0 * cell,
+               (av_edge() + 1 - av.length / 2.0) * cell, av.speed * step_mps,
+               heading_rad(Direction::forward)}};
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    const bool steps = ticks_ > 0 && stepped_in_[i] == ticks_;
+    scene.push_back({(positions_[i].x + 0.5) * cell, (positions_[i].y + 0.5) * cell,
+                     steps ? step_mps : 0, heading_rad(facing_[i])});
+  }
+  return scene;
 }
 
 }  // namespace jaywalk

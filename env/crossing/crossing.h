@@ -14,6 +14,7 @@
 
 #include "env/crossing/parameters.h"
 #include "env/crossing/vocabulary.h"
+#include "env/scene.h"
 #include "interpreter/mas/environment.h"
 
 namespace jaywalk {
@@ -66,6 +67,10 @@ class Crossing final : public Environment {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
+  /// The AV, named `av`, and the pedestrians p1, p2, … in the agents' order.
+  [[nodiscard]] std::vector<Actor> actors() const;
+  /// Where they are now. A pedestrian stands in the middle of its cell.
+  [[nodiscard]] Scene scene() const;
   /// What has come of the test so far; final once it is finished.
   [[nodiscard]] const CrossingResult& result() const { return result_; }
 
@@ -81,7 +86,9 @@ class Crossing final : public Environment {
   Interval zone_rows_;
   Interval zone_ahead_;
   std::vector<Position> positions_;
-  std::vector<int> acted_in_;  // the tick of each agent's last action
+  std::vector<int> acted_in_;      // the tick of each agent's last action
+  std::vector<int> stepped_in_;    // the tick of its last step
+  std::vector<Direction> facing_;  // the way of that step
   int ticks_ = 0;
   int origin_ = 0;
   CrossingResult result_;

@@ -13,6 +13,9 @@
 
 namespace jaywalk {
 
+/// The side of the box that stands for a pedestrian in scenes, in metres.
+inline constexpr double kPedestrianSizeM = 0.5;
+
 enum class BandKind { pavement, lane };
 
 /// A strip along the road: some rows of one kind.

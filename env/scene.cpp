@@ -1,0 +1,71 @@
+#include "env/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace jaywalk {
+namespace {
+
+double cross(Point origin, Point a, Point b) {
+  return (a.x_m - origin.x_m) * (b.y_m - origin.y_m) - (a.y_m - origin.y_m) * (b.x_m - origin.x_m);
+}
+
+// Some edge of `first` has all of `second` strictly on its outer side.
+bool separates(std::span<const Point> first, std::span<const Point> second) {
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Point from = first[i];
+    const Point to = first[(i + 1) % first.size()];
+    if (std::ranges::all_of(second, [&](Point p) { return cross(from, to, p) < 0; })) return true;
+  }
+  return false;
+}
+
+double distance_to_edge(Point p, Point from, Point to) {
+  const double dx = to.x_m - from.x_m;
+  const double dy = to.y_m - from.y_m;
+  const double length2 = dx * dx + dy * dy;
+  const double along =
+      length2 > 0 ? ((p.x_m - from.x_m) * dx + (p.y_m - from.y_m) * dy) / length2 : 0;
+  const double t = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p.x_m - from.x_m - t * dx, p.y_m - from.y_m - t * dy);
+}
+
+double corners_to_edges(std::span<const Point> corners, std::span<const Point> polygon) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point corner : corners) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      least =
+          std::min(least, distance_to_edge(corner, polygon[i], polygon[(i + 1) % polygon.size()]));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+std::string_view name(ActorKind kind) {
+  static constexpr std::array<std::string_view, 4> names{"vehicle", "pedestrian", "cyclist",
+                                                         "signal"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Point> box(const Actor& actor, const ActorState& state) {
+  const double c = std::cos(state.heading_rad);
+  const double s = std::sin(state.heading_rad);
+  const double l = actor.length_m / 2;
+  const double w = actor.width_m / 2;
+  const auto corner = [&](double ahead, double left) {
+    return Point{state.x_m + c * ahead - s * left, state.y_m + s * ahead + c * left};
+  };
+  return {corner(-l, -w), corner(l, -w), corner(l, w), corner(-l, w)};
+}
+
+double distance_m(std::span<const Point> first, std::span<const Point> second) {
+  if (!separates(first, second) && !separates(second, first)) return 0;
+  return std::min(corners_to_edges(first, second), corners_to_edges(second, first));
+}
+
+}  // namespace jaywalk

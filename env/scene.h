@@ -1,0 +1,60 @@
+#pragma once
+
+// What a world looks like from outside at one moment, in metres and seconds: its actors (road users
+// and whatever else is logged) with their boxes. Everything that logs, measures, draws or exports a
+// test reads scenes, so none of it knows the world's own units.
+//
+// The plane: y runs along the road, the way the automated vehicle (AV) drives, x to its right; the
+// origin is the corner of the world at the far left of its beginning. Headings are counted
+// counter-clockwise from x: the AV's is pi / 2.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jaywalk {
+
+enum class ActorKind { vehicle, pedestrian, cyclist, signal };
+
+/// `vehicle`, `pedestrian`, …: the word that stores and exports use.
+[[nodiscard]] std::string_view name(ActorKind kind);
+
+/// Who takes part; the same during a whole test.
+struct Actor {
+  /// Unique in the test: `av`, or the agent's name.
+  std::string name;
+  ActorKind kind = ActorKind::pedestrian;
+  /// Of the box that surrounds it; the length is that along its heading.
+  double length_m = 0;
+  double width_m = 0;
+
+  friend bool operator==(const Actor&, const Actor&) = default;
+};
+
+/// One actor at one moment.
+struct ActorState {
+  /// The middle of its box.
+  double x_m = 0;
+  double y_m = 0;
+  /// Along its heading, at least 0.
+  double speed_mps = 0;
+  double heading_rad = 0;
+
+  friend bool operator==(const ActorState&, const ActorState&) = default;
+};
+
+/// The states of all actors, in the order of the world's actors. The first is the AV.
+using Scene = std::vector<ActorState>;
+
+/// The corners of an actor's box, counter-clockwise from the rear right one.
+struct Point {
+  double x_m = 0;
+  double y_m = 0;
+};
+[[nodiscard]] std::vector<Point> box(const Actor& actor, const ActorState& state);
+
+/// The smallest distance between two boxes in metres; 0 if they touch or overlap.
+[[nodiscard]] double distance_m(std::span<const Point> first, std::span<const Point> second);
+
+}  // namespace jaywalk
