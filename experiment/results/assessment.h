@@ -1,0 +1,35 @@
+#pragma once
+
+// What was found out about one test, as stores keep it: the value of a metric or the verdict of an
+// assertion. Whoever computes it is of no matter here.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace jaywalk {
+
+/// `none`: a metric, which has a value and no verdict.
+enum class AssessmentVerdict { none, vacuous, pass, fail };
+
+/// `none`, `vacuous`, `pass`, `fail`: the words of the store's column.
+[[nodiscard]] std::string_view name(AssessmentVerdict verdict);
+[[nodiscard]] std::optional<AssessmentVerdict> parse_assessment_verdict(std::string_view text);
+
+/// One row of the table `assessments`. Numbers may be infinite but not NaN.
+struct Assessment {
+  /// Of the metric or assertion, `min_distance`; unique in its test together with the actor.
+  std::string id;
+  std::optional<double> value;
+  /// The tick that the value belongs to, or the first one that violates the assertion.
+  std::optional<std::uint32_t> tick;
+  /// Index into the recording's actors: the other road user, if it concerns one.
+  std::optional<std::uint32_t> actor;
+  std::optional<double> robustness;
+  AssessmentVerdict verdict = AssessmentVerdict::none;
+
+  friend bool operator==(const Assessment&, const Assessment&) = default;
+};
+
+}  // namespace jaywalk

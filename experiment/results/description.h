@@ -1,0 +1,95 @@
+#pragma once
+
+// What a store says about the experiment whose tests it holds: enough to run any of them again.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/experiment.h"
+#include "experiment/trial.h"
+
+namespace jaywalk {
+
+/// For which tests every actor is kept at every tick: none, those that met the precondition, all.
+/// Outcomes, scores, events and assessments are kept of every test.
+enum class StoreLevel { summary, found, all };
+
+[[nodiscard]] std::string_view name(StoreLevel level);
+[[nodiscard]] std::optional<StoreLevel> parse_store_level(std::string_view text);
+
+/// The part of an experiment's tests that one process runs: those whose number leaves the remainder
+/// `index` - 1. REQUIRES: 1 <= index <= count.
+struct Shard {
+  std::uint32_t index = 1;
+  std::uint32_t count = 1;
+
+  [[nodiscard]] bool has(std::uint64_t test) const { return test % count == index - 1; }
+  friend bool operator==(const Shard&, const Shard&) = default;
+};
+
+/// `2/4`. Nothing if it is not of that form, or there is no such shard.
+[[nodiscard]] std::optional<Shard> parse_shard(std::string_view text);
+
+/// A file that the experiment was made from: scenario, start cells, programs and what they include.
+struct StoredInput {
+  /// As it was named when it was read.
+  std::string path;
+  std::string text;
+  /// Of the text, 64 hexadecimal digits.
+  std::string sha256;
+};
+
+/// A behaviour as the plan names it.
+struct StoredBehaviour {
+  std::string name;
+  std::uint64_t code_lines = 0;
+  /// Its parameters as the scenario sets them, `radius` and `15`; those of single agents with their
+  /// number, `p2.radius`.
+  std::vector<std::pair<std::string, std::string>> parameters;
+};
+
+struct ExperimentDescription {
+  /// The scenario's file and the options that changed it (see ScenarioOptions).
+  std::string scenario;
+  std::optional<std::string> preset;
+  std::vector<std::string> sets;
+  std::vector<std::string> behaviour_options;
+  /// The plan: behaviours x agents x tests, numbered from `first_test`.
+  std::vector<StoredBehaviour> behaviours;
+  std::vector<std::uint32_t> agents;
+  std::uint64_t first_test = 0;
+  std::uint64_t tests = 0;
+  std::uint64_t seed = 0;
+  /// Seconds from one tick to the next.
+  double tick_s = 1;
+  StoreLevel level = StoreLevel::found;
+  Shard shard;
+  /// Of the program that ran the tests.
+  std::string version;
+  std::vector<StoredInput> inputs;
+};
+
+/// Describes an experiment that is about to run. Options are those by which `prepared` was read.
+[[nodiscard]] ExperimentDescription describe(const PreparedScenario& prepared,
+                                             const ScenarioOptions& options,
+                                             const ExperimentPlan& plan, std::uint64_t seed);
+
+/// The number under which a store keeps a test, from 1 in the order of the plan. Shards and the
+/// whole run agree on it. REQUIRES: a test of the plan.
+[[nodiscard]] std::int64_t test_id(const ExperimentDescription& description, const TestCase& test);
+/// The inverse. Nothing if the plan has no such test.
+[[nodiscard]] std::optional<TestCase> find_test(const ExperimentDescription& description,
+                                                std::int64_t id);
+
+/// How many tests its shard has in each pair of behaviour and number of agents.
+[[nodiscard]] std::uint64_t tests_in_shard(const ExperimentDescription& description);
+
+/// Why two stores do not belong to one experiment ("the seeds are 1 and 2"); empty if they do.
+/// Level and shard may differ.
+[[nodiscard]] std::string difference(const ExperimentDescription& left,
+                                     const ExperimentDescription& right);
+
+}  // namespace jaywalk

@@ -1,0 +1,83 @@
+#pragma once
+
+// Reads a store: which experiment, which tests, what each of them was like. Nothing is written. A
+// reader belongs to one thread; several may read the same file.
+//
+//   Result<std::unique_ptr<ResultsReader>> store = ResultsReader::open("runs.gpkg");
+//   for (const StoredTest& test : store.value()->tests().value()) ...
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/comparison.h"
+#include "experiment/results/description.h"
+#include "experiment/results/test_record.h"
+
+namespace jaywalk {
+
+/// A line of the list of tests.
+struct StoredTest {
+  std::int64_t id = 0;
+  TestCase test;
+  TestResult result;
+  /// The store has its scenes; otherwise the test is run again when they are asked for.
+  bool has_scenes = false;
+};
+
+/// Which tests are wanted; empty fields: any.
+struct TestFilter {
+  /// Index into the description's behaviours.
+  std::optional<std::size_t> behaviour;
+  std::optional<std::uint32_t> agents;
+  std::optional<bool> succeeded;
+  /// At most so many, the first ones.
+  std::optional<std::uint64_t> limit;
+};
+
+class ResultsReader {
+ public:
+  /// Errors: no file, no store, another version of the store's tables, damaged. A store that is
+  /// being written cannot be read.
+  [[nodiscard]] static Result<std::unique_ptr<ResultsReader>> open(const std::string& path);
+  ~ResultsReader();
+  ResultsReader(const ResultsReader&) = delete;
+  ResultsReader& operator=(const ResultsReader&) = delete;
+
+  [[nodiscard]] const std::string& path() const;
+  [[nodiscard]] const ExperimentDescription& description() const;
+  /// How many tests it has; those of its shard are tests_in_shard() x behaviours x agents.
+  [[nodiscard]] std::uint64_t count() const;
+  [[nodiscard]] bool complete() const;
+
+  /// In the order of their ids, which is that of the plan.
+  [[nodiscard]] Result<std::vector<StoredTest>> tests(const TestFilter& filter = {}) const;
+  /// Error: there is no such test.
+  [[nodiscard]] Result<StoredTest> test(std::int64_t id) const;
+  [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
+  [[nodiscard]] Result<std::vector<Assessment>> assessments(std::int64_t id) const;
+  /// Everything that was seen of the test, from the store or, where that has no scenes, by running
+  /// the test again. Error: it came out otherwise than stored (see rerun).
+  [[nodiscard]] Result<Recording> recording(std::int64_t id) const;
+
+  /// The scenario as it was, made ready to run from the texts in the store, not from files; made
+  /// once, then kept.
+  [[nodiscard]] Result<std::shared_ptr<const PreparedScenario>> prepared() const;
+  /// What to run for a test: `run_trial(*prepared, input)` repeats it.
+  [[nodiscard]] Result<TrialInput> input(std::int64_t id) const;
+  /// Runs a test again, with what the caller wants to see of it. Error: its outcome is not the
+  /// stored one, as when another version of the program wrote the store.
+  [[nodiscard]] Result<TrialResult> rerun(std::int64_t id, const TrialOptions& options = {}) const;
+
+  /// What the tests come to: rows whose tests (those of the shard) are all there.
+  [[nodiscard]] Result<Comparison> comparison() const;
+
+ private:
+  class Impl;
+  explicit ResultsReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,38 @@
+#pragma once
+
+// One test as a store takes it and gives it back.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiment/experiment.h"
+#include "experiment/recording.h"
+#include "experiment/results/assessment.h"
+#include "experiment/summary.h"
+#include "experiment/trial.h"
+
+namespace jaywalk {
+
+struct AgentScore {
+  double cost = 0;
+  double reward = 0;
+
+  friend bool operator==(const AgentScore&, const AgentScore&) = default;
+};
+
+struct TestRecord {
+  TestCase test;
+  TestResult result;
+  /// Of the agents in their order; the agent i is the recording's actor i + 1.
+  std::vector<AgentScore> scores;
+  std::vector<Assessment> assessments;
+  /// Everything that was seen. The store keeps actors and events, and scenes as its level says.
+  Recording recording;
+};
+
+/// Puts the outcome of a trial and its recording together. `result` is what the measures see.
+[[nodiscard]] TestRecord make_test_record(const TestCase& test, const TestResult& result,
+                                          const TrialResult& trial, Recording recording);
+
+}  // namespace jaywalk

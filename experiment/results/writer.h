@@ -1,0 +1,74 @@
+#pragma once
+
+// Writes the tests of an experiment into a store (README.md beside this file has its tables). Any
+// number of threads hand in tests, one thread writes them, a transaction for what has come in
+// meanwhile. A process that is killed leaves every test that was committed: at most those are lost
+// that were running or came in within the last moment.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "experiment/results/description.h"
+#include "experiment/results/test_record.h"
+
+namespace jaywalk {
+
+class ResultsWriter {
+ public:
+  /// A new store. Errors: the file exists, or its folder does not.
+  [[nodiscard]] static Result<std::unique_ptr<ResultsWriter>> create(
+      const std::string& path, const ExperimentDescription& description);
+  /// Continues a store; a new one if there is no file. Errors: a file that is no store, is damaged,
+  /// has another version, is in use, or holds another experiment. Such a file is left as it is.
+  [[nodiscard]] static Result<std::unique_ptr<ResultsWriter>> resume(
+      const std::string& path, const ExperimentDescription& description);
+
+  /// Closes the store as it is; what was handed in is written.
+  ~ResultsWriter();
+  ResultsWriter(const ResultsWriter&) = delete;
+  ResultsWriter& operator=(const ResultsWriter&) = delete;
+
+  /// The store had the test when it was opened.
+  [[nodiscard]] bool had(const TestCase& test) const;
+  /// How many it had.
+  [[nodiscard]] std::uint64_t had() const;
+
+  /// Takes a test that it had not; waits while too many are waiting to be written. Does nothing
+  /// after a failure.
+  void add(TestRecord record);
+
+  /// Why nothing more can be written (the disk is full, say); what was committed is kept.
+  [[nodiscard]] std::optional<std::string> failure() const;
+
+  /// Writes what is left and makes the store one plain file. Why that failed, if it did. Nothing
+  /// may be added afterwards.
+  [[nodiscard]] std::optional<std::string> finish();
+
+ private:
+  class Impl;
+  explicit ResultsWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Puts assessments in the place of those that a store has of a test: what `judge` does afterwards.
+class AssessmentWriter {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<AssessmentWriter>> open(const std::string& path);
+  ~AssessmentWriter();
+  AssessmentWriter(const AssessmentWriter&) = delete;
+  AssessmentWriter& operator=(const AssessmentWriter&) = delete;
+
+  /// Assessments of the test with other ids stay.
+  void replace(std::int64_t test_id, const std::vector<Assessment>& assessments);
+  /// Commits all of it, or says why nothing was written.
+  [[nodiscard]] std::optional<std::string> finish();
+
+ private:
+  class Impl;
+  explicit AssessmentWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace jaywalk
