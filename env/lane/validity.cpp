@@ -1,0 +1,92 @@
+#include "env/lane/validity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "env/lane/polygon.h"
+
+namespace jaywalk::lane {
+namespace {
+
+constexpr double kFeetPerMetre = 3.280839895;
+constexpr std::size_t kWindow = 5;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Of the circle through three points; infinite if they lie on a line.
+double radius(const Point& a, const Point& b, const Point& c) {
+  const double b2 = b.x_m * b.x_m + b.y_m * b.y_m;
+  const double ab = (a.x_m * a.x_m + a.y_m * a.y_m - b2) / 2;
+  const double bc = (b2 - c.x_m * c.x_m - c.y_m * c.y_m) / 2;
+  const double det = (a.x_m - b.x_m) * (b.y_m - c.y_m) - (b.x_m - c.x_m) * (a.y_m - b.y_m);
+  if (std::fabs(det) < 1e-6) return kInfinity;
+  const double x = (ab * (b.y_m - c.y_m) - bc * (a.y_m - b.y_m)) / det;
+  const double y = ((a.x_m - b.x_m) * bc - (b.x_m - c.x_m) * ab) / det;
+  return std::sqrt((x - a.x_m) * (x - a.x_m) + (y - a.y_m) * (y - a.y_m));
+}
+
+/// The competition's is_inside_map, in which `and` binds more tightly than its authors meant: a
+/// road that lies altogether right of or above the map passes.
+bool passes_bounds(std::span<const Point> line, double map) {
+  double x0 = kInfinity;
+  double x1 = -kInfinity;
+  double y0 = kInfinity;
+  double y1 = -kInfinity;
+  for (const Point& point : line) {
+    x0 = std::min(x0, point.x_m);
+    x1 = std::max(x1, point.x_m);
+    y0 = std::min(y0, point.y_m);
+    y1 = std::max(y1, point.y_m);
+  }
+  return 0 < x0 || (x0 > map && 0 < x1) || (x1 > map && 0 < y0) || (y0 > map && 0 < y1) || y1 > map;
+}
+
+/// Whether the outline touches the map's boundary or has the map's corner within.
+bool touches_boundary(const Road& road, double map) {
+  const Polyline ring = outline(road);
+  const Quad square{Point{map, 0}, Point{map, map}, Point{0, map}, Point{0, 0}};
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& next = ring[(i + 1) % ring.size()];
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (segments_touch(ring[i], next, square[j], square[(j + 1) % 4])) return true;
+    }
+  }
+  return contains(ring, square[0]);
+}
+
+std::string_view problem(const Road& road, const RoadRules& rules) {
+  if (road.points.size() > rules.most_points) {
+    return "The road definition contains too many points";
+  }
+  if (!passes_bounds(road.middle, rules.map_m) || touches_boundary(road, rules.map_m)) {
+    return "Not entirely inside the map boundaries";
+  }
+  if (overlaps_itself(road)) return "The road is self-intersecting";
+  // The competition measures the length of the interpolation's interpolation.
+  const std::optional<Polyline> twice = interpolate(road.middle);
+  if (!twice) return "ERROR ValueError: Invalid inputs.";
+  if (!(length(*twice) > rules.least_length_m)) return "The road is not long enough.";
+  const double feet = least_radius_m(road.middle) * kFeetPerMetre;
+  if (feet > 0 && feet < rules.least_radius_ft) return "The road is too sharp";
+  return {};
+}
+
+}  // namespace
+
+double least_radius_m(std::span<const Point> line) {
+  double least = kInfinity;
+  for (std::size_t i = 0; i + kWindow < line.size(); ++i) {
+    least = std::min(least, radius(line[i], line[i + 2], line[i + 4]));
+  }
+  return least == kInfinity ? 0 : least;
+}
+
+RoadVerdict validate(Polyline points, const RoadRules& rules) {
+  if (points.size() < 2) return {.message = "Not enough road points."};
+  std::optional<Road> road = make_road(std::move(points));
+  if (!road) return {.message = "ERROR ValueError: Invalid inputs."};
+  const std::string_view message = problem(*road, rules);
+  return {.message = message, .road = std::move(road)};
+}
+
+}  // namespace jaywalk::lane

@@ -1,0 +1,59 @@
+#include "tests/unit/env_lane/data.h"
+
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+namespace jaywalk::lane {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
+  return parts;
+}
+
+/// Calls `row` with the fields of each row; comments and the header are left out.
+void read(const std::string& name,
+          const std::function<void(const std::vector<std::string>&)>& row) {
+  const std::string path = std::string(JAYWALK_SOURCE_DIR) + "/tests/unit/env_lane/data/" + name;
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  bool header = true;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
+    if (!header) row(split(line, ','));
+    header = false;
+  }
+}
+
+}  // namespace
+
+std::vector<JudgedRoad> judged_roads() {
+  std::vector<JudgedRoad> roads;
+  read("road_verdicts.csv", [&](const std::vector<std::string>& fields) {
+    JudgedRoad road{fields.at(0), std::stoul(fields.at(1)), fields.at(2), {}};
+    for (const std::string& point : split(fields.at(3), ';')) {
+      const std::vector<std::string> xy = split(point, ' ');
+      road.points.push_back({std::stod(xy.at(0)), std::stod(xy.at(1))});
+    }
+    roads.push_back(std::move(road));
+  });
+  return roads;
+}
+
+std::vector<ExecutedRoad> executed_roads() {
+  std::vector<ExecutedRoad> roads;
+  read("beamng_random.csv", [&](const std::vector<std::string>& fields) {
+    ExecutedRoad road{std::stod(fields.at(0)), {}};
+    for (const std::string& number : split(fields.at(1), ';')) {
+      road.curvatures.push_back(std::stod(number));
+    }
+    roads.push_back(std::move(road));
+  });
+  return roads;
+}
+
+}  // namespace jaywalk::lane
