@@ -1,0 +1,120 @@
+// Follows an elastic band that cuts corners, as BeamNG's AI does: curvature feed-forward with
+// preview plus feedback of the lateral and the heading error. Calibrated on roads executed in
+// BeamNG.tech (RILaST's data), see search/README.md for how well it ranks roads that it never saw.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "env/lane/controllers/controllers.h"
+#include "env/lane/controllers/speed_plan.h"
+#include "env/lane/elastic_band.h"
+
+namespace jaywalk::lane::controller::beamng_calibrated {
+namespace {
+
+enum Parameter : std::size_t {
+  kFeedForward,
+  kLateralGain,
+  kHeadingGain,
+  kPreviewLeast,
+  kPreviewTime,
+  kStiffness,
+  kLeft,
+  kRight,
+  kLateral,
+  kPlanBrake,
+  kPreview,
+  kSpeedGain,
+  kAcceleration,
+  kBrake,
+  kLatency,
+  kLag,
+  kRate,
+};
+
+constexpr std::array kParameters = {
+    ControllerParameter{"feed_forward", 1.2, 0, 10, "times the curvature ahead"},
+    ControllerParameter{"lateral_gain", 0.55, 0, 50,
+                        "steering per metre beside the line, times m/s"},
+    ControllerParameter{"heading_gain", 0.91, 0, 50, "steering per radian off the line's heading"},
+    ControllerParameter{"steering_preview_m", 4, 0, 100, "where the curvature is taken, at rest"},
+    ControllerParameter{"steering_preview_s", 0.37, 0, 10, "and so much farther with speed"},
+    ControllerParameter{"band_stiffness_m", 21, 1, 1000, "how far a corner is cut ahead"},
+    ControllerParameter{"band_left_m", 1.2, 0, 4, "the most it drives left of the middle"},
+    ControllerParameter{"band_right_m", 1.6, 0, 4, "the most it drives right of the middle"},
+    ControllerParameter{"lateral_acceleration", 4.6, 0.1, 20, "planned for curves, m/s2"},
+    ControllerParameter{"planned_braking", 5.6, 0.1, 20, "for curves ahead, m/s2"},
+    ControllerParameter{"preview_m", 22.5, 1, 500, "how far ahead curves are seen"},
+    ControllerParameter{"speed_gain", 2.7, 0, 50, "acceleration per difference of speed, 1/s"},
+    ControllerParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
+    ControllerParameter{"most_braking", 8, 0.1, 20, "m/s2"},
+    ControllerParameter{"latency_s", 0.02, 0, 1, "between command and actuators"},
+    ControllerParameter{"steering_lag_s", 0.05, 0.005, 1, "time constant of the steering"},
+    ControllerParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
+};
+
+BandParameters band(const ControllerSetup& setup) {
+  BandParameters parameters;
+  parameters.stiffness_m = setup.values[kStiffness];
+  parameters.most_left_m = setup.values[kLeft];
+  parameters.most_right_m = setup.values[kRight];
+  parameters.start_m = setup.start_m;
+  return parameters;
+}
+
+SpeedPlanParameters speeds(const ControllerSetup& setup) {
+  return {.speed_limit_mps = setup.speed_limit_mps,
+          .lateral_acceleration = setup.values[kLateral],
+          .braking = setup.values[kPlanBrake],
+          .preview_m = setup.values[kPreview],
+          .latency_s = setup.values[kLatency],
+          .gain = setup.values[kSpeedGain],
+          .most_acceleration = setup.values[kAcceleration],
+          .most_braking = setup.values[kBrake]};
+}
+
+class BandFollower : public Controller {
+ public:
+  explicit BandFollower(const ControllerSetup& setup)
+      : vehicle_(setup.vehicle),
+        values_(setup.values),
+        path_(elastic_band(lane_centre(setup.road), band(setup))),
+        plan_(path_, speeds(setup)) {}
+
+  Command command(const VehicleState& state) override {
+    near_ = path_.nearest({state.x_m, state.y_m}, near_);
+    const double heading = path_.heading(near_);
+    const std::size_t ahead =
+        path_.ahead(near_, values_[kPreviewLeast] + values_[kPreviewTime] * state.speed_mps);
+    const double lateral = (state.y_m - path_.point(near_).y_m) * std::cos(heading) -
+                           (state.x_m - path_.point(near_).x_m) * std::sin(heading);
+    const double steering =
+        std::atan(vehicle_.wheelbase_m() * path_.curvature(ahead) * values_[kFeedForward]) -
+        values_[kLateralGain] * lateral / std::max(1.0, state.speed_mps) -
+        values_[kHeadingGain] * wrapped(state.heading_rad - heading);
+    return {plan_.acceleration(path_, near_, state.speed_mps),
+            std::clamp(steering, -vehicle_.most_steering_rad, vehicle_.most_steering_rad)};
+  }
+
+  [[nodiscard]] Actuator actuator() const override {
+    return {values_[kLatency], values_[kLag], values_[kRate]};
+  }
+
+ private:
+  const VehicleParameters& vehicle_;
+  std::span<const double> values_;
+  Path path_;
+  SpeedPlan plan_;
+  std::size_t near_ = 0;
+};
+
+}  // namespace
+
+std::span<const ControllerParameter> parameters() { return kParameters; }
+
+std::unique_ptr<Controller> make(const ControllerSetup& setup) {
+  return std::make_unique<BandFollower>(setup);
+}
+
+}  // namespace jaywalk::lane::controller::beamng_calibrated

@@ -1,0 +1,15 @@
+#pragma once
+
+// What each controller's file defines, from the table.
+
+#include "env/lane/controller.h"
+
+namespace jaywalk::lane::controller {
+#define JAYWALK_CONTROLLER(identifier, name, summary)             \
+  namespace identifier {                                          \
+  std::span<const ControllerParameter> parameters();              \
+  std::unique_ptr<Controller> make(const ControllerSetup& setup); \
+  }
+#include "env/lane/controllers.def"
+#undef JAYWALK_CONTROLLER
+}  // namespace jaywalk::lane::controller

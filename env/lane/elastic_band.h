@@ -1,0 +1,26 @@
+#pragma once
+
+// The line that a driver takes who cuts corners: an elastic band along the lane's middle. Read
+// road.h before.
+
+#include "env/lane/road.h"
+
+namespace jaywalk::lane {
+
+struct BandParameters {
+  /// Distance of the nodes, the length over which a shift to the side is regretted as much as the
+  /// bending that it saves, and the most that it may be to either side.
+  double node_m = 2;
+  double stiffness_m = 21;
+  double most_left_m = 1.2;
+  double most_right_m = 1.6;
+  /// The line stays in the middle up to here.
+  double start_m = 2.5;
+  int sweeps = 150;
+};
+
+/// The band of least bending plus lateral spring energy, by Gauss-Seidel with over-relaxation over
+/// the nodes' lateral offsets; then about a point each metre (Catmull-Rom).
+[[nodiscard]] Polyline elastic_band(const Polyline& centre, const BandParameters& parameters);
+
+}  // namespace jaywalk::lane
