@@ -39,6 +39,9 @@ void sort_as_set(std::vector<Value>& all, const SymbolTable& symbols);
 /// A literal without its annotations source(_). REQUIRES: is_literal(literal).
 [[nodiscard]] Value without_sources(Heap& heap, Value literal);
 
+/// A rule as a term with variables of its own.
+[[nodiscard]] Value rule_term(Unifier& unifier, const RuleCode& rule);
+
 /// The solutions that a function object makes: it binds and returns true, or returns false at the
 /// end.
 template <class Next>

@@ -28,18 +28,6 @@ bool is_pattern(Value value) {
   return is_literal(value) || value.is_variable() || is_form(value, Form::decorated);
 }
 
-// A rule as a term with variables of its own.
-Value rule_term(Unifier& unifier, const RuleCode& rule) {
-  ScratchSlots slots(unifier, rule.slot_count);
-  const std::span<const Symbol> names = unifier.slot_names();
-  unifier.set_slot_names(rule.slot_names);
-  const std::size_t trail = unifier.mark();
-  const Value term = unifier.instantiate(rule.source, slots.data());
-  unifier.undo(trail);  // the frame is gone
-  unifier.set_slot_names(names);
-  return term;
-}
-
 bool holds_always(const RuleCode& rule) {
   const Value body = rule.source.structure()->arg(1);
   return body.is_atom() && body.atom_id() == predicates::truth;
@@ -67,6 +55,17 @@ Outcome assert_belief(ActionCall& call, Place place) {
 }
 
 }  // namespace
+
+Value rule_term(Unifier& unifier, const RuleCode& rule) {
+  ScratchSlots slots(unifier, rule.slot_count);
+  const std::span<const Symbol> names = unifier.slot_names();
+  unifier.set_slot_names(rule.slot_names);
+  const std::size_t trail = unifier.mark();
+  const Value term = unifier.instantiate(rule.source, slots.data());
+  unifier.undo(trail);  // the frame is gone
+  unifier.set_slot_names(names);
+  return term;
+}
 
 Outcome abolish(ActionCall& call) {
   Agent* const agent = call.agent();

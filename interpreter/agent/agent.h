@@ -140,8 +140,12 @@ class Agent {
   /// The plans whose trigger unifies, whatever their context.
   [[nodiscard]] std::vector<const Plan*> relevant_plans(TriggerOperator op, TriggerKind kind,
                                                         Value literal);
-  /// Takes over the beliefs, goals and plans of a program loaded at run time.
-  void include(std::shared_ptr<const Program> program);
+  /// Takes over the beliefs, goals, plans and functions of a program loaded at run time; false,
+  /// and nothing of it, if one of its labels is taken: `problem` says so.
+  [[nodiscard]] bool include(std::shared_ptr<const Program> program, std::string& problem);
+  [[nodiscard]] const std::vector<std::shared_ptr<const Program>>& included() const {
+    return included_;
+  }
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
 

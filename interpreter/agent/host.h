@@ -27,6 +27,15 @@ struct OutgoingMessage {
   std::string in_reply_to;
 };
 
+/// A program to be loaded while agents run.
+struct ProgramRequest {
+  std::string file;
+  /// It is to be part of an agent that runs already (`.include`), with its literals in the
+  /// namespace `ns`; empty: the default one.
+  bool included = false;
+  std::string ns;
+};
+
 /// The agents that live together: who there is, who comes and goes.
 class Society {
  public:
@@ -42,8 +51,11 @@ class Society {
   [[nodiscard]] virtual std::vector<std::string> names() const = 0;
   /// The program in a file, for agents of this run; null after setting `error`. It lives as long as
   /// the run.
-  [[nodiscard]] virtual std::shared_ptr<const Program> load(const std::string& file,
+  [[nodiscard]] virtual std::shared_ptr<const Program> load(const ProgramRequest& request,
                                                             std::string& error) = 0;
+  /// Writes a program to a file; false after setting `error`.
+  [[nodiscard]] virtual bool save(const std::string& file, const std::string& text,
+                                  std::string& error) = 0;
   /// A new agent that runs the program in a file. A name that is taken gets a suffix.
   [[nodiscard]] virtual Creation create(const std::string& name, const std::string& file) = 0;
   /// A new agent with the beliefs, plans and goals of another.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "interpreter/agent/agent.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
@@ -161,17 +163,28 @@ void Agent::add_rule(Value rule, Place place) {
   heap_.protect();
 }
 
-void Agent::include(std::shared_ptr<const Program> program) {
+bool Agent::include(std::shared_ptr<const Program> program, std::string& problem) {
+  std::vector<std::shared_ptr<const Plan>> added;
   for (const auto& plan : program->library().plans()) {
-    if (plan->is_standard) continue;
-    if (own_library_ == nullptr) {
-      own_library_ = std::make_unique<PlanLibrary>(program_->library());
-      library_ = own_library_.get();
+    const Plan* const known = plan->is_standard ? plan.get() : plan_with_label(plan->label);
+    if (known == nullptr) {
+      added.push_back(plan);
+    } else if (known != plan.get() && !same_plan(*known, *plan)) {
+      problem = fmt::format("another plan has the label {} already", plan_name(*plan));
+      return false;
     }
-    own_library_->add(plan);
+  }
+  if (own_library_ == nullptr) {
+    own_library_ = std::make_unique<PlanLibrary>(program_->library());
+    library_ = own_library_.get();
+  }
+  for (auto& plan : added) own_library_->add(std::move(plan));
+  for (const Program::Function& function : program->functions()) {
+    machine_.register_function(function.name, function.arity, function.predicate);
   }
   included_.push_back(program);
   begin(*program, {}, {});
+  return true;
 }
 
 }  // namespace jaywalk

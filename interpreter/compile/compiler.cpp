@@ -22,15 +22,17 @@ namespace jaywalk {
 class ProgramBuilder {
  public:
   ProgramBuilder(Program& program, SymbolTable& symbols, const ActionRegistry& actions,
-                 Diagnostics& diagnostics)
+                 Diagnostics& diagnostics, const CompileOptions& options)
       : program_(program),
         symbols_(symbols),
         actions_(actions),
         diagnostics_(diagnostics),
+        fresh_labels_(options.fresh_labels),
         translator_(program.constants_, symbols, actions),
         beliefs_(program.constants_, symbols),
         machine_(program.constants_, symbols, beliefs_, actions) {
     program_.actions_ = &actions;
+    if (!options.ns.empty()) translator_.set_namespace(symbols.symbol(options.ns));
   }
 
   void build(const SourceTree& tree) {
@@ -163,8 +165,16 @@ class ProgramBuilder {
     annots = union_of(constants(), annots, source_self(), symbols_);
     const bool named =
         is_literal(plan.label) && !symbols_.functor(literal_parts(plan.label).predicate).empty();
-    if (!named) plan.label = Value::atom(symbols_.predicate(fmt::format("p__{}", ++labelled_), 0));
+    if (!named) plan.label = Value::atom(symbols_.predicate(new_label(), 0));
     plan.label = with_annotations(constants(), plan.label, annots);
+  }
+
+  std::string new_label() {
+    std::string label;
+    do {
+      label = fmt::format("p__{}", ++labelled_);
+    } while (fresh_labels_ && symbols_.knows(label));
+    return label;
   }
 
   void check_label(const Plan& plan, const ast::Plan& written) {
@@ -268,6 +278,7 @@ class ProgramBuilder {
   void add_default_plans() {
     auto source = std::make_shared<const Source>("kqmlPlans.asl", std::string(kKqmlPlans));
     expanded_.push_back(std::make_unique<ast::File>(parse_agent(source, diagnostics_)));
+    translator_.set_namespace(names::default_ns);
     in_standard_plans_ = true;
     add_file(*expanded_.back());
     in_standard_plans_ = false;
@@ -277,6 +288,7 @@ class ProgramBuilder {
   SymbolTable& symbols_;
   const ActionRegistry& actions_;
   Diagnostics& diagnostics_;
+  bool fresh_labels_;
   Translator translator_;
   BeliefBase beliefs_;  // empty: to evaluate arithmetic in facts
   Machine machine_;
@@ -291,11 +303,11 @@ class ProgramBuilder {
 };
 
 std::shared_ptr<const Program> compile(const SourceTree& tree, SymbolTable& symbols,
-                                       Diagnostics& diagnostics) {
+                                       Diagnostics& diagnostics, const CompileOptions& options) {
   if (diagnostics.has_errors()) return nullptr;
   const std::string file = tree.main().source->name();
   auto program = std::make_shared<Program>(std::filesystem::path(file).stem().string());
-  ProgramBuilder(*program, symbols, standard_actions(), diagnostics).build(tree);
+  ProgramBuilder(*program, symbols, standard_actions(), diagnostics, options).build(tree);
   if (diagnostics.has_errors()) return nullptr;
   return program;
 }

@@ -3,6 +3,8 @@
 // Syntax trees to programs. The only module that sees both.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
@@ -11,9 +13,18 @@
 
 namespace jaywalk {
 
+struct CompileOptions {
+  /// The namespace that the program's own literals are in; empty: the default one.
+  std::string ns;
+  /// For code that an agent includes while it runs: plans without a label get one that no plan of
+  /// the table's programs has.
+  bool fresh_labels = false;
+};
+
 /// Compiles a program into `symbols`. Null after adding errors to `diagnostics`.
 [[nodiscard]] std::shared_ptr<const Program> compile(const SourceTree& tree, SymbolTable& symbols,
-                                                     Diagnostics& diagnostics);
+                                                     Diagnostics& diagnostics,
+                                                     const CompileOptions& options = {});
 
 /// The predicates of the program's initial beliefs that are facts, as `name/arity` texts in source
 /// order: what may be set from outside as a parameter.

@@ -27,6 +27,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/agent/host.h"
 #include "interpreter/mas/environment.h"
 #include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
@@ -67,11 +68,14 @@ struct MasOptions {
   std::uint64_t max_inferences = 100'000'000;
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
-  /// Loads the program of an agent that is created during the run, into the run's own symbols; null
-  /// after setting `error`. Not set: agents cannot be created.
-  std::function<std::shared_ptr<const Program>(const std::string& file, SymbolTable& symbols,
+  /// Loads a program during the run (of an agent that is created, or for `.include`) into the run's
+  /// own symbols; null after setting `error`. Not set: that is not possible.
+  std::function<std::shared_ptr<const Program>(const ProgramRequest& request, SymbolTable& symbols,
                                                std::string& error)>
       load_program;
+  /// Writes a file for `.save_agent`; false after setting `error`. Not set: nothing can be written.
+  std::function<bool(const std::string& file, const std::string& text, std::string& error)>
+      save_program;
   /// Where `.print` and its kin write; called with whole lines `[agent] text` without line break.
   std::function<void(std::string_view line)> print;
   /// Warnings and errors of the run (an intention that failed, an unknown action).

@@ -80,22 +80,29 @@ AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
 
 bool Mas::Implementation::is_full() const { return residents_.living() >= options_.max_agents; }
 
-std::shared_ptr<const Program> Mas::Implementation::load(const std::string& file,
+std::shared_ptr<const Program> Mas::Implementation::load(const ProgramRequest& request,
                                                          std::string& error) {
   if (!options_.load_program) {
     error = "programs cannot be loaded in this run";
     return nullptr;
   }
-  auto program = options_.load_program(file, symbols_, error);
+  auto program = options_.load_program(request, symbols_, error);
   if (program != nullptr) loaded_.insert(program);
   return program;
+}
+
+bool Mas::Implementation::save(const std::string& file, const std::string& text,
+                               std::string& error) {
+  if (options_.save_program) return options_.save_program(file, text, error);
+  error = "files cannot be written in this run";
+  return false;
 }
 
 Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
   if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
   AgentSpec spec;
   std::string error;
-  spec.program = load(file, error);
+  spec.program = load({.file = file, .included = false, .ns = {}}, error);
   if (spec.program == nullptr) return {{}, error};
   Agent& agent = *settle(name, spec.program).agent;
   start(agent, spec);

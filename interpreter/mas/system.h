@@ -42,8 +42,10 @@ class Mas::Implementation : public AgentHost, public Society {
 
   // Society
   [[nodiscard]] std::vector<std::string> names() const override;
-  [[nodiscard]] std::shared_ptr<const Program> load(const std::string& file,
+  [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
                                                     std::string& error) override;
+  [[nodiscard]] bool save(const std::string& file, const std::string& text,
+                          std::string& error) override;
   [[nodiscard]] Creation create(const std::string& name, const std::string& file) override;
   [[nodiscard]] Creation clone(Agent& original, const std::string& name) override;
   bool kill(std::string_view name, double deadline_ms) override;

@@ -52,7 +52,9 @@ constexpr double kLongLimit = 9223372036854775808.0;
 
 class Printer {
  public:
-  Printer(std::string& out, const SymbolTable& symbols) : out_(out), symbols_(symbols) {}
+  enum class Strings { as_they_are, escaped };
+  Printer(std::string& out, const SymbolTable& symbols, Strings strings = Strings::as_they_are)
+      : out_(out), symbols_(symbols), strings_(strings) {}
 
   void term(Value value) {
     value = deref(value);
@@ -65,7 +67,7 @@ class Printer {
         return;
       case Value::Kind::text:
         out_ += '"';
-        out_ += value.text()->view();
+        text(value.text()->view());
         out_ += '"';
         return;
       case Value::Kind::variable:
@@ -90,6 +92,17 @@ class Printer {
   }
 
  private:
+  void text(std::string_view content) {
+    if (strings_ == Strings::as_they_are) {
+      out_ += content;
+      return;
+    }
+    for (const char c : content) {
+      if (c == '"') out_ += '\\';
+      c == '\n' ? out_ += "\\n" : out_ += c;
+    }
+  }
+
   void special(Value value) {
     if (value.is_empty_list()) {
       out_ += "[]";
@@ -311,6 +324,7 @@ class Printer {
 
   std::string& out_;
   const SymbolTable& symbols_;
+  Strings strings_;
   TermWalk walk_;
 };
 
@@ -353,6 +367,12 @@ void append_term(std::string& out, Value term, const SymbolTable& symbols) {
 std::string term_text(Value term, const SymbolTable& symbols) {
   std::string out;
   append_term(out, term, symbols);
+  return out;
+}
+
+std::string source_text(Value term, const SymbolTable& symbols) {
+  std::string out;
+  Printer(out, symbols, Printer::Strings::escaped).term(term);
   return out;
 }
 

@@ -19,6 +19,9 @@ void append_number(std::string& out, double value);
 void append_term(std::string& out, Value term, const SymbolTable& symbols);
 [[nodiscard]] std::string term_text(Value term, const SymbolTable& symbols);
 
+/// The term as it would be written in a program: strings are escaped so that they read back.
+[[nodiscard]] std::string source_text(Value term, const SymbolTable& symbols);
+
 /// The name of an unbound variable: as written, or `_12` if it was renamed or unnamed.
 void append_variable_name(std::string& out, const Variable& variable, const SymbolTable& symbols);
 

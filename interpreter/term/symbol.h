@@ -72,6 +72,8 @@ class SymbolTable {
   /// A predicate of the default namespace; `~` before the functor means strong negation.
   Predicate predicate(std::string_view functor, std::uint16_t arity);
 
+  /// Whether some name is this text.
+  [[nodiscard]] bool knows(std::string_view text) const { return find(text) != nullptr; }
   [[nodiscard]] std::string_view text(Symbol symbol) const;
   [[nodiscard]] const Signature& signature(Predicate predicate) const;
   [[nodiscard]] std::string_view functor(Predicate predicate) const;

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/compile/compiler.h"
+#include "interpreter/syntax/load.h"
 #include "tests/conformance/board.h"
 #include "tests/conformance/program_file.h"
 
@@ -43,11 +45,36 @@ std::string end_text(RunEnd end) {
   return "unknown";
 }
 
+/// Files are read from, and written to, the test's own.
+void keep_files_in_memory(ProgramFile& file) {
+  file.options.load_program = [&file](const ProgramRequest& request, SymbolTable& symbols,
+                                      std::string& error) -> std::shared_ptr<const Program> {
+    const auto found = file.files.find(request.file);
+    if (found == file.files.end()) {
+      error = request.file + ": no such file";
+      return nullptr;
+    }
+    Diagnostics diagnostics;
+    const auto source = std::make_shared<const Source>(found->first, found->second);
+    const SourceTree tree = load_agent(source, {}, diagnostics);
+    auto program =
+        compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
+    if (program == nullptr) error = diagnostics.render();
+    return program;
+  };
+  file.options.save_program = [&file](const std::string& name, const std::string& text,
+                                      std::string&) {
+    file.files[name] = text;
+    return true;
+  };
+}
+
 class Conformance : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Conformance, DoesAsItsCommentsSay) {
   const std::string path = (kFolder / (GetParam() + ".asl")).string();
-  const ProgramFile file = read_program_file(path);
+  ProgramFile file = read_program_file(path);
+  keep_files_in_memory(file);
   ASSERT_THAT(file.problems, ::testing::IsEmpty());
   ASSERT_FALSE(file.printed.empty() && file.errors.empty() && file.logged.empty() &&
                file.end == "idle")

@@ -80,9 +80,13 @@ ProgramFile read_program_file(const std::string& path) {
   if (!stream) file.problems.push_back("cannot read " + path);
   file.agents.push_back({"agent", ""});
   std::string line;
+  std::string* included = nullptr;  // the file whose lines these are; null: an agent's
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
     std::string_view text = line;
-    if (take(text, "// agent ")) {
+    if (take(text, "// file ")) {
+      included = &file.files[std::string(text)];
+    } else if (take(text, "// agent ")) {
+      included = nullptr;
       if (number == 1) file.agents.clear();
       // Lines keep their numbers.
       file.agents.push_back({std::string(text), std::string(number - 1, '\n')});
@@ -92,7 +96,7 @@ ProgramFile read_program_file(const std::string& path) {
         file.problems.push_back("line " + std::to_string(number) + " is not understood: " + line);
       }
     }
-    file.agents.back().text += line + "\n";
+    (included != nullptr ? *included : file.agents.back().text) += line + "\n";
   }
   if (file.agents.size() > 1 && file.agents.front().name == "agent") {
     file.agents.erase(file.agents.begin());  // only comments stand before the first agent

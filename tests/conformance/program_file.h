@@ -12,6 +12,8 @@ namespace jaywalk::test {
 
 struct ProgramFile {
   std::vector<NamedProgram> agents;
+  /// What `.include` and `.create_agent` can read.
+  std::map<std::string, std::string> files;
   /// What each agent is to print.
   std::map<std::string, std::vector<std::string>> printed;
   std::vector<std::string> errors;

@@ -34,21 +34,23 @@ std::string ProgramLoader::find(const std::string& file) const {
   return file;
 }
 
-std::shared_ptr<const Program> ProgramLoader::load(const std::string& file, SymbolTable& symbols,
-                                                   std::string& error) {
-  const std::string path = find(file);
+std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request,
+                                                   SymbolTable& symbols, std::string& error) {
+  const std::string path = find(request.file);
   std::error_code ignored;
   const fs::file_time_type changed = fs::last_write_time(path, ignored);
-  const auto known = loaded_.find(path);
+  const std::string key = fmt::format("{}\n{}\n{}", path, request.included, request.ns);
+  const auto known = loaded_.find(key);
   if (known != loaded_.end() && known->second.changed == changed) return known->second.program;
   Diagnostics diagnostics;
   const SourceTree tree = load_agent(path, include_path_, diagnostics);
-  auto program = compile(tree, symbols, diagnostics);
+  auto program =
+      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
   if (program == nullptr) {
     error = first_error(diagnostics);
     return nullptr;
   }
-  loaded_[path] = {changed, program};
+  loaded_[key] = {changed, program};
   return program;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Programs of agents that are created while a system runs (`.create_agent`).
+// Programs that are loaded while a system runs (`.create_agent`, `.include`).
 
 #include <filesystem>
 #include <memory>
@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "interpreter/agent/host.h"
 #include "interpreter/program/program.h"
 #include "interpreter/syntax/load.h"
 
@@ -21,8 +22,8 @@ class ProgramLoader {
 
   /// Compiles a file into `symbols`, which must be the same table in every call. A file that has
   /// not changed is read once. Null after setting `error`.
-  [[nodiscard]] std::shared_ptr<const Program> load(const std::string& file, SymbolTable& symbols,
-                                                    std::string& error);
+  [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
+                                                    SymbolTable& symbols, std::string& error);
 
  private:
   struct Loaded {
@@ -34,7 +35,7 @@ class ProgramLoader {
 
   std::vector<std::string> folders_;
   IncludePath include_path_;
-  std::unordered_map<std::string, Loaded> loaded_;
+  std::unordered_map<std::string, Loaded> loaded_;  // by path, purpose and namespace
 };
 
 }  // namespace jaywalk

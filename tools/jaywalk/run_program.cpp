@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/write_file.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
@@ -109,10 +110,16 @@ ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::strin
   if (!agents) return ExitCode::usage;
   MasOptions options = limits.mas;
   const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
-  options.load_program = [loader =
-                              std::make_shared<ProgramLoader>(std::vector{folder}, include_path)](
-                             const std::string& file, SymbolTable& run_symbols,
-                             std::string& error) { return loader->load(file, run_symbols, error); };
+  options.load_program =
+      [loader = std::make_shared<ProgramLoader>(std::vector{folder}, include_path)](
+          const ProgramRequest& request, SymbolTable& run_symbols, std::string& error) {
+        return loader->load(request, run_symbols, error);
+      };
+  options.save_program = [](const std::string& file, const std::string& text, std::string& error) {
+    const auto problem = write_file(file, text);
+    if (problem) error = *problem;
+    return !problem;
+  };
   Mas mas(symbols, std::move(options), nullptr);
   for (const AgentSpec& agent : *agents) mas.add_agent(agent);
   return run_to_end(mas, limits, console);

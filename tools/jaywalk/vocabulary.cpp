@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "interpreter/logic/action.h"
 
@@ -52,6 +53,11 @@ Vocabulary vocabulary_for(const EnvironmentKind* environment) {
   };
   std::ranges::for_each(standard_actions().actions(), add);
   std::ranges::for_each(standard_actions().functions(), add);
+  // What `if`, `for`, `while`, `|&|` and `|||` stand for.
+  for (const auto& [name, least, most] :
+       {std::tuple{".if_then_else", 2, 3}, {".foreach", 2, 2}, {".loop", 2, 2}, {".fork", 2, -1}}) {
+    vocabulary.internal_actions.push_back({name, least, most, "a statement"});
+  }
   return vocabulary;
 }
 

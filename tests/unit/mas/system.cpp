@@ -24,11 +24,11 @@ System::System(MasOptions with) : options(std::move(with)) {
   if (options.max_cycles == 0) options.max_cycles = 100'000;
   options.print = [this](std::string_view line) { printed.emplace_back(line); };
   options.log = [this](std::string_view line) { logged.emplace_back(line); };
-  options.load_program = [this](const std::string& file, SymbolTable& run_symbols,
+  options.load_program = [this](const ProgramRequest& request, SymbolTable& run_symbols,
                                 std::string& error) -> std::shared_ptr<const Program> {
-    const auto found = files.find(file);
-    if (found != files.end()) return program_of(file, found->second, run_symbols, error);
-    error = "no file " + file;
+    const auto found = files.find(request.file);
+    if (found != files.end()) return program_of(request.file, found->second, run_symbols, error);
+    error = "no file " + request.file;
     return nullptr;
   };
 }
