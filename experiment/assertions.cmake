@@ -1,5 +1,24 @@
-# Temporal logic over what a test recorded. Included by CMakeLists.txt beside it.
+# What a test recorded as signals, metrics of it, and temporal logic over it. Included by
+# CMakeLists.txt beside it.
 target_sources(jaywalk_experiment PRIVATE
   assertions/grammar.cpp
   assertions/resolve.cpp
-  assertions/robustness.cpp)
+  assertions/robustness.cpp
+  metrics/encroachment.cpp
+  metrics/impact_speed.cpp
+  metrics/max_btn.cpp
+  metrics/max_drac.cpp
+  metrics/metrics.cpp
+  metrics/min_distance.cpp
+  metrics/min_pret.cpp
+  metrics/min_ttb.cpp
+  metrics/min_ttc.cpp
+  metrics/time_exposed.cpp
+  metrics/time_in_road.cpp
+  signals/boxes.cpp
+  signals/careful_driver.cpp
+  signals/collision_course.cpp
+  signals/motion.cpp
+  signals/nearness.cpp
+  signals/places.cpp
+  signals/signals.cpp)
