@@ -1,12 +1,17 @@
 #pragma once
 
 // Warnings about programs that parse but cannot be meant so: goals without plans, misspelt beliefs,
-// actions that the environment does not have. False alarms are worse than silence, for a program's
-// beliefs, goals and plans may come from other agents; what is told is documented per code below.
+// variables without a value, plans that are never reached. False alarms are worse than silence, for
+// a program's beliefs, goals and plans may come from other agents. Each warning has a code, a row
+// of checks.def; CHECKS.md shows when it is given.
 //
-// A comment `// jaywalk: allow unknown-goal` on the line or the line before silences a code there.
+// A comment `// jaywalk: allow unknown-goal` on the line or the line before silences a code there,
+// `// jaywalk: allow-file unknown-goal` in the whole file.
 
+#include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
@@ -29,19 +34,29 @@ struct Vocabulary {
   std::vector<Entry> actions;
   /// With their dots, functions such as math.abs included. Empty: they are not checked.
   std::vector<Entry> internal_actions;
+  /// Whether the program may be all there is: it is not, if it lies among those of a project.
+  bool may_be_alone = true;
+  /// Whether all agents of the system are known: what the others may post, tell or ask for bears
+  /// one of the names below.
+  bool others_known = false;
+  std::set<std::string, std::less<>> named_by_others;
 };
 
-/// Adds warnings, by file and place:
-///   unknown-goal             `!g` without a plan for it; other numbers of arguments are named
-///   unused-plan              a plan for a goal that nobody posts, but whose name is almost a
-///   goal's unknown-belief           a query that nothing can answer: only if its name is almost a
-///   known
-///                            one, or if the environment is known and the agents send no messages
-///   unknown-action           an action that the known environment does not have
-///   unknown-internal-action  neither an internal action nor a function of the vocabulary
-/// Nothing but unknown-action and unknown-internal-action is told of a program whose includes are
-/// not all there, or that adds plans of unknown content.
+/// A row of checks.def.
+struct CheckInfo {
+  std::string_view name;  // the code
+  std::string_view summary;
+};
+
+[[nodiscard]] std::span<const CheckInfo> checks();
+
+/// Adds warnings, by file and place. Of a program whose includes are not all there, or that adds
+/// plans or beliefs of unknown content, only that is told which these cannot change.
 void check_program(const SourceTree& program, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
+
+/// All names of literals that a program's text mentions, within strings too: what it might post,
+/// tell or ask for in other agents.
+[[nodiscard]] std::set<std::string, std::less<>> names_in(const SourceTree& program);
 
 }  // namespace jaywalk

@@ -29,6 +29,7 @@ class Indexer {
 
   ProgramIndex run() {
     index_.planned_goals.add("kqml_received", 4);
+    index_.achievable_goals.add("kqml_received", 4);
     for (const auto& file : program_.files) components(file->components);
     return std::move(index_);
   }
@@ -38,7 +39,11 @@ class Indexer {
     for (const ast::Component& component : components) {
       switch (component.kind) {
         case ast::ComponentKind::belief:
-          belief(*component.literal);
+          if (component.body == nullptr) {
+            belief(*component.literal);
+          } else {
+            index_.beliefs.add(component.literal->text, arity_of(*component.literal));
+          }
           terms_of(*component.literal);
           if (component.body != nullptr) term(*component.body);
           break;
@@ -74,6 +79,7 @@ class Indexer {
         }
         if (argument->kind != Kind::literal) continue;
         index_.planned_goals.add(argument->text, arity_of(*argument));
+        index_.achievable_goals.add(argument->text, arity_of(*argument));
         index_.posted_goals.add(argument->text, arity_of(*argument));
         belief(*argument);
       }
@@ -84,6 +90,7 @@ class Indexer {
   void belief(const Node& node) {
     if (node.kind == Kind::literal) {
       index_.beliefs.add(node.text, arity_of(node));
+      index_.facts.add(node.text, arity_of(node));
     } else if (node.kind == Kind::variable) {
       index_.has_open_beliefs = true;
     }
@@ -100,6 +107,9 @@ class Indexer {
       case ast::TriggerKind::achieve:
         if (known && plan.trigger.op != ast::TriggerOperator::goal_state) {
           index_.planned_goals.add(literal.text, arity_of(literal));
+          if (plan.trigger.op == ast::TriggerOperator::add) {
+            index_.achievable_goals.add(literal.text, arity_of(literal));
+          }
         } else if (!known) {
           index_.has_open_goals = true;
         }

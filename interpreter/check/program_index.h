@@ -33,12 +33,16 @@ class NameSet {
 struct ProgramIndex {
   /// Goals that have a plan, `+!g` or at least `-!g`.
   NameSet planned_goals;
+  /// Goals that have a plan `+!g`.
+  NameSet achievable_goals;
   /// Test goals that have a plan.
   NameSet planned_tests;
   /// Goals that are posted anywhere, sent to somebody or written as a trigger or body term.
   NameSet posted_goals;
   /// Beliefs and heads of rules, initial or added; told ones and those that a plan reacts to.
   NameSet beliefs;
+  /// Those of them that are not only heads of rules.
+  NameSet facts;
   /// Functions and internal actions that the program registers.
   NameSet functions;
   /// There is a plan for any goal, `+!G`, or plans come from where the checker cannot look.

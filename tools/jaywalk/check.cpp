@@ -2,8 +2,11 @@
 
 #include "interpreter/check/check.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,8 @@
 namespace jaywalk::command::check {
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Checks files, each program once however many scenarios and projects name it.
 class Checker {
  public:
@@ -33,7 +38,7 @@ class Checker {
     if (is_scenario_file(path)) {
       check_scenario(path);
     } else if (path.ends_with(".asl")) {
-      check_program({.path = path, .include_path = include_path_}, nullptr);
+      check_alone(path);
     } else if (path.ends_with(".mas2j")) {
       check_project(path);
     } else {
@@ -45,28 +50,83 @@ class Checker {
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
  private:
-  /// Without an environment, that which the program seems to be written for.
-  void check_program(const ProgramSource& program, const EnvironmentKind* environment) {
-    if (!program.text && !checked_.insert(program.path).second) return;
+  struct LoadedProgram {
+    SourceTree tree;
     Diagnostics found;
-    const SourceTree tree = program.text ? load_agent(program.text, program.include_path, found)
-                                         : load_agent(program.path, program.include_path, found);
+  };
+
+  static LoadedProgram load(const ProgramSource& program) {
+    LoadedProgram loaded;
+    loaded.tree = program.text ? load_agent(program.text, program.include_path, loaded.found)
+                               : load_agent(program.path, program.include_path, loaded.found);
+    return loaded;
+  }
+
+  /// `complete` turns what is known of the environment into what is known of the agent.
+  template <class Complete>
+  void check_program(LoadedProgram program, const EnvironmentKind* environment,
+                     Complete&& complete) {
+    Diagnostics found = std::move(program.found);
     if (!found.has_errors()) {
       SymbolTable symbols;
-      (void)compile(tree, symbols, found);
+      (void)compile(program.tree, symbols, found);
     }
     if (!found.has_errors()) {
-      if (environment == nullptr) environment = environment_of(tree);
-      jaywalk::check_program(tree, vocabulary_for(environment), found);
+      Vocabulary vocabulary = vocabulary_for(environment);
+      complete(vocabulary);
+      jaywalk::check_program(program.tree, vocabulary, found);
     }
     diagnostics_.append(std::move(found));
   }
 
+  /// A program by itself, for the environment that it seems to be written for.
+  void check_alone(const std::string& path) {
+    if (!checked_.insert(path).second) return;
+    LoadedProgram program = load({.path = path, .text = {}, .include_path = include_path_});
+    const EnvironmentKind* const environment = environment_of(program.tree);
+    check_program(std::move(program), environment, [&path](Vocabulary& vocabulary) {
+      vocabulary.may_be_alone = !lies_in_project(path);
+    });
+  }
+
   void check_project(const std::string& path) {
+    const std::size_t known_warnings = diagnostics_.warning_count();
     const auto programs =
         read_project_agents(path, include_path_, JavaParts::ignored, diagnostics_);
     if (!programs) return;
-    for (const ProgramSource& program : *programs) check_program(program, nullptr);
+    const bool has_java = diagnostics_.warning_count() > known_warnings;
+    std::vector<LoadedProgram> loaded;
+    std::set<std::string, std::less<>> named;
+    bool all_known = !has_java;
+    for (const ProgramSource& program : *programs) {
+      loaded.push_back(load(program));
+      all_known &= loaded.back().found.empty();
+      named.merge(names_in(loaded.back().tree));
+    }
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+      if (!(*programs)[i].text && !checked_.insert((*programs)[i].path).second) continue;
+      const EnvironmentKind* const environment = environment_of(loaded[i].tree);
+      check_program(std::move(loaded[i]), environment, [&](Vocabulary& vocabulary) {
+        vocabulary.others_known = all_known;
+        vocabulary.may_be_alone = false;
+        vocabulary.named_by_others = named;
+      });
+    }
+  }
+
+  /// Whether a project, of Jason or JaCaMo, lies in the program's folder or above it.
+  static bool lies_in_project(const std::string& path) {
+    constexpr int kFolders = 4;
+    std::error_code failure;
+    fs::path folder = fs::absolute(path, failure).parent_path();
+    for (int i = 0; i < kFolders && !failure; ++i, folder = folder.parent_path()) {
+      for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+           entry.increment(failure)) {
+        const std::string extension = entry->path().extension().string();
+        if (extension == ".mas2j" || extension == ".jcm") return true;
+      }
+    }
+    return false;
   }
 
   void check_scenario(const std::string& path) {
@@ -77,8 +137,9 @@ class Checker {
     }
     const std::size_t errors = diagnostics_.error_count();
     for (const BehaviourSpec& behaviour : scenario.value().behaviours) {
-      check_program({.path = behaviour.program, .include_path = include_path_},
-                    find_environment("crossing"));
+      if (!checked_.insert(behaviour.program).second) continue;
+      check_program(load({.path = behaviour.program, .text = {}, .include_path = include_path_}),
+                    find_environment("crossing"), [](Vocabulary&) {});
     }
     if (diagnostics_.error_count() > errors) return;
     // What remains is how parameters and programs fit together.
@@ -96,6 +157,16 @@ std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+std::string names_of_checks() {
+  std::size_t width = 0;
+  for (const CheckInfo& each : checks()) width = std::max(width, each.name.size());
+  std::string text;
+  for (const CheckInfo& each : checks()) {
+    text += fmt::format("{:<{}}  {}\n", each.name, width, each.summary);
+  }
+  return text;
+}
+
 }  // namespace
 
 CommandHelp help() {
@@ -104,8 +175,12 @@ CommandHelp help() {
       .description =
           "Diagnoses agents (.asl), Jason projects (.mas2j) and scenarios (.yaml), with the\n"
           "programs that they name, without running them: mistakes of syntax, misspelt\n"
-          "goals, percepts, actions and keys. Exits with 2 if there are errors.\n",
-      .options = {{"werror", "", "treat warnings as errors"}},
+          "goals, percepts, actions and keys, variables without a value, plans that are\n"
+          "never reached ... `jaywalk check --list` names the warnings; a comment\n"
+          "`// jaywalk: allow CODE` silences one in its line and the next, `allow-file\n"
+          "CODE` in the file. Exits with 2 if there are errors.\n",
+      .options = {{"werror", "", "treat warnings as errors"},
+                  {"list", "", "name the warnings that there are, and check nothing"}},
       .examples =
           "  jaywalk check agents/crossing/proximity.asl\n"
           "  jaywalk check agents/crossing/*.asl scenarios/*.yaml --werror\n"};
@@ -114,6 +189,10 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
+  if (arguments.has("list")) {
+    console.print(names_of_checks());
+    return ExitCode::success;
+  }
   if (arguments.operands().empty()) {
     console.error("expected at least one file", "jaywalk check --help shows how to write it");
     return ExitCode::usage;

@@ -9,6 +9,7 @@
 #include "env/environments.h"
 #include "experiment/measures/measures.h"
 #include "experiment/scenario.h"
+#include "interpreter/check/check.h"
 #include "interpreter/logic/action.h"
 #include "tools/jaywalk/command.h"
 
@@ -111,6 +112,7 @@ constexpr std::array kKinds = {
     Kind{"environments", "worlds, with what agents perceive and do in them", environment_text},
     Kind{"internal-actions", "what agents can call as .name(...)", action_text},
     Kind{"functions", "what agents can use in expressions, as math.abs(X)", function_text},
+    Kind{"checks", "what check warns of", [] { return named_rows(checks()); }},
     Kind{"measures", "what compare measures", [] { return named_rows(measures()); }},
     Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
     Kind{"commands", "what jaywalk can do", [] { return named_rows(commands()); }},
@@ -122,7 +124,7 @@ CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
               "Names what there is of a kind: environments, internal-actions, functions,\n"
-              "measures, presets or commands.\n",
+              "checks, measures, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

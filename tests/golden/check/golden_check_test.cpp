@@ -27,6 +27,10 @@ const Vocabulary kVocabulary = {
     .actions = {{.name = "move", .least_args = 1, .most_args = 1, .summary = {}},
                 {.name = "stay", .least_args = 0, .most_args = 0, .summary = {}}},
     .internal_actions = {{.name = ".print", .least_args = 0, .most_args = -1, .summary = {}},
+                         {.name = ".wait", .least_args = 1, .most_args = 3, .summary = {}},
+                         {.name = ".fail", .least_args = 0, .most_args = -1, .summary = {}},
+                         {.name = ".findall", .least_args = 3, .most_args = 3, .summary = {}},
+                         {.name = ".range", .least_args = 3, .most_args = 4, .summary = {}},
                          {.name = ".random", .least_args = 1, .most_args = 3, .summary = {}}}};
 
 std::vector<std::string> programs() {

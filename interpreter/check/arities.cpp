@@ -1,0 +1,88 @@
+// Names that are known, but not with so many arguments.
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "interpreter/check/checking.h"
+#include "interpreter/check/words.h"
+
+namespace jaywalk {
+namespace {
+
+using ast::Kind;
+using ast::Node;
+
+void goals(Checking& checking, CheckedFile& file) {
+  const ProgramIndex& index = checking.index();
+  if (checking.may_be_told_plans()) return;
+  for (const Node* goal : file.uses.goals) {
+    if (goal->kind != Kind::literal) continue;
+    const int arity = arity_of(*goal);
+    const std::set<int> planned = index.planned_goals.arities(goal->text);
+    if (planned.empty() || index.planned_goals.contains(goal->text, arity)) continue;
+    checking.warn(
+        file, goal->span,
+        fmt::format("no plan for the goal '{}' with {}", goal->text, counted(std::set{arity})),
+        fmt::format("there are plans for it with {}", counted(planned)));
+  }
+}
+
+// Others may tell what the program itself does not say, but never a percept of the environment.
+void beliefs(Checking& checking, CheckedFile& file) {
+  if (checking.index().has_open_beliefs) return;
+  for (const Node* belief : file.uses.queries) {
+    const int arity = arity_of(*belief);
+    const std::set<int> known = checking.answers().arities(belief->text);
+    if (known.empty() || checking.answers().contains(belief->text, arity)) continue;
+    const bool percept = entry_of(checking.vocabulary().percepts, belief->text) != nullptr;
+    if (!checking.told_everything() && !percept) continue;
+    checking.warn(
+        file, belief->span,
+        fmt::format("nothing is known of '{}' with {}", belief->text, counted(std::set{arity})),
+        fmt::format("it is known with {}", counted(known)));
+  }
+}
+
+void actions(Checking& checking, CheckedFile& file) {
+  if (!checking.vocabulary().environment_known) return;
+  for (const Node* action : file.uses.actions) {
+    const Vocabulary::Entry* const known = entry_of(checking.vocabulary().actions, action->text);
+    if (known == nullptr || takes(*known, arity_of(*action))) continue;
+    checking.warn(file, action->span,
+                  fmt::format("the action '{}' has {}, not {}", action->text, counted(*known),
+                              arity_of(*action)));
+  }
+}
+
+// A name can be that of an action and of a function.
+void internal_actions(Checking& checking, CheckedFile& file) {
+  const auto& entries = checking.vocabulary().internal_actions;
+  for (const Node* action : file.uses.internal_actions) {
+    const int arity = arity_of(*action);
+    const Vocabulary::Entry* const known = entry_of(entries, action->text);
+    const bool taken = std::ranges::any_of(entries, [&](const Vocabulary::Entry& entry) {
+      return entry.name == action->text && takes(entry, arity);
+    });
+    if (known == nullptr || taken || checking.index().functions.contains(action->text, arity)) {
+      continue;
+    }
+    checking.warn(file, action->span,
+                  fmt::format("'{}' has {}, not {}", action->text, counted(*known), arity),
+                  known->summary);
+  }
+}
+
+}  // namespace
+
+void wrong_arities(Checking& checking) {
+  for (CheckedFile& file : checking.files()) {
+    goals(checking, file);
+    beliefs(checking, file);
+    actions(checking, file);
+    internal_actions(checking, file);
+  }
+}
+
+}  // namespace jaywalk

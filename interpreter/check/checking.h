@@ -1,0 +1,81 @@
+#pragma once
+
+// What every check of checks.def is given: the program, what is known of its names, and where to
+// tell what was found.
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "interpreter/check/check.h"
+#include "interpreter/check/mentions.h"
+#include "interpreter/check/program_index.h"
+#include "interpreter/check/uses.h"
+
+namespace jaywalk {
+
+struct CheckedFile {
+  const ast::File* file = nullptr;
+  Uses uses;
+  /// It is the program itself, not included by it.
+  bool is_main = false;
+  /// Codes that a comment silences in the whole file.
+  std::set<std::string, std::less<>> allowed;
+  /// What was told: by place and code, once each.
+  std::set<std::pair<std::uint32_t, std::string_view>> told;
+  Diagnostics found;
+};
+
+class Checking {
+ public:
+  Checking(const SourceTree& program, const Vocabulary& vocabulary);
+
+  [[nodiscard]] const Vocabulary& vocabulary() const { return vocabulary_; }
+  [[nodiscard]] const ProgramIndex& index() const { return index_; }
+  [[nodiscard]] const Mentions& mentions() const { return mentions_; }
+  /// What can answer a query: beliefs, percepts and plans for test goals.
+  [[nodiscard]] const NameSet& answers() const { return answers_; }
+  [[nodiscard]] std::vector<CheckedFile>& files() { return files_; }
+
+  /// Nobody but the program itself and its known environment tells it anything.
+  [[nodiscard]] bool told_everything() const {
+    return vocabulary_.environment_known && !index_.sends_messages;
+  }
+  /// Nobody unknown posts goals to the agent or asks it: the other agents are known, or the program
+  /// begins by itself and there seem to be none, since it speaks of nobody.
+  [[nodiscard]] bool asked_by_nobody() const;
+  /// Whether plans or goals may come from where the checker cannot look.
+  [[nodiscard]] bool may_be_told_plans() const {
+    return index_.has_open_goals || vocabulary_.named_by_others.contains("tellHow");
+  }
+  /// Whether the program, or another agent, mentions the name where it may use it.
+  [[nodiscard]] bool is_mentioned(std::string_view name) const;
+
+  /// From here on, warnings bear that code.
+  void begin(std::string_view code) { code_ = code; }
+  void warn(CheckedFile& file, Span where, std::string message, std::string hint = {});
+  /// Whether further warnings are only counted, so that no hints need be looked for.
+  [[nodiscard]] static bool is_full(const CheckedFile& file) {
+    return file.found.items().size() >= Diagnostics::kLimit;
+  }
+  /// All that was found, by file and place.
+  [[nodiscard]] Diagnostics finish();
+
+ private:
+  const Vocabulary& vocabulary_;
+  ProgramIndex index_;
+  Mentions mentions_;
+  NameSet answers_;
+  std::vector<CheckedFile> files_;
+  bool has_initial_goal_ = false;
+  std::string_view code_;
+};
+
+#define JAYWALK_CHECK(function, code, summary) void function(Checking& checking);
+#include "interpreter/check/checks.def"
+#undef JAYWALK_CHECK
+
+}  // namespace jaywalk

@@ -1,0 +1,83 @@
+// Names that mean nothing: goals without plans, queries that nothing answers, actions that are
+// none.
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interpreter/check/checking.h"
+#include "interpreter/check/words.h"
+
+namespace jaywalk {
+
+using ast::Kind;
+using ast::Node;
+
+void unknown_goals(Checking& checking) {
+  const ProgramIndex& index = checking.index();
+  if (checking.may_be_told_plans()) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const Node* goal : file.uses.goals) {
+      if (goal->kind != Kind::literal || !index.planned_goals.arities(goal->text).empty()) continue;
+      checking.warn(
+          file, goal->span, fmt::format("no plan for the goal '{}'", goal->text),
+          checking.is_full(file) ? "" : did_you_mean(goal->text, index.planned_goals.names()));
+    }
+  }
+}
+
+void unknown_beliefs(Checking& checking) {
+  if (checking.index().has_open_beliefs) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const Node* belief : file.uses.queries) {
+      if (!checking.answers().arities(belief->text).empty()) continue;
+      if (checking.is_full(file)) break;
+      std::vector<std::string> names = checking.answers().names();
+      if (!checking.told_everything()) {
+        std::erase_if(names, [&](const auto& name) { return !is_misspelling(belief->text, name); });
+      }
+      std::string hint = did_you_mean(belief->text, names);
+      if (hint.empty() && !checking.told_everything()) continue;
+      checking.warn(file, belief->span,
+                    fmt::format("'{}' is neither a belief nor a percept", belief->text),
+                    std::move(hint));
+    }
+  }
+}
+
+void unknown_actions(Checking& checking) {
+  const Vocabulary& vocabulary = checking.vocabulary();
+  if (!vocabulary.environment_known) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const Node* action : file.uses.actions) {
+      if (entry_of(vocabulary.actions, action->text) != nullptr) continue;
+      std::string hint = did_you_mean(action->text, names_of(vocabulary.actions));
+      if (hint.empty() && !checking.index().planned_goals.arities(action->text).empty()) {
+        hint = fmt::format("there are plans for it: write '!{}'", action->text);
+      }
+      if (hint.empty() && !checking.answers().arities(action->text).empty()) {
+        hint = fmt::format("to ask for a belief, write '?{}'", action->text);
+      }
+      checking.warn(file, action->span,
+                    fmt::format("the environment has no action '{}'", action->text),
+                    std::move(hint));
+    }
+  }
+}
+
+void unknown_internal_actions(Checking& checking) {
+  const auto& known = checking.vocabulary().internal_actions;
+  if (known.empty()) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const Node* action : file.uses.internal_actions) {
+      if (!checking.index().functions.arities(action->text).empty()) continue;
+      if (entry_of(known, action->text) != nullptr) continue;
+      checking.warn(file, action->span,
+                    fmt::format("there is no internal action '{}'", action->text),
+                    did_you_mean(action->text, names_of(known)));
+    }
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,221 @@
+// Plans and formulas that are never reached, failure plans of no goal, atomic plans that wait.
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interpreter/check/checking.h"
+#include "interpreter/check/traversal.h"
+#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/printer.h"
+
+namespace jaywalk {
+namespace {
+
+using ast::BodyOperator;
+using ast::Kind;
+using ast::Node;
+using ast::Plan;
+using ast::TriggerKind;
+using ast::TriggerOperator;
+
+// Of the plans for one trigger, so many are compared with those behind them.
+constexpr std::size_t kMostCompared = 100;
+
+bool is_always(const Node* context) {
+  return context == nullptr || (context->kind == Kind::truth && context->text == "true");
+}
+
+/// Whether whatever unifies with the special term unifies with the general one, too; variables of
+/// the general one stand for terms of the special one.
+class Subsumption {
+ public:
+  bool covers(const Node& general, const Node& special) {
+    if (general.kind == Kind::variable && general.annots == nullptr && general.ns == nullptr &&
+        !general.negated) {
+      if (general.text.front() == '_') return true;
+      const auto [known, is_new] = values_.emplace(general.text, print(special));
+      const bool fresh = special.kind == Kind::variable && special.text.front() == '_';
+      return is_new || (!fresh && known->second == print(special));
+    }
+    if (general.kind != Kind::literal || special.kind != Kind::literal) {
+      return print(general) == print(special) && is_ground(general);
+    }
+    return same_name(general, special) && annots_covered(general, special) &&
+           std::equal(general.args.begin(), general.args.end(), special.args.begin(),
+                      special.args.end(),
+                      [&](const Node* a, const Node* b) { return covers(*a, *b); });
+  }
+
+ private:
+  static bool is_ground(const Node& node) {
+    bool ground = true;
+    each_node(node, [&](const Node& each) { ground &= each.kind != Kind::variable; });
+    return ground;
+  }
+
+  static bool same_name(const Node& a, const Node& b) {
+    if (a.text != b.text || a.negated != b.negated || a.this_namespace != b.this_namespace) {
+      return false;
+    }
+    if (a.ns == nullptr || b.ns == nullptr) return a.ns == b.ns;
+    return a.ns->kind == Kind::literal && a.ns->text == b.ns->text;
+  }
+
+  // Those of the general one must be among those of the event.
+  static bool annots_covered(const Node& general, const Node& special) {
+    if (general.annots == nullptr) return true;
+    return special.annots != nullptr && is_ground(*general.annots) &&
+           print(*general.annots) == print(*special.annots);
+  }
+
+  std::map<std::string_view, std::string> values_;
+};
+
+// Whether the first is chosen wherever the second could be.
+bool comes_first(const Plan& first, const Plan& second) {
+  const bool same = print(*first.trigger.literal) == print(*second.trigger.literal);
+  if (is_always(first.context)) {
+    return same || Subsumption().covers(*first.trigger.literal, *second.trigger.literal);
+  }
+  return same && second.context != nullptr && print(*first.context) == print(*second.context);
+}
+
+using TriggerKey = std::tuple<TriggerOperator, TriggerKind, std::string_view, std::size_t>;
+
+void look_for_unreachable(Checking& checking, CheckedFile& file,
+                          const std::vector<const Plan*>& plans) {
+  std::map<TriggerKey, std::vector<const Plan*>> earlier;
+  for (const Plan* plan : plans) {
+    const Node& literal = *plan->trigger.literal;
+    if (literal.kind != Kind::literal) continue;
+    auto& rivals =
+        earlier[{plan->trigger.op, plan->trigger.kind, literal.text, literal.args.size()}];
+    const auto first =
+        std::ranges::find_if(rivals, [&](const Plan* rival) { return comes_first(*rival, *plan); });
+    if (first != rivals.end()) {
+      const auto line = file.file->source->position((*first)->trigger.literal->span.begin).line;
+      checking.warn(file, literal.span,
+                    fmt::format("this plan is never chosen: the one at line {} is, whenever this "
+                                "could be",
+                                line),
+                    is_always((*first)->context) ? "put the plan without a condition last"
+                                                 : "both have the same trigger and context");
+    } else if (rivals.size() < kMostCompared) {
+      rivals.push_back(plan);
+    }
+  }
+}
+
+// Plans can go, or be chosen by the program itself.
+bool choice_may_change(const Checking& checking) {
+  const auto& names = checking.mentions().names;
+  return names.contains(".remove_plan") || names.contains("untellHow") ||
+         names.contains("untell-how") ||
+         !checking.index().beliefs.arities("select__option").empty();
+}
+
+/// Calls `visit(formulas)` for the body and for each block within.
+template <class Visit>
+void each_block(std::span<const ast::Formula> formulas, Visit&& visit) {
+  visit(formulas);
+  for (const ast::Formula& formula : formulas) {
+    if (formula.statement == ast::Statement::formula) {
+      if (formula.node->kind == Kind::body && formula.op == BodyOperator::none) {
+        each_block(formula.node->formulas, visit);
+      }
+      continue;
+    }
+    for (const Node* argument : formula.node->args) {
+      if (argument->kind == Kind::body) each_block(argument->formulas, visit);
+    }
+  }
+}
+
+bool always_fails(const ast::Formula& formula) {
+  return formula.op == BodyOperator::none && formula.statement == ast::Statement::formula &&
+         formula.node->kind == Kind::literal && formula.node->text == ".fail";
+}
+
+bool is_atomic(const Plan& plan) {
+  if (plan.label == nullptr) return false;
+  const Node* const annots = plan.label->kind == Kind::list ? plan.label : plan.label->annots;
+  return annots != nullptr && std::ranges::any_of(annots->args, [](const Node* annot) {
+           return annot->kind == Kind::literal && annot->text == "atomic" && annot->args.empty();
+         });
+}
+
+bool waits(const Node& action) {
+  if (action.text == ".wait") return true;
+  if (action.text == ".suspend") return action.args.empty();
+  return action.text == ".send" && action.args.size() > 3 &&
+         action.args[1]->text.starts_with("ask");
+}
+
+}  // namespace
+
+void unreachable_plans(Checking& checking) {
+  if (choice_may_change(checking)) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const auto& plans : file.uses.plan_lists) look_for_unreachable(checking, file, plans);
+  }
+}
+
+void unreachable_formulas(Checking& checking) {
+  for (CheckedFile& file : checking.files()) {
+    for (const Plan* plan : file.uses.plans) {
+      each_block(plan->body, [&](std::span<const ast::Formula> formulas) {
+        const auto failing = std::ranges::find_if(formulas, always_fails);
+        if (failing == formulas.end() || failing + 1 == formulas.end()) return;
+        checking.warn(file, (failing + 1)->span, "this is never done: the '.fail' before it fails");
+      });
+    }
+  }
+}
+
+void orphan_failure_plans(Checking& checking) {
+  if (checking.may_be_told_plans()) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const Plan* plan : file.uses.plans) {
+      const Node& goal = *plan->trigger.literal;
+      const bool failure =
+          plan->trigger.op == TriggerOperator::remove && plan->trigger.kind == TriggerKind::achieve;
+      if (!failure || goal.kind != Kind::literal) continue;
+      const NameSet& plans = checking.index().achievable_goals;
+      if (plans.contains(goal.text, arity_of(goal))) continue;
+      std::string hint = plans.arities(goal.text).empty()
+                             ? did_you_mean(goal.text, plans.names())
+                             : "the plans +! for it have another number of arguments";
+      checking.warn(
+          file, goal.span,
+          fmt::format("there is a plan for the failure of '{}', but none for the goal", goal.text),
+          std::move(hint));
+    }
+  }
+}
+
+void waiting_atomic_plans(Checking& checking) {
+  for (CheckedFile& file : checking.files()) {
+    for (const Plan* plan : file.uses.plans) {
+      if (!is_atomic(*plan)) continue;
+      each_block(plan->body, [&](std::span<const ast::Formula> formulas) {
+        for (const ast::Formula& formula : formulas) {
+          const Node& node = *formula.node;
+          if (formula.op != BodyOperator::none || node.kind != Kind::literal || !waits(node)) {
+            continue;
+          }
+          checking.warn(file, node.span,
+                        fmt::format("the whole agent waits for '{}' in an atomic plan", node.text),
+                        "wait in a plan that is not atomic");
+        }
+      });
+    }
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,52 @@
+#pragma once
+
+// Where a file uses names, by what they are there; the checks go through these lists instead of
+// walking the syntax tree themselves.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "interpreter/syntax/ast.h"
+
+namespace jaywalk {
+
+/// A rule or fact, as `head :- body`; the body of a fact is null.
+struct Clause {
+  const ast::Node* head = nullptr;
+  const ast::Node* body = nullptr;
+};
+
+/// A formula that decides something.
+struct Condition {
+  enum class Role : std::uint8_t { context, rule, statement, formula };
+
+  const ast::Node* node = nullptr;
+  Role role = Role::formula;
+};
+
+struct Uses {
+  /// Goals that are posted, `!g` and `!!g`, initial ones too: literals or variables.
+  std::vector<const ast::Node*> goals;
+  /// Literals in queries that a belief, rule, percept or plan +?t has to answer.
+  std::vector<const ast::Node*> queries;
+  /// Literals that stand as formulas in bodies.
+  std::vector<const ast::Node*> actions;
+  /// Internal actions and functions, wherever they occur but in programs as terms.
+  std::vector<const ast::Node*> internal_actions;
+  /// Contexts, bodies of rules, conditions of if and for (not of while, which may be `true`), tests
+  /// and relations in bodies, queries that are arguments (`.findall`).
+  std::vector<Condition> conditions;
+  /// Plans of the outermost level and of blocks, and their sub-plans.
+  std::vector<const ast::Plan*> plans;
+  /// Lists of plans one behind another, of one file, block or set of sub-plans.
+  std::vector<std::vector<const ast::Plan*>> plan_lists;
+  std::vector<Clause> clauses;
+};
+
+[[nodiscard]] Uses uses_in(std::span<const ast::Component> components);
+
+/// The argument of an internal action that is a query, or null.
+[[nodiscard]] const ast::Node* query_argument(const ast::Node& action);
+
+}  // namespace jaywalk

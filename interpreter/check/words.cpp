@@ -1,0 +1,64 @@
+#include "interpreter/check/words.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+constexpr std::size_t kShortestMisspelt = 5;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+bool is_misspelling(std::string_view name, std::string_view meant) {
+  if (std::min(name.size(), meant.size()) < kShortestMisspelt) return false;
+  if (name.size() == meant.size() &&
+      name.substr(0, name.size() - 1) == meant.substr(0, meant.size() - 1)) {
+    return false;
+  }
+  const bool plural = name.size() + 1 == meant.size() ? meant == std::string(name) + "s"
+                                                      : name == std::string(meant) + "s";
+  if (plural) return false;
+  return std::none_of(name.begin(), name.end(), is_digit) ||
+         std::none_of(meant.begin(), meant.end(), is_digit);
+}
+
+std::string counted(const std::set<int>& arities) {
+  std::string text;
+  for (const int arity : arities) {
+    if (!text.empty()) text += " or ";
+    text += arity < 0 ? "any number of" : std::to_string(arity);
+  }
+  const bool one = arities.size() == 1 && *arities.begin() == 1;
+  return text + (one ? " argument" : " arguments");
+}
+
+std::string counted(const Vocabulary::Entry& entry) {
+  if (entry.most_args < 0) return fmt::format("at least {} arguments", entry.least_args);
+  if (entry.least_args != entry.most_args) {
+    return fmt::format("{} to {} arguments", entry.least_args, entry.most_args);
+  }
+  return counted(std::set{entry.least_args});
+}
+
+const Vocabulary::Entry* entry_of(std::span<const Vocabulary::Entry> entries,
+                                  std::string_view name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const auto& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+bool takes(const Vocabulary::Entry& entry, int arity) {
+  return arity >= entry.least_args && (entry.most_args < 0 || arity <= entry.most_args);
+}
+
+std::vector<std::string> names_of(std::span<const Vocabulary::Entry> entries) {
+  std::vector<std::string> names;
+  for (const Vocabulary::Entry& entry : entries) names.push_back(entry.name);
+  return names;
+}
+
+}  // namespace jaywalk

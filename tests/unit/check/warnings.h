@@ -1,0 +1,29 @@
+#pragma once
+
+// What the checker says of small programs, as text.
+
+#include <string>
+#include <string_view>
+
+#include "interpreter/check/check.h"
+
+namespace jaywalk {
+
+struct Row {
+  const char* text;
+  const char* warnings;
+};
+
+/// What is known of an agent among others, in a world that is not known.
+[[nodiscard]] Vocabulary nothing_known();
+
+/// The warnings as `line: code: message (hint)`, a line each, but for those of variables that occur
+/// once: most programs of the tests have some.
+[[nodiscard]] std::string warnings_of(const std::string& text,
+                                      const Vocabulary& vocabulary = nothing_known());
+
+/// The warnings of one code as `line:column message`.
+[[nodiscard]] std::string warnings_of(std::string_view code, const std::string& text,
+                                      const Vocabulary& vocabulary = nothing_known());
+
+}  // namespace jaywalk
