@@ -73,10 +73,7 @@ Value remaining_body(Agent& agent, Intention& intention, const IntendedMeans& me
 }
 
 Value trigger_term(Agent& agent, TriggerOperator op, TriggerKind kind, Value literal) {
-  std::string functor = op == TriggerOperator::add      ? "+"
-                        : op == TriggerOperator::remove ? "-"
-                                                        : "^";
-  if (kind != TriggerKind::belief) functor += kind == TriggerKind::achieve ? '!' : '?';
+  const std::string functor = trigger_operator(op, kind);
   literal = agent.machine().unifier().apply(literal);
   return agent.heap().structure(agent.symbols().predicate(functor, 1), std::span(&literal, 1),
                                 Value::empty_list(), Form::trigger);
@@ -142,9 +139,11 @@ class IntentionSolutions : public Solutions {
       Value state = Value::atom(agent.symbols().predicate(state_name(agent, intention), 0));
       const bool waits = state_name(agent, intention) == "waiting";
       if (waits) {
-        const Value why = Value::atom(agent.symbols().predicate(intention.reason, 0));
+        const Value action = agent.pending_action(intention);
+        const Value why = action.is_unset() ? agent.wait_reason(intention) : action;
+        const std::string_view name = action.is_unset() ? "reason" : "action";
         const Value reason =
-            agent.heap().structure(agent.symbols().predicate("reason", 1), std::span(&why, 1));
+            agent.heap().structure(agent.symbols().predicate(name, 1), std::span(&why, 1));
         state =
             with_annotations(agent.heap(), state, agent.heap().pair(reason, Value::empty_list()));
       }
@@ -196,9 +195,11 @@ Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
   for (Intention* const intention : intentions) {
     // Within a query of the executing intention, that one has to stay.
     if (call.intention() == nullptr && intention == call.agent()->executing()) continue;
-    if (!intention->is_finished()) {
-      const IntendedMeans& means = intention->stack.front();
-      if (means.is_goal()) call.agent()->signal_goal_state(means.kind, means.trigger, "dropped");
+    for (std::size_t i = intention->stack.size(); i > 0; --i) {
+      const IntendedMeans& means = intention->stack[i - 1];
+      if (!means.is_goal_addition()) continue;
+      call.agent()->signal_goal_state(means.kind, means.trigger, "dropped");
+      call.agent()->signal_goal_state(means.kind, means.trigger, "finished");
     }
     if (intention == call.intention()) {
       own = true;
@@ -445,8 +446,9 @@ Outcome suspend(ActionCall& call) {
   if (own == nullptr) return call.count() == 1 ? Outcome::succeeded : Outcome::failed;
   if (call.count() == 1 && !own->also_suspended) return Outcome::succeeded;
   own->also_suspended = false;
-  own->advance();
   agent.suspend(*own, Intention::State::suspended, "suspend_ia");
+  own->suspended_itself = true;
+  agent.signal_top_state(*own, "suspended", agent.wait_reason(*own));
   return Outcome::suspended;
 }
 
@@ -461,7 +463,7 @@ Outcome suspended(ActionCall& call) {
     const bool waits = is_suspended(*intention) || intention->state == Intention::State::waiting ||
                        intention->state == Intention::State::acting;
     if (waits && call.agent()->has_goal(*intention, call.arg(0)) &&
-        call.unify(1, Value::atom(call.symbols().predicate(intention->reason, 0)))) {
+        call.unify(1, call.agent()->wait_reason(*intention))) {
       return Outcome::succeeded;
     }
     call.unifier().undo(trail);

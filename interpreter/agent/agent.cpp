@@ -294,6 +294,7 @@ void Agent::collect_garbage() {
       relocate(task.event.literal);
     }
     for (auto& [token, event] : c.scheduled) relocate(event.literal);
+    for (GoalDeadline& deadline : c.deadlines) relocate(deadline.goal);
     for (Scope* const scope : scopes) {
       for (Value& value : scope->frame) relocate(value);
     }

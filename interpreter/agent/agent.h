@@ -100,7 +100,9 @@ class Agent {
   /// null) is left alone.
   void end_goal(Value goal, GoalEnd end, const Intention* except);
   /// Ends the means number `depth` of an intention and everything above it.
-  void end_means(Intention& intention, std::size_t depth, GoalEnd end);
+  /// A failure's event has the annotations of `error`, if there is one.
+  void end_means(Intention& intention, std::size_t depth, GoalEnd end,
+                 const ActionError* error = nullptr);
   /// Removes events for the goal from the queues. True: there were some.
   void drop_goal_events(Value goal);
   void suspend_goal(Value goal);
@@ -108,6 +110,13 @@ class Agent {
   /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
                          std::string_view reason = {});
+  void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
+  /// The same for the goal on top of an intention, if there is one.
+  void signal_top_state(const Intention& intention, std::string_view state, Value reason);
+  /// Why an intention waits, as `.suspended` tells it: suspend_ia, act, wait(Id)[time(Ms)], ...
+  [[nodiscard]] Value wait_reason(const Intention& intention);
+  /// The action for the environment that an intention waits for; unset if it does not.
+  [[nodiscard]] Value pending_action(const Intention& intention) const;
   /// Asks for waiting formulas and goal conditions to be looked at again.
   void something_changed() { changed_ = true; }
   /// The event that is being handled or that the executing intention is of; for `.intention`.
@@ -178,8 +187,12 @@ class Agent {
   void replace_finished_caller(Intention& intention, const Event& event);
   [[nodiscard]] bool no_plan(const Event& event, bool had_candidates);
   void process_feedback();
+  void signal_action_executed(const Intention& intention, Value action);
   Intention* select_intention();
   void run_tasks();
+  Value watch_deadline(Value goal);
+  void end_late_goal(Value goal);
+  [[nodiscard]] bool is_pursued(Value goal) const;
   void end_wait(const Wait& wait, bool timed_out);
   void check_waits(const Event& event);
   void check_formulas();
@@ -223,7 +236,14 @@ class Agent {
   // Failure (failure.cpp).
   void fail(Intention& intention, const ActionError& error);
   void fail_event(const Event& event, const ActionError& error);
-  void fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
+  struct OpenGoal {
+    TriggerKind kind = TriggerKind::achieve;
+    Value goal;
+  };
+  [[nodiscard]] std::vector<OpenGoal> open_goals(const Intention& intention) const;
+  void signal_failure(const std::vector<OpenGoal>& goals, const ActionError& error,
+                      bool is_handled);
+  bool fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
   [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor, const ActionError& error,
                                   Value code, std::uint32_t line);
   [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal, const Scope* scope);

@@ -45,14 +45,21 @@ struct Wait {
   /// What the time waited is unified with; unset: a timeout fails.
   Value elapsed;
   double start_ms = 0;
+  double ms = -1;  // how long at most; negative: for ever
 };
 
 /// Something to be done at the beginning of the next deliberation.
 struct Task {
-  enum class Kind : std::uint8_t { end_wait, time_out, goal_state };
+  enum class Kind : std::uint8_t { end_wait, time_out, goal_state, deadline };
   Kind kind = Kind::end_wait;
   Wait wait;
-  Event event;  // goal_state
+  Event event;  // goal_state, deadline
+};
+
+/// A goal that fails if it is still there when a time is over (`!g[hard_deadline(Ms)]`).
+struct GoalDeadline {
+  std::uint64_t token = 0;  // of its timer
+  Value goal;               // the very literal of the event: no other goal is meant
 };
 
 /// A question whose answer an intention waits for: `.send(ag, askOne, q, Answer)`.
@@ -94,7 +101,8 @@ struct Circumstance {
   std::vector<PendingAsk> asks;
   std::vector<Task> tasks;
   std::vector<std::pair<std::uint64_t, Event>> scheduled;  // by timer (.at)
-  Ring<Message> mailbox;                                   // MB
+  std::vector<GoalDeadline> deadlines;
+  Ring<Message> mailbox;          // MB
   std::vector<Message> arriving;  // sent in this round, to the mailbox at its end
   std::vector<std::unique_ptr<Intention>> intentions;  // owns all of them
 };

@@ -143,9 +143,8 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
   if (plan.has_goal_condition) ++goal_conditions_;
   if (plan.atomic) circumstance_.atomic_suspended = false;
   intention.push(std::move(means), scratch_);
-  if (event.op != TriggerOperator::goal_state && event.kind != TriggerKind::belief) {
-    signal_goal_state(event.kind, event.literal, "executing",
-                      event.op == TriggerOperator::remove ? "has_failure_plan" : "");
+  if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
+    signal_goal_state(event.kind, event.literal, "executing");
   }
   make_ready(intention);
 }
@@ -217,6 +216,7 @@ void Agent::process_feedback() {
     }
     go_on(intention);
     clear_intention(intention);
+    signal_action_executed(intention, feedback.literal);
     return;
   }
   ActionError error;
@@ -225,6 +225,18 @@ void Agent::process_feedback() {
                       ? "action " + term_text(feedback.literal, symbols_) + " failed"
                       : feedback.reason;
   fail(intention, error);
+}
+
+void Agent::signal_action_executed(const Intention& intention, Value action) {
+  if (!library_->has_goal_state_plans()) return;
+  const Value reason =
+      heap_.structure(symbols_.predicate("action_executed", 1), std::span(&action, 1));
+  for (std::size_t i = intention.stack.size(); i > 0; --i) {
+    const IntendedMeans& means = intention.stack[i - 1];
+    if (means.is_goal_addition()) {
+      signal_goal_state(means.kind, means.trigger, "executing", reason);
+    }
+  }
 }
 
 // Rule SelInt: the atomic intention, else the one that has waited longest.

@@ -124,6 +124,10 @@ void Agent::execute_action(Intention& intention, Value term) {
   record_bindings(intention, 0);
   suspend(intention, Intention::State::acting, "act");
   circumstance_.actions.push_back({&intention, literal});
+  if (library_->has_goal_state_plans()) {
+    signal_top_state(intention, "waiting",
+                     heap_.structure(symbols_.predicate("action", 1), std::span(&literal, 1)));
+  }
   if (host_.act(*this)) return;
   (void)take_action();
   give_feedback(false, "no environment configured!");
@@ -187,11 +191,12 @@ Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
 
 void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
   const bool new_focus = kind == Step::Kind::achieve_new_focus;
-  const Value goal = prepare_for_event(intention, term, !new_focus);
+  Value goal = prepare_for_event(intention, term, !new_focus);
   if (!is_literal(goal)) {
     fail(intention, make_error("body_var_not_literal", "a goal must be a literal"));
     return;
   }
+  if (!literal_parts(goal).annots.same_as(source_self())) goal = watch_deadline(goal);
   if (new_focus) {
     add_goal(goal);
     go_on(intention);

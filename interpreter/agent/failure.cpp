@@ -89,9 +89,6 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
 // The current formula of the intention has failed.
 void Agent::fail(Intention& intention, const ActionError& error) {
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
-  if (intention.top().is_goal_addition()) {
-    signal_goal_state(intention.top().kind, intention.top().trigger, "failed", error.id);
-  }
   Value code;
   std::uint32_t line = 0;
   const IntendedMeans& top = intention.top();
@@ -111,23 +108,69 @@ void Agent::fail(Intention& intention, const ActionError& error) {
       code = Value();
     }
   }
-  fail_stack(intention, error, code, line);
+  const std::vector<OpenGoal> goals = open_goals(intention);
+  const bool is_handled = fail_stack(intention, error, code, line);
+  signal_failure(goals, error, is_handled);
 }
 
-void Agent::fail_stack(Intention& intention, const ActionError& error, Value code,
+namespace {
+
+// What Jason gives as the reason of a goal's failure.
+std::string_view reason_of(const ActionError& error) {
+  if (error.id == "no_relevant") return "no_relevant_plan";
+  if (error.id == "no_applicable") return "no_applicable_plan";
+  if (error.id.starts_with("body_var")) return "";
+  const bool of_formula = error.id == "action_failed" || error.id == "constraint_failed" ||
+                          error.id == "test_goal_failed" || error.id == "ask_failed" ||
+                          error.id == "wait_timeout" || error.id == "no_option" ||
+                          error.id == "belief_revision_failed";
+  return of_formula ? std::string_view(error.id) : "ia_failed";
+}
+
+}  // namespace
+
+// The goals on the stack, the top first; none if nobody wants to know.
+std::vector<Agent::OpenGoal> Agent::open_goals(const Intention& intention) const {
+  std::vector<OpenGoal> goals;
+  if (!library_->has_goal_state_plans()) return goals;
+  for (std::size_t i = intention.stack.size(); i > 0; --i) {
+    const IntendedMeans& means = intention.stack[i - 1];
+    if (means.is_goal_addition()) goals.push_back({means.kind, means.trigger});
+  }
+  return goals;
+}
+
+// The first of the goals has failed; the others with it unless some plan is for that.
+void Agent::signal_failure(const std::vector<OpenGoal>& goals, const ActionError& error,
+                           bool is_handled) {
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const auto& [kind, goal] = goals[i];
+    signal_goal_state(kind, goal, "failed", i == 0 ? reason_of(error) : "");
+    if (is_handled) {
+      signal_goal_state(kind, goal, "executing", "has_failure_plan");
+      return;
+    }
+    signal_goal_state(kind, goal, "finished");
+  }
+}
+
+bool Agent::fail_stack(Intention& intention, const ActionError& error, Value code,
                        std::uint32_t line) {
   const std::size_t floor = intention.fork == nullptr ? 0 : intention.fork->depth;
-  if (post_failure(intention, floor, error, code, line)) return;
-  if (intention.fork != nullptr && leave_failed_branch(intention)) return;
-  if (floor == 0 || !post_failure(intention, 0, error, code, line)) lose(intention, error, code);
+  if (post_failure(intention, floor, error, code, line)) return true;
+  if (intention.fork != nullptr && leave_failed_branch(intention)) return true;
+  if (floor > 0 && post_failure(intention, 0, error, code, line)) return true;
+  lose(intention, error, code);
+  return false;
 }
 
 // No plan for an event.
 void Agent::fail_event(const Event& event, const ActionError& error) {
   const bool is_failure = event.op == TriggerOperator::remove;
   if (event.intention == nullptr) {
-    if (!is_failure) signal_goal_state(event.kind, event.literal, "failed", error.id);
-    if (!is_failure && has_failure_plan(event.kind, event.literal, nullptr)) {
+    const bool is_handled = !is_failure && has_failure_plan(event.kind, event.literal, nullptr);
+    if (!is_failure) signal_failure({{event.kind, event.literal}}, error, is_handled);
+    if (is_handled) {
       add_event({TriggerOperator::remove, event.kind,
                  failure_literal(event.literal, error, event.literal, 0), nullptr, 0});
     } else {
@@ -144,14 +187,17 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
   const std::uint32_t line = intention.top().cursor.at_end() ? 0 : intention.top().step().line;
   const Value goal = machine_.unifier().fresh_copy(event.literal);
-  signal_goal_state(event.kind, event.literal, "failed", error.id);
   if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
+    signal_failure({{event.kind, event.literal}}, error, true);
     add_event({TriggerOperator::remove, event.kind,
                failure_literal(event.literal, error, goal, line), &intention,
                intention.stack.size()});
     return;
   }
-  fail_stack(intention, error, goal, line);
+  std::vector<OpenGoal> goals = open_goals(intention);
+  goals.insert(goals.begin(), {event.kind, event.literal});
+  const bool is_handled = fail_stack(intention, error, goal, line);
+  signal_failure(goals, error, is_handled);
 }
 
 void Agent::fail_waiting(Intention& intention, const ActionError& error) { fail(intention, error); }

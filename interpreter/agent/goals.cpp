@@ -71,7 +71,8 @@ void Agent::drop_goal_events(Value goal) {
   for (Intention* const intention : orphaned) drop(*intention);
 }
 
-void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end) {
+void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
+                      const ActionError* reason) {
   Circumstance& c = circumstance_;
   // Whatever the intention was waiting for is off.
   erase(c.running, &intention);
@@ -90,13 +91,14 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end) {
   });
   while (intention.stack.size() > depth + 1) pop_means(intention);
   if (end == GoalEnd::fail) {
-    const ActionError error{.id = "goal_failed", .message = "", .annots = {}};
+    const ActionError error =
+        reason != nullptr ? *reason : ActionError{.id = "goal_failed", .message = "", .annots = {}};
     const IntendedMeans& means = intention.top();
     signal_goal_state(means.kind, means.trigger, "failed", "fail_goal");
     if (has_failure_plan(means.kind, means.trigger, means.scope.get())) {
-      Event event{TriggerOperator::remove, means.kind, machine_.unifier().apply(means.trigger),
-                  &intention, depth};
-      add_event(event);
+      const Value goal = reason != nullptr ? failure_literal(means.trigger, error, Value(), 0)
+                                           : machine_.unifier().apply(means.trigger);
+      add_event({TriggerOperator::remove, means.kind, goal, &intention, depth});
       return;
     }
     if (!post_failure(intention, 0, error, Value(), 0)) drop(intention);
@@ -156,41 +158,109 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
   }
 }
 
+bool Agent::is_pursued(Value goal) const {
+  const Circumstance& c = circumstance_;
+  const auto is_it = [&](const auto& item) { return item.literal.same_as(goal); };
+  return std::any_of(c.events.begin(), c.events.end(), is_it) ||
+         std::any_of(c.pending_events.begin(), c.pending_events.end(), is_it) ||
+         (c.atomic_event && is_it(*c.atomic_event)) ||
+         std::any_of(c.intentions.begin(), c.intentions.end(), [&](const auto& intention) {
+           return std::any_of(
+               intention->stack.begin(), intention->stack.end(),
+               [&](const IntendedMeans& means) { return means.trigger.same_as(goal); });
+         });
+}
+
+// `hard_deadline(Ms)`: the goal, a literal of its own from now on, is looked at again after a time.
+Value Agent::watch_deadline(Value goal) {
+  const LiteralParts parts = literal_parts(goal);
+  for (Value a = deref(parts.annots); a.is_pair(); a = deref(a.pair()->tail)) {
+    const Value annot = deref(a.pair()->head);
+    if (!annot.is_structure() || annot.structure()->predicate() != predicates::hard_deadline) {
+      continue;
+    }
+    double ms = 0;
+    if (!machine_.unifier().evaluate(annot.structure()->arg(0), nullptr, ms) || !(ms >= 0)) break;
+    goal = heap_.structure(parts.predicate, parts.args, parts.annots);
+    const std::uint64_t token = new_token();
+    circumstance_.deadlines.push_back({token, goal});
+    host_.set_timer(*this, host_.now_ms() + ms, token);
+    break;
+  }
+  return goal;
+}
+
+void Agent::end_late_goal(Value goal) {
+  const ActionError error{.id = "deadline_reached", .message = "", .annots = {}};
+  for (Intention* const intention : all_intentions()) {
+    for (std::size_t i = 0; i < intention->stack.size(); ++i) {
+      if (!intention->stack[i].trigger.same_as(goal) || !intention->stack[i].is_goal_addition()) {
+        continue;
+      }
+      end_means(*intention, i, GoalEnd::fail, &error);
+      break;
+    }
+  }
+  Circumstance& c = circumstance_;
+  std::vector<Event> late;
+  const auto take = [&](const Event& event) {
+    const bool is_it = event.op == TriggerOperator::add && event.literal.same_as(goal);
+    if (is_it) late.push_back(event);
+    return is_it;
+  };
+  erase_if(c.events, take);
+  std::erase_if(c.pending_events, take);
+  if (c.atomic_event && take(*c.atomic_event)) c.atomic_event.reset();
+  for (const Event& event : late) fail_event(event, error);
+}
+
+// Running intentions stop; those that wait for something else go on waiting, and stop then.
 void Agent::suspend_goal(Value goal) {
   Circumstance& c = circumstance_;
+  const Value reason = Value::atom(symbols_.predicate("suspend_ia", 0));
   for (Intention* const intention : intentions_with(goal)) {
-    if (intention->state == Intention::State::running) {
+    if (intention->state == Intention::State::in_event) continue;  // its event is moved, below
+    if (intention == executing_ || intention->state != Intention::State::running) {
+      intention->also_suspended = true;  // the executing one: the action itself suspends it
+    } else {
       erase(c.running, intention);
       if (c.atomic == intention) c.atomic = nullptr;
-      if (intention != executing_)
-        suspend(*intention, Intention::State::suspended, "suspend_ia");
-      else
-        intention->also_suspended = true;
-    } else if (intention->state != Intention::State::in_event) {
-      intention->also_suspended = true;
+      suspend(*intention, Intention::State::suspended, "suspend_ia");
     }
-    signal_goal_state(TriggerKind::achieve, goal, "suspended");
+    if (intention != executing_) signal_top_state(*intention, "suspended", reason);
   }
   std::vector<Event> moved;
   erase_if(c.events, [&](const Event& event) {
-    if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
+    const bool is_goal = event.kind == TriggerKind::achieve && event.op == TriggerOperator::add;
     const std::size_t trail = machine_.unifier().mark();
-    const bool found = machine_.unifier().unify(goal, event.literal) ||
+    const bool found = (is_goal && machine_.unifier().unify(goal, event.literal)) ||
                        (event.intention != nullptr && has_goal(*event.intention, goal));
     machine_.unifier().undo(trail);
     if (found) moved.push_back(event);
     return found;
   });
-  c.pending_events.insert(c.pending_events.end(), moved.begin(), moved.end());
+  for (const Event& event : moved) {
+    c.pending_events.push_back(event);
+    if (event.op == TriggerOperator::add) {
+      signal_goal_state(event.kind, event.literal, "suspended", reason);
+    }
+  }
 }
 
 void Agent::resume_goal(Value goal) {
   Circumstance& c = circumstance_;
+  const Value reason = Value::atom(symbols_.predicate("resume_ia", 0));
   for (Intention* const intention : intentions_with(goal)) {
     if (intention->also_suspended) {
       intention->also_suspended = false;
+      signal_top_state(*intention, "resumed", reason);
+      const Value action = pending_action(*intention);
+      signal_top_state(*intention, "waiting", action.is_unset() ? wait_reason(*intention) : action);
     } else if (intention->state == Intention::State::suspended) {
-      signal_goal_state(TriggerKind::achieve, goal, "resumed");
+      signal_top_state(*intention, "resumed", reason);
+      signal_top_state(*intention, "executing", Value());
+      if (intention->suspended_itself) intention->advance();
+      intention->suspended_itself = false;
       make_ready(*intention);
       clear_intention(*intention);
     }
@@ -204,7 +274,13 @@ void Agent::resume_goal(Value goal) {
     if (found) moved.push_back(event);
     return found;
   });
-  for (const Event& event : moved) c.events.push_back(event);
+  for (const Event& event : moved) {
+    if (event.op == TriggerOperator::add) {
+      signal_goal_state(event.kind, event.literal, "resumed", reason);
+      signal_goal_state(event.kind, event.literal, "pending");
+    }
+    c.events.push_back(event);
+  }
 }
 
 // Rule ClrSatInt: goals whose condition has come true are achieved.

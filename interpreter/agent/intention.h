@@ -126,6 +126,8 @@ class Intention {
   std::string reason;
   /// It was suspended by name while it was waiting.
   bool also_suspended = false;
+  /// It suspended itself: resumed, it goes on behind its formula.
+  bool suspended_itself = false;
   std::vector<IntendedMeans> stack;
   std::vector<Value> values;
   std::uint32_t atomic_means = 0;

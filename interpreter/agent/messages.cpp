@@ -46,7 +46,11 @@ void Agent::handle_message(const Message& message) {
       return;
     }
     if (performative == "signal") {
-      add_event({TriggerOperator::add, TriggerKind::belief, add_source(message.content, sender),
+      const Value told = add_source(message.content, sender);
+      const Value signal = Value::atom(symbols_.predicate("signal", 0));
+      const Value annots = union_of(heap_, literal_parts(told).annots,
+                                    heap_.pair(signal, Value::empty_list()), symbols_);
+      add_event({TriggerOperator::add, TriggerKind::belief, with_annotations(heap_, told, annots),
                  nullptr, 0});
       return;
     }
@@ -89,8 +93,8 @@ void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeou
   ask.intention = &intention;
   record_bindings(intention, 0);
   suspend(intention, Intention::State::waiting, std::string(kWaitsForAnswer));
-  if (!intention.is_finished() && intention.top().is_goal()) {
-    signal_goal_state(intention.top().kind, intention.top().trigger, "waiting", kWaitsForAnswer);
+  if (library_->has_goal_state_plans()) {
+    signal_top_state(intention, "waiting", wait_reason(intention));
   }
   circumstance_.asks.push_back(std::move(ask));
 }
@@ -150,7 +154,10 @@ bool Agent::expects_timer(std::uint64_t token) const {
                      [&](const Wait& wait) { return wait.id == token; }) ||
          std::any_of(c.asks.begin(), c.asks.end(),
                      [&](const PendingAsk& ask) { return ask.timer == token; }) ||
-         std::any_of(c.scheduled.begin(), c.scheduled.end(), is_its);
+         std::any_of(c.scheduled.begin(), c.scheduled.end(), is_its) ||
+         std::any_of(c.deadlines.begin(), c.deadlines.end(), [&](const GoalDeadline& deadline) {
+           return deadline.token == token && is_pursued(deadline.goal);
+         });
 }
 
 void Agent::end_ask(const PendingAsk& ask, Value answer) {
@@ -160,9 +167,7 @@ void Agent::end_ask(const PendingAsk& ask, Value answer) {
   const std::size_t trail = unifier.mark();
   if (unifier.unify(ask.answer, answer)) {
     record_bindings(intention, trail);
-    if (intention.top().is_goal()) {
-      signal_goal_state(intention.top().kind, intention.top().trigger, "executing");
-    }
+    signal_top_state(intention, "executing", Value());
     resume(intention);
     return;
   }
@@ -189,11 +194,7 @@ Value Agent::add_source(Value literal, Value sender) {
 }
 
 std::string Agent::trigger_text(const Event& event) const {
-  std::string text = event.op == TriggerOperator::add      ? "+"
-                     : event.op == TriggerOperator::remove ? "-"
-                                                           : "^";
-  if (event.kind == TriggerKind::achieve) text += '!';
-  if (event.kind == TriggerKind::test) text += '?';
+  std::string text = trigger_operator(event.op, event.kind);
   append_term(text, event.literal, symbols_);
   return text;
 }

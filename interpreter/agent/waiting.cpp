@@ -15,13 +15,51 @@ void Agent::start_wait(Intention& intention, Wait wait, double ms) {
   wait.id = new_token();
   wait.intention = intention.id;
   wait.start_ms = host_.now_ms();
+  wait.ms = ms;
   if (wait.has_formula) ++formula_waits_;
   circumstance_.waits.push_back(wait);
   if (ms >= 0) host_.set_timer(*this, wait.start_ms + ms, wait.id);
   suspend(intention, Intention::State::waiting, "wait");
-  if (!intention.is_finished() && intention.top().is_goal()) {
-    signal_goal_state(intention.top().kind, intention.top().trigger, "waiting", "wait");
+  if (library_->has_goal_state_plans()) {
+    signal_top_state(intention, "waiting", wait_reason(intention));
   }
+}
+
+Value Agent::pending_action(const Intention& intention) const {
+  const Circumstance& c = circumstance_;
+  for (const PendingAction& action : c.actions) {
+    if (action.intention == &intention) return action.literal;
+  }
+  for (const PendingAction& action : c.acting) {
+    if (action.intention == &intention) return action.literal;
+  }
+  for (const Feedback& feedback : c.feedback) {
+    if (feedback.intention == &intention) return feedback.literal;
+  }
+  return {};
+}
+
+Value Agent::wait_reason(const Intention& intention) {
+  const auto& waits = circumstance_.waits;
+  const auto wait = std::find_if(waits.begin(), waits.end(),
+                                 [&](const Wait& each) { return each.intention == intention.id; });
+  if (intention.reason != "wait" || wait == waits.end()) {
+    return Value::atom(symbols_.predicate(intention.reason, 0));
+  }
+  const auto term = [this](std::string_view name, Value arg) {
+    return heap_.structure(symbols_.predicate(name, 1), std::span(&arg, 1));
+  };
+  std::vector<Value> annots;
+  if (wait->has_trigger) {
+    const std::string op = trigger_operator(wait->op, wait->kind);
+    annots.push_back(
+        term("event", heap_.structure(symbols_.predicate(op, 1), std::span(&wait->trigger, 1),
+                                      Value::empty_list(), Form::trigger)));
+  }
+  if (wait->has_formula) annots.push_back(term("formula", wait->formula));
+  if (wait->ms >= 0) annots.push_back(term("time", Value::number(wait->ms)));
+  return with_annotations(heap_, term("wait", Value::number(intention.id)),
+                          sorted_set(heap_, heap_.list(annots), symbols_));
 }
 
 void Agent::schedule(Event event, double ms) {
@@ -38,6 +76,16 @@ void Agent::timer_fired(std::uint64_t token) {
     const Event event = scheduled[i].second;
     scheduled.erase(scheduled.begin() + static_cast<std::ptrdiff_t>(i));
     add_event(event);
+    return;
+  }
+  auto& deadlines = circumstance_.deadlines;
+  for (std::size_t i = 0; i < deadlines.size(); ++i) {
+    if (deadlines[i].token != token) continue;
+    Task task;
+    task.kind = Task::Kind::deadline;
+    task.event.literal = deadlines[i].goal;
+    deadlines.erase(deadlines.begin() + static_cast<std::ptrdiff_t>(i));
+    circumstance_.tasks.push_back(task);
     return;
   }
   auto& waits = circumstance_.waits;
@@ -100,7 +148,9 @@ void Agent::run_tasks() {
   circumstance_.tasks.clear();
   std::size_t goal_states = 0;
   for (const Task& task : tasks) {
-    if (task.kind != Task::Kind::goal_state) {
+    if (task.kind == Task::Kind::deadline) {
+      end_late_goal(task.event.literal);
+    } else if (task.kind != Task::Kind::goal_state) {
       end_wait(task.wait, task.kind == Task::Kind::time_out);
     } else if (!library_->candidates(key_of(task.event)).empty()) {
       // Goal states are handled before other events, in their own order.
@@ -130,23 +180,25 @@ void Agent::end_wait(const Wait& wait, bool timed_out) {
     (void)machine_.unifier().unify(wait.elapsed, Value::number(host_.now_ms() - wait.start_ms));
     record_bindings(*intention, trail);
   }
-  if (intention->top().is_goal()) {
-    signal_goal_state(intention->top().kind, intention->top().trigger, "executing");
-  }
+  signal_top_state(*intention, "executing", Value());
   resume(*intention);
 }
 
 void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
                               std::string_view reason) {
+  if (!library_->has_goal_state_plans()) return;
+  signal_goal_state(kind, goal, state,
+                    reason.empty() ? Value() : Value::atom(symbols_.predicate(reason, 0)));
+}
+
+// state(S)[reason(R)]; where there is no reason, R is an empty text, as in Jason.
+void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason) {
   if (!library_->has_goal_state_plans() || !is_literal(goal)) return;
-  Value annots = Value::empty_list();
-  if (!reason.empty()) {
-    const Value why = Value::atom(symbols_.predicate(reason, 0));
-    const Value annot = heap_.structure(symbols_.predicate("reason", 1), std::span(&why, 1));
-    annots = heap_.pair(annot, Value::empty_list());
-  }
+  if (reason.is_unset()) reason = heap_.text("");
+  const Value why = heap_.structure(symbols_.predicate("reason", 1), std::span(&reason, 1));
   const Value name = Value::atom(symbols_.predicate(state, 0));
-  const Value annot = heap_.structure(symbols_.predicate("state", 1), std::span(&name, 1), annots);
+  const Value annot = heap_.structure(symbols_.predicate("state", 1), std::span(&name, 1),
+                                      heap_.pair(why, Value::empty_list()));
   goal = machine_.unifier().fresh_copy(goal);
   const Value all =
       union_of(heap_, literal_parts(goal).annots, heap_.pair(annot, Value::empty_list()), symbols_);
@@ -154,6 +206,11 @@ void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view sta
   task.kind = Task::Kind::goal_state;
   task.event = {TriggerOperator::goal_state, kind, with_annotations(heap_, goal, all), nullptr, 0};
   circumstance_.tasks.push_back(task);
+}
+
+void Agent::signal_top_state(const Intention& intention, std::string_view state, Value reason) {
+  if (intention.is_finished() || !intention.top().is_goal_addition()) return;
+  signal_goal_state(intention.top().kind, intention.top().trigger, state, reason);
 }
 
 }  // namespace jaywalk

@@ -204,6 +204,12 @@ bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts) 
   return true;
 }
 
+std::string trigger_operator(TriggerOperator op, TriggerKind kind) {
+  std::string text = op == TriggerOperator::add ? "+" : op == TriggerOperator::remove ? "-" : "^";
+  if (kind != TriggerKind::belief) text += kind == TriggerKind::achieve ? '!' : '?';
+  return text;
+}
+
 TriggerKey trigger_key(TriggerOperator op, TriggerKind kind, Predicate predicate,
                        SymbolTable& symbols) {
   Signature signature = symbols.signature(predicate);

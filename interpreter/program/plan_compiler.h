@@ -44,6 +44,9 @@ struct TriggerParts {
 /// Of a term of form trigger, or of a body with the single formula `+b` or `-b`. False: neither.
 [[nodiscard]] bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts);
 
+/// `+!`, `-`, `^?`, ...: how a trigger begins.
+[[nodiscard]] std::string trigger_operator(TriggerOperator op, TriggerKind kind);
+
 /// The key under which plans for a trigger's literal are found.
 [[nodiscard]] TriggerKey trigger_key(TriggerOperator op, TriggerKind kind, Predicate predicate,
                                      SymbolTable& symbols);
