@@ -47,6 +47,8 @@ class ScenarioBuilder {
  private:
   bool parse_layers() {
     draft_.scenario.name = source_->name();
+    draft_.scenario.sources.push_back(source_);
+    draft_.scenario.files = options_.files;
     std::optional<ConfigNode> file = parse_config(source_, diagnostics_);
     if (file && file->kind == ConfigNode::Kind::null) {
       diagnostics_.error(source_->name(), "the scenario is empty",
@@ -165,7 +167,7 @@ class ScenarioBuilder {
   }
 
   void read_start_cells() {
-    Result<SourcePtr> source = read_source(*draft_.start_cells_file);
+    Result<SourcePtr> source = options_.files.read(*draft_.start_cells_file);
     if (!source.ok()) {
       diagnostics_.append(std::move(source.diagnostics()));
       return;
@@ -175,6 +177,7 @@ class ScenarioBuilder {
       diagnostics_.append(std::move(cells.diagnostics()));
       return;
     }
+    draft_.scenario.sources.push_back(source.value());
     draft_.scenario.start_cells = std::move(cells).value();
   }
 
@@ -189,7 +192,7 @@ class ScenarioBuilder {
 }  // namespace
 
 Result<Scenario> read_scenario(const std::string& path, const ScenarioOptions& options) {
-  Result<SourcePtr> source = read_source(path, kMaxScenarioBytes);
+  Result<SourcePtr> source = options.files.read(path, kMaxScenarioBytes);
   if (!source.ok()) return std::move(source.diagnostics());
   return parse_scenario(source.value(), options);
 }

@@ -15,6 +15,7 @@
 #include "env/crossing/parameters.h"
 #include "env/crossing/start_cells.h"
 #include "interpreter/support/diagnostics.h"
+#include "interpreter/support/source_files.h"
 
 namespace jaywalk {
 
@@ -67,6 +68,10 @@ struct Scenario {
   ExperimentSpec experiment;
   /// Start cells that take the place of spawning.
   std::optional<StartCells> start_cells;
+  /// The texts that it was read from (programs are read when it is prepared), and where they and
+  /// the programs are.
+  std::vector<SourcePtr> sources;
+  SourceFiles files;
 };
 
 struct ScenarioOptions {
@@ -76,6 +81,8 @@ struct ScenarioOptions {
   std::vector<std::string> sets;
   /// Names of the scenario's behaviours, or paths of programs: these and no others, in this order.
   std::vector<std::string> behaviours;
+  /// Where the scenario and all that it names are read: the disk, unless copies are given.
+  SourceFiles files;
 };
 
 /// A scenario larger than this is refused.

@@ -41,16 +41,21 @@ class PreparedScenario {
   [[nodiscard]] const Scenario& scenario() const { return scenario_; }
   [[nodiscard]] const std::vector<PreparedBehaviour>& behaviours() const { return behaviours_; }
   [[nodiscard]] const std::shared_ptr<const SymbolTable>& symbols() const { return symbols_; }
+  /// The texts of all files that it was made from, each once, in the order in which they were read:
+  /// with copies of these (ScenarioOptions::files) it can be made again.
+  [[nodiscard]] const std::vector<SourcePtr>& inputs() const { return inputs_; }
   [[nodiscard]] const CrossingVocabulary& vocabulary() const { return vocabulary_; }
 
  private:
   PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
-                   CrossingVocabulary vocabulary, std::vector<PreparedBehaviour> behaviours);
+                   CrossingVocabulary vocabulary, std::vector<PreparedBehaviour> behaviours,
+                   std::vector<SourcePtr> inputs);
 
   Scenario scenario_;
   std::shared_ptr<const SymbolTable> symbols_;
   CrossingVocabulary vocabulary_;
   std::vector<PreparedBehaviour> behaviours_;
+  std::vector<SourcePtr> inputs_;
 };
 
 struct TrialInput {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,20 +27,24 @@ Indicator parse_indicator(const std::string& text) {
 /// Loads and compiles behaviours into one symbol table.
 class Preparation {
  public:
-  Preparation(SymbolTable& symbols, Diagnostics& diagnostics)
-      : symbols_(symbols), diagnostics_(diagnostics) {}
+  Preparation(const SourceFiles& files, SymbolTable& symbols, std::vector<SourcePtr>& inputs,
+              Diagnostics& diagnostics)
+      : symbols_(symbols), inputs_(inputs), diagnostics_(diagnostics) {
+    include_path_.files = files;
+  }
 
   PreparedBehaviour prepare(const BehaviourSpec& spec) {
     PreparedBehaviour result;
     result.name = spec.name;
     result.program_path = spec.program;
     // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
-    if (!std::filesystem::is_regular_file(std::filesystem::status(spec.program, ignored_))) {
+    if (!include_path_.files.has(spec.program)) {
       report(diagnostics_, spec.origin,
              fmt::format("no AgentSpeak program is at '{}'", spec.program));
       return result;
     }
-    const SourceTree tree = load_agent(spec.program, {}, diagnostics_);
+    const SourceTree tree = load_agent(spec.program, include_path_, diagnostics_);
+    for (const auto& file : tree.files) add_input(file->source);
     if (diagnostics_.has_errors()) return result;
     result.program = compile(tree, symbols_, diagnostics_);
     if (!result.program) return result;
@@ -62,6 +65,11 @@ class Preparation {
   }
 
  private:
+  void add_input(const SourcePtr& source) {
+    const auto same = [&](const SourcePtr& input) { return input->name() == source->name(); };
+    if (std::none_of(inputs_.begin(), inputs_.end(), same)) inputs_.push_back(source);
+  }
+
   std::vector<Parameter> convert(const std::vector<ParameterSetting>& settings) {
     std::vector<Parameter> result;
     for (const ParameterSetting& setting : settings) {
@@ -107,8 +115,9 @@ class Preparation {
   }
 
   SymbolTable& symbols_;
+  std::vector<SourcePtr>& inputs_;
   Diagnostics& diagnostics_;
-  std::error_code ignored_;
+  IncludePath include_path_;
   std::vector<Indicator> settable_;
 };
 
@@ -116,11 +125,13 @@ class Preparation {
 
 PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
                                    CrossingVocabulary vocabulary,
-                                   std::vector<PreparedBehaviour> behaviours)
+                                   std::vector<PreparedBehaviour> behaviours,
+                                   std::vector<SourcePtr> inputs)
     : scenario_(std::move(scenario)),
       symbols_(std::move(symbols)),
       vocabulary_(vocabulary),
-      behaviours_(std::move(behaviours)) {}
+      behaviours_(std::move(behaviours)),
+      inputs_(std::move(inputs)) {}
 
 Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenario scenario,
                                                                           Diagnostics& warnings) {
@@ -128,14 +139,15 @@ Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenar
   const CrossingVocabulary vocabulary(*symbols);
   Diagnostics errors;
   std::vector<PreparedBehaviour> behaviours;
+  std::vector<SourcePtr> inputs = scenario.sources;
   for (const BehaviourSpec& spec : scenario.behaviours) {
     Diagnostics found;
-    behaviours.push_back(Preparation(*symbols, found).prepare(spec));
+    behaviours.push_back(Preparation(scenario.files, *symbols, inputs, found).prepare(spec));
     (found.has_errors() ? errors : warnings).append(std::move(found));
   }
   if (errors.has_errors()) return errors;
-  return std::shared_ptr<const PreparedScenario>(
-      new PreparedScenario(std::move(scenario), symbols, vocabulary, std::move(behaviours)));
+  return std::shared_ptr<const PreparedScenario>(new PreparedScenario(
+      std::move(scenario), symbols, vocabulary, std::move(behaviours), std::move(inputs)));
 }
 
 }  // namespace jaywalk

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,11 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMissingInclude = "missing-include";
-
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
 
 class Loader {
  public:
@@ -68,13 +62,17 @@ class Loader {
     const SourceSpan where = {file.source, args.front()->span};
     const std::optional<std::string> path = find(std::string(args.front()->text), where);
     if (!path || !may_include(*path, where)) return;
-    Result<SourcePtr> source = read_source(*path);
+    Result<SourcePtr> source = include_path_.files.read(*path);
     if (!source) {
       diagnostics_.error(where, fmt::format("cannot include {}: {}", *path,
                                             source.diagnostics().items().front().message));
       return;
     }
     tree_.includes[&directive] = add_file(source.value());
+  }
+
+  [[nodiscard]] bool is_file(const fs::path& path) const {
+    return include_path_.files.has(path.generic_string());
   }
 
   bool may_include(const std::string& path, const SourceSpan& where) {
@@ -112,7 +110,8 @@ class Loader {
     for (const std::string& searched : include_path_.folders) {
       candidates.push_back((fs::path(searched) / name).lexically_normal());
     }
-    const auto found = std::find_if(candidates.begin(), candidates.end(), is_file);
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [this](const fs::path& path) { return is_file(path); });
     if (found != candidates.end()) return found->generic_string();
     std::string places = fmt::format("looked for {}", candidates.front().generic_string());
     for (std::size_t i = 1; i < candidates.size(); ++i) {
@@ -152,7 +151,7 @@ class Loader {
 
 SourceTree load_agent(const std::string& path, const IncludePath& include_path,
                       Diagnostics& diagnostics) {
-  Result<SourcePtr> source = read_source(path);
+  Result<SourcePtr> source = include_path.files.read(path);
   if (source) return load_agent(source.value(), include_path, diagnostics);
   diagnostics.append(std::move(source.diagnostics()));
   return load_agent(std::make_shared<const Source>(path, ""), include_path, diagnostics);

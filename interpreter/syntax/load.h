@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
+#include "interpreter/support/source_files.h"
 #include "interpreter/syntax/ast.h"
 
 namespace jaywalk {
@@ -18,6 +19,8 @@ struct IncludePath {
   std::vector<std::string> folders;
   /// Prefixes and what stands for them: `$jasonJar` → a folder (`--map`).
   std::vector<std::pair<std::string, std::string>> mapped;
+  /// What is read from: the disk, unless copies are given.
+  SourceFiles files;
 };
 
 /// A program's files. The first is the program itself; an include directive leads to another.

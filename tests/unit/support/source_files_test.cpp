@@ -1,0 +1,33 @@
+#include "interpreter/support/source_files.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace jaywalk {
+namespace {
+
+SourcePtr text(std::string name, std::string content) {
+  return std::make_shared<const Source>(std::move(name), std::move(content));
+}
+
+TEST(SourceFiles, AreThoseOfTheDiskUnlessCopiesAreGiven) {
+  const SourceFiles files;
+  EXPECT_TRUE(files.has(JAYWALK_SOURCE_DIR "/README.md"));
+  EXPECT_FALSE(files.has(JAYWALK_SOURCE_DIR "/tests"));
+  EXPECT_TRUE(files.read(JAYWALK_SOURCE_DIR "/README.md").ok());
+}
+
+TEST(SourceFiles, ThatAreCopiesAreNeverReadFromTheDisk) {
+  const std::array copies = {text("a.asl", "!a."), text("b.asl", "!b.")};
+  const SourceFiles files(copies);
+  EXPECT_TRUE(files.has("b.asl"));
+  EXPECT_EQ(files.read("b.asl").value()->text(), "!b.");
+  EXPECT_FALSE(files.has(JAYWALK_SOURCE_DIR "/README.md"));
+  Result<SourcePtr> missing = files.read(JAYWALK_SOURCE_DIR "/README.md");
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.diagnostics().items().front().message, "no copy of this file was kept");
+}
+
+}  // namespace
+}  // namespace jaywalk
