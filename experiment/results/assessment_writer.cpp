@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <utility>
+
+#include "experiment/results/row_writer.h"
+#include "experiment/results/schema.h"
+#include "experiment/results/store_file.h"
+#include "experiment/results/stored_rows.h"
+#include "experiment/results/writer.h"
+
+namespace jaywalk {
+
+class AssessmentWriter::Impl {
+ public:
+  Impl(std::unique_ptr<Database> database, ExperimentDescription description)
+      : database_(std::move(database)),
+        description_(std::move(description)),
+        rows_(*database_, description_),
+        remove_(*database_, "DELETE FROM assessments WHERE id >= ? AND id < ?") {
+    database_->execute("BEGIN");
+  }
+
+  void replace(std::int64_t test_id, const std::vector<Assessment>& assessments) {
+    std::vector<Assessment> all = read_assessments(*database_, test_id);
+    std::erase_if(all, [&](const Assessment& old) {
+      return std::ranges::any_of(assessments,
+                                 [&](const Assessment& each) { return each.id == old.id; });
+    });
+    all.insert(all.end(), assessments.begin(), assessments.end());
+    remove_.run(row_id(test_id, 0), row_id(test_id + 1, 0));
+    rows_.write(test_id, all);
+  }
+
+  std::optional<std::string> finish() {
+    database_->execute("COMMIT");
+    database_->execute("PRAGMA journal_mode = DELETE");
+    if (database_->failure()) return trouble_with(*database_);
+    return std::nullopt;
+  }
+
+ private:
+  std::unique_ptr<Database> database_;
+  ExperimentDescription description_;
+  RowWriter rows_;
+  Statement remove_;
+};
+
+AssessmentWriter::AssessmentWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+AssessmentWriter::~AssessmentWriter() = default;
+
+Result<std::unique_ptr<AssessmentWriter>> AssessmentWriter::open(const std::string& path) {
+  auto seen = open_to_read(path, Scrutiny::all);
+  if (!seen) return std::move(seen.diagnostics());
+  seen.value().database.reset();
+  auto database = open_to_write(path);
+  if (!database) return std::move(database.diagnostics());
+  return std::unique_ptr<AssessmentWriter>(new AssessmentWriter(
+      std::make_unique<Impl>(std::move(database).value(), std::move(seen.value().description))));
+}
+
+void AssessmentWriter::replace(std::int64_t test_id, const std::vector<Assessment>& assessments) {
+  impl_->replace(test_id, assessments);
+}
+
+std::optional<std::string> AssessmentWriter::finish() { return impl_->finish(); }
+
+}  // namespace jaywalk

@@ -1,0 +1,152 @@
+#include "experiment/results/database.h"
+
+#include <cstring>
+#include <sqlite3.h>
+#include <utility>
+
+namespace jaywalk {
+namespace {
+
+DatabaseTrouble trouble_of(int code) {
+  switch (code & 0xFF) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return DatabaseTrouble::in_use;
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return DatabaseTrouble::damaged;
+    case SQLITE_FULL:
+      return DatabaseTrouble::no_space;
+    default:
+      return DatabaseTrouble::other;
+  }
+}
+
+int flags_of(Database::Mode mode) {
+  switch (mode) {
+    case Database::Mode::read:
+      return SQLITE_OPEN_READONLY;
+    case Database::Mode::write:
+      return SQLITE_OPEN_READWRITE;
+    case Database::Mode::create:
+      return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  }
+  return SQLITE_OPEN_READONLY;
+}
+
+}  // namespace
+
+void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(connection); }
+
+Database::Database(const std::string& path, Mode mode) {
+  sqlite3* connection = nullptr;
+  // Each connection is used by one thread at a time.
+  const int code =
+      sqlite3_open_v2(path.c_str(), &connection, flags_of(mode) | SQLITE_OPEN_NOMUTEX, nullptr);
+  connection_.reset(connection);
+  if (code != SQLITE_OK) note(code);
+  // What is in a file is data: its schema calls no functions, its pages are checked when read.
+  sqlite3_db_config(connection, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(connection, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  execute("PRAGMA cell_size_check = ON");
+}
+
+Database::~Database() = default;
+
+void Database::execute(const std::string& sql) {
+  if (failure_) return;
+  const int code = sqlite3_exec(connection_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) note(code);
+}
+
+std::optional<std::int64_t> Database::number(const std::string& sql) {
+  Statement statement(*this, sql);
+  if (!statement.step() || statement.is_null(0)) return std::nullopt;
+  return statement.number(0);
+}
+
+std::optional<std::string> Database::text(const std::string& sql) {
+  Statement statement(*this, sql);
+  if (!statement.step() || statement.is_null(0)) return std::nullopt;
+  return statement.text(0);
+}
+
+void Database::fail(std::string why) {
+  if (failure_) return;
+  failure_ = std::move(why);
+  trouble_ = DatabaseTrouble::other;
+}
+
+void Database::note(int code) {
+  if (failure_) return;
+  trouble_ = trouble_of(code);
+  failure_ = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(code);
+  const int error = connection_ ? sqlite3_system_errno(connection_.get()) : 0;
+  const bool of_the_system = (code & 0xFF) == SQLITE_IOERR || (code & 0xFF) == SQLITE_CANTOPEN;
+  if (of_the_system && error != 0) failure_ = std::strerror(error);
+}
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+  if (database_.failure_) return;
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v2(database_.connection_.get(), sql.data(),
+                                      static_cast<int>(sql.size()), &statement, nullptr);
+  statement_.reset(statement);
+  if (code != SQLITE_OK) database_.note(code);
+}
+
+bool Statement::step() {
+  if (database_.failure_ || !statement_) return false;
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) database_.note(code);
+  return false;
+}
+
+void Statement::reset() {
+  if (statement_) sqlite3_reset(statement_.get());
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::number(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+
+double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+
+std::string Statement::text(int column) const {
+  const void* const bytes = sqlite3_column_blob(statement_.get(), column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return bytes == nullptr ? std::string() : std::string(static_cast<const char*>(bytes), size);
+}
+
+void Statement::set(int index, std::int64_t value) {
+  if (statement_) sqlite3_bind_int64(statement_.get(), index, value);
+}
+
+void Statement::set(int index, double value) {
+  if (statement_) sqlite3_bind_double(statement_.get(), index, value);
+}
+
+void Statement::set(int index, std::string_view value) {
+  if (!statement_) return;
+  sqlite3_bind_text(statement_.get(), index, value.data(), static_cast<int>(value.size()),
+                    SQLITE_STATIC);
+}
+
+void Statement::set(int index, Blob value) {
+  if (!statement_) return;
+  sqlite3_bind_blob(statement_.get(), index, value.bytes.data(),
+                    static_cast<int>(value.bytes.size()), SQLITE_STATIC);
+}
+
+void Statement::set(int index, std::nullopt_t) {
+  if (statement_) sqlite3_bind_null(statement_.get(), index);
+}
+
+}  // namespace jaywalk

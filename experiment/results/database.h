@@ -1,0 +1,119 @@
+#pragma once
+
+// SQLite as the store uses it: connections and statements that close themselves. The first thing
+// that goes wrong is kept and everything after it does nothing, so that callers ask once, at the
+// end. No file outside this folder includes this.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace jaywalk {
+
+enum class DatabaseTrouble { none, in_use, damaged, no_space, other };
+
+class Database {
+ public:
+  enum class Mode { read, write, create };
+
+  /// Opens the file; whether that succeeded, failure() tells.
+  Database(const std::string& path, Mode mode);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  /// Runs statements that give no rows or whose rows do not matter.
+  void execute(const std::string& sql);
+  /// The first column of the first row, if there is one and it is no NULL.
+  [[nodiscard]] std::optional<std::int64_t> number(const std::string& sql);
+  [[nodiscard]] std::optional<std::string> text(const std::string& sql);
+
+  /// The first thing that went wrong, in words.
+  [[nodiscard]] const std::optional<std::string>& failure() const { return failure_; }
+  [[nodiscard]] DatabaseTrouble trouble() const { return trouble_; }
+  /// Takes note of a failure that SQLite did not see; the first counts.
+  void fail(std::string why);
+
+ private:
+  friend class Statement;
+  void note(int code);
+
+  struct Close {
+    void operator()(sqlite3* connection) const;
+  };
+  std::unique_ptr<sqlite3, Close> connection_;
+  std::optional<std::string> failure_;
+  DatabaseTrouble trouble_ = DatabaseTrouble::none;
+};
+
+/// Bytes that are stored as they are; must outlive the step that stores them.
+struct Blob {
+  std::span<const unsigned char> bytes;
+};
+
+/// A compiled statement. The database must outlive it.
+class Statement {
+ public:
+  Statement(Database& database, std::string_view sql);
+
+  /// Runs a statement that gives no rows, with these values. Texts must live until it returns.
+  template <class... Values>
+  void run(const Values&... values) {
+    bind(values...);
+    step();
+    reset();
+  }
+  /// Sets the parameters in their order.
+  template <class... Values>
+  void bind(const Values&... values) {
+    int index = 0;
+    (set(++index, values), ...);
+  }
+  /// Goes to the next row; false if there is none, or something went wrong.
+  bool step();
+  /// Makes it ready to run again.
+  void reset();
+
+  [[nodiscard]] bool is_null(int column) const;
+  [[nodiscard]] std::int64_t number(int column) const;
+  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+  template <class T>
+  [[nodiscard]] T integer(int column) const {
+    return static_cast<T>(number(column));
+  }
+
+ private:
+  void set(int index, std::int64_t value);
+  void set(int index, std::uint64_t value) { set(index, static_cast<std::int64_t>(value)); }
+  void set(int index, std::uint32_t value) { set(index, std::int64_t{value}); }
+  void set(int index, int value) { set(index, std::int64_t{value}); }
+  void set(int index, double value);
+  void set(int index, std::string_view value);
+  void set(int index, const std::string& value) { set(index, std::string_view(value)); }
+  void set(int index, const char* value) { set(index, std::string_view(value)); }
+  void set(int index, Blob value);
+  void set(int index, std::nullopt_t);
+  template <class T>
+  void set(int index, const std::optional<T>& value) {
+    if (value) {
+      set(index, *value);
+    } else {
+      set(index, std::nullopt);
+    }
+  }
+
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  Database& database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,174 @@
+#include "experiment/results/reader.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiment/results/schema.h"
+#include "experiment/results/store_file.h"
+#include "experiment/results/stored_rows.h"
+
+namespace jaywalk {
+
+class ResultsReader::Impl {
+ public:
+  Impl(std::string path, std::unique_ptr<Database> database, ExperimentDescription description)
+      : path_(std::move(path)),
+        database_(std::move(database)),
+        description_(std::move(description)) {
+    count_ =
+        static_cast<std::uint64_t>(database_->number("SELECT count(*) FROM tests").value_or(0));
+  }
+
+  [[nodiscard]] Database& database() { return *database_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const ExperimentDescription& description() const { return description_; }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+  /// The value, unless reading it failed.
+  template <class T>
+  Result<T> checked(T value) {
+    if (database_->failure()) return store_error(path_, trouble_with(*database_));
+    return value;
+  }
+
+  Result<std::shared_ptr<const PreparedScenario>> prepare() {
+    if (prepared_) return prepared_;
+    std::vector<SourcePtr> copies;
+    for (const StoredInput& input : description_.inputs) {
+      copies.push_back(std::make_shared<const Source>(input.path, input.text));
+    }
+    auto scenario =
+        read_scenario(description_.scenario, {.preset = description_.preset,
+                                              .sets = description_.sets,
+                                              .behaviours = description_.behaviour_options,
+                                              .files = SourceFiles(copies)});
+    if (!scenario) return std::move(scenario.diagnostics());
+    Diagnostics warnings;  // were shown when the tests ran
+    auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
+    if (prepared) prepared_ = prepared.value();
+    return prepared;
+  }
+
+ private:
+  std::string path_;
+  std::unique_ptr<Database> database_;
+  ExperimentDescription description_;
+  std::uint64_t count_ = 0;
+  std::shared_ptr<const PreparedScenario> prepared_;
+};
+
+ResultsReader::ResultsReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ResultsReader::~ResultsReader() = default;
+
+Result<std::unique_ptr<ResultsReader>> ResultsReader::open(const std::string& path) {
+  auto store = open_to_read(path, Scrutiny::header);
+  if (!store) return std::move(store.diagnostics());
+  auto impl = std::make_unique<Impl>(path, std::move(store.value().database),
+                                     std::move(store.value().description));
+  if (impl->database().failure()) return store_error(path, trouble_with(impl->database()));
+  return std::unique_ptr<ResultsReader>(new ResultsReader(std::move(impl)));
+}
+
+const std::string& ResultsReader::path() const { return impl_->path(); }
+const ExperimentDescription& ResultsReader::description() const { return impl_->description(); }
+std::uint64_t ResultsReader::count() const { return impl_->count(); }
+
+bool ResultsReader::complete() const {
+  const ExperimentDescription& plan = description();
+  return count() == plan.behaviours.size() * plan.agents.size() * tests_in_shard(plan);
+}
+
+Result<std::vector<StoredTest>> ResultsReader::tests(const TestFilter& filter) const {
+  return impl_->checked(read_tests(impl_->database(), description(), filter));
+}
+
+Result<StoredTest> ResultsReader::test(std::int64_t id) const {
+  auto found = impl_->checked(read_test(impl_->database(), description(), id));
+  if (!found) return std::move(found.diagnostics());
+  if (found.value()) return *found.value();
+  const std::uint64_t planned =
+      description().behaviours.size() * description().agents.size() * description().tests;
+  return store_error(path(), fmt::format("the store has no test {}", id),
+                     fmt::format("it has {} of the tests 1 to {}", count(), planned));
+}
+
+Result<std::vector<AgentScore>> ResultsReader::scores(std::int64_t id) const {
+  return impl_->checked(read_scores(impl_->database(), id));
+}
+
+Result<std::vector<Assessment>> ResultsReader::assessments(std::int64_t id) const {
+  return impl_->checked(read_assessments(impl_->database(), id));
+}
+
+Result<Recording> ResultsReader::recording(std::int64_t id) const {
+  auto stored = test(id);
+  if (!stored) return std::move(stored.diagnostics());
+  if (stored.value().has_scenes) {
+    return impl_->checked(read_recording(impl_->database(), description().tick_s, id));
+  }
+  Recording recording;
+  auto result = rerun(id, {.record = &recording});
+  if (!result) return std::move(result.diagnostics());
+  return recording;
+}
+
+Result<std::shared_ptr<const PreparedScenario>> ResultsReader::prepared() const {
+  return impl_->prepare();
+}
+
+Result<TrialInput> ResultsReader::input(std::int64_t id) const {
+  auto stored = test(id);
+  if (!stored) return std::move(stored.diagnostics());
+  const TestCase& wanted = stored.value().test;
+  return TrialInput{.behaviour = wanted.behaviour,
+                    .agents = wanted.agents,
+                    .seed = description().seed,
+                    .test = wanted.number};
+}
+
+Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& options) const {
+  auto stored = test(id);
+  if (!stored) return std::move(stored.diagnostics());
+  auto scenario = prepared();
+  if (!scenario) return std::move(scenario.diagnostics());
+  auto trial_input = input(id);
+  if (!trial_input) return std::move(trial_input.diagnostics());
+  if (const std::string why = obstacle(*scenario.value(), trial_input.value()); !why.empty()) {
+    return store_error(path(), why);
+  }
+  TrialResult result = run_trial(*scenario.value(), trial_input.value(), options);
+  const TestResult& wanted = stored.value().result;
+  const bool same = result.completed && result.outcome.success == wanted.succeeded &&
+                    static_cast<std::uint32_t>(result.outcome.ticks) == wanted.ticks &&
+                    result.outcome.score() == wanted.score;
+  if (same) return result;
+  return store_error(
+      path(), fmt::format("test {} came out otherwise than stored", id),
+      fmt::format("jaywalk {} stored it, this is {}", description().version, JAYWALK_VERSION));
+}
+
+Result<Comparison> ResultsReader::comparison() const {
+  const ExperimentDescription& plan = description();
+  Comparison comparison{.scenario = plan.scenario,
+                        .seed = plan.seed,
+                        .tests = tests_in_shard(plan),
+                        .complete = complete()};
+  for (std::size_t behaviour = 0; behaviour < plan.behaviours.size(); ++behaviour) {
+    for (const std::uint32_t agents : plan.agents) {
+      auto stored = tests({.behaviour = behaviour, .agents = agents});
+      if (!stored) return std::move(stored.diagnostics());
+      if (stored.value().empty() || stored.value().size() != tests_in_shard(plan)) continue;
+      std::vector<TestResult> results;
+      for (const StoredTest& each : stored.value()) results.push_back(each.result);
+      Summary summary = summarise(results);
+      summary.behaviour = plan.behaviours[behaviour].name;
+      summary.agents = agents;
+      summary.code_lines = plan.behaviours[behaviour].code_lines;
+      comparison.summaries.push_back(std::move(summary));
+    }
+  }
+  return comparison;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,121 @@
+// How an experiment's description is kept in a store's tables.
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiment/results/schema.h"
+#include "experiment/results/store_file.h"
+
+namespace jaywalk {
+namespace {
+
+void write_options(Database& database, const ExperimentDescription& description) {
+  Statement option(database, "INSERT INTO options (name, value) VALUES (?, ?)");
+  if (description.preset) option.run("preset", *description.preset);
+  for (const std::string& set : description.sets) option.run("set", set);
+  for (const std::string& behaviour : description.behaviour_options) {
+    option.run("behaviour", behaviour);
+  }
+}
+
+void write_plan(Database& database, const ExperimentDescription& description) {
+  Statement behaviour(database, "INSERT INTO behaviours (name, code_lines) VALUES (?, ?)");
+  Statement parameter(database, "INSERT INTO parameters (behaviour, name, value) VALUES (?, ?, ?)");
+  for (const StoredBehaviour& each : description.behaviours) {
+    behaviour.run(each.name, each.code_lines);
+    for (const auto& [name, value] : each.parameters) parameter.run(each.name, name, value);
+  }
+  Statement agents(database, "INSERT INTO agent_numbers (agents) VALUES (?)");
+  for (const std::uint32_t number : description.agents) agents.run(number);
+}
+
+void read_options(Database& database, ExperimentDescription& description) {
+  Statement row(database, "SELECT name, value FROM options ORDER BY id");
+  while (row.step()) {
+    const std::string option = row.text(0);
+    if (option == "preset") description.preset = row.text(1);
+    if (option == "set") description.sets.push_back(row.text(1));
+    if (option == "behaviour") description.behaviour_options.push_back(row.text(1));
+  }
+}
+
+void read_plan(Database& database, ExperimentDescription& description) {
+  Statement behaviour(database, "SELECT name, code_lines FROM behaviours ORDER BY id");
+  while (behaviour.step()) {
+    description.behaviours.push_back(
+        {.name = behaviour.text(0), .code_lines = behaviour.integer<std::uint64_t>(1)});
+  }
+  Statement parameter(database, "SELECT behaviour, name, value FROM parameters ORDER BY id");
+  while (parameter.step()) {
+    for (StoredBehaviour& each : description.behaviours) {
+      if (each.name == parameter.text(0)) {
+        each.parameters.emplace_back(parameter.text(1), parameter.text(2));
+      }
+    }
+  }
+  Statement agents(database, "SELECT agents FROM agent_numbers ORDER BY id");
+  while (agents.step()) description.agents.push_back(agents.integer<std::uint32_t>(0));
+}
+
+/// Whether the numbers can be reckoned with.
+bool sensible(const ExperimentDescription& description) {
+  const auto cells = static_cast<std::int64_t>(description.behaviours.size()) *
+                     static_cast<std::int64_t>(description.agents.size());
+  const Shard& shard = description.shard;
+  return cells > 0 && description.tests > 0 && description.tests <= kMaxTests &&
+         cells <= kMaxTestId / static_cast<std::int64_t>(description.tests) && shard.index > 0 &&
+         shard.index <= shard.count && description.tick_s > 0;
+}
+
+}  // namespace
+
+void write_description(Database& database, const ExperimentDescription& description) {
+  Statement version(database, "INSERT INTO versions (subject, version) VALUES (?, ?)");
+  version.run("store", fmt::format("{}", kStoreVersion));
+  version.run("jaywalk", description.version);
+  Statement(database, "INSERT INTO experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run(description.scenario, description.seed, description.first_test, description.tests,
+           description.tick_s, name(description.level), description.shard.index,
+           description.shard.count);
+  write_options(database, description);
+  write_plan(database, description);
+  Statement input(database, "INSERT INTO inputs (path, sha256, text) VALUES (?, ?, ?)");
+  for (const StoredInput& each : description.inputs) input.run(each.path, each.sha256, each.text);
+}
+
+Result<ExperimentDescription> read_description(Database& database, const std::string& path) {
+  ExperimentDescription description;
+  Statement row(database,
+                "SELECT scenario, seed, first_test, tests, tick_s, level, shard, shards FROM "
+                "experiment WHERE id = 1");
+  bool found = row.step();
+  if (found) {
+    description.scenario = row.text(0);
+    description.seed = row.integer<std::uint64_t>(1);
+    description.first_test = row.integer<std::uint64_t>(2);
+    description.tests = row.integer<std::uint64_t>(3);
+    description.tick_s = row.real(4);
+    const auto level = parse_store_level(row.text(5));
+    description.level = level.value_or(StoreLevel::found);
+    description.shard = {.index = row.integer<std::uint32_t>(6),
+                         .count = row.integer<std::uint32_t>(7)};
+    found = level.has_value();
+  }
+  description.version =
+      database.text("SELECT version FROM versions WHERE subject = 'jaywalk'").value_or("");
+  read_options(database, description);
+  read_plan(database, description);
+  Statement input(database, "SELECT path, sha256, text FROM inputs ORDER BY id");
+  while (input.step()) {
+    description.inputs.push_back(
+        {.path = input.text(0), .text = input.text(2), .sha256 = input.text(1)});
+  }
+  if (database.failure()) return store_error(path, trouble_with(database));
+  if (!found || !sensible(description)) {
+    return store_error(path, "the store is damaged: its description makes no sense");
+  }
+  return description;
+}
+
+}  // namespace jaywalk

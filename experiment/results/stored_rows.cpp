@@ -1,0 +1,172 @@
+#include "experiment/results/stored_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiment/results/schema.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr std::string_view kTestColumns =
+    "SELECT id, met_precondition, ticks, score, cpu_us, wall_us, scenes FROM tests ";
+
+void damaged(Database& database, std::string_view what, std::int64_t test_id) {
+  database.fail(fmt::format("the store is damaged: {} of test {}", what, test_id));
+}
+
+StoredTest test_of(Database& database, const ExperimentDescription& description,
+                   const Statement& row) {
+  StoredTest test{.id = row.number(0)};
+  if (const auto found = find_test(description, test.id)) {
+    test.test = *found;
+  } else {
+    damaged(database, "the number", test.id);
+  }
+  test.result = {.succeeded = row.number(1) != 0,
+                 .ticks = row.integer<std::uint32_t>(2),
+                 .score = row.real(3),
+                 .cpu_us = row.real(4),
+                 .wall_us = row.real(5)};
+  test.has_scenes = row.number(6) > 0;
+  return test;
+}
+
+std::optional<ActorKind> parse_kind(std::string_view text) {
+  for (const ActorKind kind :
+       {ActorKind::vehicle, ActorKind::pedestrian, ActorKind::cyclist, ActorKind::signal}) {
+    if (name(kind) == text) return kind;
+  }
+  return std::nullopt;
+}
+
+template <class T>
+std::optional<T> integer_or_null(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.integer<T>(column);
+}
+
+std::optional<double> real_or_null(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.real(column);
+}
+
+/// A statement about the rows of one test, by their numbers.
+Statement rows_of(Database& database, std::int64_t test_id, std::string_view columns,
+                  std::string_view table) {
+  Statement statement(database, fmt::format("SELECT {} FROM {} WHERE id >= ? AND id < ? "
+                                            "ORDER BY id",
+                                            columns, table));
+  statement.bind(row_id(test_id, 0), row_id(test_id + 1, 0));
+  return statement;
+}
+
+std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
+  std::vector<Actor> actors;
+  Statement row = rows_of(database, test_id, "name, kind, length_m, width_m", "actors");
+  while (row.step()) {
+    const auto kind = parse_kind(row.text(1));
+    if (!kind) damaged(database, "an actor", test_id);
+    actors.push_back({.name = row.text(0),
+                      .kind = kind.value_or(ActorKind::pedestrian),
+                      .length_m = row.real(2),
+                      .width_m = row.real(3)});
+  }
+  return actors;
+}
+
+void read_scenes(Database& database, std::int64_t test_id, Recording& recording) {
+  std::vector<ActorState> scene;
+  Statement row = rows_of(database, test_id, "x, y, speed, heading", "observations");
+  while (row.step()) {
+    scene.push_back({.x_m = row.real(0),
+                     .y_m = row.real(1),
+                     .speed_mps = row.real(2),
+                     .heading_rad = row.real(3)});
+    if (scene.size() < recording.actors().size()) continue;
+    recording.add(scene);
+    scene.clear();
+  }
+  if (!scene.empty()) damaged(database, "the observations", test_id);
+}
+
+}  // namespace
+
+std::vector<StoredTest> read_tests(Database& database, const ExperimentDescription& description,
+                                   const TestFilter& filter) {
+  std::string sql(kTestColumns);
+  sql +=
+      "WHERE id >= ?1 AND id <= ?2 AND (?3 IS NULL OR agents = ?3) "
+      "AND (?4 IS NULL OR met_precondition = ?4) ORDER BY id LIMIT ?5";
+  std::int64_t first = 0;
+  std::int64_t last = kMaxTestId;
+  if (filter.behaviour) {
+    const auto width = static_cast<std::int64_t>(description.agents.size() * description.tests);
+    first = static_cast<std::int64_t>(*filter.behaviour) * width + 1;
+    last = first + width - 1;
+  }
+  std::optional<int> succeeded;
+  if (filter.succeeded) succeeded = *filter.succeeded ? 1 : 0;
+  Statement row(database, sql);
+  row.bind(first, last, filter.agents, succeeded,
+           filter.limit ? static_cast<std::int64_t>(*filter.limit) : std::int64_t{-1});
+  std::vector<StoredTest> tests;
+  while (row.step()) tests.push_back(test_of(database, description, row));
+  return tests;
+}
+
+std::optional<StoredTest> read_test(Database& database, const ExperimentDescription& description,
+                                    std::int64_t id) {
+  Statement row(database, std::string(kTestColumns) + "WHERE id = ?");
+  row.bind(id);
+  if (!row.step()) return std::nullopt;
+  return test_of(database, description, row);
+}
+
+std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id) {
+  std::vector<AgentScore> scores;
+  Statement row = rows_of(database, test_id, "cost, reward", "actors");
+  while (row.step()) {
+    if (!row.is_null(0)) scores.push_back({.cost = row.real(0), .reward = row.real(1)});
+  }
+  return scores;
+}
+
+std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id) {
+  std::vector<Assessment> assessments;
+  Statement row =
+      rows_of(database, test_id, "name, value, tick, actor, robustness, verdict", "assessments");
+  while (row.step()) {
+    const auto verdict = parse_assessment_verdict(row.text(5));
+    if (!verdict) damaged(database, "a verdict", test_id);
+    assessments.push_back({.id = row.text(0),
+                           .value = real_or_null(row, 1),
+                           .tick = integer_or_null<std::uint32_t>(row, 2),
+                           .actor = integer_or_null<std::uint32_t>(row, 3),
+                           .robustness = real_or_null(row, 4),
+                           .verdict = verdict.value_or(AssessmentVerdict::none)});
+  }
+  return assessments;
+}
+
+Recording read_recording(Database& database, double tick_s, std::int64_t test_id) {
+  Recording recording(tick_s, read_actors(database, test_id));
+  if (recording.actors().empty()) {
+    damaged(database, "the actors", test_id);
+    return recording;
+  }
+  read_scenes(database, test_id, recording);
+  Statement row = rows_of(database, test_id, "tick, actor, kind, text", "events");
+  while (row.step()) {
+    recording.add(RecordedEvent{.tick = row.integer<std::uint32_t>(0),
+                                .actor = integer_or_null<std::uint32_t>(row, 1),
+                                .kind = row.text(2),
+                                .text = row.text(3)});
+  }
+  return recording;
+}
+
+}  // namespace jaywalk

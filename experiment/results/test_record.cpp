@@ -1,0 +1,33 @@
+#include "experiment/results/test_record.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace jaywalk {
+namespace {
+
+constexpr std::array<std::string_view, 4> kVerdicts = {"none", "vacuous", "pass", "fail"};
+
+}  // namespace
+
+std::string_view name(AssessmentVerdict verdict) {
+  return kVerdicts[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<AssessmentVerdict> parse_assessment_verdict(std::string_view text) {
+  const auto found = std::ranges::find(kVerdicts, text);
+  if (found == kVerdicts.end()) return std::nullopt;
+  return static_cast<AssessmentVerdict>(found - kVerdicts.begin());
+}
+
+TestRecord make_test_record(const TestCase& test, const TestResult& result,
+                            const TrialResult& trial, Recording recording) {
+  TestRecord record{.test = test, .result = result, .recording = std::move(recording)};
+  for (const PedestrianOutcome& outcome : trial.outcome.pedestrians) {
+    record.scores.push_back({.cost = outcome.cost, .reward = outcome.reward});
+  }
+  return record;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,246 @@
+#include "experiment/results/writer.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "experiment/results/row_writer.h"
+#include "experiment/results/schema.h"
+#include "experiment/results/store_file.h"
+
+namespace jaywalk {
+namespace {
+
+/// As many actors' states as may wait to be written; about 30 MB.
+constexpr std::size_t kMaxWaiting = 1'000'000;
+/// A transaction for each test would be ten times as slow; what came in within this time shares
+/// one.
+constexpr auto kGather = std::chrono::milliseconds(30);
+
+std::size_t weight(const TestRecord& record) {
+  constexpr std::size_t kEmptyRecord = 10;
+  return kEmptyRecord + record.recording.scenes() * record.recording.actors().size();
+}
+
+/// Why the plan is too large to number its tests.
+std::optional<std::string> excess(const ExperimentDescription& description) {
+  const std::uint64_t cells = description.behaviours.size() * description.agents.size();
+  if (cells == 0 || description.tests == 0) return "there are no tests to store";
+  if (cells <= static_cast<std::uint64_t>(kMaxTestId) / description.tests) return std::nullopt;
+  return fmt::format("more than {} tests cannot be stored", kMaxTestId);
+}
+
+/// A file of this name with its tables and description, complete or not there at all.
+std::optional<Diagnostics> create_file(const std::string& path,
+                                       const ExperimentDescription& description) {
+  std::error_code error;
+  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
+  std::filesystem::remove(temporary, error);
+  std::optional<std::string> failure;
+  {
+    Database database(temporary, Database::Mode::create);
+    // Larger pages than SQLite's own make rows of this size cheaper to write.
+    database.execute("PRAGMA page_size = 16384");
+    database.execute("BEGIN");
+    create_tables(database);
+    write_description(database, description);
+    database.execute("COMMIT");
+    if (database.failure()) failure = trouble_with(database);
+  }
+  // A link, unlike a renamed file, takes no other file's place.
+  if (!failure && ::link(temporary.c_str(), path.c_str()) != 0) {
+    failure = std::generic_category().message(errno);
+  }
+  std::filesystem::remove(temporary, error);
+  if (!failure) return std::nullopt;
+  return store_error(path, fmt::format("cannot be written: {}", *failure));
+}
+
+/// What keeps the store from being continued by this experiment.
+std::optional<Diagnostics> mismatch(const std::string& path, const ExperimentDescription& stored,
+                                    const ExperimentDescription& wanted) {
+  const auto refuse = [&](std::string why) {
+    return store_error(path, std::move(why), "choose another file, or ask for the same experiment");
+  };
+  if (const std::string why = difference(stored, wanted); !why.empty()) {
+    return refuse(fmt::format("the store holds another experiment: {}", why));
+  }
+  if (stored.level != wanted.level) {
+    return refuse(
+        fmt::format("the store's level is {}, not {}", name(stored.level), name(wanted.level)));
+  }
+  if (stored.shard != wanted.shard) {
+    return refuse(fmt::format("the store holds shard {}/{}, not {}/{}", stored.shard.index,
+                              stored.shard.count, wanted.shard.index, wanted.shard.count));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+class ResultsWriter::Impl {
+ public:
+  Impl(std::unique_ptr<Database> database, ExperimentDescription description)
+      : database_(std::move(database)), description_(std::move(description)) {
+    read_ids();
+    writer_ = std::jthread([this] { write_until_closed(); });
+  }
+
+  ~Impl() { close(); }
+
+  [[nodiscard]] bool had(const TestCase& test) const {
+    const auto id = static_cast<std::size_t>(test_id(description_, test));
+    return id < had_.size() && had_[id];
+  }
+  [[nodiscard]] std::uint64_t had() const { return count_; }
+  [[nodiscard]] const std::optional<std::string>& database_failure() const {
+    return database_->failure();
+  }
+
+  void add(TestRecord record) {
+    const std::size_t size = weight(record);
+    std::unique_lock lock(mutex_);
+    taken_.wait(lock, [&] { return failure_ || weight_ == 0 || weight_ + size <= kMaxWaiting; });
+    if (failure_) return;
+    waiting_.push_back(std::move(record));
+    weight_ += size;
+    came_in_.notify_one();
+  }
+
+  [[nodiscard]] std::optional<std::string> failure() const {
+    const std::lock_guard lock(mutex_);
+    return failure_;
+  }
+
+  std::optional<std::string> close() {
+    {
+      const std::lock_guard lock(mutex_);
+      closed_ = true;
+      came_in_.notify_one();
+    }
+    if (writer_.joinable()) writer_.join();
+    if (database_ && !failure_) finish_file();
+    database_.reset();
+    return failure_;
+  }
+
+ private:
+  void read_ids() {
+    Statement row(*database_, "SELECT id FROM tests ORDER BY id");
+    while (row.step()) {
+      const std::int64_t id = row.number(0);
+      if (!find_test(description_, id)) {
+        database_->fail(fmt::format("the store is damaged: it has a test {}", id));
+        return;
+      }
+      had_.resize(static_cast<std::size_t>(id) + 1);
+      had_.back() = true;
+      ++count_;
+    }
+  }
+
+  void write_until_closed() {
+    RowWriter rows(*database_, description_);
+    std::vector<TestRecord> records;
+    while (take(records)) {
+      database_->execute("BEGIN");
+      for (const TestRecord& record : records) rows.write(record);
+      database_->execute("COMMIT");
+      written_ += records.size();
+      records.clear();
+      if (database_->failure()) {
+        give_up(trouble_with(*database_));
+        return;
+      }
+    }
+  }
+
+  /// All that is waiting; false once there is nothing more to come.
+  bool take(std::vector<TestRecord>& records) {
+    std::unique_lock lock(mutex_);
+    came_in_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
+    came_in_.wait_for(lock, kGather, [&] { return closed_ || weight_ > kMaxWaiting / 2; });
+    records.swap(waiting_);
+    weight_ = 0;
+    taken_.notify_all();
+    return !records.empty();
+  }
+
+  void give_up(std::string why) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::move(why);
+    taken_.notify_all();
+  }
+
+  void finish_file() {
+    const std::uint64_t cells = description_.behaviours.size() * description_.agents.size();
+    if (written_ > 0) note_extents(*database_);
+    if (count_ + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
+    // One file without a log beside it, which can be read from anywhere.
+    database_->execute("PRAGMA journal_mode = DELETE");
+    if (database_->failure()) give_up(trouble_with(*database_));
+  }
+
+  std::unique_ptr<Database> database_;
+  ExperimentDescription description_;
+  std::vector<bool> had_;  // by id
+  std::uint64_t count_ = 0;
+  std::uint64_t written_ = 0;
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable came_in_;
+  std::condition_variable taken_;
+  std::vector<TestRecord> waiting_;
+  std::size_t weight_ = 0;
+  bool closed_ = false;
+  std::optional<std::string> failure_;
+
+  std::jthread writer_;
+};
+
+ResultsWriter::ResultsWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ResultsWriter::~ResultsWriter() = default;
+
+Result<std::unique_ptr<ResultsWriter>> ResultsWriter::create(
+    const std::string& path, const ExperimentDescription& description) {
+  std::error_code error;
+  if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    return store_error(path, "the file exists",
+                       "--resume continues a store; otherwise choose another name");
+  }
+  return resume(path, description);
+}
+
+Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
+    const std::string& path, const ExperimentDescription& description) {
+  if (const auto why = excess(description)) return store_error(path, *why);
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    if (auto failure = create_file(path, description)) return std::move(*failure);
+  }
+  auto seen = open_to_read(path, Scrutiny::all);
+  if (!seen) return std::move(seen.diagnostics());
+  if (auto why = mismatch(path, seen.value().description, description)) return std::move(*why);
+  seen.value().database.reset();
+  auto database = open_to_write(path);
+  if (!database) return std::move(database.diagnostics());
+  auto impl = std::make_unique<Impl>(std::move(database).value(), description);
+  if (auto failure = impl->failure()) return store_error(path, *failure);
+  return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(impl)));
+}
+
+bool ResultsWriter::had(const TestCase& test) const { return impl_->had(test); }
+std::uint64_t ResultsWriter::had() const { return impl_->had(); }
+void ResultsWriter::add(TestRecord record) { impl_->add(std::move(record)); }
+std::optional<std::string> ResultsWriter::failure() const { return impl_->failure(); }
+std::optional<std::string> ResultsWriter::finish() { return impl_->close(); }
+
+}  // namespace jaywalk

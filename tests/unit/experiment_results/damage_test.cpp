@@ -1,0 +1,146 @@
+// Files that are no stores, or not whole ones: a clear message, and not a byte of them is changed.
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <sqlite3.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiment/results/reader.h"
+#include "experiment/results/writer.h"
+#include "tests/unit/experiment_results/experiment_runs.h"
+
+namespace jaywalk {
+namespace {
+
+using testing::HasSubstr;
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+void run_sql(const std::string& path, const char* sql) {
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &connection), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(connection, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sql;
+  sqlite3_close(connection);
+}
+
+class Damage : public StoreTest {
+ protected:
+  /// Nobody opens the file, and nobody changes it.
+  void expect_refused(const std::string& path, const std::string& why) {
+    const std::string before = read_bytes(path);
+    EXPECT_THAT(message_of(ResultsReader::open(path)), HasSubstr(why));
+    EXPECT_THAT(message_of(ResultsWriter::resume(path, description())), HasSubstr(why));
+    EXPECT_THAT(message_of(AssessmentWriter::open(path)), HasSubstr(why));
+    EXPECT_TRUE(read_bytes(path) == before) << path << " was changed";
+  }
+};
+
+TEST_F(Damage, OfFilesThatAreNoStores) {
+  write_bytes(file("text.gpkg"), "not a store");
+  expect_refused(file("text.gpkg"), "it is no SQLite file");
+  write_bytes(file("empty.gpkg"), "");
+  expect_refused(file("empty.gpkg"), "it is no SQLite file");
+  run_sql(file("sqlite.gpkg"), "CREATE TABLE t (x)");
+  expect_refused(file("sqlite.gpkg"), "a SQLite file, but no GeoPackage");
+  run_sql(file("other.gpkg"), "CREATE TABLE t (x); PRAGMA application_id = 0x47504B47");
+  expect_refused(file("other.gpkg"), "a GeoPackage that jaywalk did not write");
+}
+
+TEST_F(Damage, OfStoresOfAnotherVersion) {
+  write(file("a.gpkg"), description(), cases());
+  run_sql(file("a.gpkg"), "UPDATE versions SET version = '2' WHERE subject = 'store'");
+  expect_refused(file("a.gpkg"), "its tables have version 2, this jaywalk knows version 1");
+}
+
+TEST_F(Damage, OfAStoreThatIsCutOff) {
+  write(file("a.gpkg"), description(), cases());
+  const std::string whole = read_bytes(file("a.gpkg"));
+  for (const std::size_t size : {whole.size() - 1, whole.size() / 2, std::size_t{4096}}) {
+    write_bytes(file("cut.gpkg"), whole.substr(0, size));
+    expect_refused(file("cut.gpkg"), "it is cut off");
+  }
+  for (const std::size_t size : {std::size_t{0}, std::size_t{50}}) {
+    write_bytes(file("cut.gpkg"), whole.substr(0, size));
+    expect_refused(file("cut.gpkg"), "it is no SQLite file");
+  }
+}
+
+TEST_F(Damage, AnywhereIsNoticedBeforeAStoreIsContinued) {
+  write(file("a.gpkg"), description(StoreLevel::all), cases());
+  const std::string whole = read_bytes(file("a.gpkg"));
+  // Whole pages of other bytes: the root page of some table, or one further down.
+  constexpr std::size_t kPage = 16384;
+  for (std::size_t page = 1; page < whole.size() / kPage; page += 3) {
+    std::string bytes = whole;
+    bytes.replace(page * kPage, kPage, kPage, '\x5A');
+    write_bytes(file("damaged.gpkg"), bytes);
+    EXPECT_NE(message_of(ResultsWriter::resume(file("damaged.gpkg"), description(StoreLevel::all))),
+              "")
+        << "page " << page;
+    EXPECT_TRUE(read_bytes(file("damaged.gpkg")) == bytes) << page;
+    // Whoever reads it gets values or a message.
+    if (auto reader = ResultsReader::open(file("damaged.gpkg"))) {
+      (void)reader.value()->comparison();
+      for (std::int64_t id = 1; id <= 48; ++id) {
+        (void)reader.value()->recording(id);
+        (void)reader.value()->assessments(id);
+      }
+    }
+  }
+}
+
+TEST_F(Damage, OfADescriptionThatMakesNoSense) {
+  for (const char* sql :
+       {"UPDATE experiment SET tests = -1", "UPDATE experiment SET tests = 4611686018427387904",
+        "UPDATE experiment SET shard = 9", "UPDATE experiment SET level = 'much'",
+        "DELETE FROM experiment", "DELETE FROM behaviours", "UPDATE experiment SET tick_s = 0"}) {
+    write(file("a.gpkg"), description(), cases());
+    run_sql(file("a.gpkg"), sql);
+    expect_refused(file("a.gpkg"), "its description makes no sense");
+    std::filesystem::remove(file("a.gpkg"));
+  }
+}
+
+TEST_F(Damage, OfAnotherExperimentIsNotDone) {
+  write(file("a.gpkg"), description(), cases());
+  const std::string before = read_bytes(file("a.gpkg"));
+  ExperimentDescription other = description();
+  other.seed = 99;
+  EXPECT_EQ(message_of(ResultsWriter::resume(file("a.gpkg"), other)),
+            "the store holds another experiment: the seeds are 5 and 99");
+  EXPECT_EQ(message_of(ResultsWriter::resume(file("a.gpkg"), description(StoreLevel::all))),
+            "the store's level is found, not all");
+  EXPECT_EQ(message_of(ResultsWriter::create(file("a.gpkg"), description())), "the file exists");
+  EXPECT_TRUE(read_bytes(file("a.gpkg")) == before);
+}
+
+TEST_F(Damage, ByTwoWritersIsPrevented) {
+  auto first = ResultsWriter::create(file("a.gpkg"), description());
+  ASSERT_TRUE(first.ok());
+  EXPECT_EQ(message_of(ResultsWriter::resume(file("a.gpkg"), description())),
+            "another process is writing the store");
+  EXPECT_EQ(message_of(ResultsReader::open(file("a.gpkg"))),
+            "another process is writing the store");
+  first.value()->add(run(cases().front()));
+  EXPECT_EQ(first.value()->finish(), std::nullopt);
+  EXPECT_EQ(message_of(ResultsReader::open(file("a.gpkg"))), "");
+}
+
+TEST_F(Damage, ByAFolderThatIsNotThere) {
+  EXPECT_THAT(message_of(ResultsWriter::create(file("none/a.gpkg"), description())),
+              HasSubstr("No such file or directory"));
+  EXPECT_THAT(message_of(ResultsReader::open(file("none/a.gpkg"))), HasSubstr("no such file"));
+}
+
+}  // namespace
+}  // namespace jaywalk
