@@ -1,6 +1,8 @@
 # What a test recorded as signals, metrics of it, and temporal logic over it. Included by
 # CMakeLists.txt beside it.
 target_sources(jaywalk_experiment PRIVATE
+  assertions/assertion.cpp
+  assertions/assertion_file.cpp
   assertions/grammar.cpp
   assertions/resolve.cpp
   assertions/robustness.cpp

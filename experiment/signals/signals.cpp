@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <string>
 
 namespace jaywalk {
 namespace {
@@ -15,24 +16,25 @@ constexpr std::array kCompute = {
 #undef JAYWALK_SIGNAL
 };
 
-/// `av_speed` is written `av.speed`.
-constexpr std::array kNames = {
-#define JAYWALK_SIGNAL(name, owner, type, unit, summary) std::string_view(#name),
-#include "experiment/signals/signals.def"
-#undef JAYWALK_SIGNAL
-};
-
-constexpr std::string_view written(std::string_view name, SignalOwner owner) {
-  return owner == SignalOwner::av ? name.substr(std::string_view("av_").size()) : name;
-}
-
 }  // namespace
 
 std::span<const Signal> signals() {
-  static constexpr std::array kSignals = {
-#define JAYWALK_SIGNAL(name, owner, type, unit, summary)                                \
-  Signal{written(kNames[static_cast<std::size_t>(SignalId::name)], SignalOwner::owner), \
-         SignalOwner::owner, SignalKind::type, unit, summary},
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names = {
+#define JAYWALK_SIGNAL(name, owner, type, unit, summary) #name,
+#include "experiment/signals/signals.def"
+#undef JAYWALK_SIGNAL
+    };
+    // `av_speed` is written `av.speed`.
+    for (std::string& name : names) {
+      if (name.starts_with("av_")) name[2] = '.';
+    }
+    return names;
+  }();
+  static const std::array kSignals = {
+#define JAYWALK_SIGNAL(name, owner, type, unit, summary)                                         \
+  Signal{kNames[static_cast<std::size_t>(SignalId::name)], SignalOwner::owner, SignalKind::type, \
+         unit, summary},
 #include "experiment/signals/signals.def"
 #undef JAYWALK_SIGNAL
   };
