@@ -1,7 +1,9 @@
 #include "experiment/results/database.h"
 
 #include <cstring>
+#include <filesystem>
 #include <sqlite3.h>
+#include <system_error>
 #include <utility>
 
 namespace jaywalk {
@@ -40,9 +42,12 @@ void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(conn
 
 Database::Database(const std::string& path, Mode mode) {
   sqlite3* connection = nullptr;
-  // Each connection is used by one thread at a time.
-  const int code =
-      sqlite3_open_v2(path.c_str(), &connection, flags_of(mode) | SQLITE_OPEN_NOMUTEX, nullptr);
+  // A URI is only what we make one (see merge.cpp), so a path begins with its root. Each connection
+  // is used by one thread at a time.
+  std::error_code error;
+  const std::string root_path = std::filesystem::absolute(path, error).generic_string();
+  const int code = sqlite3_open_v2(root_path.c_str(), &connection,
+                                   flags_of(mode) | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, nullptr);
   connection_.reset(connection);
   if (code != SQLITE_OK) note(code);
   // What is in a file is data: its schema calls no functions, its pages are checked when read.

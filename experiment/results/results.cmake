@@ -4,6 +4,8 @@ target_sources(jaywalk_experiment PRIVATE
   results/database.cpp
   results/description.cpp
   results/geometry.cpp
+  results/merge.cpp
+  results/new_file.cpp
   results/reader.cpp
   results/row_writer.cpp
   results/schema.cpp

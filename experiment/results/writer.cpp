@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <mutex>
 #include <thread>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "experiment/results/new_file.h"
 #include "experiment/results/row_writer.h"
 #include "experiment/results/schema.h"
 #include "experiment/results/store_file.h"
@@ -36,32 +36,6 @@ std::optional<std::string> excess(const ExperimentDescription& description) {
   if (cells == 0 || description.tests == 0) return "there are no tests to store";
   if (cells <= static_cast<std::uint64_t>(kMaxTestId) / description.tests) return std::nullopt;
   return fmt::format("more than {} tests cannot be stored", kMaxTestId);
-}
-
-/// A file of this name with its tables and description, complete or not there at all.
-std::optional<Diagnostics> create_file(const std::string& path,
-                                       const ExperimentDescription& description) {
-  std::error_code error;
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
-  std::filesystem::remove(temporary, error);
-  std::optional<std::string> failure;
-  {
-    Database database(temporary, Database::Mode::create);
-    // Larger pages than SQLite's own make rows of this size cheaper to write.
-    database.execute("PRAGMA page_size = 16384");
-    database.execute("BEGIN");
-    create_tables(database);
-    write_description(database, description);
-    database.execute("COMMIT");
-    if (database.failure()) failure = trouble_with(database);
-  }
-  // A link, unlike a renamed file, takes no other file's place.
-  if (!failure && ::link(temporary.c_str(), path.c_str()) != 0) {
-    failure = std::generic_category().message(errno);
-  }
-  std::filesystem::remove(temporary, error);
-  if (!failure) return std::nullopt;
-  return store_error(path, fmt::format("cannot be written: {}", *failure));
 }
 
 /// What keeps the store from being continued by this experiment.
@@ -224,7 +198,11 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   if (const auto why = excess(description)) return store_error(path, *why);
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
-    if (auto failure = create_file(path, description)) return std::move(*failure);
+    const auto fill = [&](Database& database) {
+      create_tables(database);
+      write_description(database, description);
+    };
+    if (auto failure = create_store_file(path, fill)) return std::move(*failure);
   }
   auto seen = open_to_read(path, Scrutiny::all);
   if (!seen) return std::move(seen.diagnostics());

@@ -1,6 +1,7 @@
 // `jaywalk compare`: behaviours x numbers of agents x seeded tests, in parallel.
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "experiment/number_list.h"
 #include "experiment/report/chart.h"
 #include "experiment/report/table.h"
+#include "experiment/results/reader.h"
 #include "experiment/trial.h"
 #include "experiment/trimmed.h"
 #include "experiment/verdict.h"
@@ -22,6 +24,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/store_options.h"
 
 namespace jaywalk::command::compare {
 namespace {
@@ -34,6 +37,7 @@ struct Request {
   std::uint64_t seed = 0;
   ExperimentPlan plan;
   std::vector<FailureCondition> conditions;
+  std::optional<StoreOptions> store;
 };
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -61,6 +65,7 @@ struct Options {
   std::optional<std::uint64_t> threads;
   std::optional<std::vector<std::uint32_t>> agents;
   std::vector<FailureCondition> conditions;
+  std::optional<StoreOptions> store;
 };
 
 Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
@@ -84,6 +89,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
       diagnostics.append(std::move(condition.diagnostics()));
     }
   }
+  options.store = read_store_options(arguments, diagnostics);
   return options;
 }
 
@@ -101,7 +107,8 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   }
   Request request{.prepared = prepare_scenario(arguments.operands().front(), arguments,
                                                behaviours_of(arguments), console),
-                  .conditions = options.conditions};
+                  .conditions = options.conditions,
+                  .store = options.store};
   if (!request.prepared) return std::nullopt;
   const ExperimentSpec& defaults = request.prepared->scenario().experiment;
   request.seed = options.seed.value_or(defaults.seed);
@@ -151,22 +158,89 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
   return diagnostics;
 }
 
-Result<TestResult> run_test(const Request& request, const TestCase& test) {
+/// Runs a test and hands it to the store, if there is one.
+Result<TestResult> run_test(const Request& request, const TestCase& test, ResultsWriter* store) {
   const TrialInput input{.behaviour = test.behaviour,
                          .agents = test.agents,
                          .seed = request.seed,
                          .test = test.number};
   const auto start = std::chrono::steady_clock::now();
-  TrialResult trial = run_trial(*request.prepared, input, {.measure_cpu = true});
+  Recording recording;
+  TrialResult trial =
+      run_trial(*request.prepared, input,
+                {.record = store != nullptr ? &recording : nullptr, .measure_cpu = true});
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
   }
-  return TestResult{.succeeded = trial.outcome.success,
-                    .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
-                    .score = trial.outcome.score(),
-                    .cpu_us = trial.cpu_s * 1e6,
-                    .wall_us = wall.count()};
+  const TestResult result{.succeeded = trial.outcome.success,
+                          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+                          .score = trial.outcome.score(),
+                          .cpu_us = trial.cpu_s * 1e6,
+                          .wall_us = wall.count()};
+  if (store != nullptr) store->add(make_test_record(test, result, trial, std::move(recording)));
+  return result;
+}
+
+/// What is to be run: everything, or what the store wants and does not have.
+class Selection {
+ public:
+  Selection(const Request& request, const ResultsWriter* store)
+      : store_(store), shard_(request.store ? request.store->shard : Shard{}) {
+    const ExperimentPlan& plan = request.plan;
+    const std::uint64_t cells = plan.behaviours.size() * plan.agents.size();
+    const std::uint64_t each = (plan.tests + shard_.count - shard_.index) / shard_.count;
+    wanted_ = cells * each - (store != nullptr ? store->had() : 0);
+  }
+
+  [[nodiscard]] bool has(const TestCase& test) const {
+    return shard_.has(test.number) && (store_ == nullptr || !store_->had(test));
+  }
+  /// How many tests it has.
+  [[nodiscard]] std::uint64_t size() const { return wanted_; }
+
+ private:
+  const ResultsWriter* store_;
+  Shard shard_;
+  std::uint64_t wanted_ = 0;
+};
+
+/// Runs what is selected; whoever looks at the progress sees nothing of the rest.
+ExperimentOutcome run_selection(const Request& request, const Selection& selection,
+                                ResultsWriter* store, const ProgressFunction& progress) {
+  std::atomic<std::uint64_t> done = 0;
+  const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
+    if (!selection.has(test_case)) return TestResult{};
+    auto result = run_test(request, test_case, store);
+    done.fetch_add(1, std::memory_order_relaxed);
+    return result;
+  };
+  const auto own_progress = [&](const Progress&) {
+    const bool broken = store != nullptr && store->failure();
+    const Proceed proceed = progress({.done = done, .total = selection.size()});
+    return broken ? Proceed::no : proceed;
+  };
+  ExperimentOutcome outcome = run_experiment(request.plan, test, own_progress);
+  outcome.progress = {.done = done, .total = selection.size()};
+  return outcome;
+}
+
+ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
+  return describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)),
+                  request.plan, request.seed);
+}
+
+/// Summed up from the store, which may have had tests before; nothing after reporting why not.
+std::optional<Comparison> stored_comparison(const std::string& path, Console& console) {
+  auto store = ResultsReader::open(path);
+  if (!store) {
+    console.report(store.diagnostics());
+    return std::nullopt;
+  }
+  auto comparison = store.value()->comparison();
+  if (comparison) return std::move(comparison).value();
+  console.report(comparison.diagnostics());
+  return std::nullopt;
 }
 
 Comparison make_comparison(const Request& request, ExperimentOutcome& outcome) {
@@ -232,6 +306,24 @@ bool failed(const Request& request, const Comparison& comparison, Console& conso
   return any;
 }
 
+/// What is there, and how to get the rest.
+std::string interruption(const Request& request, const ExperimentOutcome& outcome,
+                         const Comparison& comparison) {
+  std::string text = fmt::format(
+      "interrupted after {} of {} tests; the rows shown and written are finished, {} of {}.\n",
+      outcome.progress.done, outcome.progress.total, comparison.summaries.size(),
+      request.plan.behaviours.size() * request.plan.agents.size());
+  if (!request.store) {
+    return text +
+           "To get the others, run the same command again (--behaviours and --agents leave out "
+           "rows).";
+  }
+  return text + fmt::format(
+                    "All finished tests are in '{}'; the same command with --resume runs "
+                    "the others.",
+                    request.store->path);
+}
+
 }  // namespace
 
 CommandHelp help() {
@@ -266,7 +358,10 @@ CommandHelp help() {
           "  jaywalk compare scenarios/paper.yaml --tests 200 --agents 1,3,10 --csv out.csv\n"
           "  jaywalk compare scenarios/paper.yaml --behaviours proximity,mine.asl\n"
           "  jaywalk compare scenarios/paper.yaml --set world.spawn.choose=cell\n"
+          "  jaywalk compare scenarios/paper.yaml --store paper.gpkg --resume\n"
+          "  jaywalk compare scenarios/paper.yaml --store 2.gpkg --shard 2/4\n"
           "  jaywalk compare scenarios/paper.yaml --behaviours election --fail-on 'accuracy<40'\n"};
+  help.options.insert(help.options.end(), kStoreOptions.begin(), kStoreOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
   return help;
 }
@@ -283,32 +378,39 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::usage;
   }
 
+  std::unique_ptr<ResultsWriter> store;
+  if (request->store) {
+    store = open_store(*request->store, describe_experiment(*request, arguments), console);
+    if (!store) return ExitCode::usage;
+  }
+
   const InterruptGuard interrupt;
   ProgressLine line(console);
-  const auto progress = [&](const Progress& now) {
-    line.show(now);
-    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
-  };
-  const auto test = [&](const TestCase& test_case) { return run_test(*request, test_case); };
-  ExperimentOutcome outcome = run_experiment(request->plan, test, progress);
+  const Selection selection(*request, store.get());
+  ExperimentOutcome outcome =
+      run_selection(*request, selection, store.get(), [&](const Progress& now) {
+        line.show(now);
+        return interrupt.interrupted() ? Proceed::no : Proceed::yes;
+      });
   line.clear();
+  const bool kept = !store || finish_store(*store, request->store->path, console);
   if (outcome.failed_test) {
     console.report(outcome.failure);
     return ExitCode::failed;
   }
+  if (!kept) return ExitCode::failed;
 
-  const Comparison comparison = make_comparison(*request, outcome);
-  const bool written = write_outputs(arguments, *request, comparison, console);
-  if (!arguments.has("quiet")) console.print(render_table(comparison));
-  if (!comparison.complete) {
-    console.note(fmt::format(
-        "interrupted after {} of {} tests; the rows shown and written are finished, {} of {}.\n"
-        "To get the others, run the same command again (--behaviours and --agents leave out rows).",
-        outcome.progress.done, outcome.progress.total, comparison.summaries.size(),
-        request->plan.behaviours.size() * request->plan.agents.size()));
+  std::optional<Comparison> comparison = request->store
+                                             ? stored_comparison(request->store->path, console)
+                                             : make_comparison(*request, outcome);
+  if (!comparison) return ExitCode::failed;
+  const bool written = write_outputs(arguments, *request, *comparison, console);
+  if (!arguments.has("quiet")) console.print(render_table(*comparison));
+  if (!comparison->complete) {
+    console.note(interruption(*request, outcome, *comparison));
     return ExitCode::interrupted;
   }
-  if (failed(*request, comparison, console) || !written) return ExitCode::failed;
+  if (failed(*request, *comparison, console) || !written) return ExitCode::failed;
   return ExitCode::success;
 }
 

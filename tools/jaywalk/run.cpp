@@ -16,8 +16,8 @@ namespace jaywalk::command::run {
 namespace {
 
 /// Options that mean something for one kind of file only.
-constexpr std::array<std::string_view, 7> kForScenarios = {"set",  "preset", "behaviour", "agents",
-                                                           "test", "watch",  "speed"};
+constexpr std::array<std::string_view, 8> kForScenarios = {"set",  "preset", "behaviour", "agents",
+                                                           "test", "watch",  "speed",     "store"};
 constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "include", "map",
                                                           "ignore-java"};
 
@@ -58,6 +58,7 @@ CommandHelp help() {
               {"test", "N", "of a scenario: which test, from 0"},
               {"watch", "", "of a scenario: draw the test tick by tick"},
               {"speed", "X", "of --watch: ticks a second (default 2)"},
+              {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)"},
           },
       .examples =
           "  jaywalk run hello.asl\n"

@@ -14,6 +14,7 @@
 #include "experiment/trial.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/store_options.h"
 #include "tools/jaywalk/watch.h"
 
 namespace jaywalk {
@@ -30,6 +31,11 @@ struct Request {
   /// Ticks a second.
   double speed = kDefaultSpeed;
 };
+
+std::vector<std::string> behaviours_of(const Arguments& arguments) {
+  if (const auto behaviour = arguments.text("behaviour")) return {*behaviour};
+  return {};
+}
 
 std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
                                     Console& console) {
@@ -49,9 +55,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
     console.report(diagnostics);
     return std::nullopt;
   }
-  std::vector<std::string> behaviours;
-  if (const auto behaviour = arguments.text("behaviour")) behaviours.push_back(*behaviour);
-  request.prepared = prepare_scenario(path, arguments, std::move(behaviours), console);
+  request.prepared = prepare_scenario(path, arguments, behaviours_of(arguments), console);
   if (!request.prepared) return std::nullopt;
   const ExperimentSpec& defaults = request.prepared->scenario().experiment;
   request.input.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
@@ -126,6 +130,32 @@ class Viewer {
   std::ptrdiff_t lines_ = 0;
 };
 
+/// The store for this one test, with everything that is seen of it.
+std::unique_ptr<ResultsWriter> open_store(const Request& request, const Arguments& arguments,
+                                          const std::string& path, Console& console) {
+  const PreparedBehaviour& behaviour = request.prepared->behaviours()[request.input.behaviour];
+  const ExperimentPlan plan{
+      .behaviours = {behaviour.name}, .agents = {request.input.agents}, .tests = 1};
+  ExperimentDescription description =
+      describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)), plan,
+               request.input.seed);
+  // The first behaviour is the one that runs; the others are no part of the plan.
+  description.behaviours.resize(1);
+  description.first_test = request.input.test;
+  return open_store({.path = path, .level = StoreLevel::all}, std::move(description), console);
+}
+
+void store_test(const Request& request, const TrialResult& trial, Recording recording,
+                ResultsWriter& store) {
+  const TestCase test{.behaviour = request.input.behaviour,
+                      .agents = request.input.agents,
+                      .number = request.input.test};
+  const TestResult result{.succeeded = trial.outcome.success,
+                          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+                          .score = trial.outcome.score()};
+  store.add(make_test_record(test, result, trial, std::move(recording)));
+}
+
 }  // namespace
 
 ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, Console& console) {
@@ -150,6 +180,14 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
       if (!interrupt.interrupted()) viewer.show(crossing, mas);
     };
   }
+  const auto store_path = arguments.text("store");
+  std::unique_ptr<ResultsWriter> store;
+  Recording recording;
+  if (store_path) {
+    store = open_store(*request, arguments, *store_path, console);
+    if (!store) return ExitCode::usage;
+    options.record = &recording;
+  }
   const TrialResult result = run_trial(*request->prepared, request->input, options);
   if (interrupt.interrupted()) {
     console.note("interrupted");
@@ -158,6 +196,10 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   if (!result.completed) {
     console.error(result.message);
     return ExitCode::failed;
+  }
+  if (store) {
+    store_test(*request, result, std::move(recording), *store);
+    if (!finish_store(*store, *store_path, console)) return ExitCode::failed;
   }
   const std::string outcome = describe_result(result.outcome);
   if (watch) {

@@ -8,13 +8,17 @@ bool is_scenario_file(const std::string& path) {
   return path.ends_with(".yaml") || path.ends_with(".yml");
 }
 
+ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours) {
+  return {.preset = arguments.text("preset"),
+          .sets = arguments.texts("set"),
+          .behaviours = std::move(behaviours)};
+}
+
 std::shared_ptr<const PreparedScenario> prepare_scenario(const std::string& path,
                                                          const Arguments& arguments,
                                                          std::vector<std::string> behaviours,
                                                          Console& console) {
-  const ScenarioOptions options{.preset = arguments.text("preset"),
-                                .sets = arguments.texts("set"),
-                                .behaviours = std::move(behaviours)};
+  const ScenarioOptions options = scenario_options(arguments, std::move(behaviours));
   Result<Scenario> scenario = read_scenario(path, options);
   if (!scenario) {
     console.report(scenario.diagnostics());

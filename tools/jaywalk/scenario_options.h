@@ -30,6 +30,11 @@ inline constexpr std::uint64_t kMaxAgents = 10'000;
 /// The file names a scenario.
 [[nodiscard]] bool is_scenario_file(const std::string& path);
 
+/// How the options of `arguments` change a scenario, with `behaviours` in place of its own if there
+/// are any.
+[[nodiscard]] ScenarioOptions scenario_options(const Arguments& arguments,
+                                               std::vector<std::string> behaviours);
+
 /// Reads the scenario with the options of `arguments`, `behaviours` in place of its own if there
 /// are any, and compiles its programs; reports what is wrong and returns null if that fails.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> prepare_scenario(

@@ -1,0 +1,136 @@
+#include "experiment/results/merge.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiment/results/new_file.h"
+#include "experiment/results/schema.h"
+#include "experiment/results/store_file.h"
+
+namespace jaywalk {
+namespace {
+
+struct Part {
+  std::string path;
+  ExperimentDescription description;
+};
+
+/// The parts in an order that depends on what they are, not on how they were named.
+Result<std::vector<Part>> read_parts(const std::vector<std::string>& inputs) {
+  Diagnostics diagnostics;
+  std::vector<Part> parts;
+  for (const std::string& input : inputs) {
+    auto store = open_to_read(input, Scrutiny::all);
+    if (store) {
+      parts.push_back({.path = input, .description = std::move(store.value().description)});
+    } else {
+      diagnostics.append(std::move(store.diagnostics()));
+    }
+  }
+  if (diagnostics.has_errors()) return diagnostics;
+  std::ranges::sort(parts, [](const Part& left, const Part& right) {
+    return std::tie(left.description.shard.index, left.path) <
+           std::tie(right.description.shard.index, right.path);
+  });
+  return parts;
+}
+
+Diagnostics differences(const std::vector<Part>& parts) {
+  Diagnostics diagnostics;
+  const Part& first = parts.front();
+  for (const Part& part : parts) {
+    std::string why = difference(first.description, part.description);
+    if (why.empty() && first.description.level != part.description.level) {
+      why = fmt::format("the levels are {} and {}", name(first.description.level),
+                        name(part.description.level));
+    }
+    if (why.empty()) continue;
+    diagnostics.error(part.path,
+                      fmt::format("not of the same experiment as '{}': {}", first.path, why));
+  }
+  return diagnostics;
+}
+
+/// The path as a URI by which SQLite opens a file without ever writing to it.
+std::string read_only_uri(const std::string& path) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path).generic_string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
+      uri += c;
+    } else {
+      uri += fmt::format("%{:02X}", byte);
+    }
+  }
+  return uri + "?mode=ro";
+}
+
+/// A test that both have and that came out differently.
+std::optional<std::int64_t> contradiction(Database& database) {
+  return database.number(
+      "SELECT a.id FROM main.tests AS a JOIN part.tests AS b ON a.id = b.id "
+      "WHERE a.met_precondition <> b.met_precondition OR a.ticks <> b.ticks OR a.score <> b.score "
+      "ORDER BY a.id LIMIT 1");
+}
+
+void copy_tests(Database& database, const Part& part) {
+  Statement(database, "ATTACH ? AS part").run(read_only_uri(part.path));
+  database.execute("BEGIN");
+  if (const auto test = contradiction(database)) {
+    database.fail(
+        fmt::format("test {} of '{}' came out otherwise in another part", *test, part.path));
+  }
+  // The tests themselves come last: until then they tell which rows are there already.
+  const bool overlapping = database.number(
+                               "SELECT EXISTS (SELECT 1 FROM part.tests WHERE id IN "
+                               "(SELECT id FROM main.tests))") == 1;
+  for (auto table = kTablesOfTests.rbegin(); table != kTablesOfTests.rend(); ++table) {
+    const std::string_view key = *table == "tests" ? "id" : "test_id";
+    const std::string unless =
+        overlapping ? fmt::format("WHERE {} NOT IN (SELECT id FROM main.tests)", key) : "";
+    database.execute(
+        fmt::format("INSERT INTO main.{0} SELECT * FROM part.{0} {1} ORDER BY id", *table, unless));
+  }
+  database.execute("COMMIT");
+  database.execute("DETACH part");
+}
+
+}  // namespace
+
+Result<MergeOutcome> merge_stores(const std::string& output,
+                                  const std::vector<std::string>& inputs) {
+  auto parts = read_parts(inputs);
+  if (!parts) return std::move(parts.diagnostics());
+  if (parts.value().empty()) return store_error(output, "there is nothing to merge");
+  Diagnostics wrong = differences(parts.value());
+  if (wrong.has_errors()) return wrong;
+
+  ExperimentDescription whole = parts.value().front().description;
+  whole.shard = {};
+  MergeOutcome outcome;
+  outcome.planned = whole.behaviours.size() * whole.agents.size() * whole.tests;
+  const auto fill = [&](Database& database) {
+    create_tables(database);
+    write_description(database, whole);
+    database.execute("COMMIT");
+    // Parts are interleaved: enough memory to touch their pages once.
+    database.execute("PRAGMA cache_size = -200000");
+    for (const Part& part : parts.value()) copy_tests(database, part);
+    outcome.tests =
+        static_cast<std::uint64_t>(database.number("SELECT count(*) FROM tests").value_or(0));
+    database.execute("BEGIN");
+    note_extents(database);
+    if (outcome.tests == outcome.planned) complete_tables(database);
+  };
+  if (auto failure = create_store_file(output, fill)) return std::move(*failure);
+  return outcome;
+}
+
+}  // namespace jaywalk
