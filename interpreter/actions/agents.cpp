@@ -60,7 +60,8 @@ Outcome all_names(ActionCall& call) {
 Outcome create_agent(ActionCall& call) {
   const Value name = call.arg(0);
   if (!is_name(name) && !name.is_variable()) return call.wrong_argument(0, "a name or a variable");
-  if (!is_name(call.arg(1))) return call.wrong_argument(1, "the name of a file");
+  if (call.count() > 1 && !is_name(call.arg(1)))
+    return call.wrong_argument(1, "the name of a file");
   if (call.count() > 2) {
     const std::string java = java_class_in(call.arg(2), call.symbols());
     if (!java.empty()) {
@@ -70,7 +71,7 @@ Outcome create_agent(ActionCall& call) {
   const bool is_open = name.is_variable();
   const Society::Creation made = call.agent()->host().society().create(
       is_open ? name_for(name, call.symbols()) : text_of(name, call.symbols()),
-      text_of(call.arg(1), call.symbols()));
+      call.count() > 1 ? text_of(call.arg(1), call.symbols()) : std::string());
   if (!made.error.empty()) return call.fail("internal_action", made.error);
   return is_open ? call.result(0, call.heap().text(made.name)) : Outcome::succeeded;
 }

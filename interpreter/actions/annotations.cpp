@@ -59,7 +59,7 @@ Outcome add_nested_source(ActionCall& call) {
   const Value result = map_literals(call, call.arg(0), [&](Value literal) {
     return call.agent()->add_source(literal, call.arg(1));
   });
-  return call.result(2, result);
+  return when(call.unifier().unify(result, call.arg(2)));
 }
 
 Outcome remove_source_annot(ActionCall& call) {

@@ -156,17 +156,16 @@ Outcome verbose(ActionCall& call) {
 }
 
 Outcome print_unifier(ActionCall& call) {
-  std::string text;
   const std::span<const Symbol> names = call.unifier().slot_names();
   for (std::size_t i = 0; i < names.size() && call.slots() != nullptr; ++i) {
     const Value value = call.slots()[i];
     if (names[i] == names::unnamed || value.is_unset() || deref(value).is_variable()) continue;
-    if (!text.empty()) text += ", ";
-    text += call.symbols().text(names[i]);
-    text += '=';
-    append_term(text, call.unifier().apply(value), call.symbols());
+    std::string line(call.symbols().text(names[i]));
+    line += '=';
+    append_term(line, call.unifier().apply(value), call.symbols());
+    (void)print_line(call, line);
   }
-  return print_line(call, fmt::format("{{{}}}", text));
+  return print_line(call, "done");
 }
 
 }  // namespace jaywalk::actions

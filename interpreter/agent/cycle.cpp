@@ -199,8 +199,11 @@ void Agent::act() {
   executing_ = intention;
   execute(*intention);
   changed_ = true;
-  // Rule ClrInt
-  if (intention->state != Intention::State::finished) clear_intention(*intention);
+  // Rule ClrInt; what suspends itself by its last formula is not done before it is resumed.
+  if (intention->state != Intention::State::finished &&
+      intention->state != Intention::State::suspended) {
+    clear_intention(*intention);
+  }
   executing_ = nullptr;
 }
 

@@ -49,6 +49,7 @@ std::string end_text(RunEnd end) {
 void keep_files_in_memory(ProgramFile& file) {
   file.options.load_program = [&file](const ProgramRequest& request, SymbolTable& symbols,
                                       std::string& error) -> std::shared_ptr<const Program> {
+    file.files.try_emplace("");  // an agent may be created without a program
     const auto found = file.files.find(request.file);
     if (found == file.files.end()) {
       error = request.file + ": no such file";
@@ -86,11 +87,10 @@ TEST_P(Conformance, DoesAsItsCommentsSay) {
           : run_agents(file.agents, file.options);
   EXPECT_EQ(run.errors, file.errors) << path;
   if (!run.errors.empty()) return;
-  for (const NamedProgram& agent : file.agents) {
-    const auto expected = file.printed.find(agent.name);
-    EXPECT_EQ(run.printed_by(agent.name),
-              expected == file.printed.end() ? std::vector<std::string>{} : expected->second)
-        << path << ", agent " << agent.name;
+  auto printed = file.printed;  // agents that are created while it runs among them
+  for (const NamedProgram& agent : file.agents) printed.try_emplace(agent.name);
+  for (const auto& [agent, lines] : printed) {
+    EXPECT_EQ(run.printed_by(agent), lines) << path << ", agent " << agent;
   }
   for (const std::string& text : file.logged) {
     EXPECT_THAT(run.logged, ::testing::Contains(::testing::HasSubstr(text))) << path;

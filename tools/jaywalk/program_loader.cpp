@@ -43,7 +43,10 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
   const auto known = loaded_.find(key);
   if (known != loaded_.end() && known->second.changed == changed) return known->second.program;
   Diagnostics diagnostics;
-  const SourceTree tree = load_agent(path, include_path_, diagnostics);
+  // An agent may be created without a program.
+  const SourceTree tree = request.file.empty() ? load_agent(std::make_shared<const Source>("", ""),
+                                                            include_path_, diagnostics)
+                                               : load_agent(path, include_path_, diagnostics);
   auto program =
       compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
   if (program == nullptr) {

@@ -46,7 +46,7 @@ TEST(OutputActions, LogByLevel) {
 }
 
 TEST(OutputActions, ShowTheUnifier) {
-  expect_lines({{"X = 1; Y = f(Z, \"s\"); .print_unifier", {"{X=1, Y=f(Z,\"s\")}"}}});
+  expect_lines({{"X = 1; Y = f(Z, \"s\"); .print_unifier", {"X=1", "Y=f(Z,\"s\")", "done"}}});
 }
 
 }  // namespace

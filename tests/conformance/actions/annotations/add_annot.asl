@@ -1,0 +1,13 @@
+// .add_annot: a literal, or each of a list, with the annotation.
+!start.
++!start
+  <- .add_annot(a, source(jomi), B); .print(B); .add_annot(a[k], k, C); .print(C); .add_annot([a1, a2], k, L); .print(L);
+     .add_annot([], k, E); .print(E); .add_annot(f(1)[z], b(2), F); .print(F); !failure.
++!failure <- .add_annot(a, k, a); .print("matched").
+-!failure[error(E)] <- .print(E).
+// expect: a[source(jomi)]
+// expect: a[k]
+// expect: [a1[k],a2[k]]
+// expect: []
+// expect: f(1)[b(2),z]
+// expect: ia_failed
