@@ -2,9 +2,11 @@
 target_sources(jaywalk_experiment PRIVATE
   code_lines.cpp
   scenario.cpp
+  scenario_parameters.cpp
   scenario_presets.cpp
   scenario_reader.cpp
   scenario_schema.cpp
+  scenario_world.cpp
   scenario_yaml.cpp
   trial.cpp
   trial_prepare.cpp)

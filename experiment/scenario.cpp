@@ -138,7 +138,12 @@ class ScenarioBuilder {
   void finish() {
     Scenario& scenario = draft_.scenario;
     CrossingParameters& world = scenario.world;
-    if (draft_.speed_mps) world.av.speed = *draft_.speed_mps * world.tick_s / world.cell_m;
+    const double mps_to_cells = world.tick_s / world.cell_m;
+    if (draft_.speed_mps) world.av.speed = *draft_.speed_mps * mps_to_cells;
+    if (draft_.pedestrian_mps) world.pedestrians.speed = *draft_.pedestrian_mps * mps_to_cells;
+    for (std::size_t i = 0; i < draft_.actor_mps.size(); ++i) {
+      if (draft_.actor_mps[i]) world.actors[i].speed = *draft_.actor_mps[i] * mps_to_cells;
+    }
     for (ParameterProblem& problem : problems(world)) {
       report(diagnostics_, origin_of(problem.path), std::move(problem.message),
              fmt::format("the key is {}", problem.path));

@@ -41,11 +41,20 @@ struct AgentSettings {
   std::vector<ParameterSetting> parameters;
 };
 
+/// Agents of a behaviour that run a program of their own.
+struct TeamMember {
+  std::vector<std::uint32_t> agents;
+  std::string program;
+  ValueOrigin origin;
+};
+
 struct BehaviourSpec {
   /// Unique in the scenario; the program's file name without `.asl` unless given.
   std::string name;
   /// The program's file, found from the current folder.
   std::string program;
+  /// Programs of some agents by their numbers; the others run `program`.
+  std::vector<TeamMember> team;
   std::vector<ParameterSetting> parameters;
   std::vector<AgentSettings> agents;
   ValueOrigin origin;
@@ -65,6 +74,8 @@ struct Scenario {
   std::string preset = "paper";
   CrossingParameters world;
   std::vector<BehaviourSpec> behaviours;
+  /// The programs of world.actors, in the same order.
+  std::vector<BehaviourSpec> actors;
   ExperimentSpec experiment;
   /// Start cells that take the place of spawning.
   std::optional<StartCells> start_cells;

@@ -126,15 +126,16 @@ std::optional<Interval> ConfigReader::interval(const ConfigNode& node, IntegerRa
 }
 
 std::optional<std::array<double, 2>> ConfigReader::number_pair(const ConfigNode& node,
-                                                               NumberRange range) const {
+                                                               NumberRange range,
+                                                               PairOrder order) const {
   if (node.kind != ConfigNode::Kind::list || node.items.size() != 2) {
-    unexpected(node, "two numbers, [from, to]");
+    unexpected(node, order == PairOrder::any ? "two numbers" : "two numbers, [from, to]");
     return std::nullopt;
   }
   const std::optional<double> from = number(node.items[0], range);
   const std::optional<double> to = number(node.items[1], range);
   if (!from || !to) return std::nullopt;
-  if (*from > *to) {
+  if (order == PairOrder::rising && *from > *to) {
     error(node.origin,
           fmt::format("the first number, {}, is greater than the second, {}", *from, *to));
     return std::nullopt;

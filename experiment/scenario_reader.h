@@ -39,6 +39,9 @@ struct ConfigKey {
   std::function<void(const ConfigNode& value, const std::string& path)> read;
 };
 
+/// Whether the first number of a pair may be the greater one.
+enum class PairOrder { rising, any };
+
 class ConfigReader {
  public:
   explicit ConfigReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -55,8 +58,8 @@ class ConfigReader {
                                                 std::string_view expected) const;
   /// Two whole numbers, `[first, last]`, the first not the greater one.
   [[nodiscard]] std::optional<Interval> interval(const ConfigNode& node, IntegerRange range) const;
-  [[nodiscard]] std::optional<std::array<double, 2>> number_pair(const ConfigNode& node,
-                                                                 NumberRange range) const;
+  [[nodiscard]] std::optional<std::array<double, 2>> number_pair(
+      const ConfigNode& node, NumberRange range, PairOrder order = PairOrder::rising) const;
   /// One of some words.
   template <class T>
   [[nodiscard]] std::optional<T> choice(const ConfigNode& node,

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiment/scenario.h"
 #include "experiment/scenario_reader.h"
@@ -17,6 +18,9 @@ struct ScenarioDraft {
   Scenario scenario;
   /// In metres per second; takes the place of the speed in cells per tick.
   std::optional<double> speed_mps;
+  /// The same of pedestrians, and of each actor.
+  std::optional<double> pedestrian_mps;
+  std::vector<std::optional<double>> actor_mps;
   /// The file with start cells, and where it was named.
   std::optional<std::string> start_cells_file;
   /// Where each key was given last, by its path.

@@ -19,19 +19,29 @@ std::uint64_t seed_for(const TrialInput& input, Purpose purpose) {
   return mix(mix(input.seed, input.test), static_cast<std::uint64_t>(purpose));
 }
 
-void add_agents(const PreparedBehaviour& behaviour, std::uint32_t agents, Mas& mas) {
-  for (std::uint32_t number = 1; number <= agents; ++number) {
-    AgentSpec spec{fmt::format("p{}", number), behaviour.program, behaviour.parameters};
-    if (const auto own = behaviour.agent_parameters.find(number);
-        own != behaviour.agent_parameters.end()) {
-      for (const Parameter& parameter : own->second) {
-        std::erase_if(spec.parameters, [&](const Parameter& common) {
-          return common.predicate == parameter.predicate;
-        });
-        spec.parameters.push_back(parameter);
-      }
-    }
+// What single agents are given takes the place of what all of a behaviour have.
+void set_own_parameters(const PreparedBehaviour& behaviour, std::uint32_t number, AgentSpec& spec) {
+  const auto own = behaviour.agent_parameters.find(number);
+  if (own == behaviour.agent_parameters.end()) return;
+  for (const Parameter& parameter : own->second) {
+    std::erase_if(spec.parameters,
+                  [&](const Parameter& common) { return common.predicate == parameter.predicate; });
+    spec.parameters.push_back(parameter);
+  }
+}
+
+void add_agents(const PreparedScenario& prepared, const TrialInput& input, Mas& mas) {
+  const PreparedBehaviour& behaviour = prepared.behaviours()[input.behaviour];
+  for (std::uint32_t number = 1; number <= input.agents; ++number) {
+    const auto own = behaviour.team.find(number);
+    AgentSpec spec{fmt::format("p{}", number),
+                   own == behaviour.team.end() ? behaviour.program : own->second,
+                   behaviour.parameters};
+    set_own_parameters(behaviour, number, spec);
     mas.add_agent(spec);
+  }
+  for (const PreparedBehaviour& actor : prepared.actors()) {
+    mas.add_agent({actor.name, actor.program, actor.parameters});
   }
 }
 
@@ -46,6 +56,12 @@ void record_events(const Crossing& crossing, Recording& recording) {
                                 .actor = static_cast<std::uint32_t>(pedestrian + 1),
                                 .kind = "precondition",
                                 .text = {}});
+  }
+  for (const Collision& each : crossing.result().collisions) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
+                                .actor = static_cast<std::uint32_t>(each.body + 1),
+                                .kind = "collision",
+                                .text = fmt::format("impact at {:.3f} m/s", each.impact_mps)});
   }
 }
 
@@ -63,6 +79,11 @@ void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& opti
       return;
     }
     observe();
+    if (std::string failure = crossing.failure(); !failure.empty()) {
+      result.completed = false;
+      result.message = std::move(failure);
+      return;
+    }
   }
 }
 
@@ -113,7 +134,7 @@ TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;
   Mas mas(prepared.symbols(), std::move(mas_options), &crossing);
-  add_agents(prepared.behaviours()[input.behaviour], input.agents, mas);
+  add_agents(prepared, input, mas);
 
   TrialResult result;
   if (options.record != nullptr) {

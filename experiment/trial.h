@@ -26,6 +26,8 @@ struct PreparedBehaviour {
   /// Lines of AgentSpeak, of the program and all that it includes, without blank ones and comments.
   std::uint64_t code_lines = 0;
   std::vector<Parameter> parameters;
+  /// Programs of single agents, by number from 1; the others run `program`.
+  std::map<std::uint32_t, std::shared_ptr<const Program>> team;
   /// Parameters of single agents, by number from 1; they take the place of the common ones.
   std::map<std::uint32_t, std::vector<Parameter>> agent_parameters;
 };
@@ -40,6 +42,8 @@ class PreparedScenario {
 
   [[nodiscard]] const Scenario& scenario() const { return scenario_; }
   [[nodiscard]] const std::vector<PreparedBehaviour>& behaviours() const { return behaviours_; }
+  /// The programs of the world's actors, in their order.
+  [[nodiscard]] const std::vector<PreparedBehaviour>& actors() const { return actors_; }
   [[nodiscard]] const std::shared_ptr<const SymbolTable>& symbols() const { return symbols_; }
   /// The texts of all files that it was made from, each once, in the order in which they were read:
   /// with copies of these (ScenarioOptions::files) it can be made again.
@@ -49,12 +53,13 @@ class PreparedScenario {
  private:
   PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
                    CrossingVocabulary vocabulary, std::vector<PreparedBehaviour> behaviours,
-                   std::vector<SourcePtr> inputs);
+                   std::vector<PreparedBehaviour> actors, std::vector<SourcePtr> inputs);
 
   Scenario scenario_;
   std::shared_ptr<const SymbolTable> symbols_;
   CrossingVocabulary vocabulary_;
   std::vector<PreparedBehaviour> behaviours_;
+  std::vector<PreparedBehaviour> actors_;
   std::vector<SourcePtr> inputs_;
 };
 
@@ -73,7 +78,7 @@ using TrialObserver = std::function<void(const Crossing& crossing, const Mas& ma
 struct TrialOptions {
   TrialObserver observe;
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
-  /// the first in the zone. Null: nothing is recorded.
+  /// the first in the zone, and `collision`, of whoever the AV touched. Null: nothing is recorded.
   Recording* record = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,22 +38,12 @@ class Preparation {
     PreparedBehaviour result;
     result.name = spec.name;
     result.program_path = spec.program;
-    // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
-    if (!include_path_.files.has(spec.program)) {
-      report(diagnostics_, spec.origin,
-             fmt::format("no AgentSpeak program is at '{}'", spec.program));
-      return result;
+    result.program = load(spec.program, spec.origin, result);
+    for (const TeamMember& member : spec.team) {
+      const std::shared_ptr<const Program> program = load(member.program, member.origin, result);
+      for (const std::uint32_t agent : member.agents) result.team[agent] = program;
     }
-    const SourceTree tree = load_agent(spec.program, include_path_, diagnostics_);
-    for (const auto& file : tree.files) add_input(file->source);
-    if (diagnostics_.has_errors()) return result;
-    result.program = compile(tree, symbols_, diagnostics_);
-    if (!result.program) return result;
-    result.code_lines = code_lines(tree);
-    settable_.clear();
-    for (const std::string& name : parameter_names(*result.program, symbols_)) {
-      settable_.push_back(parse_indicator(name));
-    }
+    if (!result.program || diagnostics_.has_errors()) return result;
     result.parameters = convert(spec.parameters);
     for (const AgentSettings& settings : spec.agents) {
       const std::vector<Parameter> parameters = convert(settings.parameters);
@@ -68,6 +59,27 @@ class Preparation {
   void add_input(const SourcePtr& source) {
     const auto same = [&](const SourcePtr& input) { return input->name() == source->name(); };
     if (std::none_of(inputs_.begin(), inputs_.end(), same)) inputs_.push_back(source);
+  }
+
+  // A program that several members of a team run counts once, and is compiled once.
+  std::shared_ptr<const Program> load(const std::string& path, const ValueOrigin& origin,
+                                      PreparedBehaviour& result) {
+    if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
+    // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
+    if (!include_path_.files.has(path)) {
+      report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path));
+      return nullptr;
+    }
+    const SourceTree tree = load_agent(path, include_path_, diagnostics_);
+    for (const auto& file : tree.files) add_input(file->source);
+    if (diagnostics_.has_errors()) return nullptr;
+    std::shared_ptr<const Program> program = compile(tree, symbols_, diagnostics_);
+    if (!program) return nullptr;
+    result.code_lines += code_lines(tree);
+    for (const std::string& name : parameter_names(*program, symbols_)) {
+      settable_.push_back(parse_indicator(name));
+    }
+    return loaded_[path] = program;
   }
 
   std::vector<Parameter> convert(const std::vector<ParameterSetting>& settings) {
@@ -119,6 +131,7 @@ class Preparation {
   Diagnostics& diagnostics_;
   IncludePath include_path_;
   std::vector<Indicator> settable_;
+  std::map<std::string, std::shared_ptr<const Program>> loaded_;
 };
 
 }  // namespace
@@ -126,11 +139,13 @@ class Preparation {
 PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
                                    CrossingVocabulary vocabulary,
                                    std::vector<PreparedBehaviour> behaviours,
+                                   std::vector<PreparedBehaviour> actors,
                                    std::vector<SourcePtr> inputs)
     : scenario_(std::move(scenario)),
       symbols_(std::move(symbols)),
       vocabulary_(vocabulary),
       behaviours_(std::move(behaviours)),
+      actors_(std::move(actors)),
       inputs_(std::move(inputs)) {}
 
 Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenario scenario,
@@ -138,16 +153,22 @@ Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenar
   const auto symbols = std::make_shared<SymbolTable>();
   const CrossingVocabulary vocabulary(*symbols);
   Diagnostics errors;
-  std::vector<PreparedBehaviour> behaviours;
   std::vector<SourcePtr> inputs = scenario.sources;
-  for (const BehaviourSpec& spec : scenario.behaviours) {
-    Diagnostics found;
-    behaviours.push_back(Preparation(scenario.files, *symbols, inputs, found).prepare(spec));
-    (found.has_errors() ? errors : warnings).append(std::move(found));
-  }
+  const auto prepare_all = [&](const std::vector<BehaviourSpec>& specs) {
+    std::vector<PreparedBehaviour> prepared;
+    for (const BehaviourSpec& spec : specs) {
+      Diagnostics found;
+      prepared.push_back(Preparation(scenario.files, *symbols, inputs, found).prepare(spec));
+      (found.has_errors() ? errors : warnings).append(std::move(found));
+    }
+    return prepared;
+  };
+  std::vector<PreparedBehaviour> behaviours = prepare_all(scenario.behaviours);
+  std::vector<PreparedBehaviour> actors = prepare_all(scenario.actors);
   if (errors.has_errors()) return errors;
-  return std::shared_ptr<const PreparedScenario>(new PreparedScenario(
-      std::move(scenario), symbols, vocabulary, std::move(behaviours), std::move(inputs)));
+  return std::shared_ptr<const PreparedScenario>(
+      new PreparedScenario(std::move(scenario), symbols, vocabulary, std::move(behaviours),
+                           std::move(actors), std::move(inputs)));
 }
 
 }  // namespace jaywalk

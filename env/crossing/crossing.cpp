@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -10,23 +11,28 @@
 namespace jaywalk {
 namespace {
 
-ActionResult failure(std::string reason) {
+ActionResult refusal(std::string reason) {
   return {.succeeded = false, .reason = std::move(reason)};
 }
 
-double heading_rad(Direction direction) {
-  using std::numbers::pi;
-  switch (direction) {
-    case Direction::left:
-      return pi;
-    case Direction::right:
-      return 0;
-    case Direction::forward:
-      return pi / 2;
-    case Direction::back:
-      return -pi / 2;
+std::vector<RoadUser> bodies_at(const CrossingParameters& parameters,
+                                const std::vector<Position>& start) {
+  std::vector<RoadUser> bodies;
+  for (const Position position : start) {
+    // Before its first step everyone looks at the AV's way.
+    const bool right_of_av = position.x > parameters.av.rows.last;
+    bodies.push_back({.kind = ActorKind::pedestrian,
+                      .place = middle(position),
+                      .speed = parameters.pedestrians.speed,
+                      .facing = right_of_av ? Direction::left : Direction::right});
   }
-  return 0;
+  for (const ActorParameters& actor : parameters.actors) {
+    Position at = actor.start;
+    if (actor.kind == ActorKind::signal) at.y = parameters.crosswalks[actor.crosswalk].cells.first;
+    bodies.push_back(
+        {.kind = actor.kind, .place = middle(at), .speed = actor.speed, .facing = actor.way});
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -42,81 +48,64 @@ Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabular
                    std::vector<Position> start)
     : parameters_(parameters),
       vocabulary_(vocabulary),
-      grid_(grid(parameters)),
+      layout_(parameters),
       zone_rows_(jaywalk::zone_rows(parameters)),
       zone_ahead_(zone_ahead(parameters)),
+      pedestrians_(start.size()),
+      bodies_(bodies_at(parameters, start)),
       positions_(std::move(start)),
-      acted_in_(positions_.size(), 0),
-      stepped_in_(positions_.size(), 0),
+      signals_(parameters.crosswalks.size(), SignalColour::green),
+      av_(parameters),
+      max_ticks_(max_ticks(parameters)),
       origin_(zone_origin(parameters, 0)) {
   result_.start = positions_;
-  // Before its first step everyone looks at the AV's lane.
-  for (const Position& position : positions_) {
-    facing_.push_back(position.x > parameters.av.rows.last ? Direction::left : Direction::right);
-  }
   result_.pedestrians.resize(positions_.size());
-}
-
-void Crossing::perceive(AgentId agent, Percepts& percepts) const {
-  using enum CrossingPercept;
-  const auto index = static_cast<std::size_t>(agent);
-  assert(index < positions_.size() && "every agent has a start cell");
-  const auto add = [&](CrossingPercept percept, auto... args) {
-    percepts.add(vocabulary_.percept(percept), {Value::number(args)...});
-  };
-  add(tick, ticks_ + 1);
-  add(at, positions_[index].x, positions_[index].y);
-  add(av, origin_);
-  for (const std::size_t hit : result_.hit_by) add(precondition_met, static_cast<double>(hit + 1));
-
-  add(id, static_cast<double>(index + 1));
-  add(pedestrians, static_cast<double>(positions_.size()));
-  add(CrossingPercept::grid, grid_.rows, grid_.cells);
-  int first = 0;
-  for (const Band& band : parameters_.bands) {
-    const int last = first + band.rows - 1;
-    if (band.kind == BandKind::pavement) {
-      add(pavement, first, last);
-    } else {
-      percepts.add(vocabulary_.percept(lane),
-                   {Value::number(first), Value::number(last), vocabulary_.atom(band.direction)});
-    }
-    first = last + 1;
-  }
-  add(av_rows, parameters_.av.rows.first, parameters_.av.rows.last);
-  add(av_length, parameters_.av.length);
-  add(av_speed, parameters_.av.speed);
-  add(CrossingPercept::zone_rows, zone_rows_.first, zone_rows_.last);
-  add(CrossingPercept::zone_ahead, zone_ahead_.first, zone_ahead_.last);
-  add(road_end, parameters_.road_end);
-  add(tick_length, parameters_.tick_s);
-  add(cell_length, parameters_.cell_m);
 }
 
 ActionResult Crossing::act(const ActionRequest& action) {
   const auto index = static_cast<std::size_t>(action.agent);
-  assert(index < positions_.size() && "every agent has a start cell");
+  assert(index < bodies_.size() && "every agent has a body");
   if (action.predicate == vocabulary_.stay()) return {};
-  if (action.predicate != vocabulary_.move()) {
-    return failure("unknown action, expected move(Way) or stay");
+  if (action.predicate == vocabulary_.show()) return show(index, action.args);
+  if (action.predicate != vocabulary_.move() && action.predicate != vocabulary_.move_by()) {
+    return refusal("unknown action, expected move(Way), move(Way,Cells), stay or show(Colour)");
   }
-  if (std::exchange(acted_in_[index], ticks_ + 1) == ticks_ + 1) {
-    return failure("a second step in the same tick");
+  RoadUser& body = bodies_[index];
+  if (body.kind == ActorKind::signal) return refusal("a signal does not move");
+  if (std::exchange(body.acted_in, ticks_ + 1) == ticks_ + 1) {
+    return refusal("a second step in the same tick");
+  }
+  ActionResult result = move(body, action.args);
+  if (index < pedestrians_) positions_[index] = cell(body.place);
+  return result;
+}
+
+ActionResult Crossing::move(RoadUser& body, std::span<const Value> args) {
+  double cells = body.speed;
+  if (args.size() == 2) {
+    if (!args[1].is_number() || !(args[1].as_number() >= 0)) {
+      return refusal("the cells of a step are a number, at least 0");
+    }
+    cells = std::min(cells, args[1].as_number());
   }
   for (int i = 0; i < kDirectionCount; ++i) {
     const auto direction = static_cast<Direction>(i);
-    if (!action.args[0].same_as(vocabulary_.atom(direction))) continue;
-    const Position target = neighbour(positions_[index], direction);
-    if (!grid_.contains(target)) {
-      return failure(fmt::format("a step {} from ({},{}) leaves the grid", name(direction),
-                                 positions_[index].x, positions_[index].y));
-    }
-    positions_[index] = target;
-    stepped_in_[index] = ticks_ + 1;
-    facing_[index] = direction;
+    if (!args[0].same_as(vocabulary_.atom(direction))) continue;
+    std::string obstacle = step(body, layout_, direction, cells, ticks_ + 1);
+    return obstacle.empty() ? ActionResult{} : refusal(std::move(obstacle));
+  }
+  return refusal("unknown way to move, expected left, right, forward or back");
+}
+
+ActionResult Crossing::show(std::size_t agent, std::span<const Value> args) {
+  if (bodies_[agent].kind != ActorKind::signal) return refusal("only a signal shows a colour");
+  const ActorParameters& actor = parameters_.actors[agent - pedestrians_];
+  for (const auto colour : {SignalColour::green, SignalColour::amber, SignalColour::red}) {
+    if (!args[0].same_as(vocabulary_.atom(colour))) continue;
+    signals_[actor.crosswalk] = colour;
     return {};
   }
-  return failure("unknown way to move, expected left, right, forward or back");
+  return refusal("unknown colour, expected green, amber or red");
 }
 
 void Crossing::execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) {
@@ -131,14 +120,13 @@ void Crossing::charge_costs() {
                           ? scoring.road_cost
                           : scoring.pavement_cost + scoring.road_cost;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
-    const bool on_road = band_kind(parameters_, positions_[i].x) == BandKind::lane;
-    result_.pedestrians[i].cost += on_road ? road : scoring.pavement_cost;
+    result_.pedestrians[i].cost += layout_.is_road(positions_[i]) ? road : scoring.pavement_cost;
   }
 }
 
 Interval Crossing::zone_cells() const {
   return {std::max(origin_ + zone_ahead_.first, 0),
-          std::min({origin_ + zone_ahead_.last, parameters_.road_end, grid_.cells - 1})};
+          std::min({origin_ + zone_ahead_.last, parameters_.road_end, layout_.grid().cells - 1})};
 }
 
 bool Crossing::in_zone(Position position, Interval cells) const {
@@ -170,11 +158,31 @@ void Crossing::advance() {
     charge_costs();
     sweep_zone();
   }
-  origin_ = zone_origin(parameters_, ticks_);
+  drive();
+}
+
+void Crossing::drive() {
+  std::vector<Collision> collisions =
+      av_.drive(ticks_, bodies_, signals_, layout_, result_.collisions);
+  result_.collisions.insert(result_.collisions.end(), collisions.begin(), collisions.end());
+  origin_ = zone_origin_at(parameters_, av_.driven());
+  if (!parameters_.zone.ahead) zone_ahead_ = zone_ahead(parameters_, av_.speed());
 }
 
 bool Crossing::finished() const {
-  if (result_.success) return ticks_ >= result_.ticks + parameters_.aftermath;
+  if (max_ticks_ > 0 && ticks_ >= max_ticks_) return true;
+  switch (parameters_.end) {
+    case TestEnd::precondition:
+      if (result_.success) return ticks_ >= result_.ticks + parameters_.aftermath;
+      break;
+    case TestEnd::collision:
+      if (!result_.collisions.empty()) {
+        return ticks_ >= result_.collisions.front().tick + parameters_.aftermath;
+      }
+      break;
+    case TestEnd::road:
+      break;
+  }
   return origin_ >= parameters_.road_end;
 }
 
@@ -189,9 +197,11 @@ std::vector<Actor> Crossing::actors() const {
   const double cell = parameters_.cell_m;
   std::vector<Actor> actors{
       {"av", ActorKind::vehicle, parameters_.av.length * cell, parameters_.av.rows.size() * cell}};
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BoxSize size = size_of(bodies_[i].kind);
     actors.push_back(
-        {fmt::format("p{}", i + 1), ActorKind::pedestrian, kPedestrianSizeM, kPedestrianSizeM});
+        {i < pedestrians_ ? fmt::format("p{}", i + 1) : parameters_.actors[i - pedestrians_].name,
+         bodies_[i].kind, size.length_m, size.width_m});
   }
   return actors;
 }
@@ -201,12 +211,12 @@ Scene Crossing::scene() const {
   const AvParameters& av = parameters_.av;
   const double step_mps = cell / parameters_.tick_s;
   Scene scene{{(av.rows.first + av.rows.last + 1) / 2.0 * cell,
-               (av_edge() + 1 - av.length / 2.0) * cell, av.speed * step_mps,
+               av_.front_m() - av.length * cell / 2, av_.speed_mps(),
                heading_rad(Direction::forward)}};
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    const bool steps = ticks_ > 0 && stepped_in_[i] == ticks_;
-    scene.push_back({(positions_[i].x + 0.5) * cell, (positions_[i].y + 0.5) * cell,
-                     steps ? step_mps : 0, heading_rad(facing_[i])});
+  for (const RoadUser& body : bodies_) {
+    const double step = ticks_ > 0 ? body.step_in(ticks_) : 0;
+    scene.push_back({(body.place.x + 0.5) * cell, (body.place.y + 0.5) * cell, step * step_mps,
+                     heading_rad(body.facing)});
   }
   return scene;
 }

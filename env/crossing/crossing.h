@@ -1,18 +1,23 @@
 #pragma once
 
 // The world of the case study: pedestrians beside a straight road on which an automated vehicle
-// (AV) drives at constant speed. A test asks whether some pedestrian gets into the precondition
-// zone in front of it. Read parameters.h before; percepts.def lists what agents perceive and do.
+// (AV) drives, perhaps with other road users. A test asks whether some pedestrian gets into the
+// precondition zone in front of it. Read parameters.h before; percepts.def lists what agents
+// perceive and do.
 //
 // Tick t, in this order: all agents perceive what tick t - 1 left; all moves take effect at once;
 // costs are charged on the new positions; the AV sweeps the zone ahead of where it stood after
-// tick t - 1, cell by cell, until it meets a pedestrian; then it moves; then the test may end.
+// tick t - 1, cell by cell, until it meets a pedestrian; then it moves (av.h); then the test may
+// end.
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "env/crossing/av.h"
+#include "env/crossing/layout.h"
 #include "env/crossing/parameters.h"
+#include "env/crossing/road_user.h"
 #include "env/crossing/vocabulary.h"
 #include "env/scene.h"
 #include "interpreter/mas/environment.h"
@@ -37,6 +42,9 @@ struct CrossingResult {
   std::vector<Position> start;
   /// Who was in the hit cell, as indices.
   std::vector<std::size_t> hit_by;
+  /// Whom the AV has touched, each once, in the order of time. The bodies are the pedestrians and
+  /// then the other actors. Nobody is stopped by it: assertions judge it.
+  std::vector<Collision> collisions;
 
   /// Rewards less costs, as mean over all agents.
   [[nodiscard]] double score() const;
@@ -44,9 +52,9 @@ struct CrossingResult {
 
 class Crossing final : public Environment {
  public:
-  /// One agent for each start cell; AgentId is its index.
-  /// REQUIRES: parameters without problems(), start cells on the grid. Parameters and vocabulary
-  /// must outlive the world.
+  /// One agent for each start cell, then one for each actor of the parameters; AgentId is the
+  /// index. REQUIRES: parameters without problems(), start cells on the grid. Parameters and
+  /// vocabulary must outlive the world.
   Crossing(const CrossingParameters& parameters, const CrossingVocabulary& vocabulary,
            std::vector<Position> start);
 
@@ -59,7 +67,14 @@ class Crossing final : public Environment {
   [[nodiscard]] const CrossingParameters& parameters() const { return parameters_; }
   /// Ticks that have passed.
   [[nodiscard]] int ticks() const { return ticks_; }
+  /// The pedestrians' cells.
   [[nodiscard]] std::span<const Position> positions() const { return positions_; }
+  /// The pedestrians and then the other actors.
+  [[nodiscard]] std::span<const RoadUser> bodies() const { return bodies_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  /// What the signal of a crosswalk shows to vehicles.
+  [[nodiscard]] SignalColour signal(std::size_t crosswalk) const { return signals_[crosswalk]; }
+  [[nodiscard]] const Av& vehicle() const { return av_; }
   /// The cell of the AV's leading edge; its body lies behind it.
   [[nodiscard]] int av_edge() const;
   /// The cell from which the zone and distances are measured.
@@ -67,29 +82,38 @@ class Crossing final : public Environment {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
-  /// The AV, named `av`, and the pedestrians p1, p2, … in the agents' order.
+  /// Why the test cannot go on (an external controller died, say); empty while all is well.
+  [[nodiscard]] std::string failure() const { return av_.failure(); }
+  /// The AV, named `av`, the pedestrians p1, p2, … in the agents' order, then the other actors.
   [[nodiscard]] std::vector<Actor> actors() const;
-  /// Where they are now. A pedestrian stands in the middle of its cell.
+  /// Where they are now.
   [[nodiscard]] Scene scene() const;
   /// What has come of the test so far; final once it is finished.
   [[nodiscard]] const CrossingResult& result() const { return result_; }
 
  private:
+  class Perceiver;
+
   ActionResult act(const ActionRequest& action);
+  ActionResult move(RoadUser& body, std::span<const Value> args);
+  ActionResult show(std::size_t agent, std::span<const Value> args);
   void charge_costs();
   void sweep_zone();
+  void drive();
   [[nodiscard]] bool in_zone(Position position, Interval cells) const;
 
   const CrossingParameters& parameters_;
   const CrossingVocabulary& vocabulary_;
-  Grid grid_;
+  Layout layout_;
   Interval zone_rows_;
   Interval zone_ahead_;
-  std::vector<Position> positions_;
-  std::vector<int> acted_in_;      // the tick of each agent's last action
-  std::vector<int> stepped_in_;    // the tick of its last step
-  std::vector<Direction> facing_;  // the way of that step
+  std::size_t pedestrians_;
+  std::vector<RoadUser> bodies_;
+  std::vector<Position> positions_;  // of the pedestrians' bodies
+  std::vector<SignalColour> signals_;
+  Av av_;
   int ticks_ = 0;
+  int max_ticks_ = 0;
   int origin_ = 0;
   CrossingResult result_;
 };

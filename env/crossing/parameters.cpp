@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/layout.h"
+
 namespace jaywalk {
 namespace {
 
@@ -54,6 +56,22 @@ void check_zone(const CrossingParameters& parameters, std::vector<ParameterProbl
   }
 }
 
+int free_spawn_cells(const CrossingParameters& parameters) {
+  const Layout layout(parameters);
+  int count = 0;
+  for (int row = 0; row < layout.grid().rows; ++row) {
+    const auto dead = parameters.spawn.dead_zones.find(row);
+    for (int y = dead == parameters.spawn.dead_zones.end() ? 0 : dead->second;
+         y < layout.grid().cells; ++y) {
+      if (layout.at({row, y}) == Surface::pavement &&
+          band_kind(parameters, row) == BandKind::pavement) {
+        ++count;
+      }
+    }
+  }
+  return count;
+}
+
 void check_spawn(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const Grid bounds = grid(parameters);
   int cells = 0;
@@ -69,8 +87,64 @@ void check_spawn(const CrossingParameters& parameters, std::vector<ParameterProb
     const int first = dead == parameters.spawn.dead_zones.end() ? 0 : dead->second;
     cells += first < bounds.cells ? bounds.cells - first : 0;
   }
-  if (cells == 0) {
+  if (cells == 0 || (found.empty() && free_spawn_cells(parameters) == 0)) {
     found.push_back({"world.spawn.dead_zones", "no cell of a pavement is left to spawn on"});
+  }
+}
+
+void check_obstacles(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const Grid bounds = grid(parameters);
+  const auto inside = [](Interval all, Interval part) {
+    return !part.empty() && part.first >= all.first && part.last <= all.last;
+  };
+  for (const Obstacle& each : parameters.obstacles) {
+    if (!inside({0, bounds.rows - 1}, each.rows) || !inside({0, bounds.cells - 1}, each.cells)) {
+      found.push_back(
+          {"world.obstacles",
+           fmt::format("an obstacle on rows {} to {}, cells {} to {} is not on the grid "
+                       "of {} rows and {} cells",
+                       each.rows.first, each.rows.last, each.cells.first, each.cells.last,
+                       bounds.rows, bounds.cells)});
+    }
+  }
+  for (const Crosswalk& each : parameters.crosswalks) {
+    if (inside({0, bounds.cells - 1}, each.cells)) continue;
+    found.push_back({"world.crosswalks",
+                     fmt::format("a crosswalk on cells {} to {} is not on the grid of {} cells",
+                                 each.cells.first, each.cells.last, bounds.cells)});
+  }
+}
+
+void check_way(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const Layout layout(parameters);
+  for (int y = std::max(parameters.av.start, 0); y < layout.grid().cells; ++y) {
+    for (int row = parameters.av.rows.first; row <= parameters.av.rows.last; ++row) {
+      if (layout.is_free({row, y})) continue;
+      found.push_back({parameters.map.empty() ? "world.obstacles" : "world.map",
+                       fmt::format("the AV's way is blocked in row {}, cell {}", row, y)});
+      return;
+    }
+  }
+}
+
+void check_actors(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const Layout layout(parameters);
+  for (const ActorParameters& actor : parameters.actors) {
+    if (actor.kind == ActorKind::signal) {
+      const bool fits = actor.crosswalk < parameters.crosswalks.size() &&
+                        parameters.crosswalks[actor.crosswalk].kind == CrosswalkKind::signalled;
+      if (fits) continue;
+      found.push_back({"world.actors",
+                       fmt::format("the signal '{}' belongs to crosswalk {}, which is no signalled "
+                                   "one of the {}",
+                                   actor.name, actor.crosswalk + 1, parameters.crosswalks.size())});
+    } else if (!layout.is_free(actor.start)) {
+      found.push_back(
+          {"world.actors",
+           fmt::format("'{}' cannot start in row {}, cell {}: that is blocked or not on "
+                       "the grid",
+                       actor.name, actor.start.x, actor.start.y)});
+    }
   }
 }
 
@@ -124,19 +198,37 @@ Interval zone_rows(const CrossingParameters& parameters) {
 }
 
 Interval zone_ahead(const CrossingParameters& parameters) {
+  return zone_ahead(parameters, parameters.av.speed);
+}
+
+Interval zone_ahead(const CrossingParameters& parameters, double speed) {
   const ZoneParameters& zone = parameters.zone;
   if (zone.ahead) return *zone.ahead;
+  if (speed <= 0) return {1, 0};
   // The middle of the k-th cell ahead is reached after (k - 1/2) / speed.
-  const double cells_per_second = parameters.av.speed / parameters.tick_s;
+  const double cells_per_second = speed / parameters.tick_s;
   return {ceil_to_cell(zone.ttc.from * cells_per_second + 0.5),
           floor_to_cell(zone.ttc.to * cells_per_second + 0.5)};
 }
 
 int zone_origin(const CrossingParameters& parameters, int ticks) {
+  return zone_origin_at(parameters, parameters.av.speed * ticks);
+}
+
+int zone_origin_at(const CrossingParameters& parameters, double driven) {
   const AvParameters& av = parameters.av;
   const int ahead =
       parameters.zone.origin == ZoneOrigin::stopping_distance ? av.stopping_distance : 0;
-  return av.start + ahead + floor_to_cell(av.speed * ticks);
+  return av.start + ahead + floor_to_cell(driven);
+}
+
+int max_ticks(const CrossingParameters& parameters) {
+  const auto ticks = [](double value) {
+    return static_cast<int>(std::clamp(std::ceil(value - kEpsilon), 1.0, kFar));
+  };
+  if (parameters.time_limit_s > 0) return ticks(parameters.time_limit_s / parameters.tick_s);
+  if (parameters.av.vehicle.model == "constant") return 0;
+  return ticks(10 * (parameters.road_end - parameters.av.start) / parameters.av.speed);
 }
 
 std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
@@ -144,6 +236,10 @@ std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
   check_av(parameters, found);
   check_zone(parameters, found);
   check_spawn(parameters, found);
+  check_obstacles(parameters, found);
+  if (!found.empty()) return found;
+  check_way(parameters, found);
+  check_actors(parameters, found);
   return found;
 }
 

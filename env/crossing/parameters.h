@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "env/grid/grid.h"
+#include "env/scene.h"
+#include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
 
@@ -30,9 +32,11 @@ struct AvParameters {
   /// Length in cells, and the rows that its body covers.
   int length = 3;
   Interval rows{3, 4};
-  /// Cells per tick; constant, the AV never brakes. Where it is not whole, positions are rounded
-  /// down to cells.
+  /// The cruising speed in cells per tick: what the AV keeps to unless its model brakes. Where a
+  /// position is not whole, the AV's cell is that rounded down.
   double speed = 6;
+  /// How it drives.
+  VehicleParameters vehicle;
   /// The cell of the leading edge before the first tick; may lie before the grid.
   int start = 0;
   /// Cells that it would take to stop; matters only to a zone measured from there.
@@ -84,6 +88,45 @@ struct ScoringParameters {
   Rewarded rewarded = Rewarded::first_hit;
 };
 
+struct PedestrianParameters {
+  /// Cells that a step leads, that is, the greatest speed in cells per tick; steps may be shorter.
+  double speed = 1;
+  /// Other road users no further away than this, in cells, are perceived; 0: none are.
+  double sight = 0;
+  /// Whether they perceive the ground around them (`ground(Way,Kind)` and its kin): features that
+  /// do not grow with the map.
+  bool features = false;
+};
+
+/// A zebra or a signalled crossing: these cells along the road, over all its lanes.
+enum class CrosswalkKind { zebra, signalled };
+struct Crosswalk {
+  CrosswalkKind kind = CrosswalkKind::zebra;
+  Interval cells;
+};
+
+/// A parked car, a kiosk: nobody can be where it stands, and who is behind it is hidden.
+struct Obstacle {
+  Interval rows;
+  Interval cells;
+};
+
+/// A road user other than the AV and the pedestrians, or a traffic signal. It is an agent, too.
+struct ActorParameters {
+  std::string name;
+  ActorKind kind = ActorKind::cyclist;
+  /// Where its middle is at the beginning; a signal's is without meaning.
+  Position start;
+  Direction way = Direction::forward;
+  /// Cells per tick at most.
+  double speed = 3;
+  /// Which crosswalk a signal belongs to, counted from 0.
+  std::size_t crosswalk = 0;
+};
+
+/// What ends a test before the road does.
+enum class TestEnd { precondition, collision, road };
+
 struct CrossingParameters {
   /// From the AV's left to its right.
   std::vector<Band> bands{{BandKind::pavement, 2},
@@ -92,6 +135,12 @@ struct CrossingParameters {
                           {BandKind::pavement, 2}};
   /// The length of the road in cells.
   int length = 66;
+  /// Instead of bands and length: a line for each row, a letter for each cell (layout.h).
+  std::vector<std::string> map;
+  std::vector<Crosswalk> crosswalks;
+  std::vector<Obstacle> obstacles;
+  std::vector<ActorParameters> actors;
+  PedestrianParameters pedestrians;
   double cell_m = 1.5;
   double tick_s = 1;
   AvParameters av;
@@ -101,6 +150,10 @@ struct CrossingParameters {
   /// For how many ticks a test goes on after the precondition was met, so that agents can perceive
   /// it. Nothing is scored any more.
   int aftermath = 0;
+  TestEnd end = TestEnd::precondition;
+  /// Seconds after which a test ends in any case; 0: ten times what the road takes at full speed if
+  /// the AV can brake, else no limit.
+  double time_limit_s = 0;
   SpawnParameters spawn;
   ScoringParameters scoring;
 };
@@ -108,15 +161,22 @@ struct CrossingParameters {
 [[nodiscard]] Grid grid(const CrossingParameters& parameters);
 /// The rows of each band, in the same order.
 [[nodiscard]] std::vector<Interval> band_rows(const CrossingParameters& parameters);
-/// The kind of the band that a row belongs to. REQUIRES: the row is on the grid.
+/// The kind of the band that a row belongs to; of a map, what its row begins with.
+/// REQUIRES: the row is on the grid.
 [[nodiscard]] BandKind band_kind(const CrossingParameters& parameters, int row);
+/// The ticks after which a test ends in any case; 0: no limit.
+[[nodiscard]] int max_ticks(const CrossingParameters& parameters);
 /// The rows of the lane in which the AV's first row lies; empty if it drives outside the lanes.
 [[nodiscard]] Interval av_lane(const CrossingParameters& parameters);
 [[nodiscard]] Interval zone_rows(const CrossingParameters& parameters);
-/// The zone's first and last cell ahead of its origin.
+/// The zone's first and last cell ahead of its origin, at the cruising speed or at another one (in
+/// cells per tick).
 [[nodiscard]] Interval zone_ahead(const CrossingParameters& parameters);
-/// The cell of the zone's origin after so many ticks.
+[[nodiscard]] Interval zone_ahead(const CrossingParameters& parameters, double speed);
+/// The cell of the zone's origin after so many ticks at the cruising speed.
 [[nodiscard]] int zone_origin(const CrossingParameters& parameters, int ticks);
+/// The same when the AV's leading edge is so many cells ahead of where it started.
+[[nodiscard]] int zone_origin_at(const CrossingParameters& parameters, double driven);
 
 /// What does not fit together. `path` names the parameter as scenarios spell it, `world.av.rows`.
 struct ParameterProblem {

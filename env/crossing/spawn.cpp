@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "env/crossing/layout.h"
 #include "env/grid/random.h"
 
 namespace jaywalk {
@@ -21,8 +22,49 @@ std::vector<SpawnRow> spawn_rows(const CrossingParameters& parameters) {
   return result;
 }
 
+/// The pavement cells that are left to spawn on where not all of a row's are alike.
+std::vector<Position> free_cells(const CrossingParameters& parameters,
+                                 const std::vector<SpawnRow>& rows) {
+  const Layout layout(parameters);
+  std::vector<Position> result;
+  for (const SpawnRow& row : rows) {
+    for (int y = row.cells.first; y <= row.cells.last; ++y) {
+      if (layout.at({row.row, y}) == Surface::pavement) result.push_back({row.row, y});
+    }
+  }
+  return result;
+}
+
+/// Whether some cells of a pavement's row may be something else.
+bool is_uneven(const CrossingParameters& parameters) {
+  return !parameters.map.empty() || !parameters.obstacles.empty();
+}
+
 int draw_below(SplitMix64& random, int bound) {
   return static_cast<int>(random.below(static_cast<std::uint64_t>(bound)));
+}
+
+/// As spawn: a row first, then one of its free cells; or one of all free cells.
+std::vector<Position> spawn_unevenly(const CrossingParameters& parameters,
+                                     const std::vector<SpawnRow>& rows, std::size_t agents,
+                                     std::uint64_t seed) {
+  const std::vector<Position> all = free_cells(parameters, rows);
+  std::vector<std::vector<Position>> choices;
+  for (const Position each : all) {
+    const bool new_row = choices.empty() || (parameters.spawn.choose == SpawnChoice::row &&
+                                             choices.back().front().x != each.x);
+    if (new_row) choices.emplace_back();
+    choices.back().push_back(each);
+  }
+  SplitMix64 random(seed);
+  std::vector<Position> result;
+  while (result.size() < agents) {
+    const auto pick = [&](const auto& list) -> const auto& {
+      return list[static_cast<std::size_t>(draw_below(random, static_cast<int>(list.size())))];
+    };
+    result.push_back(pick(pick(choices)));
+  }
+  return result;
 }
 
 }  // namespace
@@ -38,6 +80,7 @@ std::vector<Position> spawn(const CrossingParameters& parameters, std::size_t ag
                             std::uint64_t seed) {
   const std::vector<SpawnRow> rows = spawn_rows(parameters);
   assert(!rows.empty() && "parameters without problems leave cells to spawn on");
+  if (is_uneven(parameters)) return spawn_unevenly(parameters, rows, agents, seed);
   int all = 0;
   for (const SpawnRow& row : rows) all += row.cells.size();
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "env/crossing/road_user.h"
 #include "env/environments.h"
 #include "env/grid/grid.h"
 #include "interpreter/term/symbol.h"
@@ -45,16 +46,34 @@ class CrossingVocabulary {
     return percepts_[static_cast<std::size_t>(percept)];
   }
   [[nodiscard]] Predicate move() const { return move_; }
+  [[nodiscard]] Predicate move_by() const { return move_by_; }
   [[nodiscard]] Predicate stay() const { return stay_; }
+  [[nodiscard]] Predicate show() const { return show_; }
   [[nodiscard]] Value atom(Direction direction) const {
     return directions_[static_cast<std::size_t>(direction)];
+  }
+  [[nodiscard]] Value atom(Surface ground) const {
+    return surfaces_[static_cast<std::size_t>(ground)];
+  }
+  [[nodiscard]] Value atom(SignalColour colour) const {
+    return colours_[static_cast<std::size_t>(colour)];
+  }
+  [[nodiscard]] Value atom(ActorKind kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] Value atom(CrosswalkKind kind) const {
+    return crosswalks_[static_cast<std::size_t>(kind)];
   }
 
  private:
   std::array<Predicate, kCrossingPercepts.size()> percepts_{};
   std::array<Value, kDirectionCount> directions_{};
+  std::array<Value, 4> surfaces_{};
+  std::array<Value, 3> colours_{};
+  std::array<Value, 4> kinds_{};
+  std::array<Value, 2> crosswalks_{};
   Predicate move_;
+  Predicate move_by_;
   Predicate stay_;
+  Predicate show_;
 };
 
 }  // namespace jaywalk

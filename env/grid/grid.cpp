@@ -1,6 +1,7 @@
 #include "env/grid/grid.h"
 
 #include <array>
+#include <cmath>
 
 namespace jaywalk {
 namespace {
@@ -32,6 +33,15 @@ std::optional<Direction> find_direction(std::string_view name) {
     if (kDirections[i].name == name) return static_cast<Direction>(i);
   }
   return std::nullopt;
+}
+
+Position cell(Place place) {
+  return {static_cast<int>(std::floor(place.x + 0.5)), static_cast<int>(std::floor(place.y + 0.5))};
+}
+
+Place ahead_of(Place place, Direction direction, double cells) {
+  const DirectionRow& step = row(direction);
+  return {place.x + step.dx * cells, place.y + step.dy * cells};
 }
 
 Position neighbour(Position position, Direction direction) {

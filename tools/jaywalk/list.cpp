@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "env/environments.h"
+#include "env/vehicle/vehicle.h"
 #include "experiment/measures/measures.h"
 #include "experiment/scenario.h"
 #include "interpreter/check/check.h"
@@ -114,6 +115,8 @@ constexpr std::array kKinds = {
     Kind{"functions", "what agents can use in expressions, as math.abs(X)", function_text},
     Kind{"checks", "what check warns of", [] { return named_rows(checks()); }},
     Kind{"measures", "what compare measures", [] { return named_rows(measures()); }},
+    Kind{"vehicles", "how automated vehicles drive, world.av.model",
+         [] { return named_rows(vehicle_models()); }},
     Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
     Kind{"commands", "what jaywalk can do", [] { return named_rows(commands()); }},
 };
@@ -124,7 +127,7 @@ CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
               "Names what there is of a kind: environments, internal-actions, functions,\n"
-              "checks, measures, presets or commands.\n",
+              "checks, measures, vehicles, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

@@ -228,7 +228,8 @@ TEST_F(CrossingTest, FailsWhatIsNotAnAction) {
   const std::vector<ActionResult> results =
       tick(crossing, {{AgentId{0}, symbols_.predicate("jump", 0), {}},
                       {AgentId{0}, vocabulary_.move(), {&up, 1}}});
-  EXPECT_EQ(results[0].reason, "unknown action, expected move(Way) or stay");
+  EXPECT_EQ(results[0].reason,
+            "unknown action, expected move(Way), move(Way,Cells), stay or show(Colour)");
   EXPECT_EQ(results[1].reason, "unknown way to move, expected left, right, forward or back");
   EXPECT_FALSE(tick(crossing, {{AgentId{0}, vocabulary_.move(), {&two, 1}}})[0].succeeded);
   EXPECT_EQ(crossing.positions()[0], (Position{5, 30}));

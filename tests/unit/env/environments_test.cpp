@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace jaywalk {
@@ -32,7 +33,8 @@ TEST(Environments, DescribeEachWordOnce) {
       EXPECT_FALSE(word.meaning.empty()) << word.form;
     }
     for (const EnvironmentWord& word : kind.actions) {
-      EXPECT_TRUE(seen.insert(std::string(functor(word))).second) << word.form;
+      const std::string indicator = fmt::format("{}/{}", functor(word), arity(word));
+      EXPECT_TRUE(seen.insert(indicator).second) << word.form;
       EXPECT_FALSE(word.meaning.empty()) << word.form;
     }
   }

@@ -1,0 +1,61 @@
+#pragma once
+
+// The automated vehicle (AV) of a crossing world: how far it has come, how fast it is, what its
+// sensors see and whom it hits. Its controller decides (env/vehicle/vehicle.h), this file moves it.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "env/crossing/road_user.h"
+#include "env/vehicle/vehicle.h"
+
+namespace jaywalk {
+
+/// The AV has touched somebody, for the first time.
+struct Collision {
+  /// Index of the body.
+  std::size_t body = 0;
+  int tick = 0;
+  double impact_mps = 0;
+};
+
+class Av {
+ public:
+  /// The parameters must outlive it.
+  explicit Av(const CrossingParameters& parameters);
+
+  /// Cells that it has driven since the test began.
+  [[nodiscard]] double driven() const { return driven_; }
+  /// Cells per tick, now.
+  [[nodiscard]] double speed() const { return speed_; }
+  [[nodiscard]] double speed_mps() const { return speed_ * cell_mps_; }
+  /// Metres along the road of its leading edge.
+  [[nodiscard]] double front_m() const;
+
+  /// Drives for tick number `tick`, whose moves the bodies have made already. Bodies in `hit` have
+  /// been touched before; the collisions are returned, nearest first.
+  std::vector<Collision> drive(int tick, std::span<const RoadUser> bodies,
+                               std::span<const SignalColour> signals, const Layout& layout,
+                               std::span<const Collision> hit);
+
+  /// Why its controller can go on no longer; empty while all is well.
+  [[nodiscard]] std::string failure() const { return controller_ ? controller_->failure() : ""; }
+
+ private:
+  struct Surroundings;
+
+  [[nodiscard]] double decide(double time_s, double period_s, const Surroundings& around);
+  [[nodiscard]] std::vector<SeenActor> see(const Surroundings& around) const;
+  [[nodiscard]] std::vector<StopLine> stop_lines(const Surroundings& around) const;
+  [[nodiscard]] bool is_hidden(const RoadUser& body) const;
+
+  const CrossingParameters& parameters_;
+  std::unique_ptr<VehicleController> controller_;
+  double cell_mps_;  // the metres per second of one cell per tick
+  double driven_ = 0;
+  double speed_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,55 @@
+#pragma once
+
+// The ground of a crossing world, cell by cell: from bands along the road, or from a map drawn with
+// letters, with crosswalks and obstacles laid over it.
+//
+//   .  pavement          >  lane, forward     <  lane, back
+//   x  junction: road that lanes share        #  blocked: a building, a wall
+//
+// A map has a line for each row, from the AV's left to its right, and a letter for each cell.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "env/crossing/parameters.h"
+
+namespace jaywalk {
+
+enum class Surface : unsigned char { pavement, lane, crosswalk, blocked };
+
+/// `pavement`, `lane`, `crosswalk` or `blocked`: the word that agents perceive.
+[[nodiscard]] std::string_view name(Surface ground);
+
+class Layout {
+ public:
+  /// REQUIRES: parameters without problems().
+  explicit Layout(const CrossingParameters& parameters);
+
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  /// REQUIRES: the position lies on the grid.
+  [[nodiscard]] Surface at(Position position) const {
+    const auto row = static_cast<std::size_t>(position.x);
+    if (cells_.empty()) return rows_[row];
+    return cells_[row * static_cast<std::size_t>(grid_.cells) +
+                  static_cast<std::size_t>(position.y)];
+  }
+  [[nodiscard]] bool is_road(Position position) const {
+    const Surface ground = at(position);
+    return ground == Surface::lane || ground == Surface::crosswalk;
+  }
+  /// Somebody can be there: it lies on the grid and is not blocked.
+  [[nodiscard]] bool is_free(Position position) const {
+    return grid_.contains(position) && at(position) != Surface::blocked;
+  }
+
+ private:
+  Grid grid_;
+  std::vector<Surface> rows_;   // if every row is of one kind
+  std::vector<Surface> cells_;  // else, row by row
+};
+
+/// What a letter of a map stands for.
+[[nodiscard]] std::optional<Surface> find_surface(char letter);
+
+}  // namespace jaywalk

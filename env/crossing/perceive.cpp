@@ -1,0 +1,146 @@
+// What the agents of the crossing world perceive: the rows of percepts.def, in their order.
+
+#include <cassert>
+#include <cmath>
+
+#include "env/crossing/crossing.h"
+
+namespace jaywalk {
+
+class Crossing::Perceiver {
+ public:
+  Perceiver(const Crossing& world, std::size_t agent, Percepts& percepts)
+      : world_(world), agent_(agent), percepts_(percepts) {}
+
+  void perceive() {
+    how_the_test_stands();
+    if (!world_.parameters_.crosswalks.empty()) signals();
+    if (world_.parameters_.pedestrians.sight > 0) road_users();
+    if (world_.parameters_.pedestrians.features) features();
+    oneself();
+    road();
+    vehicle_and_zone();
+  }
+
+ private:
+  using enum CrossingPercept;
+
+  template <class... Args>
+  void add(CrossingPercept percept, Args... args) {
+    percepts_.add(vocabulary().percept(percept), {term(args)...});
+  }
+  static Value term(double number) { return Value::number(number); }
+  Value term(Direction direction) const { return vocabulary().atom(direction); }
+  Value term(Surface kind) const { return vocabulary().atom(kind); }
+  Value term(SignalColour colour) const { return vocabulary().atom(colour); }
+  Value term(ActorKind kind) const { return vocabulary().atom(kind); }
+  Value term(CrosswalkKind kind) const { return vocabulary().atom(kind); }
+
+  [[nodiscard]] const CrossingVocabulary& vocabulary() const { return world_.vocabulary_; }
+  [[nodiscard]] const RoadUser& self() const { return world_.bodies_[agent_]; }
+
+  void how_the_test_stands() {
+    add(tick, world_.ticks_ + 1);
+    add(at, self().place.x, self().place.y);
+    add(CrossingPercept::av, world_.origin_);
+    for (const std::size_t hit : world_.result_.hit_by) {
+      add(precondition_met, static_cast<double>(hit + 1));
+    }
+    for (const Collision& each : world_.result_.collisions) {
+      add(collision, static_cast<double>(each.body + 1));
+    }
+  }
+
+  void signals() {
+    const std::vector<Crosswalk>& all = world_.parameters_.crosswalks;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto number = static_cast<double>(i + 1);
+      add(crosswalk, number, all[i].cells.first, all[i].cells.last, all[i].kind);
+      if (all[i].kind == CrosswalkKind::signalled) {
+        add(CrossingPercept::signal, number, world_.signals_[i]);
+      }
+    }
+  }
+
+  void road_users() {
+    const double sight = world_.parameters_.pedestrians.sight;
+    for (std::size_t i = 0; i < world_.bodies_.size(); ++i) {
+      const RoadUser& other = world_.bodies_[i];
+      const Place here = self().place;
+      const double distance = std::hypot(other.place.x - here.x, other.place.y - here.y);
+      if (i == agent_ || other.kind == ActorKind::signal || distance > sight) continue;
+      add(road_user, static_cast<double>(i + 1), other.kind, other.place.x, other.place.y,
+          other.facing, other.step_in(world_.ticks_));
+    }
+  }
+
+  void features() {
+    const Position here = cell(self().place);
+    add(ground_here, world_.layout_.at(here));
+    for (int i = 0; i < kDirectionCount; ++i) {
+      const auto direction = static_cast<Direction>(i);
+      const Position next = neighbour(here, direction);
+      const bool inside = world_.layout_.grid().contains(next);
+      add(ground, direction, inside ? world_.layout_.at(next) : Surface::blocked);
+    }
+    for (const Direction side : {Direction::left, Direction::right}) kerb_on(here, side);
+    add(av_offset, world_.origin_ - self().place.y);
+  }
+
+  // The cells to the nearest road straight across, if there is one.
+  void kerb_on(Position here, Direction side) {
+    int steps = 0;
+    for (Position p = here; world_.layout_.grid().contains(p); p = neighbour(p, side)) {
+      if (world_.layout_.is_road(p)) {
+        add(kerb, side, steps);
+        return;
+      }
+      ++steps;
+    }
+  }
+
+  void oneself() {
+    add(id, static_cast<double>(agent_ + 1));
+    add(pedestrians, static_cast<double>(world_.pedestrians_));
+    add(walking_speed, self().speed);
+  }
+
+  void road() {
+    const CrossingParameters& parameters = world_.parameters_;
+    add(CrossingPercept::grid, world_.layout_.grid().rows, world_.layout_.grid().cells);
+    int first = 0;
+    for (const Band& band : parameters.bands) {
+      const int last = first + band.rows - 1;
+      if (band.kind == BandKind::pavement) {
+        add(pavement, first, last);
+      } else {
+        add(lane, first, last, band.direction);
+      }
+      first = last + 1;
+    }
+    add(tick_length, parameters.tick_s);
+    add(cell_length, parameters.cell_m);
+  }
+
+  void vehicle_and_zone() {
+    const CrossingParameters& parameters = world_.parameters_;
+    add(av_rows, parameters.av.rows.first, parameters.av.rows.last);
+    add(av_length, parameters.av.length);
+    add(av_speed, world_.av_.speed());
+    add(CrossingPercept::zone_rows, world_.zone_rows_.first, world_.zone_rows_.last);
+    add(CrossingPercept::zone_ahead, world_.zone_ahead_.first, world_.zone_ahead_.last);
+    add(road_end, parameters.road_end);
+  }
+
+  const Crossing& world_;
+  std::size_t agent_;
+  Percepts& percepts_;
+};
+
+void Crossing::perceive(AgentId agent, Percepts& percepts) const {
+  const auto index = static_cast<std::size_t>(agent);
+  assert(index < bodies_.size() && "every agent has a body");
+  Perceiver(*this, index, percepts).perceive();
+}
+
+}  // namespace jaywalk

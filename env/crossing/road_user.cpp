@@ -1,0 +1,102 @@
+#include "env/crossing/road_user.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+constexpr double kEpsilon = 1e-9;
+
+// How far a step can lead before the grid ends.
+double room(Place place, const Grid& grid, Direction direction) {
+  switch (direction) {
+    case Direction::left:
+      return place.x;
+    case Direction::right:
+      return grid.rows - 1 - place.x;
+    case Direction::forward:
+      return grid.cells - 1 - place.y;
+    case Direction::back:
+      return place.y;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string_view name(SignalColour colour) {
+  static constexpr std::array<std::string_view, 3> kNames{"green", "amber", "red"};
+  return kNames[static_cast<std::size_t>(colour)];
+}
+
+std::string_view name(CrosswalkKind kind) {
+  return kind == CrosswalkKind::zebra ? "zebra" : "signalled";
+}
+
+BoxSize size_of(ActorKind kind) {
+  switch (kind) {
+    case ActorKind::vehicle:
+      return {4.5, 1.8};
+    case ActorKind::pedestrian:
+      return {kPedestrianSizeM, kPedestrianSizeM};
+    case ActorKind::cyclist:
+      return {1.8, 0.6};
+    case ActorKind::signal:
+      return {0.3, 0.3};
+  }
+  return {};
+}
+
+double heading_rad(Direction direction) {
+  using std::numbers::pi;
+  switch (direction) {
+    case Direction::left:
+      return pi;
+    case Direction::right:
+      return 0;
+    case Direction::forward:
+      return pi / 2;
+    case Direction::back:
+      return -pi / 2;
+  }
+  return 0;
+}
+
+BoxSize half_extent(const RoadUser& body) {
+  const BoxSize size = size_of(body.kind);
+  const bool along = body.facing == Direction::forward || body.facing == Direction::back;
+  // As a BoxSize: its length along the road, its width across.
+  return along ? BoxSize{size.length_m / 2, size.width_m / 2}
+               : BoxSize{size.width_m / 2, size.length_m / 2};
+}
+
+std::string step(RoadUser& body, const Layout& layout, Direction direction, double cells,
+                 int tick) {
+  const double free = room(body.place, layout.grid(), direction);
+  if (free < kEpsilon) {
+    return fmt::format("a step {} from ({:.6g},{:.6g}) leaves the grid", name(direction),
+                       body.place.x, body.place.y);
+  }
+  const double length = std::min(cells, free);
+  // Every cell on the way has to be free, not the last one alone.
+  for (double walked = std::min(1.0, length);; walked = std::min(walked + 1, length)) {
+    const Position next = cell(ahead_of(body.place, direction, walked));
+    if (!layout.is_free(next)) {
+      return fmt::format("a step {} from ({:.6g},{:.6g}) is blocked", name(direction), body.place.x,
+                         body.place.y);
+    }
+    if (walked >= length) break;
+  }
+  body.place = ahead_of(body.place, direction, length);
+  body.facing = direction;
+  body.step = length;
+  body.stepped_in = tick;
+  return {};
+}
+
+}  // namespace jaywalk

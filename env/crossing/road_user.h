@@ -1,0 +1,52 @@
+#pragma once
+
+// What an agent of the crossing world moves: a pedestrian, a cyclist, another vehicle; and what a
+// signal shows. Read parameters.h before.
+
+#include "env/crossing/layout.h"
+#include "env/scene.h"
+
+namespace jaywalk {
+
+enum class SignalColour : unsigned char { green, amber, red };
+
+/// `green`, `amber` or `red`, as vehicles see it.
+[[nodiscard]] std::string_view name(SignalColour colour);
+
+/// `zebra` or `signalled`.
+[[nodiscard]] std::string_view name(CrosswalkKind kind);
+
+struct RoadUser {
+  ActorKind kind = ActorKind::pedestrian;
+  Place place;
+  /// The greatest step in cells per tick.
+  double speed = 1;
+  /// The way of the last step, and before the first one, towards the road.
+  Direction facing = Direction::forward;
+  /// Cells that the last step led, and the ticks of the last step and of the last action.
+  double step = 0;
+  int stepped_in = 0;
+  int acted_in = 0;
+
+  /// What it has moved in a tick, in cells.
+  [[nodiscard]] double step_in(int tick) const { return stepped_in == tick ? step : 0; }
+};
+
+/// The box that stands for a body, in metres: its length is along its heading.
+struct BoxSize {
+  double length_m = 0;
+  double width_m = 0;
+};
+[[nodiscard]] BoxSize size_of(ActorKind kind);
+
+[[nodiscard]] double heading_rad(Direction direction);
+
+/// Half of the box's extent across the road and along it, as the body faces.
+[[nodiscard]] BoxSize half_extent(const RoadUser& body);
+
+/// Why a step cannot be made; empty if `body` was moved. It leads `cells` in a direction, less at
+/// the grid's edge; at the edge itself, or into a blocked cell, no step is possible.
+[[nodiscard]] std::string step(RoadUser& body, const Layout& layout, Direction direction,
+                               double cells, int tick);
+
+}  // namespace jaywalk

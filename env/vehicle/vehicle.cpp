@@ -1,0 +1,32 @@
+#include "env/vehicle/vehicle.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "env/vehicle/models.h"
+
+namespace jaywalk {
+
+std::span<const VehicleModel> vehicle_models() {
+#define JAYWALK_VEHICLE_MODEL(name, function, summary) VehicleModel{name, summary, function},
+  static constexpr std::array kModels{
+#include "env/vehicle/models.def"
+  };
+#undef JAYWALK_VEHICLE_MODEL
+  return kModels;
+}
+
+const VehicleModel* find_vehicle_model(std::string_view name) {
+  const std::span<const VehicleModel> all = vehicle_models();
+  const auto found = std::ranges::find(all, name, &VehicleModel::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::unique_ptr<VehicleController> make_controller(const VehicleParameters& parameters) {
+  const VehicleModel* model = find_vehicle_model(parameters.model);
+  assert(model != nullptr && "scenarios name models that exist");
+  return model->make(parameters);
+}
+
+}  // namespace jaywalk
