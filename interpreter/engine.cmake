@@ -27,6 +27,7 @@ jaywalk_add_library(engine
     agent/agent.cpp
     agent/bindings.cpp
     agent/clone.cpp
+    agent/customisation.cpp
     agent/cycle.cpp
     agent/execute.cpp
     agent/failure.cpp
@@ -36,6 +37,7 @@ jaywalk_add_library(engine
     agent/plan_terms.cpp
     agent/services.cpp
     agent/waiting.cpp
+    embed/interpreter.cpp
     mas/mas.cpp
     mas/percepts.cpp
     mas/residents.cpp

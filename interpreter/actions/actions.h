@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/logic/action.h"
+#include "interpreter/logic/solutions.h"
 
 namespace jaywalk::actions {
 
@@ -41,23 +42,6 @@ void sort_as_set(std::vector<Value>& all, const SymbolTable& symbols);
 
 /// A rule as a term with variables of its own.
 [[nodiscard]] Value rule_term(Unifier& unifier, const RuleCode& rule);
-
-/// The solutions that a function object makes: it binds and returns true, or returns false at the
-/// end.
-template <class Next>
-class MadeSolutions : public Solutions {
- public:
-  explicit MadeSolutions(Next next) : next_(std::move(next)) {}
-  bool next(ActionCall& call) override { return next_(call); }
-
- private:
-  Next next_;
-};
-
-template <class Next>
-[[nodiscard]] Outcome each(ActionCall& call, Next next) {
-  return call.many(std::make_unique<MadeSolutions<Next>>(std::move(next)));
-}
 
 /// The solutions of an action that are known beforehand: each is unified with one argument.
 class ValueSolutions : public Solutions {

@@ -42,12 +42,7 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
   const auto is_replaced = [&](Predicate predicate) {
     return std::find(replaced.begin(), replaced.end(), predicate) != replaced.end();
   };
-  const auto believe = [&](Value fact) {
-    if (const auto added = beliefs_.add(fact)) {
-      add_event({TriggerOperator::add, TriggerKind::belief, *added, nullptr});
-    }
-  };
-  for (const Value fact : given) believe(fact);
+  for (const Value fact : given) (void)add_belief(fact, Place::front, nullptr);
   // From the last to the first: queries find them in source order, events come in reverse.
   const auto& initial = program.beliefs();
   for (std::size_t i = initial.size(); i > 0; --i) {
@@ -55,7 +50,7 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
     if (belief.rule != nullptr) {
       beliefs_.add_rule(*belief.rule, Place::front);
     } else if (!is_replaced(belief.predicate)) {
-      believe(belief.fact);
+      (void)add_belief(belief.fact, Place::front, nullptr);
     }
   }
   for (const Program::Goal& goal : program.goals()) {
@@ -105,24 +100,35 @@ void Agent::give_feedback(bool succeeded, std::string reason) {
       {action.intention, succeeded, std::move(reason), action.literal});
 }
 
-bool Agent::add_belief(Value literal, Place place, Intention* focus) {
+Value Agent::with_own_source(Value literal) {
   const LiteralParts parts = literal_parts(literal);
-  if (!has_source(parts.annots)) {
-    literal =
-        with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
+  if (has_source(parts.annots)) return literal;
+  return with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
+}
+
+bool Agent::add_belief(Value literal, Place place, Intention* focus) {
+  if (customisation_ != nullptr && customisation_->revise_beliefs) {
+    return revise(BeliefRevision::Kind::add, literal, place, focus);
   }
-  const std::optional<Value> added = beliefs_.add(literal, place);
+  return believe(literal, place, focus);
+}
+
+bool Agent::remove_belief(Value literal, Intention* focus) {
+  if (customisation_ != nullptr && customisation_->revise_beliefs) {
+    return revise(BeliefRevision::Kind::remove, literal, Place::front, focus);
+  }
+  return disbelieve(literal, focus);
+}
+
+bool Agent::believe(Value literal, Place place, Intention* focus) {
+  const std::optional<Value> added = beliefs_.add(with_own_source(literal), place);
   if (!added) return false;
   add_event({TriggerOperator::add, TriggerKind::belief, *added, focus});
   return true;
 }
 
-bool Agent::remove_belief(Value literal, Intention* focus) {
-  const LiteralParts parts = literal_parts(literal);
-  if (!has_source(parts.annots)) {
-    literal =
-        with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
-  }
+bool Agent::disbelieve(Value literal, Intention* focus) {
+  literal = with_own_source(literal);
   if (!beliefs_.remove(literal, machine_.unifier())) return false;
   add_event(
       {TriggerOperator::remove, TriggerKind::belief, machine_.unifier().apply(literal), focus});

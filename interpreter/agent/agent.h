@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "interpreter/agent/circumstance.h"
+#include "interpreter/agent/customisation.h"
 #include "interpreter/agent/host.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/mas/environment.h"
@@ -35,6 +36,13 @@ class Agent {
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
 
+  /// Functions of its own, to be set before it starts; null: none.
+  void customise(std::shared_ptr<const Customisation> functions) {
+    customisation_ = std::move(functions);
+  }
+  [[nodiscard]] const std::shared_ptr<const Customisation>& customisation() const {
+    return customisation_;
+  }
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
   void start(std::span<const Predicate> replaced, std::span<const Value> given);
@@ -46,6 +54,9 @@ class Agent {
   void update_percepts(const Percepts& percepts);
   /// One reasoning cycle.
   void cycle();
+  /// Does something with the agent from outside, between two cycles. False: a limit stopped it, and
+  /// `problem` says which.
+  [[nodiscard]] bool intervene(const std::function<void()>& work, std::string& problem);
   /// A cycle would do something.
   [[nodiscard]] bool is_active() const;
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
@@ -168,6 +179,23 @@ class Agent {
   [[nodiscard]] std::string plan_name(const Plan& plan) const;
 
  private:
+  friend class BeliefRevision;
+
+  // The agent's own functions (customisation.cpp).
+  bool revise(BeliefRevision::Kind kind, Value literal, Place place, Intention* focus);
+  bool take_selected_event(Event& event);
+  Intention* take_selected_intention();
+  [[nodiscard]] bool select_option(const std::vector<const Plan*>& plans, const Event& event,
+                                   const std::shared_ptr<Scope>& scope, bool& had_candidates);
+  void find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
+                    std::vector<Option>& options);
+
+  // Changes of belief as they are without belief revision.
+  bool believe(Value literal, Place place, Intention* focus);
+  bool disbelieve(Value literal, Intention* focus);
+  [[nodiscard]] Value with_own_source(Value literal);
+  void prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope);
+
   // The reasoning cycle (cycle.cpp).
   void sense();
   void process_message();
@@ -260,6 +288,7 @@ class Agent {
   PlanMap copy_plans(const Agent& original, Transfer& transfer);
   void copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans);
 
+  void tidy_up();
   void make_ready(Intention& intention);
   Intention& new_intention();
   void collect_garbage();
@@ -274,6 +303,7 @@ class Agent {
   Machine machine_;
   JavaRandom random_;
   Circumstance circumstance_;
+  std::shared_ptr<const Customisation> customisation_;
   const PlanLibrary* library_;
   std::unique_ptr<PlanLibrary> own_library_;      // once the program's has been changed
   std::vector<std::shared_ptr<Plan>> own_plans_;  // made at run time, perhaps removed again

@@ -31,6 +31,25 @@ void Agent::cycle() {
     if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
     executing_ = nullptr;
   }
+  tidy_up();
+}
+
+bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
+  ActionError error;
+  const bool completed = guarded(error, [&] {
+    work();
+    return true;
+  });
+  if (!completed) {
+    machine_.unifier().undo(0);
+    problem = error.message;
+  }
+  changed_ = true;
+  tidy_up();
+  return completed;
+}
+
+void Agent::tidy_up() {
   // Nothing holds a Value any more but the circumstance and the beliefs.
   machine_.unifier().commit(0);
   machine_.forget_temporary_code();
@@ -59,8 +78,13 @@ void Agent::deliberate() {
   }
   // Rule SelEv1: the oldest event. External events that nobody wants do not cost a cycle.
   while (!c.events.empty()) {
-    const Event event = c.events.front();
-    c.events.pop_front();
+    Event event;
+    if (customisation_ != nullptr && customisation_->select_event) {
+      if (!take_selected_event(event)) return;
+    } else {
+      event = c.events.front();
+      c.events.pop_front();
+    }
     if (uses_subplans_) start_subplan_intentions(event);
     if (find_option(event, had_candidates) || no_plan(event, had_candidates)) return;
   }
@@ -91,6 +115,9 @@ bool Agent::find_option(const Event& event, bool& had_candidates) {
 
 bool Agent::try_plans(const std::vector<const Plan*>& plans, const Event& event,
                       const std::shared_ptr<Scope>& scope, bool& had_candidates) {
+  if (customisation_ != nullptr && customisation_->select_option) {
+    return select_option(plans, event, scope, had_candidates);
+  }
   for (const Plan* const plan : plans) {
     if (try_plan(*plan, event, scope)) return true;
     had_candidates = true;
@@ -98,14 +125,18 @@ bool Agent::try_plans(const std::vector<const Plan*>& plans, const Event& event,
   return false;
 }
 
-bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope) {
-  Unifier& unifier = machine_.unifier();
-  const std::size_t trail = unifier.mark();
+void Agent::prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope) {
   scratch_.assign(plan.slot_count, Value());
   if (scope != nullptr && scope->owner != nullptr) {
     for (const auto& [own, outer] : plan.inherited) scratch_[own] = scope->frame[outer];
   }
-  unifier.set_slot_names(plan.slot_names);
+  machine_.unifier().set_slot_names(plan.slot_names);
+}
+
+bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope) {
+  Unifier& unifier = machine_.unifier();
+  const std::size_t trail = unifier.mark();
+  prepare_scratch(plan, scope);
   ActionError error;
   const bool applicable = guarded(error, [&] {
     return unifier.match(plan.trigger, scratch_.data(), event.literal,
@@ -251,6 +282,9 @@ Intention* Agent::select_intention() {
     return atomic;
   }
   if (c.atomic_suspended || c.running.empty()) return nullptr;
+  if (customisation_ != nullptr && customisation_->select_intention) {
+    return take_selected_intention();
+  }
   Intention* const first = c.running.front();
   c.running.pop_front();
   return first;

@@ -26,7 +26,9 @@ void Agent::process_message() {
   circumstance_.mailbox.pop_front();
   ActionError error;
   const bool handled = guarded(error, [&] {
-    if (!answer_arrived(message)) handle_message(message);
+    if (answer_arrived(message)) return true;
+    const bool is_free = customisation_ == nullptr || !customisation_->accepts_message;
+    if (is_free || customisation_->accepts_message(*this, message)) handle_message(message);
     return true;
   });
   if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error.message));

@@ -307,7 +307,9 @@ std::shared_ptr<const Program> compile(const SourceTree& tree, SymbolTable& symb
   if (diagnostics.has_errors()) return nullptr;
   const std::string file = tree.main().source->name();
   auto program = std::make_shared<Program>(std::filesystem::path(file).stem().string());
-  ProgramBuilder(*program, symbols, standard_actions(), diagnostics, options).build(tree);
+  const ActionRegistry& actions =
+      options.actions == nullptr ? standard_actions() : *options.actions;
+  ProgramBuilder(*program, symbols, actions, diagnostics, options).build(tree);
   if (diagnostics.has_errors()) return nullptr;
   return program;
 }

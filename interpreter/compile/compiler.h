@@ -19,6 +19,9 @@ struct CompileOptions {
   /// For code that an agent includes while it runs: plans without a label get one that no plan of
   /// the table's programs has.
   bool fresh_labels = false;
+  /// The internal actions and functions that it may use; null: the standard ones. They must outlive
+  /// the program and must not change any more.
+  const ActionRegistry* actions = nullptr;
 };
 
 /// Compiles a program into `symbols`. Null after adding errors to `diagnostics`.

@@ -121,9 +121,10 @@ Value VariableScope::variable(std::string_view name) {
   }
   const Symbol symbol = unnamed ? names::unnamed : symbols_.symbol(name);
   Value made;
+  const auto number = static_cast<std::uint32_t>(slot_names_.size());
+  slot_names_.push_back(symbol);
   if (kind_ == Kind::slots) {
-    made = Value::slot(static_cast<std::uint32_t>(slot_names_.size()));
-    slot_names_.push_back(symbol);
+    made = Value::slot(number);
   } else {
     made = heap_.variable(symbol);
   }

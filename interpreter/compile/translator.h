@@ -28,6 +28,7 @@ class VariableScope {
     const auto found = known_.find(std::string(name));
     return found == known_.end() ? Value() : found->second;
   }
+  /// Of all variables, in the order in which they first came.
   [[nodiscard]] std::vector<Symbol>& slot_names() { return slot_names_; }
 
  private:

@@ -6,6 +6,29 @@
 
 namespace jaywalk {
 
+namespace {
+
+Outcome call_own(ActionCall& call) { return call.goal().action->own(call); }
+
+}  // namespace
+
+ActionDefinition own_action(std::string name, int least_args, int most_args,
+                            std::function<Outcome(ActionCall& call)> body) {
+  ActionDefinition action;
+  action.signature = name + "(...)";
+  action.name = std::move(name);
+  action.least_args = least_args;
+  action.most_args = most_args;
+  action.function = call_own;
+  action.own = std::move(body);
+  return action;
+}
+
+void ActionRegistry::add_all(const ActionRegistry& other) {
+  for (const ActionDefinition& action : other.actions_) add(action);
+  for (const FunctionDefinition& function : other.functions_) add(function);
+}
+
 void ActionRegistry::add(ActionDefinition action) {
   const ActionDefinition& stored = actions_.emplace_back(std::move(action));
   by_name_[stored.name] = &stored;

@@ -55,7 +55,14 @@ struct ActionDefinition {
   std::uint32_t formula_args = 0;
   /// Arguments are handed over as written, not applied.
   bool raw_args = false;
+  /// What own_action() calls: a function object with what it needs.
+  std::function<Outcome(ActionCall& call)> own;
 };
+
+/// An internal action of a program that embeds the interpreter. Its name has a dot, as Jason's
+/// `package.name` has: "my.sum". It is called on the threads that run agents of its registry.
+[[nodiscard]] ActionDefinition own_action(std::string name, int least_args, int most_args,
+                                          std::function<Outcome(ActionCall& call)> body);
 
 /// Evaluates a function whose arguments have been applied; no value: the term stays as it is.
 using FunctionBody = bool (*)(std::span<const Value> args, Heap& heap, SymbolTable& symbols,
@@ -70,9 +77,19 @@ struct FunctionDefinition {
   std::string summary;
 };
 
-/// All known actions and functions, by name. Immutable once programs are compiled against it.
+/// All known actions and functions, by name. Immutable once programs are compiled against it. What
+/// is added later stands before what has the same name.
 class ActionRegistry {
  public:
+  ActionRegistry() = default;
+  ActionRegistry(const ActionRegistry&) = delete;
+  ActionRegistry& operator=(const ActionRegistry&) = delete;
+  ActionRegistry(ActionRegistry&&) = default;
+  ActionRegistry& operator=(ActionRegistry&&) = default;
+  ~ActionRegistry() = default;
+
+  /// Everything that another registry has.
+  void add_all(const ActionRegistry& other);
   void add(ActionDefinition action);
   void add(FunctionDefinition function);
   [[nodiscard]] const ActionDefinition* action(std::string_view name) const;

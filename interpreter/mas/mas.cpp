@@ -79,6 +79,12 @@ std::vector<std::string> Mas::describe_beliefs(AgentId id) const {
   return texts;
 }
 
+bool Mas::intervene(AgentId id, const std::function<void(Agent& agent)>& work,
+                    std::string& problem) {
+  return implementation_->intervene(id, work, problem);
+}
+
+SymbolTable& Mas::symbols() { return implementation_->symbols(); }
 double Mas::now_ms() const { return implementation_->now_ms(); }
 double Mas::reasoning_cpu_s() const { return implementation_->reasoning_cpu_s(); }
 

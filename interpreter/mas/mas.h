@@ -36,6 +36,7 @@ namespace jaywalk {
 
 class Agent;
 class Trace;
+struct Customisation;
 
 /// A belief given from outside: it takes the place of the program's initial beliefs of that name
 /// and arity (`radius(15)`: radius/1). Arguments are numbers and atoms.
@@ -48,6 +49,8 @@ struct AgentSpec {
   std::string name;
   std::shared_ptr<const Program> program;
   std::vector<Parameter> parameters;
+  /// Functions of its own (agent/customisation.h); null: none.
+  std::shared_ptr<const Customisation> customisation;
 };
 
 struct MasOptions {
@@ -129,6 +132,14 @@ class Mas {
   [[nodiscard]] std::vector<std::string> describe_intentions(AgentId id) const;
   /// The agent's beliefs as texts, in the order of the belief base.
   [[nodiscard]] std::vector<std::string> describe_beliefs(AgentId id) const;
+  /// Does something with an agent between two steps: `work` may ask it, or change its beliefs,
+  /// goals and plans. False: a limit stopped it, and `problem` says which. A run that ended because
+  /// all agents were idle goes on with the next step. REQUIRES: the agent is alive; no step is
+  /// under way.
+  [[nodiscard]] bool intervene(AgentId id, const std::function<void(Agent& agent)>& work,
+                               std::string& problem);
+  /// The run's own names, above those of the programs.
+  [[nodiscard]] SymbolTable& symbols();
   [[nodiscard]] double now_ms() const;
   /// Seconds of CPU spent in reasoning so far (0 unless measured).
   [[nodiscard]] double reasoning_cpu_s() const;

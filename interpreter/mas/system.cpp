@@ -58,6 +58,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
 void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
   std::vector<Predicate> replaced;
   std::vector<Value> given;
+  agent.customise(spec.customisation);
   ActionError error;
   const bool started = guarded(error, [&] {
     for (const Parameter& parameter : spec.parameters) {
@@ -74,6 +75,7 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
 AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
   Resident& resident = settle(spec.name, spec.program);
   resident.has_body = environment_ != nullptr;
+  go_on_after_idleness();
   start(*resident.agent, spec);
   return AgentId{resident.number};
 }
@@ -155,6 +157,21 @@ void Mas::Implementation::end(RunEnd how, std::string message) {
   ended_ = true;
   outcome_.end = how;
   outcome_.message = std::move(message);
+}
+
+// From outside, agents get something to do after all were idle.
+void Mas::Implementation::go_on_after_idleness() {
+  if (ended_ && outcome_.end == RunEnd::idle) ended_ = false;
+}
+
+bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& agent)>& work,
+                                    std::string& problem) {
+  Resident& resident = residents_[static_cast<std::uint32_t>(id)];
+  Agent& agent = *resident.agent;
+  const bool completed = agent.intervene([&] { work(agent); }, problem);
+  go_on_after_idleness();
+  if (agent.is_active()) wake(resident);
+  return completed;
 }
 
 // What agents ask for.

@@ -26,6 +26,9 @@ class Mas::Implementation : public AgentHost, public Society {
 
   AgentId add_agent(const AgentSpec& spec);
   bool step();
+  [[nodiscard]] bool intervene(AgentId id, const std::function<void(Agent& agent)>& work,
+                               std::string& problem);
+  [[nodiscard]] SymbolTable& symbols() { return symbols_; }
 
   [[nodiscard]] const RunOutcome& outcome() const { return outcome_; }
   [[nodiscard]] const Residents& residents() const { return residents_; }
@@ -57,6 +60,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] bool is_full() const;
   void start(Agent& agent, const AgentSpec& spec);
   void end(RunEnd how, std::string message = {});
+  void go_on_after_idleness();
   void leave(Resident& resident);
 
   // One step of the run.

@@ -91,6 +91,11 @@ class Ring {
     std::rotate(begin() + index, end() - 1, end());
     return begin() + index;
   }
+  /// Removes the element at a position. REQUIRES: there is one.
+  void erase(iterator position) {
+    std::move(position + 1, end(), position);
+    cut(end() - 1);
+  }
   /// Removes the elements from `from` to the end.
   void cut(iterator from) {
     const auto left = static_cast<std::size_t>(from - begin());

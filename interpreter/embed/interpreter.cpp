@@ -1,0 +1,240 @@
+#include "interpreter/embed/interpreter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/compile/translator.h"
+#include "interpreter/syntax/parser.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+
+const Answer::Binding* Answer::find(std::string_view variable) const {
+  const auto found = std::ranges::find(bindings_, variable, &Binding::variable);
+  return found == bindings_.end() ? nullptr : &*found;
+}
+
+std::string Answer::operator[](std::string_view variable) const {
+  const Binding* const found = find(variable);
+  return found == nullptr ? std::string() : found->term;
+}
+
+/// A text on its way to become a term with variables of its own.
+class Interpreter::Text {
+ public:
+  using Parse = const ast::Node* (*)(const SourcePtr&, ast::Arena&, Diagnostics&);
+
+  Text(const std::string& name, const std::string& text, Parse parse)
+      : source_(std::make_shared<const Source>(name, text)) {
+    node_ = parse(source_, arena_, diagnostics_);
+  }
+
+  [[nodiscard]] bool is_good() const { return node_ != nullptr && !diagnostics_.has_errors(); }
+  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  void error(std::string message) {
+    const auto end = static_cast<std::uint32_t>(source_->text().size());
+    diagnostics_.error({source_, Span{0, end}}, std::move(message));
+  }
+
+  /// As a formula; `variables` receives those with a name, in order.
+  [[nodiscard]] Value formula(Agent& agent, std::vector<Value>& variables) const {
+    VariableScope scope(VariableScope::Kind::variables, agent.heap(), agent.symbols());
+    const Value term =
+        Translator(agent.heap(), agent.symbols(), agent.machine().actions()).formula(*node_, scope);
+    for (const Symbol name : scope.slot_names()) {
+      if (name != names::unnamed) variables.push_back(scope.find(agent.symbols().text(name)));
+    }
+    return term;
+  }
+
+ private:
+  SourcePtr source_;
+  ast::Arena arena_;
+  Diagnostics diagnostics_;
+  const ast::Node* node_ = nullptr;
+};
+
+namespace {
+
+bool is_formula(Value term) {
+  if (is_literal(term) || term.is_variable()) return true;
+  if (!term.is_structure()) return false;
+  const Form form = term.structure()->form();
+  return form == Form::relation || form == Form::logical || form == Form::decorated;
+}
+
+Answer::Binding binding_of(Value variable, Agent& agent) {
+  const Value value = agent.machine().unifier().apply(variable);
+  Answer::Binding binding;
+  binding.variable = agent.symbols().text(variable.variable()->name());
+  binding.term = term_text(value, agent.symbols());
+  if (value.is_number()) binding.number = value.as_number();
+  if (value.is_text()) binding.text = value.text()->view();
+  return binding;
+}
+
+Answer answer_of(std::span<const Value> variables, Agent& agent) {
+  std::vector<Answer::Binding> bindings;
+  for (const Value variable : variables) {
+    if (!deref(variable).is_variable()) bindings.push_back(binding_of(variable, agent));
+  }
+  return Answer(std::move(bindings));
+}
+
+}  // namespace
+
+Interpreter::Interpreter(MasOptions options, const EnvironmentMaker& make_environment) {
+  actions_.add_all(standard_actions());
+  const auto symbols = std::make_shared<SymbolTable>();
+  if (make_environment) environment_ = make_environment(*symbols);
+  if (!options.load_program) {
+    options.load_program = [this](const ProgramRequest& request, SymbolTable&,
+                                  std::string& error) -> std::shared_ptr<const Program> {
+      Diagnostics diagnostics;
+      const SourceTree tree = load_agent(request.file, {}, diagnostics);
+      auto program = compiled(tree, std::move(diagnostics),
+                              {.ns = request.ns, .fresh_labels = request.included});
+      if (program) return program.value();
+      error = program.diagnostics().items().front().message;
+      return nullptr;
+    };
+  }
+  mas_ = std::make_unique<Mas>(symbols, std::move(options), environment_.get());
+}
+
+Interpreter::~Interpreter() = default;
+
+void Interpreter::add_action(std::string name, int least_args, int most_args,
+                             std::function<Outcome(ActionCall& call)> body) {
+  add_action(own_action(std::move(name), least_args, most_args, std::move(body)));
+}
+
+void Interpreter::add_action(ActionDefinition action) { actions_.add(std::move(action)); }
+void Interpreter::add_function(FunctionDefinition function) { actions_.add(std::move(function)); }
+
+Result<std::shared_ptr<const Program>> Interpreter::compiled(const SourceTree& tree,
+                                                             Diagnostics diagnostics,
+                                                             CompileOptions options) {
+  options.actions = &actions_;
+  auto program = compile(tree, mas_->symbols(), diagnostics, options);
+  if (program == nullptr) return diagnostics;
+  programs_.push_back(program);
+  return program;
+}
+
+Result<std::shared_ptr<const Program>> Interpreter::load_file(const std::string& path,
+                                                              const IncludePath& include_path) {
+  Diagnostics diagnostics;
+  const SourceTree tree = load_agent(path, include_path, diagnostics);
+  return compiled(tree, std::move(diagnostics), {});
+}
+
+Result<std::shared_ptr<const Program>> Interpreter::load_text(const std::string& name,
+                                                              std::string text,
+                                                              const IncludePath& include_path) {
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<const Source>(name, std::move(text));
+  const SourceTree tree = load_agent(source, include_path, diagnostics);
+  return compiled(tree, std::move(diagnostics), {});
+}
+
+AgentId Interpreter::add_agent(const std::string& name, std::shared_ptr<const Program> program,
+                               std::shared_ptr<const Customisation> customisation) {
+  AgentSpec spec;
+  spec.name = name;
+  spec.program = std::move(program);
+  spec.customisation = std::move(customisation);
+  return mas_->add_agent(spec);
+}
+
+RunOutcome Interpreter::run() { return mas_->run(); }
+bool Interpreter::step() { return mas_->step(); }
+
+Result<std::vector<Answer>> Interpreter::ask(AgentId agent, const std::string& query,
+                                             std::size_t most) {
+  Text text("query", query, parse_term);
+  if (!text.is_good()) return std::move(text.diagnostics());
+  std::vector<Answer> answers;
+  std::string problem;
+  const bool completed = mas_->intervene(
+      agent,
+      [&](Agent& asked) {
+        std::vector<Value> variables;
+        const Value formula = text.formula(asked, variables);
+        if (!is_formula(formula)) {
+          text.error("expected a formula, as in a plan's context");
+          return;
+        }
+        asked.machine().solve_all_terms(formula, [&] {
+          answers.push_back(answer_of(variables, asked));
+          return most == 0 || answers.size() < most;
+        });
+      },
+      problem);
+  if (!completed) text.error(std::move(problem));
+  if (text.diagnostics().has_errors()) return std::move(text.diagnostics());
+  return answers;
+}
+
+// What all functions that tell an agent something have in common.
+Diagnostics Interpreter::tell(AgentId agent, const std::string& name, const std::string& text,
+                              const std::function<void(Agent&, Value literal)>& what) {
+  Text parsed(name, text, parse_literal);
+  if (!parsed.is_good()) return std::move(parsed.diagnostics());
+  std::string problem;
+  const bool completed = mas_->intervene(
+      agent,
+      [&](Agent& told) {
+        std::vector<Value> variables;
+        const Value written = parsed.formula(told, variables);
+        const Value literal = told.machine().unifier().apply(written);
+        if (is_literal(literal)) {
+          what(told, literal);
+        } else {
+          parsed.error("expected a literal, as in p(1)");
+        }
+      },
+      problem);
+  if (!completed) parsed.error(std::move(problem));
+  return std::move(parsed.diagnostics());
+}
+
+Diagnostics Interpreter::believe(AgentId agent, const std::string& belief) {
+  return tell(agent, "belief", belief,
+              [](Agent& told, Value literal) { told.add_belief(literal, Place::front, nullptr); });
+}
+
+Diagnostics Interpreter::forget(AgentId agent, const std::string& belief) {
+  return tell(agent, "belief", belief,
+              [](Agent& told, Value literal) { told.remove_belief(literal, nullptr); });
+}
+
+Diagnostics Interpreter::achieve(AgentId agent, const std::string& goal) {
+  return tell(agent, "goal", goal, [](Agent& told, Value literal) {
+    const LiteralParts parts = literal_parts(literal);
+    if (!has_source(parts.annots)) {
+      literal = with_annotations(
+          told.heap(), literal, union_of(told.heap(), parts.annots, source_self(), told.symbols()));
+    }
+    told.add_goal(literal);
+  });
+}
+
+Diagnostics Interpreter::include(AgentId agent, const std::string& name, std::string text) {
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<const Source>(name, std::move(text));
+  const SourceTree tree = load_agent(source, {}, diagnostics);
+  auto program = compiled(tree, std::move(diagnostics), {.fresh_labels = true});
+  if (!program) return std::move(program.diagnostics());
+  std::string problem;
+  const bool completed = mas_->intervene(
+      agent, [&](Agent& told) { (void)told.include(program.value(), problem); }, problem);
+  Diagnostics found;
+  if (!completed || !problem.empty()) found.error(name, problem);
+  return found;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,128 @@
+#pragma once
+
+// The interpreter within another program: load agents, run them, ask and tell them. This is the
+// header to begin with; it deals in texts, so that nobody has to know how terms are kept.
+// EMBEDDING.md shows it at work.
+//
+//   jaywalk::Interpreter interpreter({.print = [](std::string_view line) { ... }});
+//   const auto program = interpreter.load_text("counter", "!count(3). +!count(N) <- .print(N).");
+//   if (!program) ... program.diagnostics().render() says what is wrong with it
+//   const jaywalk::AgentId ann = interpreter.add_agent("ann", program.value());
+//   interpreter.run();
+//
+// An Interpreter is used by one thread at a time; several of them share nothing.
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/agent/customisation.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/logic/action.h"
+#include "interpreter/mas/environment.h"
+#include "interpreter/mas/mas.h"
+#include "interpreter/support/diagnostics.h"
+#include "interpreter/syntax/load.h"
+
+namespace jaywalk {
+
+/// One solution of a query: what its variables stand for, in the order of the query. Variables that
+/// are still free are left out.
+class Answer {
+ public:
+  struct Binding {
+    std::string variable;
+    /// As it would be printed: `3`, `p(a,[1,2])`, `"text"`.
+    std::string term;
+    /// The value of a number, the content of a string.
+    std::optional<double> number;
+    std::optional<std::string> text;
+  };
+
+  explicit Answer(std::vector<Binding> bindings) : bindings_(std::move(bindings)) {}
+  [[nodiscard]] const std::vector<Binding>& bindings() const { return bindings_; }
+  /// Null if the variable is free or not in the query.
+  [[nodiscard]] const Binding* find(std::string_view variable) const;
+  /// The variable's value as it would be printed; empty if it has none.
+  [[nodiscard]] std::string operator[](std::string_view variable) const;
+
+ private:
+  std::vector<Binding> bindings_;
+};
+
+class Interpreter {
+ public:
+  /// Makes the agents' world; the names that it needs are put into the table in its constructor.
+  using EnvironmentMaker = std::function<std::unique_ptr<Environment>(SymbolTable& symbols)>;
+
+  /// `options` says where output goes, the seed and the limits (mas/mas.h). Without a world, agents
+  /// think and talk only.
+  explicit Interpreter(MasOptions options = {}, const EnvironmentMaker& make_environment = {});
+  ~Interpreter();
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  /// Internal actions and functions beside the built-in ones. REQUIRES: no program has been loaded.
+  void add_action(std::string name, int least_args, int most_args,
+                  std::function<Outcome(ActionCall& call)> body);
+  void add_action(ActionDefinition action);
+  void add_function(FunctionDefinition function);
+
+  /// A program, to be run by any number of agents of this interpreter. Errors have their places.
+  [[nodiscard]] Result<std::shared_ptr<const Program>> load_file(
+      const std::string& path, const IncludePath& include_path = {});
+  [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(
+      const std::string& name, std::string text, const IncludePath& include_path = {});
+
+  /// Agents may come at any time; a name that is taken gets a suffix. `customisation` is what the
+  /// agent does in its own way (agent/customisation.h).
+  AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program,
+                    std::shared_ptr<const Customisation> customisation = {});
+
+  /// Runs until all agents are idle, an agent stops the run, the environment is finished or a limit
+  /// of the options is reached. After the first, it may be called again when there is more to do.
+  RunOutcome run();
+  /// One tick, or without an environment one reasoning cycle of every agent that has something to
+  /// do. False: the run has ended.
+  bool step();
+
+  // The agents must be alive. Each function returns what is wrong with its text, or that a limit
+  // was reached; if that is empty, it has been done.
+
+  /// The first `most` answers to a formula of a plan's context (0: all): "age(X, N) & N > 18".
+  [[nodiscard]] Result<std::vector<Answer>> ask(AgentId agent, const std::string& query,
+                                                std::size_t most = 0);
+  /// Adds a belief, as the agent's own formula `+b` would: "speed(13)[source(radar)]".
+  [[nodiscard]] Diagnostics believe(AgentId agent, const std::string& belief);
+  /// Removes the first belief that unifies, as `-b` would: "speed(_)[source(radar)]".
+  [[nodiscard]] Diagnostics forget(AgentId agent, const std::string& belief);
+  /// Gives the agent a goal: "go_to(3, 4)".
+  [[nodiscard]] Diagnostics achieve(AgentId agent, const std::string& goal);
+  /// Gives the agent all beliefs, rules, goals and plans of a text. (It is kept until the
+  /// interpreter goes, so for single beliefs the functions above are better.)
+  [[nodiscard]] Diagnostics include(AgentId agent, const std::string& name, std::string text);
+
+  /// The whole system, for what is not here.
+  [[nodiscard]] Mas& mas() { return *mas_; }
+  [[nodiscard]] const ActionRegistry& actions() const { return actions_; }
+
+ private:
+  class Text;
+
+  [[nodiscard]] Result<std::shared_ptr<const Program>> compiled(const SourceTree& tree,
+                                                                Diagnostics diagnostics,
+                                                                CompileOptions options);
+  [[nodiscard]] Diagnostics tell(AgentId agent, const std::string& name, const std::string& text,
+                                 const std::function<void(Agent&, Value literal)>& what);
+
+  ActionRegistry actions_;
+  std::unique_ptr<Environment> environment_;
+  std::unique_ptr<Mas> mas_;
+  std::vector<std::shared_ptr<const Program>> programs_;
+};
+
+}  // namespace jaywalk
