@@ -21,6 +21,7 @@
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/project_agents.h"
 #include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/shipped.h"
 #include "tools/jaywalk/vocabulary.h"
 
 namespace jaywalk::command::check {
@@ -201,7 +202,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!include_path) return ExitCode::usage;
   Checker checker(*include_path);
   std::size_t checked = 0;
-  for (const std::string& path : arguments.operands()) {
+  for (const std::string& operand : arguments.operands()) {
+    const std::string path = located(operand);
     if (checker.check_file(path)) {
       ++checked;
     } else {

@@ -24,6 +24,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/shipped.h"
 #include "tools/jaywalk/store_options.h"
 
 namespace jaywalk::command::compare {
@@ -105,7 +106,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     console.report(diagnostics);
     return std::nullopt;
   }
-  Request request{.prepared = prepare_scenario(arguments.operands().front(), arguments,
+  Request request{.prepared = prepare_scenario(located(arguments.operands().front()), arguments,
                                                behaviours_of(arguments), console),
                   .conditions = options.conditions,
                   .store = options.store};

@@ -11,6 +11,7 @@
 #include "tools/jaywalk/run_program.h"
 #include "tools/jaywalk/run_scenario.h"
 #include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/shipped.h"
 
 namespace jaywalk::command::run {
 namespace {
@@ -76,7 +77,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                   "jaywalk run --help shows how to write it");
     return ExitCode::usage;
   }
-  const std::string& path = arguments.operands().front();
+  const std::string path = located(arguments.operands().front());
   if (is_scenario_file(path)) {
     if (refuse(kForPrograms, "a scenario", arguments, console)) return ExitCode::usage;
     return run_scenario_file(path, arguments, console);

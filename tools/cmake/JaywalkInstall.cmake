@@ -1,0 +1,71 @@
+# What `cmake --install` puts where, all below one prefix that may be moved:
+#
+#   bin/jaywalk                 the command; it finds what it ships with beside itself
+#   include/jaywalk/            the public headers, under the same names as in the project
+#   lib/libjaywalk_*.a          the libraries
+#   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
+#   share/jaywalk/              agents and scenarios
+#   share/doc/jaywalk/          the language's reference, how to embed it, the licence
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(JAYWALK_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/jaywalk)
+set(JAYWALK_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/jaywalk)
+set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
+
+# The command's own library is nobody else's.
+get_property(libraries GLOBAL PROPERTY JAYWALK_LIBRARIES)
+list(REMOVE_ITEM libraries jaywalk_command)
+install(TARGETS ${libraries} EXPORT jaywalk-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        INCLUDES DESTINATION ${JAYWALK_INCLUDE_DIR})
+install(EXPORT jaywalk-targets NAMESPACE jaywalk:: DESTINATION ${JAYWALK_PACKAGE_DIR})
+install(TARGETS jaywalk RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/jaywalk-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/jaywalk-config.cmake
+                              INSTALL_DESTINATION ${JAYWALK_PACKAGE_DIR}
+                              PATH_VARS JAYWALK_DATA_DIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/jaywalk-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/jaywalk-config.cmake
+              ${PROJECT_BINARY_DIR}/jaywalk-config-version.cmake
+        DESTINATION ${JAYWALK_PACKAGE_DIR})
+
+# The interpreter's public headers: those that a program needs which embeds it, and what these include.
+set(interpreter_headers
+    agent/agent.h agent/circumstance.h agent/customisation.h agent/host.h agent/intention.h
+    check/check.h
+    compile/compiler.h
+    embed/interpreter.h
+    logic/action.h logic/belief_base.h logic/code.h logic/machine.h logic/solutions.h logic/unifier.h
+    mas/environment.h mas/mas.h
+    program/plan.h program/program.h
+    support/diagnostics.h support/random.h support/ring.h support/source.h
+    syntax/ast.h syntax/load.h syntax/parser.h syntax/printer.h syntax/project.h
+    term/compare.h term/heap.h term/names.def term/object.h term/print.h term/symbol.h term/transfer.h
+    term/value.h term/walk.h)
+foreach(header IN LISTS interpreter_headers)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/interpreter/${header}
+          DESTINATION ${JAYWALK_INCLUDE_DIR}/interpreter/${folder})
+endforeach()
+# Of the other layers all but what serves the reading of scenarios.
+foreach(layer env experiment search)
+  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${layer})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${JAYWALK_INCLUDE_DIR}
+            FILES_MATCHING PATTERN "*.h" PATTERN "*.def"
+            PATTERN "scenario_reader.h" EXCLUDE
+            PATTERN "scenario_schema.h" EXCLUDE
+            PATTERN "scenario_yaml.h" EXCLUDE
+            PATTERN "trimmed.h" EXCLUDE
+            PATTERN "mean_estimate.h" EXCLUDE)
+  endif()
+endforeach()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios
+        DESTINATION ${JAYWALK_DATA_DIR}
+        FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.yaml" PATTERN "*.md")
+install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
+              ${PROJECT_SOURCE_DIR}/interpreter/COVERAGE.md
+              ${PROJECT_SOURCE_DIR}/interpreter/EMBEDDING.md
+              ${PROJECT_SOURCE_DIR}/interpreter/LANGUAGE.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
