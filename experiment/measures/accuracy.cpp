@@ -1,6 +1,6 @@
 #include "experiment/measures/measures.h"
 
-namespace jaywalk::measure {
+namespace jaywalk::estimates {
 
 Estimate accuracy(const Summary& results) {
   if (results.tests == 0) return {};
@@ -11,4 +11,4 @@ Estimate accuracy(const Summary& results) {
           .high = 100 * interval.high};
 }
 
-}  // namespace jaywalk::measure
+}  // namespace jaywalk::estimates

@@ -3,7 +3,7 @@
 #include "experiment/measures/mean_estimate.h"
 #include "experiment/measures/measures.h"
 
-namespace jaywalk::measure {
+namespace jaywalk::estimates {
 
 Estimate ticks_success(const Summary& results) { return mean_estimate(results.ticks_success); }
 
@@ -17,4 +17,4 @@ Estimate code_lines(const Summary& results) {
   return {.value = static_cast<double>(results.code_lines)};
 }
 
-}  // namespace jaywalk::measure
+}  // namespace jaywalk::estimates

@@ -4,7 +4,7 @@
 
 #include "experiment/measures/measures.h"
 
-namespace jaywalk::measure {
+namespace jaywalk::estimates {
 
 [[nodiscard]] inline Estimate mean_estimate(const Sample& sample) {
   if (sample.count == 0) return {};
@@ -16,4 +16,4 @@ namespace jaywalk::measure {
   return estimate;
 }
 
-}  // namespace jaywalk::measure
+}  // namespace jaywalk::estimates

@@ -8,7 +8,7 @@ namespace jaywalk {
 std::span<const Measure> measures() {
   static constexpr std::array kMeasures = {
 #define JAYWALK_MEASURE(name, column, low, high, summary) \
-  Measure{#name, column, low, high, summary, &measure::name},
+  Measure{#name, column, low, high, summary, &estimates::name},
 #include "experiment/measures/measures.def"
 #undef JAYWALK_MEASURE
   };

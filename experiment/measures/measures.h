@@ -32,10 +32,10 @@ struct Measure {
 /// By name or by column; null if there is none.
 [[nodiscard]] const Measure* find_measure(std::string_view name);
 
-namespace measure {
+namespace estimates {
 #define JAYWALK_MEASURE(name, column, low, high, summary) Estimate name(const Summary& results);
 #include "experiment/measures/measures.def"
 #undef JAYWALK_MEASURE
-}  // namespace measure
+}  // namespace estimates
 
 }  // namespace jaywalk

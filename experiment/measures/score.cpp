@@ -1,7 +1,7 @@
 #include "experiment/measures/mean_estimate.h"
 #include "experiment/measures/measures.h"
 
-namespace jaywalk::measure {
+namespace jaywalk::estimates {
 
 Estimate score(const Summary& results) { return mean_estimate(results.score); }
 
@@ -20,4 +20,4 @@ Estimate combined_normalised(const Summary& results) {
   return {.value = (*plain.value + kOffset) / kRange};
 }
 
-}  // namespace jaywalk::measure
+}  // namespace jaywalk::estimates
