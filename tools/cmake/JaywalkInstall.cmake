@@ -30,36 +30,9 @@ install(FILES ${PROJECT_BINARY_DIR}/jaywalk-config.cmake
               ${PROJECT_BINARY_DIR}/jaywalk-config-version.cmake
         DESTINATION ${JAYWALK_PACKAGE_DIR})
 
-# The interpreter's public headers: those that a program needs which embeds it, and what these include.
-set(interpreter_headers
-    agent/agent.h agent/circumstance.h agent/customisation.h agent/host.h agent/intention.h
-    check/check.h
-    compile/compiler.h
-    embed/interpreter.h
-    logic/action.h logic/belief_base.h logic/code.h logic/machine.h logic/solutions.h logic/unifier.h
-    mas/environment.h mas/mas.h
-    program/plan.h program/program.h
-    support/diagnostics.h support/random.h support/ring.h support/source.h
-    syntax/ast.h syntax/load.h syntax/parser.h syntax/printer.h syntax/project.h
-    term/compare.h term/heap.h term/names.def term/object.h term/print.h term/symbol.h term/transfer.h
-    term/value.h term/walk.h)
-foreach(header IN LISTS interpreter_headers)
-  get_filename_component(folder ${header} DIRECTORY)
-  install(FILES ${PROJECT_SOURCE_DIR}/interpreter/${header}
-          DESTINATION ${JAYWALK_INCLUDE_DIR}/interpreter/${folder})
-endforeach()
-# Of the other layers all but what serves the reading of scenarios.
-foreach(layer env experiment search)
-  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${layer})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer} DESTINATION ${JAYWALK_INCLUDE_DIR}
-            FILES_MATCHING PATTERN "*.h" PATTERN "*.def"
-            PATTERN "scenario_reader.h" EXCLUDE
-            PATTERN "scenario_schema.h" EXCLUDE
-            PATTERN "scenario_yaml.h" EXCLUDE
-            PATTERN "trimmed.h" EXCLUDE
-            PATTERN "mean_estimate.h" EXCLUDE)
-  endif()
-endforeach()
+install(CODE "set(JAYWALK_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
+              set(JAYWALK_INCLUDE_DIR \"${JAYWALK_INCLUDE_DIR}\")")
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios
         DESTINATION ${JAYWALK_DATA_DIR}

@@ -1,0 +1,41 @@
+# Run by the installation: copies the public headers and everything that they include, to
+# JAYWALK_INCLUDE_DIR below the prefix. JAYWALK_SOURCE_DIR is the project's folder.
+cmake_policy(VERSION 3.25)
+set(pending
+    interpreter/agent/agent.h
+    interpreter/check/check.h
+    interpreter/compile/compiler.h
+    interpreter/embed/interpreter.h
+    interpreter/logic/machine.h
+    interpreter/logic/solutions.h
+    interpreter/syntax/parser.h
+    interpreter/syntax/printer.h
+    interpreter/syntax/project.h
+    interpreter/term/compare.h
+    interpreter/term/print.h
+    interpreter/term/transfer.h)
+# Of the other layers all but what serves the reading of scenarios.
+foreach(layer env experiment search)
+  file(GLOB_RECURSE headers RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${layer}/*.h)
+  list(APPEND pending ${headers})
+endforeach()
+list(FILTER pending EXCLUDE REGEX "/(scenario_reader|scenario_schema|scenario_yaml|trimmed|mean_estimate)\\.h$")
+
+set(found "")
+while(pending)
+  list(POP_FRONT pending header)
+  if(NOT header IN_LIST found AND EXISTS ${JAYWALK_SOURCE_DIR}/${header})
+    list(APPEND found ${header})
+    file(STRINGS ${JAYWALK_SOURCE_DIR}/${header} lines REGEX "^ *# *include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE ".*\"(.*)\".*" "\\1" included "${line}")
+      list(APPEND pending ${included})
+    endforeach()
+  endif()
+endwhile()
+
+foreach(header IN LISTS found)
+  get_filename_component(folder ${header} DIRECTORY)
+  file(INSTALL ${JAYWALK_SOURCE_DIR}/${header}
+       DESTINATION ${CMAKE_INSTALL_PREFIX}/${JAYWALK_INCLUDE_DIR}/${folder})
+endforeach()
