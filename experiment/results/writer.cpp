@@ -62,8 +62,10 @@ std::optional<Diagnostics> mismatch(const std::string& path, const ExperimentDes
 
 class ResultsWriter::Impl {
  public:
-  Impl(std::unique_ptr<Database> database, ExperimentDescription description)
-      : database_(std::move(database)), description_(std::move(description)) {
+  Impl(std::string path, std::unique_ptr<Database> database, ExperimentDescription description)
+      : path_(std::move(path)),
+        database_(std::move(database)),
+        description_(std::move(description)) {
     read_ids();
     writer_ = std::jthread([this] { write_until_closed(); });
   }
@@ -160,9 +162,13 @@ class ResultsWriter::Impl {
     if (count_ + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
     // One file without a log beside it, which can be read from anywhere.
     database_->execute("PRAGMA journal_mode = DELETE");
+    // Left by whoever looked at a store that was killed; nobody else has it open now.
+    std::error_code error;
+    if (!database_->failure()) std::filesystem::remove(path_ + "-shm", error);
     if (database_->failure()) give_up(trouble_with(*database_));
   }
 
+  std::string path_;
   std::unique_ptr<Database> database_;
   ExperimentDescription description_;
   std::vector<bool> had_;  // by id
@@ -210,7 +216,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   seen.value().database.reset();
   auto database = open_to_write(path);
   if (!database) return std::move(database.diagnostics());
-  auto impl = std::make_unique<Impl>(std::move(database).value(), description);
+  auto impl = std::make_unique<Impl>(path, std::move(database).value(), description);
   if (auto failure = impl->failure()) return store_error(path, *failure);
   return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(impl)));
 }
