@@ -156,4 +156,8 @@ void complete_tables(Database& database) {
   database.execute("CREATE INDEX IF NOT EXISTS observations_of_test ON observations (test_id)");
 }
 
+bool is_completed(Database& database) {
+  return database.number("SELECT 1 FROM sqlite_master WHERE name = 'observations_of_test'") == 1;
+}
+
 }  // namespace jaywalk

@@ -41,8 +41,10 @@ void create_tables(Database& database);
 /// `2000-01-01T00:00:12.500Z`: the moment so many seconds after tick 0.
 [[nodiscard]] std::string time_text(double seconds);
 
-/// What a layer's extent is, once all rows are there, and the index by test.
-void complete_tables(Database& database);
+/// Tells the extent of each layer's rows.
 void note_extents(Database& database);
+/// Adds the index by test, once all rows are there; the last thing that is done.
+void complete_tables(Database& database);
+[[nodiscard]] bool is_completed(Database& database);
 
 }  // namespace jaywalk

@@ -161,10 +161,16 @@ Recording read_recording(Database& database, double tick_s, std::int64_t test_id
   read_scenes(database, test_id, recording);
   Statement row = rows_of(database, test_id, "tick, actor, kind, text", "events");
   while (row.step()) {
-    recording.add(RecordedEvent{.tick = row.integer<std::uint32_t>(0),
-                                .actor = integer_or_null<std::uint32_t>(row, 1),
-                                .kind = row.text(2),
-                                .text = row.text(3)});
+    RecordedEvent event{.tick = row.integer<std::uint32_t>(0),
+                        .actor = integer_or_null<std::uint32_t>(row, 1),
+                        .kind = row.text(2),
+                        .text = row.text(3)};
+    // Whoever gets it looks the actor and the scene up.
+    if (event.actor.value_or(0) >= recording.actors().size() || event.tick >= recording.scenes()) {
+      damaged(database, "an event", test_id);
+    } else {
+      recording.add(std::move(event));
+    }
   }
   return recording;
 }

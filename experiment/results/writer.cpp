@@ -158,7 +158,8 @@ class ResultsWriter::Impl {
 
   void finish_file() {
     const std::uint64_t cells = description_.behaviours.size() * description_.agents.size();
-    if (written_ > 0) note_extents(*database_);
+    // A store that is complete may still be without what comes last, if it was killed just then.
+    if (written_ > 0 || !is_completed(*database_)) note_extents(*database_);
     if (count_ + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
     // One file without a log beside it, which can be read from anywhere.
     database_->execute("PRAGMA journal_mode = DELETE");

@@ -111,6 +111,29 @@ TEST_F(Damage, OfADescriptionThatMakesNoSense) {
   }
 }
 
+TEST_F(Damage, OfRowsIsTold) {
+  struct Case {
+    const char* sql;
+    const char* message;
+  };
+  for (const Case& each : {
+           Case{"UPDATE events SET actor = 9", "an event of test"},
+           Case{"UPDATE events SET tick = 4000000000", "an event of test"},
+           Case{"UPDATE actors SET kind = 'ghost'", "an actor of test"},
+           Case{"DELETE FROM actors", "the actors of test"},
+           Case{"DELETE FROM observations WHERE actor = 0 AND tick = 2",
+                "the observations of test"},
+       }) {
+    write(file("a.gpkg"), description(StoreLevel::all), cases());
+    run_sql(file("a.gpkg"), each.sql);
+    const auto store = ResultsReader::open(file("a.gpkg"));
+    std::string messages;
+    for (std::int64_t id = 1; id <= 48; ++id) messages += message_of(store.value()->recording(id));
+    EXPECT_THAT(messages, HasSubstr(each.message)) << each.sql;
+    std::filesystem::remove(file("a.gpkg"));
+  }
+}
+
 TEST_F(Damage, OfAnotherExperimentIsNotDone) {
   write(file("a.gpkg"), description(), cases());
   const std::string before = read_bytes(file("a.gpkg"));

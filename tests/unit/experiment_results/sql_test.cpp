@@ -71,6 +71,26 @@ TEST_F(StoreTest, GivesTheSameDistancesInSqlAsTheMetric) {
   EXPECT_EQ(compared, 2 * 12 * (1 + 3));
 }
 
+TEST_F(StoreTest, IsCompletedEvenIfItWasKilledAtTheVeryEnd) {
+  write(file("a.gpkg"), description(), cases());
+  const std::string extents = "SELECT rowid, max_y FROM gpkg_contents WHERE data_type = 'features'";
+  const auto wanted = rows_of(file("a.gpkg"), extents);
+  ASSERT_GT(wanted.begin()->second, 0);
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open(file("a.gpkg").c_str(), &connection), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(connection,
+                         "DROP INDEX observations_of_test; UPDATE gpkg_contents SET max_y = NULL",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(connection);
+  write(file("a.gpkg"), description(), cases());
+  EXPECT_EQ(rows_of(file("a.gpkg"), extents), wanted);
+  EXPECT_EQ(
+      rows_of(file("a.gpkg"), "SELECT 1, 1 FROM sqlite_master WHERE name = 'observations_of_test'")
+          .size(),
+      1U);
+}
+
 TEST_F(StoreTest, TellsWhereThePreconditionWasMet) {
   write(file("a.gpkg"), description(StoreLevel::summary), cases());
   const auto found =
