@@ -12,6 +12,12 @@ namespace {
 
 constexpr double kEpsilon = 1e-9;
 
+// Ten steps of a tenth of a cell lead to the next one, not a hair's breadth beside it.
+Place rounded(Place place) {
+  constexpr double kParts = 1e9;
+  return {std::round(place.x * kParts) / kParts, std::round(place.y * kParts) / kParts};
+}
+
 // How far a step can lead before the grid ends.
 double room(Place place, const Grid& grid, Direction direction) {
   switch (direction) {
@@ -92,7 +98,7 @@ std::string step(RoadUser& body, const Layout& layout, Direction direction, doub
     }
     if (walked >= length) break;
   }
-  body.place = ahead_of(body.place, direction, length);
+  body.place = rounded(ahead_of(body.place, direction, length));
   body.facing = direction;
   body.step = length;
   body.stepped_in = tick;

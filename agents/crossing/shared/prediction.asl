@@ -1,9 +1,10 @@
 // When a pedestrian who starts to cross the road now would be in the precondition zone, provided
 // that the AV keeps its speed.
 
-// It is in one of the zone's rows T ticks from now.
+// It is in one of the zone's rows T ticks from now; who is there already will be in the next tick.
 in_zone_rows_in(T) :- at(X, _) & zone_rows(First, Last) & rows_to(X, First, Last, N) &
-                      .range(T, N, N + Last - First).
+                      walking_speed(V) & .range(T, math.max(1, math.ceil(N / V)),
+                                                math.floor((N + Last - First) / V)).
 
 // The zone's cells T ticks from now, and which of them count before the road ends.
 zone_in(T, From, To) :- av(Y) & av_speed(V) & zone_ahead(First, Last) &

@@ -1,0 +1,250 @@
+// What the test bench has beyond the paper's small world (case study, section 7): each scenario
+// that shows something is run, and what it shows has an effect.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scenarios.h"
+
+namespace jaywalk {
+namespace {
+
+using testing_scenario::behaviour;
+using testing_scenario::project_file;
+
+std::shared_ptr<const PreparedScenario> scenario(const std::string& name,
+                                                 std::vector<std::string> sets = {}) {
+  Result<Scenario> read = read_scenario(project_file("scenarios/" + name + ".yaml"),
+                                        {.preset = {}, .sets = std::move(sets), .behaviours = {}});
+  EXPECT_TRUE(read.ok()) << read.diagnostics().render();
+  Diagnostics warnings;
+  auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
+  EXPECT_TRUE(prepared.ok()) << prepared.diagnostics().render();
+  return prepared.value();
+}
+
+struct Seen {
+  CrossingResult outcome;
+  Recording recording;
+};
+
+Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
+         std::uint64_t test) {
+  Seen seen;
+  TrialOptions options;
+  options.record = &seen.recording;
+  const TrialResult result = run_trial(
+      prepared, {.behaviour = behaviour(prepared, name), .agents = agents, .seed = 0, .test = test},
+      options);
+  EXPECT_TRUE(result.completed) << result.message;
+  seen.outcome = result.outcome;
+  return seen;
+}
+
+int successes(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
+              std::uint64_t tests) {
+  int count = 0;
+  for (std::uint64_t test = 0; test < tests; ++test) {
+    count += run(prepared, name, agents, test).outcome.success ? 1 : 0;
+  }
+  return count;
+}
+
+/// The slowest that the AV went.
+double slowest(const Recording& recording) {
+  double least = 1e9;
+  for (std::size_t tick = 0; tick < recording.scenes(); ++tick) {
+    least = std::min(least, recording.scene(tick)[0].speed_mps);
+  }
+  return least;
+}
+
+TEST(ABrakingAv, CollidesLessOftenThanOneThatDoesNotBrake) {  // F6
+  const auto collisions = [](const std::string& model) {
+    const auto prepared = scenario("braking", {"world.av.model=" + model});
+    std::size_t count = 0;
+    for (std::uint64_t test = 0; test < 40; ++test) {
+      count += run(*prepared, "proximity", 3, test).outcome.collisions.size();
+    }
+    return count;
+  };
+  const std::size_t constant = collisions("constant");
+  EXPECT_GT(constant, 0U);
+  for (const std::string model : {"braking", "careful-competent", "aeb", "idm"}) {
+    EXPECT_LT(collisions(model), constant) << model;
+  }
+}
+
+TEST(ABrakingAv, IsMetMoreOftenByWhoRecalculates) {  // F6
+  const auto prepared = scenario("braking");
+  EXPECT_GE(successes(*prepared, "recalculating", 1, 60), successes(*prepared, "intersect", 1, 60));
+  bool slowed = false;
+  for (std::uint64_t test = 0; test < 20; ++test) {
+    slowed = slowed || slowest(run(*prepared, "recalculating", 1, test).recording) < 1;
+  }
+  EXPECT_TRUE(slowed);
+}
+
+TEST(AnExternalController, DrivesTheAv) {  // F9
+  const auto prepared = scenario("external");
+  bool slowed = false;
+  for (std::uint64_t test = 0; test < 5; ++test) {
+    slowed = slowed || slowest(run(*prepared, "proximity", 3, test).recording) < 8;
+  }
+  EXPECT_TRUE(slowed);
+}
+
+TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
+  const auto fails = [](const std::string& script) {
+    const auto prepared = scenario("external", {"world.av.command=[sh, -c, '" + script + "']"});
+    return run_trial(*prepared, {.agents = 1}).message;
+  };
+  EXPECT_EQ(fails("read line; exit 4"),
+            "the controller 'sh' ended without an answer (exit status 4)");
+  EXPECT_EQ(fails("read line; echo hello"),
+            "the controller answered 'hello', expected {\"acceleration\": <m/s^2>}");
+}
+
+TEST(PerceptionByFeatures, DoesNotGrowWithTheMapOrTheCrowd) {  // F3
+  const auto percepts = [](const std::vector<std::string>& sets, std::size_t pedestrians) {
+    const auto prepared = scenario("features", sets);
+    const std::vector<Position> start(pedestrians, {2, 30});
+    const Crossing world(prepared->scenario().world, prepared->vocabulary(), start);
+    Percepts seen;
+    world.perceive(AgentId{0}, seen);
+    return seen.size();
+  };
+  EXPECT_EQ(percepts({}, 200), percepts({"world.length=100", "world.road_end=99"}, 1));
+}
+
+TEST(PerceptionByFeatures, LeadsManyPedestriansAcrossALargeMap) {  // F3
+  const Seen seen = run(*scenario("features"), "by_features", 200, 0);
+  EXPECT_TRUE(seen.outcome.success);
+}
+
+TEST(Personality, DecidesHowOftenTheAvIsExercised) {  // F4
+  const auto prepared = scenario("personality");
+  const int timid = successes(*prepared, "timid", 1, 200);
+  const int bold = successes(*prepared, "bold", 1, 200);
+  EXPECT_EQ(timid, 0) << "it waits until the AV has passed";
+  EXPECT_GT(bold, 20);
+  EXPECT_NE(successes(*prepared, "cautious", 1, 200), bold);
+}
+
+TEST(ATeam, MixesRandomAndDirectedAgents) {  // F5
+  const auto prepared = scenario("team");
+  const int random = successes(*prepared, "random_behaviour", 5, 200);
+  const int mixed = successes(*prepared, "mixed", 5, 200);
+  const int directed = successes(*prepared, "proximity", 5, 200);
+  EXPECT_LT(random, mixed);
+  EXPECT_LT(mixed, directed);
+}
+
+TEST(Traffic, MakesTheAvFollowTheCyclistAndStopAtTheRedLight) {  // F12
+  const Seen seen = run(*scenario("traffic"), "proximity", 1, 0);
+  const Recording& recording = seen.recording;
+  ASSERT_EQ(recording.actors().size(), 5U);
+  EXPECT_EQ(recording.actors()[2].name, "rider");
+  EXPECT_EQ(recording.actors()[2].kind, ActorKind::cyclist);
+  EXPECT_EQ(recording.actors()[4].kind, ActorKind::signal);
+  EXPECT_LT(slowest(recording), 6) << "behind the cyclist";
+  const auto last = recording.scene(recording.scenes() - 1);
+  EXPECT_LT(last[3].y_m, recording.scene(0)[3].y_m) << "the oncoming car has come nearer";
+  // With a signal that is always green the AV is through sooner.
+  const Seen green =
+      run(*scenario("traffic", {"world.actors=[]", "world.crosswalks=[]"}), "proximity", 1, 0);
+  EXPECT_LT(green.recording.scenes(), recording.scenes());
+}
+
+TEST(AParkedCar, HidesWhoStepsOutBehindIt) {
+  const auto first_slow_tick = [](const std::vector<std::string>& sets) {
+    const auto prepared = scenario("zebra", sets);
+    Scenario copy = prepared->scenario();
+    copy.start_cells = StartCells{{0, {{1, 29}}}};
+    Diagnostics warnings;
+    const auto placed = PreparedScenario::prepare(std::move(copy), warnings);
+    const Recording recording = run(*placed.value(), "proximity", 1, 0).recording;
+    std::size_t tick = 0;
+    while (tick < recording.scenes() && recording.scene(tick)[0].speed_mps > 8.9) ++tick;
+    return tick;
+  };
+  EXPECT_GT(first_slow_tick({}), first_slow_tick({"world.obstacles=[]"}));
+}
+
+TEST(AMap, KeepsPedestriansOutOfHouses) {  // F7
+  const auto prepared = scenario("junction");
+  const Layout layout(prepared->scenario().world);
+  for (std::uint64_t test = 0; test < 10; ++test) {
+    const Seen seen = run(*prepared, "by_features", 5, test);
+    for (const Position start : seen.outcome.start) {
+      EXPECT_EQ(layout.at(start), Surface::pavement);
+    }
+    for (std::size_t tick = 0; tick < seen.recording.scenes(); ++tick) {
+      for (const ActorState& state : seen.recording.scene(tick).subspan(1)) {
+        const Position at{static_cast<int>(state.x_m / 1.5), static_cast<int>(state.y_m / 1.5)};
+        EXPECT_TRUE(layout.is_free(at));
+      }
+    }
+  }
+}
+
+/// How often two pedestrians share a cell after a step of one of them.
+int shared_cells(const PreparedScenario& prepared, const std::string& name) {
+  int shared = 0;
+  for (std::uint64_t test = 0; test < 30; ++test) {
+    const Recording recording = run(prepared, name, 10, test).recording;
+    for (std::size_t tick = 1; tick < recording.scenes(); ++tick) {
+      const auto scene = recording.scene(tick).subspan(1);
+      for (std::size_t i = 0; i < scene.size(); ++i) {
+        for (std::size_t j = i + 1; j < scene.size(); ++j) {
+          const bool same = scene[i].x_m == scene[j].x_m && scene[i].y_m == scene[j].y_m;
+          if (same && (scene[i].speed_mps > 0 || scene[j].speed_mps > 0)) ++shared;
+        }
+      }
+    }
+  }
+  return shared;
+}
+
+TEST(Negotiation, KeepsPedestriansFromWalkingThroughEachOther) {  // F16
+  const auto prepared = scenario("negotiation");
+  EXPECT_GT(shared_cells(*prepared, "proximity"), 0);
+  EXPECT_EQ(shared_cells(*prepared, "negotiating"), 0);
+}
+
+TEST(Negotiation, CostsLittleAccuracy) {  // F16
+  const auto prepared = scenario("negotiation");
+  const int alone = successes(*prepared, "proximity", 3, 100);
+  EXPECT_NEAR(successes(*prepared, "negotiating", 3, 100), alone, 15);
+}
+
+TEST(Speed, OfPedestriansIsThatOfTheirSteps) {  // F17
+  const Recording recording = run(*scenario("speeds"), "proximity", 1, 0).recording;
+  double fastest = 0;
+  for (std::size_t tick = 0; tick < recording.scenes(); ++tick) {
+    fastest = std::max(fastest, recording.scene(tick)[1].speed_mps);
+  }
+  EXPECT_NEAR(fastest, 1.5, 1e-9);
+}
+
+TEST(Speed, AndDirectionOfTravelChangeTheResults) {  // F17
+  EXPECT_GT(successes(*scenario("speeds", {"world.pedestrians.speed_mps=3"}), "intersect", 1, 200),
+            successes(*scenario("speeds"), "intersect", 1, 200))
+      << "who is faster reaches the AV's way from farther away";
+  const int walking = successes(*scenario("speeds"), "proximity", 1, 200);
+  EXPECT_NE(successes(*scenario("speeds", {"behaviours.proximity.parameters.first_way=back"}),
+                      "proximity", 1, 200),
+            walking);
+}
+
+TEST(Density, OfAgentsRaisesTheAccuracy) {  // F15
+  const auto prepared = scenario("speeds");
+  EXPECT_LT(successes(*prepared, "proximity", 1, 200), successes(*prepared, "proximity", 5, 200));
+}
+
+}  // namespace
+}  // namespace jaywalk
