@@ -34,6 +34,7 @@ jaywalk_add_library(engine
     agent/goals.cpp
     agent/intention.cpp
     agent/messages.cpp
+    agent/options.cpp
     agent/plan_terms.cpp
     agent/services.cpp
     agent/waiting.cpp

@@ -92,11 +92,18 @@ Outcome rename_apart(ActionCall& call) {
 
 Outcome get_src_info(ActionCall& call) {
   if (!is_literal(call.arg(0))) return call.wrong_argument(0, "a literal");
-  // Terms do not remember where they were written; Jason then says so, too.
+  // Terms do not remember where they were written: that is told of the formula which asks.
+  std::string source = call.agent()->program().name() + ".asl";
+  double number = 0;
+  const Intention* const own = call.intention();
+  if (own != nullptr && !own->is_finished() && !own->top().cursor.at_end()) {
+    source = own->top().plan->file;
+    number = own->top().step().line;
+  }
   Heap& heap = call.heap();
   SymbolTable& symbols = call.symbols();
-  const std::array<Value, 1> file{heap.text(call.agent()->program().name())};
-  const std::array<Value, 1> line{Value::number(0)};
+  const std::array<Value, 1> file{heap.text("file:" + source)};
+  const std::array<Value, 1> line{Value::number(number)};
   const std::array<Value, 2> info{heap.structure(symbols.predicate("code_line", 1), line),
                                   heap.structure(symbols.predicate("code_src", 1), file)};
   const Value annots = union_of(heap, literal_parts(call.arg(0)).annots, heap.list(info), symbols);

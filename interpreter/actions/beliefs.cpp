@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -21,6 +22,11 @@ std::vector<Relation*> relations_for(Agent& agent, Value pattern) {
     return found;
   }
   for (const auto& relation : agent.beliefs().relations()) found.push_back(relation.get());
+  if (is_form(pattern, Form::decorated)) {  // N::p(X): the default namespace first
+    std::stable_partition(found.begin(), found.end(), [](const Relation* relation) {
+      return !is_foreign(relation->predicate());
+    });
+  }
   return found;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/actions/actions.h"
@@ -18,8 +20,16 @@ std::string joined(ActionCall& call, std::size_t first) {
   return text;
 }
 
-Outcome print_line(ActionCall& call, std::string_view text) {
-  if (call.agent() != nullptr) call.agent()->host().print(*call.agent(), text);
+// With `verbose=0` the text goes out as it is, without the agent's name.
+Outcome print_line(ActionCall& call, std::string_view text, std::string_view end = "\n") {
+  Agent* const agent = call.agent();
+  if (agent == nullptr) return Outcome::succeeded;
+  if (agent->settings().verbosity == 0) {
+    agent->host().write(text);
+    agent->host().write(end);
+  } else {
+    agent->host().print(*agent, text);
+  }
   return Outcome::succeeded;
 }
 
@@ -106,9 +116,9 @@ std::string text_of(Value value, const SymbolTable& symbols) {
   return text;
 }
 
-Outcome print(ActionCall& call) { return print_line(call, joined(call, 0)); }
+Outcome print(ActionCall& call) { return print_line(call, joined(call, 0), ""); }
 
-Outcome println(ActionCall& call) { return print(call); }
+Outcome println(ActionCall& call) { return print_line(call, joined(call, 0)); }
 
 Outcome printf(ActionCall& call) {
   if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string, the format");
@@ -142,16 +152,22 @@ Outcome log(ActionCall& call) {
     return call.wrong_argument(0, "severe, warning, info, fine, finer or finest");
   }
   const std::string_view name = call.symbols().functor(level.atom_id());
-  if (name == "fine" || name == "finer" || name == "finest") return Outcome::succeeded;
+  const bool is_fine = name == "fine" || name == "finer" || name == "finest";
+  const bool is_warning = name == "severe" || name == "warning";
+  const int verbosity = call.agent() == nullptr ? 1 : call.agent()->settings().verbosity;
+  if (!is_warning && verbosity < (name == "fine" ? 2 : is_fine ? 3 : 1)) return Outcome::succeeded;
   const std::string text = joined(call, 1);
-  if (name != "severe" && name != "warning") return print_line(call, text);
+  if (!is_warning) return print_line(call, text);
   if (call.agent() != nullptr) call.agent()->log(text);
   return Outcome::succeeded;
 }
 
 Outcome verbose(ActionCall& call) {
-  // There is one console and one level: all that is printed is shown.
   if (!call.arg(0).is_number()) return call.wrong_argument(0, "a number, 0, 1 or 2");
+  if (call.agent() == nullptr) return Outcome::failed;
+  ReasoningSettings settings = call.agent()->settings();
+  settings.verbosity = static_cast<int>(std::clamp(call.arg(0).as_number(), 0.0, 2.0));
+  call.agent()->set_settings(settings);
   return Outcome::succeeded;
 }
 

@@ -149,6 +149,7 @@ void Agent::add_event(Event event) {
     }
   } else {
     if (event.kind == TriggerKind::belief && !uses_subplans_ &&
+        settings_.unwanted == ReasoningSettings::Unwanted::discard &&
         library_->candidates(key_of(event)).empty()) {
       return;
     }

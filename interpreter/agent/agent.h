@@ -14,6 +14,7 @@
 #include "interpreter/agent/circumstance.h"
 #include "interpreter/agent/customisation.h"
 #include "interpreter/agent/host.h"
+#include "interpreter/agent/settings.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/mas/environment.h"
 #include "interpreter/program/program.h"
@@ -43,6 +44,9 @@ class Agent {
   [[nodiscard]] const std::shared_ptr<const Customisation>& customisation() const {
     return customisation_;
   }
+  [[nodiscard]] const ReasoningSettings& settings() const { return settings_; }
+  void set_settings(const ReasoningSettings& settings) { settings_ = settings; }
+
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
   void start(std::span<const Predicate> replaced, std::span<const Value> given);
@@ -208,6 +212,8 @@ class Agent {
   void deliberate();
   void act();
   [[nodiscard]] bool find_option(const Event& event, bool& had_candidates);
+  [[nodiscard]] bool select_by_rules(const Event& event, bool& had_candidates);
+  [[nodiscard]] bool is_selected(const Option& option, const Event& event);
   [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
                               const std::shared_ptr<Scope>& scope);
   void add_intended_means(const Plan& plan, const Event& event,
@@ -295,6 +301,9 @@ class Agent {
   void forget_finished();
 
   std::string name_;
+  ReasoningSettings settings_;
+  std::uint32_t cycles_since_look_ = 0;
+  std::size_t seen_mail_ = 0;  // messages of the mailbox that may be handled
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;
   AgentHost& host_;

@@ -35,6 +35,7 @@ bool can_be_copied(const Intention& intention) {
 
 void Agent::copy_from(const Agent& original) {
   customisation_ = original.customisation_;
+  settings_ = original.settings_;
   Transfer transfer(heap_);
   copy_beliefs(original, transfer);
   copy_goals(original, transfer, copy_plans(original, transfer));

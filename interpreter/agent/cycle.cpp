@@ -60,7 +60,13 @@ void Agent::tidy_up() {
 
 void Agent::sense() {
   // Rule ProcMsg: one message a cycle (messages.cpp).
-  if (!circumstance_.mailbox.empty()) process_message();
+  if (++cycles_since_look_ >= settings_.cycles_per_look) {
+    cycles_since_look_ = 0;
+    seen_mail_ = circumstance_.mailbox.size();
+  }
+  if (seen_mail_ == 0 || circumstance_.mailbox.empty()) return;
+  --seen_mail_;
+  process_message();
 }
 
 void Agent::deliberate() {
@@ -101,6 +107,10 @@ TriggerKey Agent::key_of(const Event& event) {
 // event's and whose context follows from the beliefs, with the first solution. Goals below a plan
 // with sub-plans look there first, then further out, last in the agent's library.
 bool Agent::find_option(const Event& event, bool& had_candidates) {
+  const bool has_function = customisation_ != nullptr && customisation_->select_option;
+  const Relation* const selecting = beliefs_.find(predicates::select_option);
+  if (!has_function && selecting != nullptr && selecting->has_rules())
+    return select_by_rules(event, had_candidates);
   const TriggerKey key = key_of(event);
   had_candidates = false;
   if (event.intention != nullptr && !event.intention->is_finished()) {
@@ -186,8 +196,9 @@ void Agent::replace_finished_caller(Intention& intention, const Event& event) {
   IntendedMeans& caller = intention.top();
   const bool last = caller.cursor.index + 1 == caller.cursor.body->steps.size() &&
                     caller.outer.empty() && !caller.cursor.is_loop;
-  if (!last || event.op != TriggerOperator::add || event.kind == TriggerKind::belief ||
-      !caller.is_goal_addition() || caller.kind != event.kind || caller.plan->has_goal_condition ||
+  if (!settings_.tail_recursion || !last || event.op != TriggerOperator::add ||
+      event.kind == TriggerKind::belief || !caller.is_goal_addition() ||
+      caller.kind != event.kind || caller.plan->has_goal_condition ||
       literal_parts(caller.trigger).predicate != literal_parts(event.literal).predicate) {
     return;
   }
@@ -212,7 +223,11 @@ bool Agent::no_plan(const Event& event, bool had_candidates) {
     fail_event(event, error);
     return true;
   }
-  if (event.intention == nullptr) return false;
+  if (event.intention == nullptr) {
+    if (settings_.unwanted == ReasoningSettings::Unwanted::discard) return false;
+    circumstance_.events.push_back(event);
+    return true;
+  }
   // The change of belief was all that was wanted.
   go_on(*event.intention);
   clear_intention(*event.intention);

@@ -229,7 +229,8 @@ void Agent::execute_test(Intention& intention, const Step& step) {
 
 void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
   if (execute_plan_or_rule(intention, term, kind)) return;
-  const bool new_focus = kind == Step::Kind::add_new_focus || kind == Step::Kind::remove_new_focus;
+  const bool new_focus = kind == Step::Kind::add_new_focus ||
+                         kind == Step::Kind::remove_new_focus || !settings_.same_focus;
   Intention* const focus = new_focus ? nullptr : &intention;
   const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
   // Deleting binds the variables of the pattern, so they are not renamed.
@@ -261,7 +262,8 @@ void Agent::execute_replace(Intention& intention, Value literal) {
   machine_.unifier().commit(trail);
   record_bindings(intention, 0);
   literal = machine_.unifier().fresh_copy(literal);
-  if (!add_belief(literal, Place::front, &intention)) go_on(intention);
+  Intention* const focus = settings_.same_focus ? &intention : nullptr;
+  if (!add_belief(literal, Place::front, focus) || focus == nullptr) go_on(intention);
 }
 
 // A variable as formula, with or without an operator: its value says what to do.
@@ -269,7 +271,11 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
   IntendedMeans& means = intention.top();
   const Value value = machine_.unifier().instantiate(step.term, intention.frame(means));
   record_bindings(intention, 0);
-  if (value.is_variable() || is_form(value, Form::decorated)) {
+  const bool is_open = value.is_variable() || is_form(value, Form::decorated);
+  // N::p(X) asks all namespaces; to do something, the namespace must be known.
+  const bool is_named =
+      is_form(value, Form::decorated) && is_literal(deref(value.structure()->arg(0)));
+  if (is_open && !(is_named && step.variable_kind == Step::Kind::test)) {
     fail(intention, make_error("body_var_without_value", "a variable in the body has no value"));
     return;
   }

@@ -83,6 +83,11 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
                   place.empty() ? "" : fmt::format("{}:{}: ", place, line), "", error.id,
                   error.message.empty() ? "" : ": " + error.message, code.is_unset() ? "" : " in ",
                   code.is_unset() ? "" : term_text(code, symbols_)));
+  const bool of_belief = !intention.is_finished() && !intention.top().is_goal();
+  if (of_belief && settings_.unwanted == ReasoningSettings::Unwanted::requeue) {
+    const IntendedMeans& means = intention.top();
+    add_event({means.op, means.kind, means.trigger, nullptr});
+  }
   drop(intention);
 }
 

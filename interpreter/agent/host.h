@@ -85,6 +85,8 @@ class AgentHost {
   virtual bool act(Agent& agent) = 0;
   /// Text for the console, without line break and without `[agent]`.
   virtual void print(Agent& agent, std::string_view text) = 0;
+  /// Text for the console as it is, for agents with `verbose=0`.
+  virtual void write(std::string_view text) = 0;
   virtual void log(Agent& agent, std::string_view text) = 0;
   [[nodiscard]] virtual Society& society() = 0;
 };

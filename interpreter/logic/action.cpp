@@ -40,6 +40,11 @@ void ActionRegistry::add(FunctionDefinition function) {
 }
 
 const ActionDefinition* ActionRegistry::action(std::string_view name) const {
+  // Programs may call Jason's own by the full name of its class.
+  constexpr std::string_view kPackage = "jason.stdlib";
+  if (name.starts_with(kPackage) && name.substr(kPackage.size()).starts_with('.')) {
+    name.remove_prefix(kPackage.size());
+  }
   const auto found = by_name_.find(name);
   return found == by_name_.end() ? nullptr : found->second;
 }

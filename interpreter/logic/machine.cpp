@@ -545,10 +545,28 @@ bool Machine::enter_term(Value formula, const Goal& goal) {
   return true;
 }
 
+// All relations for a variable; for N::p(X) those of that name in any namespace, the default one
+// first.
+std::vector<Relation*> Machine::relations_for(Value pattern) const {
+  const bool named = pattern.is_structure() && is_literal(deref(pattern.structure()->arg(0)));
+  Signature wanted;
+  if (named) {
+    wanted = symbols_.signature(literal_parts(deref(pattern.structure()->arg(0))).predicate);
+  }
+  std::vector<Relation*> found;
+  for (const auto& relation : beliefs_.relations()) {
+    Signature signature = symbols_.signature(relation->predicate());
+    const bool is_default = signature.ns == names::default_ns;
+    signature.ns = wanted.ns;
+    if (named && signature != wanted) continue;
+    found.insert(named && is_default ? found.begin() : found.end(), relation.get());
+  }
+  return found;
+}
+
 bool Machine::any_belief(const Goal& goal, Value pattern) {
   std::vector<Value> found;
-  std::vector<Relation*> relations;
-  for (const auto& relation : beliefs_.relations()) relations.push_back(relation.get());
+  const std::vector<Relation*> relations = relations_for(pattern);
   for (Relation* const relation : relations) {
     for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {
       const Row& row = relation->row(seq);

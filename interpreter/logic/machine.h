@@ -154,6 +154,7 @@ class Machine : public FunctionCaller {
   bool unify_subset(Value literal, Value fact, std::size_t combination, bool& exhausted);
   bool enter_rule(const RuleCode& rule, const Goal& goal, std::span<const Value> args);
   bool variable_goal(const Goal& goal);
+  [[nodiscard]] std::vector<Relation*> relations_for(Value pattern) const;
   bool any_belief(const Goal& goal, Value pattern);
   bool enter_term(Value formula, const Goal& goal);
   bool next_solution();

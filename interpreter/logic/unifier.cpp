@@ -168,32 +168,49 @@ bool Unifier::unify_structures(const Structure& a, const Structure& b) {
   return unify_annotations(a.annots(), b.annots());
 }
 
+// Formula by formula. A variable without operator stands for any formula, with its operator: a body
+// of that one formula; as the last of its body, for all that is left.
 bool Unifier::unify_bodies(const Structure& a, const Structure& b) {
-  // The last formula of either body may be a variable: it stands for the rest of the other.
-  const auto lone_variable = [this](const Structure& body, std::size_t index) {
-    const Value step = index + 1 == body.arity ? deref(body.arg(index)) : Value();
+  const auto plain_variable = [this](const Structure& body, std::size_t index) {
+    const Value step = index < body.arity ? deref(body.arg(index)) : Value();
     if (!is_form(step, Form::step)) return Value();
     const bool plain = symbols_.signature(step.structure()->predicate()).functor == names::empty;
     const Value term = deref(step.structure()->arg(0));
     return plain && term.is_variable() ? term : Value();
   };
-  const auto rest = [this](const Structure& body, std::size_t from) {
-    const Value made = heap_.structure(body.predicate(), body.arg_span().subspan(from),
-                                       Value::empty_list(), Form::body);
-    made.structure()->info |= body.info & Structure::kBare;
-    return made;
+  const auto part = [this](const Structure& body, std::size_t from, std::size_t count) {
+    const Predicate predicate = symbols_.predicate(
+        Signature{.functor = names::body_text, .arity = static_cast<std::uint16_t>(count)});
+    return heap_.structure(predicate, body.arg_span().subspan(from, count), Value::empty_list(),
+                           Form::body);
   };
-  std::size_t i = 0;
-  for (;; ++i) {
-    if (const Value variable = i < a.arity ? lone_variable(a, i) : Value(); !variable.is_unset()) {
-      if (i + 1 == b.arity) return unify_no_undo(variable, deref(b.arg(i)).structure()->arg(0));
-      return unify_no_undo(variable, rest(b, std::min<std::size_t>(i, b.arity)));
+  // The rest prints as the body that it is of, a single formula without braces.
+  const auto unify_part = [&](Value variable, const Structure& body, std::size_t from, bool last) {
+    const std::size_t left = body.arity - std::min<std::size_t>(from, body.arity);
+    const Value made = part(body, std::min<std::size_t>(from, body.arity), last ? left : 1);
+    made.structure()->info |= last ? body.info & Structure::kBare : Structure::kBare;
+    return unify_no_undo(variable, made);
+  };
+  if ((a.arity == 0) != (b.arity == 0)) return false;
+  for (std::size_t i = 0;; ++i) {
+    const Value x = plain_variable(a, i);
+    const Value y = plain_variable(b, i);
+    if (!x.is_unset() && !y.is_unset()) {
+      if (!unify_no_undo(x, y)) return false;
+    } else if (!x.is_unset()) {
+      const bool last = i + 1 == a.arity;
+      if (!last && i >= b.arity) return false;
+      if (!unify_part(x, b, i, last)) return false;
+      if (last) return true;
+    } else if (!y.is_unset()) {
+      const bool last = i + 1 == b.arity;
+      if (!last && i >= a.arity) return false;
+      if (!unify_part(y, a, i, last)) return false;
+      if (last) return true;
+    } else {
+      if (i >= a.arity || i >= b.arity) return a.arity == b.arity;
+      if (!unify_no_undo(a.arg(i), b.arg(i))) return false;
     }
-    if (const Value variable = i < b.arity ? lone_variable(b, i) : Value(); !variable.is_unset()) {
-      return unify_no_undo(rest(a, std::min<std::size_t>(i, a.arity)), variable);
-    }
-    if (i == a.arity || i == b.arity) return a.arity == b.arity;
-    if (!unify_no_undo(a.arg(i), b.arg(i))) return false;
   }
 }
 
@@ -472,6 +489,11 @@ Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
     Signature signature = symbols_.signature(parts.predicate);
     signature.negated = signature.negated != negated;
     if (ns.is_atom()) signature.ns = symbols_.signature(ns.atom_id()).functor;
+    if (ns.is_variable() || ns.is_slot()) {
+      // The namespace is still to be known: the literal stays as it is, for any of them.
+      const std::array<Value, 2> parts_of{value, ns};
+      return heap_.structure(s.predicate(), parts_of, annots, Form::decorated);
+    }
     annots = union_of(heap_, parts.annots, annots, symbols_);
     return heap_.structure(symbols_.predicate(signature), parts.args, annots);
   }

@@ -77,7 +77,9 @@ bool unify_univ(Unifier& unifier, Value term, Value list) {
   if (is_literal(term)) return take_apart(unifier, term, list);
   if (is_form(term, Form::plan)) {
     const Structure& plan = *term.structure();
-    const std::array<Value, 4> parts{plan.arg(0), plan.arg(1), plan.arg(2), plan.arg(3)};
+    std::array<Value, 4> parts{plan.arg(0), plan.arg(1), plan.arg(2), plan.arg(3)};
+    if (deref(parts[0]).is_unset()) parts[0] = unifier.heap().variable();
+    if (deref(parts[2]).is_unset()) parts[2] = Value::atom(predicates::truth);
     return unifier.unify(unifier.heap().list(parts), list);
   }
   return list.is_pair() && put_together(unifier, term, list);

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "interpreter/agent/host.h"
+#include "interpreter/agent/settings.h"
 #include "interpreter/mas/environment.h"
 #include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
@@ -51,6 +52,7 @@ struct AgentSpec {
   std::vector<Parameter> parameters;
   /// Functions of its own (agent/customisation.h); null: none.
   std::shared_ptr<const Customisation> customisation;
+  ReasoningSettings settings;
 };
 
 struct MasOptions {
@@ -81,6 +83,8 @@ struct MasOptions {
       save_program;
   /// Where `.print` and its kin write; called with whole lines `[agent] text` without line break.
   std::function<void(std::string_view line)> print;
+  /// Where agents with `verbose=0` write, text as it is; not set: nowhere.
+  std::function<void(std::string_view text)> write;
   /// Warnings and errors of the run (an intention that failed, an unknown action).
   std::function<void(std::string_view line)> log;
   /// Measures the CPU time that agents spend reasoning (metric M5); off, no clock is read.

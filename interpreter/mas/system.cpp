@@ -76,6 +76,7 @@ AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
   Resident& resident = settle(spec.name, spec.program);
   resident.has_body = environment_ != nullptr;
   go_on_after_idleness();
+  resident.agent->set_settings(spec.settings);
   start(*resident.agent, spec);
   return AgentId{resident.number};
 }
@@ -184,6 +185,10 @@ bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_bo
 
 void Mas::Implementation::print(Agent& agent, std::string_view text) {
   if (options_.print) options_.print(fmt::format("[{}] {}", agent.name(), text));
+}
+
+void Mas::Implementation::write(std::string_view text) {
+  if (options_.write) options_.write(text);
 }
 
 void Mas::Implementation::log(Agent& agent, std::string_view text) {

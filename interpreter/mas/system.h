@@ -40,6 +40,7 @@ class Mas::Implementation : public AgentHost, public Society {
   bool send(Agent& sender, const OutgoingMessage& message) override;
   bool act(Agent& agent) override;
   void print(Agent& agent, std::string_view text) override;
+  void write(std::string_view text) override;
   void log(Agent& agent, std::string_view text) override;
   [[nodiscard]] Society& society() override { return *this; }
 

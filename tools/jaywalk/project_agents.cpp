@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -88,6 +89,29 @@ std::vector<std::string> names_of(const ProjectAgent& agent) {
   return names;
 }
 
+/// Options that Jason knows and that have no meaning here are passed over.
+ReasoningSettings settings_of(const ProjectAgent& agent) {
+  ReasoningSettings settings;
+  for (const ProjectOption& option : agent.options) {
+    if (option.name == "events" && option.value == "requeue") {
+      settings.unwanted = ReasoningSettings::Unwanted::requeue;
+    } else if (option.name == "intBels") {
+      settings.same_focus = option.value != "newFocus";
+    } else if (option.name == "nrcbp") {
+      settings.cycles_per_look = static_cast<std::uint32_t>(
+          std::clamp(std::strtol(option.value.c_str(), nullptr, 10), 1L, 1'000'000L));
+    } else if (option.name == "verbose") {
+      settings.verbosity =
+          static_cast<int>(std::clamp(std::strtol(option.value.c_str(), nullptr, 10), 0L, 2L));
+    } else if (option.name == "tro") {
+      settings.tail_recursion = option.value != "false";
+    } else if (option.name == "synchronised") {
+      settings.messages_by_plans = option.value == "true";
+    }
+  }
+  return settings;
+}
+
 /// The literals of an option, each as it was written; errors point into the project.
 std::vector<std::string> literals_of(const ProjectAgent& agent, std::string_view option_name,
                                      Diagnostics& diagnostics) {
@@ -154,7 +178,8 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
   for (const ProjectAgent& agent : project->agents) {
     ProgramSource program{.path = find_program(agent, folder, source_path),
                           .include_path = folders,
-                          .agents = names_of(agent)};
+                          .agents = names_of(agent),
+                          .settings = settings_of(agent)};
     auto beliefs = literals_of(agent, "beliefs", diagnostics);
     const auto goals = literals_of(agent, "goals", diagnostics);
     if (!beliefs.empty() || !goals.empty()) {

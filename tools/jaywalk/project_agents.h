@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/agent/settings.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"
 
@@ -19,6 +20,7 @@ struct ProgramSource {
   SourcePtr text;
   IncludePath include_path;
   std::vector<std::string> agents;
+  ReasoningSettings settings;
 };
 
 enum class JavaParts { refused, ignored };

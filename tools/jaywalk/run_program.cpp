@@ -45,6 +45,7 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
     console.print("\n");
     if (flush) console.flush();
   };
+  limits.mas.write = [&console](std::string_view text) { console.print(text); };
   limits.mas.log = [&console](std::string_view line) { console.log(spdlog::level::warn, line); };
   return limits;
 }
@@ -82,21 +83,23 @@ ExitCode run_to_end(Mas& mas, const Limits& limits, Console& console) {
   return verdict(mas.outcome(), console);
 }
 
-/// Loads and compiles each agent's program, once for all agents that share it.
-std::optional<std::vector<AgentSpec>> compile_all(const std::vector<ProgramSource>& sources,
-                                                  SymbolTable& symbols, Diagnostics& diagnostics) {
+/// Loads and compiles each agent's program, once for all agents that share it. Those whose program
+/// is missing or wrong are left out; the diagnostics tell.
+std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, SymbolTable& symbols,
+                                   Diagnostics& all) {
   std::vector<AgentSpec> agents;
   for (const ProgramSource& source : sources) {
+    Diagnostics diagnostics;
     const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
                                         : load_agent(source.path, source.include_path, diagnostics);
-    if (diagnostics.has_errors()) continue;
     const auto program = compile(tree, symbols, diagnostics);
+    all.append(std::move(diagnostics));
     if (!program) continue;
     for (const std::string& name : source.agents) {
-      agents.push_back({.name = name, .program = program});
+      agents.push_back(
+          {.name = name, .program = program, .parameters = {}, .settings = source.settings});
     }
   }
-  if (diagnostics.has_errors()) return std::nullopt;
   return agents;
 }
 
@@ -105,9 +108,9 @@ ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::strin
                      const Limits& limits, Console& console) {
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
-  const auto agents = compile_all(sources, *symbols, diagnostics);
+  const std::vector<AgentSpec> agents = compile_all(sources, *symbols, diagnostics);
   console.report(diagnostics);
-  if (!agents) return ExitCode::usage;
+  if (agents.empty() && diagnostics.has_errors()) return ExitCode::usage;
   MasOptions options = limits.mas;
   const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
   options.load_program =
@@ -121,8 +124,10 @@ ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::strin
     return !problem;
   };
   Mas mas(symbols, std::move(options), nullptr);
-  for (const AgentSpec& agent : *agents) mas.add_agent(agent);
-  return run_to_end(mas, limits, console);
+  for (const AgentSpec& agent : agents) mas.add_agent(agent);
+  const ExitCode code = run_to_end(mas, limits, console);
+  // As in Jason, the agents of a project whose programs are in order run without the others.
+  return code == ExitCode::success && diagnostics.has_errors() ? ExitCode::usage : code;
 }
 
 std::string folder_of(const std::string& path) {

@@ -1,5 +1,5 @@
-// .verbose takes a level; what is printed comes anyway.
+// .verbose takes a level: 2 shows what is fine, too.
 !start.
-+!start <- .verbose(2); .print(a); .verbose(1); .print(b).
++!start <- .log(fine,no); .verbose(2); .log(fine,a); .verbose(1); .log(fine,no); .print(b).
 // expect: a
 // expect: b

@@ -1,0 +1,26 @@
+#pragma once
+
+// How a project wants an agent to reason: the options of `.mas2j` that have a meaning here.
+
+#include <cstdint>
+
+namespace jaywalk {
+
+struct ReasoningSettings {
+  /// `events`: what becomes of an external event that no plan is for, and of the event of a belief
+  /// whose plan has failed.
+  enum class Unwanted : std::uint8_t { discard, requeue };
+  Unwanted unwanted = Unwanted::discard;
+  /// `intBels = sameFocus`: the plan for `+b` runs before the next formula; else on its own.
+  bool same_focus = true;
+  /// `nrcbp`: reasoning cycles between two looks into the inbox.
+  std::uint32_t cycles_per_look = 1;
+  /// `verbose`: 0: only warnings are logged, and `.print` writes plain text; 1; 2: everything.
+  int verbosity = 1;
+  /// `tro`: a means whose last formula calls the same goal again gives way to the new one.
+  bool tail_recursion = true;
+  /// `synchronised`: messages are always handled by plans.
+  bool messages_by_plans = false;
+};
+
+}  // namespace jaywalk
