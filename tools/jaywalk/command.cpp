@@ -29,10 +29,19 @@ std::string option_lines(std::span<const OptionSpec> options) {
 
 }  // namespace
 
+namespace {
+
+// A command whose name is a keyword of C++ has an underscore behind it.
+constexpr std::string_view word(std::string_view name) {
+  return name.ends_with('_') ? name.substr(0, name.size() - 1) : name;
+}
+
+}  // namespace
+
 std::span<const Command> commands() {
   static constexpr std::array kCommands = {
 #define JAYWALK_COMMAND(name, summary) \
-  Command{#name, summary, &command::name::help, &command::name::execute},
+  Command{word(#name), summary, &command::name::help, &command::name::execute},
 #include "tools/jaywalk/commands.def"
 #undef JAYWALK_COMMAND
   };

@@ -8,6 +8,7 @@
 
 #include "env/environments.h"
 #include "env/vehicle/vehicle.h"
+#include "experiment/export/exporter.h"
 #include "experiment/measures/measures.h"
 #include "experiment/scenario.h"
 #include "interpreter/check/check.h"
@@ -115,6 +116,8 @@ constexpr std::array kKinds = {
     Kind{"functions", "what agents can use in expressions, as math.abs(X)", function_text},
     Kind{"checks", "what check warns of", [] { return named_rows(checks()); }},
     Kind{"measures", "what compare measures", [] { return named_rows(measures()); }},
+    Kind{"exporters", "what stored tests can be exported as",
+         [] { return named_rows(exporters()); }},
     Kind{"vehicles", "how automated vehicles drive, world.av.model",
          [] { return named_rows(vehicle_models()); }},
     Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
@@ -127,7 +130,7 @@ CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
               "Names what there is of a kind: environments, internal-actions, functions,\n"
-              "checks, measures, vehicles, presets or commands.\n",
+              "checks, measures, exporters, vehicles, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

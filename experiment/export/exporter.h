@@ -1,0 +1,51 @@
+#pragma once
+
+// Stored tests as files that other programs read: the rows of exporters.def. To add one: write a
+// function in a file of its own, and a row.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/results/reader.h"
+
+namespace jaywalk {
+
+/// Which player an OpenSCENARIO file is for: any that follows the standard, or CARLA's.
+enum class ScenarioDialect { standard, carla };
+
+struct ExportRequest {
+  const ResultsReader& store;
+  std::vector<StoredTest> tests;
+  /// Where the files go; it exists.
+  std::string folder;
+  ScenarioDialect dialect = ScenarioDialect::standard;
+  /// Of `postgis`: what `ogr2ogr` is to connect to.
+  std::string connection;
+};
+
+/// The files that were written, in their order. Errors: the store cannot be read, a file cannot be
+/// written.
+using ExportedFiles = Result<std::vector<std::string>>;
+
+struct Exporter {
+  std::string_view name;
+  std::string_view summary;
+  ExportedFiles (*run)(const ExportRequest&);
+};
+
+[[nodiscard]] std::span<const Exporter> exporters();
+/// Null if there is none of that name.
+[[nodiscard]] const Exporter* find_exporter(std::string_view name);
+
+/// The name of a test's files, without an ending: `proximity-10-test-7`.
+[[nodiscard]] std::string file_stem(const ResultsReader& store, const TestCase& test);
+
+/// Writes a file of the export and notes it down.
+[[nodiscard]] bool write_export(const ExportRequest& request, const std::string& name,
+                                std::string_view text, std::vector<std::string>& written,
+                                Diagnostics& diagnostics);
+
+}  // namespace jaywalk

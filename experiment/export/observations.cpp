@@ -1,0 +1,90 @@
+// Tests as rows and as objects: CSV and JSON.
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "experiment/export/exporters.h"
+
+namespace jaywalk {
+namespace {
+
+std::string rows(const StoredTest& test, const std::string& behaviour, const Recording& recording) {
+  std::string text;
+  for (std::size_t tick = 0; tick < recording.scenes(); ++tick) {
+    const auto scene = recording.scene(tick);
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+      const Actor& actor = recording.actors()[i];
+      text += fmt::format(
+          "{},{},{},{},{:.6g},{},{},{:.4f},{:.4f},{:.4f},{:.6f}\n", behaviour, test.test.agents,
+          test.test.number, tick, static_cast<double>(tick) * recording.tick_s(), actor.name,
+          name(actor.kind), scene[i].x_m, scene[i].y_m, scene[i].speed_mps, scene[i].heading_rad);
+    }
+  }
+  return text;
+}
+
+nlohmann::json to_json(const StoredTest& test, const std::string& behaviour,
+                       const Recording& recording) {
+  nlohmann::json actors = nlohmann::json::array();
+  for (const Actor& actor : recording.actors()) {
+    actors.push_back({{"name", actor.name},
+                      {"kind", std::string(name(actor.kind))},
+                      {"length_m", actor.length_m},
+                      {"width_m", actor.width_m}});
+  }
+  nlohmann::json scenes = nlohmann::json::array();
+  for (std::size_t tick = 0; tick < recording.scenes(); ++tick) {
+    nlohmann::json scene = nlohmann::json::array();
+    for (const ActorState& state : recording.scene(tick)) {
+      scene.push_back({state.x_m, state.y_m, state.speed_mps, state.heading_rad});
+    }
+    scenes.push_back(std::move(scene));
+  }
+  nlohmann::json events = nlohmann::json::array();
+  for (const RecordedEvent& event : recording.events()) {
+    nlohmann::json entry{{"tick", event.tick}, {"kind", event.kind}, {"text", event.text}};
+    if (event.actor) entry["actor"] = recording.actors()[*event.actor].name;
+    events.push_back(std::move(entry));
+  }
+  return {{"behaviour", behaviour},
+          {"agents", test.test.agents},
+          {"test", test.test.number},
+          {"tick_s", recording.tick_s()},
+          {"precondition_met", test.result.succeeded},
+          {"actors", std::move(actors)},
+          {"state", {"x_m", "y_m", "speed_mps", "heading_rad"}},
+          {"scenes", std::move(scenes)},
+          {"events", std::move(events)}};
+}
+
+}  // namespace
+
+ExportedFiles export_csv(const ExportRequest& request) {
+  std::string text = "behaviour,agents,test,tick,time_s,actor,kind,x_m,y_m,speed_mps,heading_rad\n";
+  for (const StoredTest& test : request.tests) {
+    const Result<Recording> recording = request.store.recording(test.id);
+    if (!recording.ok()) return recording.diagnostics();
+    text += rows(test, request.store.description().behaviours[test.test.behaviour].name,
+                 recording.value());
+  }
+  std::vector<std::string> written;
+  Diagnostics diagnostics;
+  if (!write_export(request, "observations.csv", text, written, diagnostics)) return diagnostics;
+  return written;
+}
+
+ExportedFiles export_json(const ExportRequest& request) {
+  std::vector<std::string> written;
+  Diagnostics diagnostics;
+  for (const StoredTest& test : request.tests) {
+    const Result<Recording> recording = request.store.recording(test.id);
+    if (!recording.ok()) return recording.diagnostics();
+    const std::string& behaviour = request.store.description().behaviours[test.test.behaviour].name;
+    const std::string text = to_json(test, behaviour, recording.value()).dump(1) + '\n';
+    const std::string name = file_stem(request.store, test.test) + ".json";
+    if (!write_export(request, name, text, written, diagnostics)) return diagnostics;
+  }
+  return written;
+}
+
+}  // namespace jaywalk
