@@ -36,7 +36,7 @@ install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios
         DESTINATION ${JAYWALK_DATA_DIR}
-        FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.yaml" PATTERN "*.md")
+        FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.md")
 install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
               ${PROJECT_SOURCE_DIR}/interpreter/COVERAGE.md
               ${PROJECT_SOURCE_DIR}/interpreter/EMBEDDING.md

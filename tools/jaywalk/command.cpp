@@ -31,7 +31,7 @@ std::string option_lines(std::span<const OptionSpec> options) {
 
 namespace {
 
-// A command whose name is a keyword of C++ has an underscore behind it.
+// A command whose name C++ has taken, as a keyword or a library, has an underscore behind it.
 constexpr std::string_view word(std::string_view name) {
   return name.ends_with('_') ? name.substr(0, name.size() - 1) : name;
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+// What the formatter lays out: a program's tokens and comments, and what stands between two of them
+// on one line.
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/support/source.h"
+#include "interpreter/syntax/lexer.h"
+
+namespace jaywalk::format {
+
+struct Item {
+  TokenKind kind = TokenKind::end_of_text;  // of a comment: end_of_text
+  std::string_view text;
+  bool is_comment = false;
+  bool is_line_comment = false;
+  /// A blank before it, if it stands behind the previous token on a line.
+  bool blank_before = false;
+  /// A line may be broken before it.
+  bool may_break = false;
+  /// How many line breaks there were before it, up to two.
+  int breaks_before = 0;
+  /// Of a bracket: the one that belongs to it.
+  std::size_t partner = 0;
+};
+
+/// The items of a text. REQUIRES: it is a program, without mistakes.
+[[nodiscard]] std::vector<Item> items_of(const SourcePtr& source);
+
+}  // namespace jaywalk::format

@@ -1,0 +1,101 @@
+#include "interpreter/syntax/formatter.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace jaywalk {
+namespace {
+
+using testing::HasSubstr;
+
+std::string formatted(std::string text) {
+  const auto source = std::make_shared<const Source>("a.asl", std::move(text));
+  auto result = format_agent(source);
+  return result ? result.value() : result.diagnostics().render();
+}
+
+TEST(Formatter, PutsBlanksWhereTheyBelong) {
+  EXPECT_EQ(formatted("p( 1,X ) [ a,b ]:-q(X)&not r|X>=-1&Y= [H |T]&~s&Z=(1+2 )*-3 ."),
+            "p(1, X)[a, b] :- q(X) & not r | X >= -1 & Y = [H|T] & ~s & Z = (1 + 2) * -3.\n");
+  EXPECT_EQ(formatted("! g ( 1 ) . { include ( \"x\" ) }\nn :: p ."),
+            "!g(1).\n{ include(\"x\") }\nn::p.\n");
+}
+
+TEST(Formatter, LeavesOnOneLineWhatWasWrittenOnOne) {
+  EXPECT_EQ(formatted("@ l [atomic] +! g(X):X>1<- a(X) ;+b ; -+c; !! d; ? e;if(f){g}else{h;i}."),
+            "@l[atomic] +!g(X) : X > 1 <- a(X); +b; -+c; !!d; ?e; if (f) { g } else { h; i }.\n");
+}
+
+TEST(Formatter, LaysOutPlansOfSeveralLines) {
+  EXPECT_EQ(formatted("@l +!g(X) : a &\n b <- c; if (d) { e;\n f } elif (g) { h } else { }; i."),
+            "@l\n"
+            "+!g(X) : a & b\n"
+            "  <- c;\n"
+            "     if (d) {\n"
+            "       e;\n"
+            "       f\n"
+            "     } elif (g) {\n"
+            "       h\n"
+            "     } else {};\n"
+            "     i.\n");
+}
+
+TEST(Formatter, KeepsCommentsWhereTheyAre) {
+  EXPECT_EQ(
+      formatted("// first   \n\n\n\np.// p is\n  /* long\n one */\n+!g // goal\n<- a; // do a\n"
+                "\n // then\nb /* now */ (c)\n. // end"),
+      "// first\n"
+      "\n"
+      "p.  // p is\n"
+      "/* long\n one */\n"
+      "+!g  // goal\n"
+      "  <- a;  // do a\n"
+      "\n"
+      "     // then\n"
+      "     b /* now */ (c).  // end\n");
+}
+
+TEST(Formatter, KeepsCommentsInEmptyPlaces) {
+  EXPECT_EQ(formatted("// alone"), "// alone\n");
+  EXPECT_EQ(formatted(""), "");
+  EXPECT_EQ(formatted(" \n\n"), "");
+  EXPECT_EQ(formatted("+!g <- if (a) { // nothing\n }."),
+            "+!g\n"
+            "  <- if (a) {  // nothing\n"
+            "     }.\n");
+}
+
+TEST(Formatter, IndentsBlocksAndSubPlans) {
+  EXPECT_EQ(formatted("{begin namespace(n,local)}\np. // x\n // last\n{end}\n+!g <: q <- \na.\n"
+                      "{ +!h.\n// inner\n-!h. }\nr."),
+            "{ begin namespace(n, local) }\n"
+            "  p.  // x\n"
+            "  // last\n"
+            "{ end }\n"
+            "+!g\n"
+            "  <: q\n"
+            "  <- a.\n"
+            "{\n"
+            "  +!h.\n"
+            "  // inner\n"
+            "  -!h.\n"
+            "}\n"
+            "r.\n");
+}
+
+TEST(Formatter, WrapsLongLines) {
+  const std::string name(30, 'x');
+  const std::string text =
+      formatted("+!g : " + name + " & " + name + " & " + name + " & " + name + " <- .print(" +
+                name + "," + name + "," + name + "," + name + ").");
+  const std::string two = name + " & " + name;
+  EXPECT_EQ(text, "+!g\n  : " + two + " &\n    " + two + "\n  <- .print(" + name + ", " + name +
+                      ",\n       " + name + ", " + name + ").\n");
+}
+
+TEST(Formatter, SaysWhatIsWrong) {
+  EXPECT_THAT(formatted("p(1.\nq."), HasSubstr("a.asl:1:4: error: "));
+}
+
+}  // namespace
+}  // namespace jaywalk
