@@ -66,7 +66,7 @@ class Crossing::Perceiver {
     const double sight = world_.parameters_.pedestrians.sight;
     for (std::size_t i = 0; i < world_.bodies_.size(); ++i) {
       const RoadUser& other = world_.bodies_[i];
-      const Place here = self().place;
+      const GridPoint here = self().place;
       const double distance = std::hypot(other.place.x - here.x, other.place.y - here.y);
       if (i == agent_ || other.kind == ActorKind::signal || distance > sight) continue;
       add(road_user, static_cast<double>(i + 1), other.kind, other.place.x, other.place.y,

@@ -13,13 +13,13 @@ namespace {
 constexpr double kEpsilon = 1e-9;
 
 // Ten steps of a tenth of a cell lead to the next one, not a hair's breadth beside it.
-Place rounded(Place place) {
+GridPoint rounded(GridPoint place) {
   constexpr double kParts = 1e9;
   return {std::round(place.x * kParts) / kParts, std::round(place.y * kParts) / kParts};
 }
 
 // How far a step can lead before the grid ends.
-double room(Place place, const Grid& grid, Direction direction) {
+double room(GridPoint place, const Grid& grid, Direction direction) {
   switch (direction) {
     case Direction::left:
       return place.x;

@@ -18,7 +18,7 @@ enum class SignalColour : unsigned char { green, amber, red };
 
 struct RoadUser {
   ActorKind kind = ActorKind::pedestrian;
-  Place place;
+  GridPoint place;
   /// The greatest step in cells per tick.
   double speed = 1;
   /// The way of the last step, and before the first one, towards the road.

@@ -35,11 +35,11 @@ std::optional<Direction> find_direction(std::string_view name) {
   return std::nullopt;
 }
 
-Position cell(Place place) {
+Position cell(GridPoint place) {
   return {static_cast<int>(std::floor(place.x + 0.5)), static_cast<int>(std::floor(place.y + 0.5))};
 }
 
-Place ahead_of(Place place, Direction direction, double cells) {
+GridPoint ahead_of(GridPoint place, Direction direction, double cells) {
   const DirectionRow& step = row(direction);
   return {place.x + step.dx * cells, place.y + step.dy * cells};
 }

@@ -17,19 +17,19 @@ struct Position {
 };
 
 /// A point of the grid's plane: whole numbers are the middles of cells, as a Position has them.
-struct Place {
+struct GridPoint {
   double x = 0;
   double y = 0;
 
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
-[[nodiscard]] constexpr Place middle(Position position) {
+[[nodiscard]] constexpr GridPoint middle(Position position) {
   return {static_cast<double>(position.x), static_cast<double>(position.y)};
 }
 
 /// The cell in which a place lies; on the border between two, the one further on.
-[[nodiscard]] Position cell(Place place);
+[[nodiscard]] Position cell(GridPoint place);
 
 /// Whole numbers from `first` to `last`, both included; empty if `last` is less than `first`.
 struct Interval {
@@ -56,7 +56,7 @@ inline constexpr int kDirectionCount = 4;
 /// The neighbour in that direction, on the grid or not.
 [[nodiscard]] Position neighbour(Position position, Direction direction);
 /// The place so many cells away in that direction.
-[[nodiscard]] Place ahead_of(Place place, Direction direction, double cells);
+[[nodiscard]] GridPoint ahead_of(GridPoint place, Direction direction, double cells);
 
 struct Grid {
   int rows = 0;

@@ -23,7 +23,7 @@ struct Strip {
   double right_m = 0;
 };
 
-[[nodiscard]] inline Strip lane(const VehicleView& view) {
+[[nodiscard]] inline Strip lane_of(const VehicleView& view) {
   return {view.lane_left_m, view.lane_right_m};
 }
 [[nodiscard]] inline Strip body(const VehicleView& view) { return {view.left_m, view.right_m}; }

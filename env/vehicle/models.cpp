@@ -27,7 +27,7 @@ class Braking final : public VehicleController {
         standoff_m_(parameters.standoff_m) {}
 
   VehicleDecision decide(const VehicleView& view) override {
-    const std::optional<Hazard> hazard = perception_.perceive(view, lane(view));
+    const std::optional<Hazard> hazard = perception_.perceive(view, lane_of(view));
     if (!hazard) return {resume(view, acceleration_)};
     const double needed = required_deceleration(view, *hazard, standoff_m_);
     if (needed >= kComfortable) braking_ = true;
@@ -53,7 +53,8 @@ class CarefulCompetent final : public VehicleController {
         acceleration_(parameters.acceleration_mps2) {}
 
   VehicleDecision decide(const VehicleView& view) override {
-    return {perception_.perceive(view, lane(view)) ? -deceleration_ : resume(view, acceleration_)};
+    return {perception_.perceive(view, lane_of(view)) ? -deceleration_
+                                                      : resume(view, acceleration_)};
   }
 
  private:
@@ -122,7 +123,7 @@ class IntelligentDriver final : public VehicleController {
 
   VehicleDecision decide(const VehicleView& view) override {
     const double free = 1 - std::pow(view.speed_mps / view.cruise_mps, 4);
-    const std::optional<Hazard> leader = perception_.perceive(view, lane(view));
+    const std::optional<Hazard> leader = perception_.perceive(view, lane_of(view));
     if (!leader) return {acceleration_ * free};
     const double closing = view.speed_mps - leader->speed_mps;
     const double wanted =
