@@ -15,6 +15,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/store_options.h"
+#include "tools/jaywalk/viewer.h"
 #include "tools/jaywalk/watch.h"
 
 namespace jaywalk {
@@ -74,62 +75,6 @@ std::string title_of(const Request& request) {
                      request.input.test);
 }
 
-int terminal_columns() {
-  winsize size{};
-  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
-}
-
-/// Shows frame after frame: on a terminal each in the place of the last, at the given speed;
-/// otherwise one below the other.
-class Viewer {
- public:
-  Viewer(const Request& request, const InterruptGuard& interrupt, Console& console)
-      : interrupt_(interrupt),
-        console_(console),
-        pause_(1 / request.speed),
-        title_(title_of(request)) {}
-
-  void add_line(std::string_view line) { printed_.emplace_back(line); }
-
-  void show(const Crossing& crossing, const Mas& mas) {
-    const bool live = console_.output_is_terminal();
-    const FrameOptions options{.title = title_,
-                               .colour = console_.output_colour(),
-                               .columns = live ? terminal_columns() : 0};
-    const std::string frame = draw_frame(crossing, mas, printed_, options);
-    printed_.clear();
-    if (live && lines_ > 0) {
-      pause();
-      console_.print(fmt::format("\x1b[{}F\x1b[J", lines_));
-    }
-    console_.print(frame);
-    if (live) {
-      console_.flush();
-    } else {
-      console_.print("\n");
-    }
-    lines_ = std::ranges::count(frame, '\n');
-  }
-
- private:
-  void pause() const {
-    using std::chrono::steady_clock;
-    const auto end =
-        steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(pause_);
-    while (steady_clock::now() < end && !interrupt_.interrupted()) {
-      std::this_thread::sleep_for(std::min<steady_clock::duration>(std::chrono::milliseconds(20),
-                                                                   end - steady_clock::now()));
-    }
-  }
-
-  const InterruptGuard& interrupt_;
-  Console& console_;
-  std::chrono::duration<double> pause_;
-  std::string title_;
-  std::vector<std::string> printed_;
-  std::ptrdiff_t lines_ = 0;
-};
-
 /// The store for this one test, with everything that is seen of it.
 std::unique_ptr<ResultsWriter> open_store(const Request& request, const Arguments& arguments,
                                           const std::string& path, Console& console) {
@@ -164,7 +109,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
 
   const InterruptGuard interrupt;
   const Deadline deadline(request->timeout_s);
-  Viewer viewer(*request, interrupt, console);
+  Viewer viewer(title_of(*request), request->speed, interrupt, console);
   const bool watch = arguments.has("watch");
   TrialOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
   options.log = [&](std::string_view line) { console.log(spdlog::level::warn, line); };

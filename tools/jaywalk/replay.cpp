@@ -1,0 +1,143 @@
+// `jaywalk replay`: a stored test, played again.
+
+#include <fmt/format.h>
+
+#include "experiment/export/write_file.h"
+#include "experiment/report/player.h"
+#include "experiment/results/reader.h"
+#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/viewer.h"
+
+namespace jaywalk::command::replay {
+namespace {
+
+struct Wanted {
+  std::optional<std::uint64_t> test;
+  std::optional<std::uint64_t> agents;
+  std::optional<std::string> behaviour;
+  double speed = 2;
+};
+
+std::optional<Wanted> read_wanted(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  Wanted wanted{.test = arguments.number("test", 0, diagnostics),
+                .agents = arguments.number("agents", 1, diagnostics),
+                .behaviour = arguments.text("behaviour"),
+                .speed = arguments.positive("speed", diagnostics).value_or(2)};
+  if (!diagnostics.has_errors()) return wanted;
+  console.report(diagnostics);
+  return std::nullopt;
+}
+
+std::string name_of(const ResultsReader& store, const StoredTest& test) {
+  return fmt::format("{}, {} agent{}, seed {}, test {}",
+                     store.description().behaviours[test.test.behaviour].name, test.test.agents,
+                     test.test.agents == 1 ? "" : "s", store.description().seed, test.test.number);
+}
+
+/// The first stored test that is wanted: one that met the precondition, if none is named.
+std::optional<StoredTest> find_test(const ResultsReader& store, const Wanted& wanted,
+                                    Console& console) {
+  TestFilter filter;
+  if (!wanted.test) filter.succeeded = true;
+  const auto tests = store.tests(filter);
+  if (!tests.ok()) {
+    console.report(tests.diagnostics());
+    return std::nullopt;
+  }
+  for (const StoredTest& each : tests.value()) {
+    const std::string& behaviour = store.description().behaviours[each.test.behaviour].name;
+    if (wanted.test.value_or(each.test.number) == each.test.number &&
+        wanted.agents.value_or(each.test.agents) == each.test.agents &&
+        wanted.behaviour.value_or(behaviour) == behaviour) {
+      return each;
+    }
+  }
+  console.error("the store has no such test", "without --test, one that met the precondition");
+  return std::nullopt;
+}
+
+ExitCode play(const ResultsReader& store, const StoredTest& test, double speed, Console& console) {
+  const InterruptGuard interrupt;
+  Viewer viewer(name_of(store, test), speed, interrupt, console);
+  TrialOptions options;
+  options.print = [&](std::string_view line) { viewer.add_line(line); };
+  options.observe = [&](const Crossing& crossing, const Mas& mas) {
+    if (!interrupt.interrupted()) viewer.show(crossing, mas);
+  };
+  const auto result = store.rerun(test.id, options);
+  if (result.ok()) return ExitCode::success;
+  console.report(result.diagnostics());
+  return ExitCode::failed;
+}
+
+ExitCode write_page(const ResultsReader& store, const StoredTest& test, const std::string& path,
+                    Console& console) {
+  const auto prepared = store.prepared();
+  if (!prepared.ok()) {
+    console.report(prepared.diagnostics());
+    return ExitCode::failed;
+  }
+  Recording recording;
+  MindRecorder minds;
+  TrialOptions options;
+  options.record = &recording;
+  options.observe = [&](const Crossing&, const Mas& mas) { minds.observe(mas); };
+  const auto result = store.rerun(test.id, options);
+  if (!result.ok()) {
+    console.report(result.diagnostics());
+    return ExitCode::failed;
+  }
+  const std::string page =
+      render_player(name_of(store, test), prepared.value()->scenario().world, recording, minds);
+  if (const auto why = write_file(path, page)) {
+    console.error(fmt::format("cannot write '{}': {}", path, *why));
+    return ExitCode::failed;
+  }
+  return ExitCode::success;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {.usage = "STORE [OPTIONS]",
+          .description =
+              "Plays a test of a store: in the terminal, tick by tick, or as a page with a player\n"
+              "that shows every agent's beliefs and intentions. The test is run again from what\n"
+              "the store has of it, so that everything can be seen, whatever was stored.\n",
+          .options =
+              {
+                  {"test", "N", "the test's number (default: the first that met the precondition)"},
+                  {"agents", "N", "with this number of agents"},
+                  {"behaviour", "NAME", "of this behaviour"},
+                  {"speed", "N", "ticks per second in the terminal (default 2)"},
+                  {"html", "FILE", "write the player's page instead"},
+              },
+          .examples =
+              "  jaywalk replay runs.gpkg --test 7\n"
+              "  jaywalk replay runs.gpkg --behaviour election --agents 5 --html replay.html\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto& operands = arguments.operands();
+  if (operands.size() != 1) {
+    console.error(fmt::format("expected one store, found {}", operands.size()),
+                  "jaywalk replay --help shows how to write it");
+    return ExitCode::usage;
+  }
+  const auto wanted = read_wanted(arguments, console);
+  if (!wanted) return ExitCode::usage;
+  const auto store = ResultsReader::open(operands[0]);
+  if (!store.ok()) {
+    console.report(store.diagnostics());
+    return ExitCode::usage;
+  }
+  const auto test = find_test(*store.value(), *wanted, console);
+  if (!test) return ExitCode::usage;
+  if (const auto page = arguments.text("html")) {
+    return write_page(*store.value(), *test, *page, console);
+  }
+  return play(*store.value(), *test, wanted->speed, console);
+}
+
+}  // namespace jaywalk::command::replay

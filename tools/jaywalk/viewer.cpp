@@ -1,0 +1,51 @@
+#include "tools/jaywalk/viewer.h"
+
+#include <algorithm>
+#include <sys/ioctl.h>
+#include <thread>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "tools/jaywalk/watch.h"
+
+namespace jaywalk {
+namespace {
+
+int terminal_columns() {
+  winsize size{};
+  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+}  // namespace
+
+void Viewer::show(const Crossing& crossing, const Mas& mas) {
+  const bool live = console_.output_is_terminal();
+  const FrameOptions options{.title = title_,
+                             .colour = console_.output_colour(),
+                             .columns = live ? terminal_columns() : 0};
+  const std::string frame = draw_frame(crossing, mas, printed_, options);
+  printed_.clear();
+  if (live && lines_ > 0) {
+    pause();
+    console_.print(fmt::format("\x1b[{}F\x1b[J", lines_));
+  }
+  console_.print(frame);
+  if (live) {
+    console_.flush();
+  } else {
+    console_.print("\n");
+  }
+  lines_ = std::ranges::count(frame, '\n');
+}
+
+void Viewer::pause() const {
+  using std::chrono::steady_clock;
+  const auto end = steady_clock::now() + std::chrono::duration_cast<steady_clock::duration>(pause_);
+  while (steady_clock::now() < end && !interrupt_.interrupted()) {
+    std::this_thread::sleep_for(
+        std::min<steady_clock::duration>(std::chrono::milliseconds(20), end - steady_clock::now()));
+  }
+}
+
+}  // namespace jaywalk
