@@ -14,6 +14,7 @@
 
 #include "env/crossing/parameters.h"
 #include "env/crossing/start_cells.h"
+#include "experiment/anchor.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/source_files.h"
 
@@ -77,6 +78,8 @@ struct Scenario {
   /// The programs of world.actors, in the same order.
   std::vector<BehaviourSpec> actors;
   ExperimentSpec experiment;
+  /// Where the world is on the Earth, for stores.
+  std::optional<Anchor> anchor;
   /// Start cells that take the place of spawning.
   std::optional<StartCells> start_cells;
   /// The texts that it was read from (programs are read when it is prepared), and where they and

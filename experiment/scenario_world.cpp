@@ -31,6 +31,9 @@ constexpr NumberRange kSpeed{0.01, 10'000};
 constexpr NumberRange kPace{0.001, 100};
 constexpr NumberRange kAcceleration{0.01, 100};
 constexpr IntegerRange kAftermath{0, 1000};
+constexpr IntegerRange kEpsg{1024, 32767};
+constexpr NumberRange kOnEarth{-1e8, 1e8};
+constexpr NumberRange kBearing{-360, 360};
 
 class WorldReader : LayerPart {
  public:
@@ -50,6 +53,7 @@ class WorldReader : LayerPart {
                   {"obstacles", method(&WorldReader::read_obstacles)},
                   {"actors", method(&WorldReader::read_actors)},
                   {"pedestrians", method(&WorldReader::read_pedestrians)},
+                  {"anchor", method(&WorldReader::read_anchor)},
                   {"av", method(&WorldReader::read_av)},
                   {"zone", method(&WorldReader::read_zone)},
                   {"road_end", integer(world().road_end, kCells)},
@@ -73,6 +77,25 @@ class WorldReader : LayerPart {
   }
 
   [[nodiscard]] CrossingParameters& world() { return draft_.scenario.world; }
+
+  void read_anchor(const ConfigNode& node, const std::string& path) {
+    Anchor anchor = draft_.scenario.anchor.value_or(Anchor{});
+    read_keys(node, path,
+              {
+                  {"epsg", integer(anchor.epsg, kEpsg)},
+                  {"easting", number(anchor.easting_m, kOnEarth)},
+                  {"northing", number(anchor.northing_m, kOnEarth)},
+                  {"bearing", number(anchor.bearing_deg, kBearing)},
+              });
+    draft_.scenario.anchor = anchor;
+    constexpr int kDegrees = 4326;
+    if (anchor.epsg == 0) {
+      reader_.error(node.origin, "an anchor without 'epsg', the code of its reference system");
+    } else if (anchor.epsg == kDegrees) {
+      reader_.error(node.origin, "expected a reference system in metres, found one in degrees",
+                    "a UTM zone is epsg: 32601 to 32660, Great Britain's grid 27700");
+    }
+  }
 
   void read_environment(const ConfigNode& node, const std::string&) {
     const std::optional<std::string> name = reader_.text(node, "the name of an environment");

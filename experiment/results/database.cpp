@@ -1,10 +1,13 @@
 #include "experiment/results/database.h"
 
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <sqlite3.h>
 #include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace jaywalk {
 namespace {
@@ -19,6 +22,8 @@ DatabaseTrouble trouble_of(int code) {
       return DatabaseTrouble::damaged;
     case SQLITE_FULL:
       return DatabaseTrouble::no_space;
+    case SQLITE_READONLY:
+      return DatabaseTrouble::interrupted;
     default:
       return DatabaseTrouble::other;
   }
@@ -27,6 +32,7 @@ DatabaseTrouble trouble_of(int code) {
 int flags_of(Database::Mode mode) {
   switch (mode) {
     case Database::Mode::read:
+    case Database::Mode::untouched:
       return SQLITE_OPEN_READONLY;
     case Database::Mode::write:
       return SQLITE_OPEN_READWRITE;
@@ -38,15 +44,27 @@ int flags_of(Database::Mode mode) {
 
 }  // namespace
 
+std::string file_uri(const std::string& path, std::string_view query) {
+  std::error_code error;
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path, error).generic_string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
+      uri += c;
+    } else {
+      uri += fmt::format("%{:02X}", byte);
+    }
+  }
+  return fmt::format("{}?{}", uri, query);
+}
+
 void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(connection); }
 
 Database::Database(const std::string& path, Mode mode) {
   sqlite3* connection = nullptr;
-  // A URI is only what we make one (see merge.cpp), so a path begins with its root. Each connection
-  // is used by one thread at a time.
-  std::error_code error;
-  const std::string root_path = std::filesystem::absolute(path, error).generic_string();
-  const int code = sqlite3_open_v2(root_path.c_str(), &connection,
+  const std::string uri = file_uri(path, mode == Mode::untouched ? "immutable=1" : "");
+  // Each connection is used by one thread at a time.
+  const int code = sqlite3_open_v2(uri.c_str(), &connection,
                                    flags_of(mode) | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, nullptr);
   connection_.reset(connection);
   if (code != SQLITE_OK) note(code);

@@ -16,11 +16,17 @@ struct sqlite3_stmt;
 
 namespace jaywalk {
 
-enum class DatabaseTrouble { none, in_use, damaged, no_space, other };
+/// `interrupted`: what another process was writing when it was killed has to be undone first, which
+/// whoever only reads cannot do.
+enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, other };
+
+/// A path as a URI, `file:/a/b?mode=ro`, by which SQLite is told how to open it.
+[[nodiscard]] std::string file_uri(const std::string& path, std::string_view query);
 
 class Database {
  public:
-  enum class Mode { read, write, create };
+  /// `untouched`: as the file is, without what other files beside it say is to be undone or added.
+  enum class Mode { read, untouched, write, create };
 
   /// Opens the file; whether that succeeded, failure() tells.
   Database(const std::string& path, Mode mode);

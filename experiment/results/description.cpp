@@ -104,6 +104,7 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
                                     .tests = plan.tests,
                                     .seed = seed,
                                     .tick_s = scenario.world.tick_s,
+                                    .anchor = scenario.anchor,
                                     .version = JAYWALK_VERSION};
   for (std::size_t i = 0; i < prepared.behaviours().size(); ++i) {
     description.behaviours.push_back(describe(prepared.behaviours()[i], scenario.behaviours[i]));

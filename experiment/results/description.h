@@ -65,6 +65,8 @@ struct ExperimentDescription {
   std::uint64_t seed = 0;
   /// Seconds from one tick to the next.
   double tick_s = 1;
+  /// Where its points lie; empty: on a plane of their own.
+  std::optional<Anchor> anchor;
   StoreLevel level = StoreLevel::found;
   Shard shard;
   /// Of the program that ran the tests.

@@ -1,10 +1,7 @@
 #include "experiment/results/merge.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -58,20 +55,6 @@ Diagnostics differences(const std::vector<Part>& parts) {
   return diagnostics;
 }
 
-/// The path as a URI by which SQLite opens a file without ever writing to it.
-std::string read_only_uri(const std::string& path) {
-  std::string uri = "file:";
-  for (const char c : std::filesystem::absolute(path).generic_string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
-      uri += c;
-    } else {
-      uri += fmt::format("%{:02X}", byte);
-    }
-  }
-  return uri + "?mode=ro";
-}
-
 /// A test that both have and that came out differently.
 std::optional<std::int64_t> contradiction(Database& database) {
   return database.number(
@@ -81,7 +64,7 @@ std::optional<std::int64_t> contradiction(Database& database) {
 }
 
 void copy_tests(Database& database, const Part& part) {
-  Statement(database, "ATTACH ? AS part").run(read_only_uri(part.path));
+  Statement(database, "ATTACH ? AS part").run(file_uri(part.path, "mode=ro"));
   database.execute("BEGIN");
   if (const auto test = contradiction(database)) {
     database.fail(
@@ -117,7 +100,8 @@ Result<MergeOutcome> merge_stores(const std::string& output,
   MergeOutcome outcome;
   outcome.planned = whole.behaviours.size() * whole.agents.size() * whole.tests;
   const auto fill = [&](Database& database) {
-    create_tables(database);
+    const Placement placement(whole.anchor);
+    create_tables(database, placement);
     write_description(database, whole);
     database.execute("COMMIT");
     // Parts are interleaved: enough memory to touch their pages once.
@@ -126,7 +110,7 @@ Result<MergeOutcome> merge_stores(const std::string& output,
     outcome.tests =
         static_cast<std::uint64_t>(database.number("SELECT count(*) FROM tests").value_or(0));
     database.execute("BEGIN");
-    note_extents(database);
+    note_extents(database, placement);
     if (outcome.tests == outcome.planned) complete_tables(database);
   };
   if (auto failure = create_store_file(output, fill)) return std::move(*failure);

@@ -6,6 +6,7 @@ target_sources(jaywalk_experiment PRIVATE
   results/geometry.cpp
   results/merge.cpp
   results/new_file.cpp
+  results/placement.cpp
   results/reader.cpp
   results/row_writer.cpp
   results/schema.cpp

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "experiment/results/geometry.h"
 #include "experiment/results/schema.h"
 
 namespace jaywalk {
@@ -21,6 +20,7 @@ double number(double value) { return std::isnan(value) ? 0 : value; }
 RowWriter::RowWriter(Database& database, const ExperimentDescription& description)
     : database_(database),
       description_(description),
+      placement_(description.anchor),
       test_(database, "INSERT INTO tests VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       actor_(database, "INSERT INTO actors VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       observation_(database, "INSERT INTO observations VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -68,7 +68,7 @@ void RowWriter::write_scenes(std::int64_t test_id, const Recording& recording) {
     const std::string& time = time_of(tick);
     std::size_t actor = 0;
     for (const ActorState& state : recording.scene(tick)) {
-      const PointBlob point = point_blob(state.x_m, state.y_m);
+      const PointBlob point = point_of(state);
       observation_.run(row++, test_id, tick, actor++, time, state.x_m, state.y_m, state.speed_mps,
                        state.heading_rad, Blob{point});
     }
@@ -85,7 +85,7 @@ void RowWriter::write_events(std::int64_t test_id, const Recording& recording) {
       const ActorState& state = recording.scene(event.tick)[*event.actor];
       x = state.x_m;
       y = state.y_m;
-      point = point_blob(*x, *y);
+      point = point_of(state);
       geometry = Blob{point};
     }
     event_.run(row++, test_id, event.tick, event.actor, time_of(event.tick), event.kind, event.text,
@@ -99,6 +99,11 @@ void RowWriter::write(std::int64_t test_id, std::span<const Assessment> assessme
     assessment_.run(row++, test_id, each.id, name(each.verdict), each.value, each.tick, each.actor,
                     each.robustness);
   }
+}
+
+PointBlob RowWriter::point_of(const ActorState& state) const {
+  const auto [x, y] = placement_.place(state.x_m, state.y_m);
+  return point_blob(x, y, placement_.srs_id());
 }
 
 const std::string& RowWriter::time_of(std::size_t tick) {

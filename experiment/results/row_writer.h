@@ -7,6 +7,8 @@
 
 #include "experiment/results/database.h"
 #include "experiment/results/description.h"
+#include "experiment/results/geometry.h"
+#include "experiment/results/placement.h"
 #include "experiment/results/test_record.h"
 
 namespace jaywalk {
@@ -24,10 +26,12 @@ class RowWriter {
   void write_actors(std::int64_t test_id, const TestRecord& record);
   void write_scenes(std::int64_t test_id, const Recording& recording);
   void write_events(std::int64_t test_id, const Recording& recording);
+  [[nodiscard]] PointBlob point_of(const ActorState& state) const;
   [[nodiscard]] const std::string& time_of(std::size_t tick);
 
   Database& database_;
   const ExperimentDescription& description_;
+  Placement placement_;
   std::vector<std::string> times_;  // of the first ticks
   std::string late_time_;
   Statement test_, actor_, observation_, event_, assessment_;

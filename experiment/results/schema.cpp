@@ -44,7 +44,8 @@ CREATE TABLE versions (
 CREATE TABLE experiment (
   id INTEGER PRIMARY KEY NOT NULL, scenario TEXT NOT NULL, seed INTEGER NOT NULL,
   first_test INTEGER NOT NULL, tests INTEGER NOT NULL, tick_s DOUBLE NOT NULL,
-  level TEXT NOT NULL, shard INTEGER NOT NULL, shards INTEGER NOT NULL);
+  level TEXT NOT NULL, shard INTEGER NOT NULL, shards INTEGER NOT NULL, epsg INTEGER,
+  easting DOUBLE, northing DOUBLE, bearing DOUBLE);
 CREATE TABLE options (
   id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL);
 CREATE TABLE behaviours (
@@ -103,15 +104,22 @@ constexpr std::array kAttributes = {
     Layer{"assessments", "metrics' values and assertions' verdicts"},
 };
 
-void register_tables(Database& database) {
+void register_reference_system(Database& database, const Placement& placement) {
+  Statement system(database,
+                   "INSERT INTO gpkg_spatial_ref_sys VALUES (?1, ?2, 'EPSG', ?2, ?3, ?4)");
+  system.run(fmt::format("EPSG:{}", placement.srs_id()), placement.srs_id(), placement.definition(),
+             "as the scenario's anchor says");
+}
+
+void register_tables(Database& database, const Placement& placement) {
   Statement contents(database,
                      "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, "
                      "srs_id) VALUES (?1, ?2, ?1, ?3, ?4)");
   Statement geometry(database,
-                     "INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'POINT', -1, 0, 0)");
+                     "INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'POINT', ?, 0, 0)");
   for (const Layer& layer : kLayers) {
-    contents.run(layer.table, "features", layer.description, -1);
-    geometry.run(layer.table);
+    contents.run(layer.table, "features", layer.description, placement.srs_id());
+    geometry.run(layer.table, placement.srs_id());
   }
   for (const Layer& layer : kAttributes) {
     contents.run(layer.table, "attributes", layer.description, std::nullopt);
@@ -120,12 +128,13 @@ void register_tables(Database& database) {
 
 }  // namespace
 
-void create_tables(Database& database) {
+void create_tables(Database& database, const Placement& placement) {
   database.execute(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = 10300;", kGeoPackageId));
   database.execute(std::string(kGeoPackageTables));
   database.execute(std::string(kTables));
-  register_tables(database);
+  if (placement.srs_id() > 0) register_reference_system(database, placement);
+  register_tables(database, placement);
 }
 
 std::string time_text(double seconds) {
@@ -143,12 +152,12 @@ std::string time_text(double seconds) {
                      clock.subseconds().count());
 }
 
-void note_extents(Database& database) {
+void note_extents(Database& database, const Placement& placement) {
   for (const Layer& layer : kLayers) {
-    database.execute(
-        fmt::format("UPDATE gpkg_contents SET (min_x, min_y, max_x, max_y) = (SELECT min(x), "
-                    "min(y), max(x), max(y) FROM {0}) WHERE table_name = '{0}'",
-                    layer.table));
+    database.execute(fmt::format(
+        "UPDATE gpkg_contents SET (min_x, min_y, max_x, max_y) = (SELECT min({0}), min({1}), "
+        "max({0}), max({1}) FROM {2}) WHERE table_name = '{2}'",
+        placement.easting_sql(), placement.northing_sql(), layer.table));
   }
 }
 

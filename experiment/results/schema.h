@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "experiment/results/database.h"
+#include "experiment/results/placement.h"
 
 namespace jaywalk {
 
@@ -36,13 +37,13 @@ inline constexpr std::array<std::string_view, 5> kTablesOfTests = {
     "tests", "actors", "observations", "events", "assessments"};
 
 /// Creates all tables in an empty file.
-void create_tables(Database& database);
+void create_tables(Database& database, const Placement& placement);
 
 /// `2000-01-01T00:00:12.500Z`: the moment so many seconds after tick 0.
 [[nodiscard]] std::string time_text(double seconds);
 
 /// Tells the extent of each layer's rows.
-void note_extents(Database& database);
+void note_extents(Database& database, const Placement& placement);
 /// Adds the index by test, once all rows are there; the last thing that is done.
 void complete_tables(Database& database);
 [[nodiscard]] bool is_completed(Database& database);

@@ -73,28 +73,48 @@ std::optional<std::string> objection(const std::string& path) {
   return cut_off(path, header);
 }
 
-/// Why its content is not that of a store of our version.
-std::optional<std::string> objection(Database& database, Scrutiny scrutiny) {
+/// Why its tables are not those of a store of our version.
+std::optional<std::string> objection(Database& database) {
   const bool ours =
       database.number("SELECT count(*) FROM sqlite_master WHERE name = 'versions'") == 1;
   if (database.failure()) return std::nullopt;
   if (!ours) return "not a results store: a GeoPackage that jaywalk did not write";
   const auto version = database.text("SELECT version FROM versions WHERE subject = 'store'");
-  if (database.failure()) return std::nullopt;
-  if (version != fmt::format("{}", kStoreVersion)) {
-    return fmt::format("its tables have version {}, this jaywalk knows version {}",
-                       version.value_or("unknown"), kStoreVersion);
-  }
+  if (database.failure() || version == fmt::format("{}", kStoreVersion)) return std::nullopt;
+  return fmt::format("its tables have version {}, this jaywalk knows version {}",
+                     version.value_or("unknown"), kStoreVersion);
+}
+
+/// Why not all of its pages are sound.
+std::optional<std::string> damage(Database& database, Scrutiny scrutiny) {
   if (scrutiny == Scrutiny::header) return std::nullopt;
   const auto found = database.text("PRAGMA quick_check(1)");
-  if (!database.failure() && found != "ok") return fmt::format("the store is damaged: {}", *found);
-  return std::nullopt;
+  if (database.failure() || found == "ok") return std::nullopt;
+  return fmt::format("the store is damaged: {}", found.value_or("it cannot be checked"));
+}
+
+/// Lets SQLite undo what a process was writing when it was killed, if the file is a store of ours.
+void undo_interrupted(const std::string& path) {
+  Database untouched(path, Database::Mode::untouched);
+  if (objection(untouched) || untouched.failure()) return;
+  Database database(path, Database::Mode::write);
+  (void)database.number("SELECT count(*) FROM versions");
+}
+
+std::unique_ptr<Database> readable(const std::string& path) {
+  auto database = std::make_unique<Database>(path, Database::Mode::read);
+  (void)database->number("SELECT count(*) FROM sqlite_master");
+  if (database->trouble() != DatabaseTrouble::interrupted) return database;
+  database.reset();
+  undo_interrupted(path);
+  return std::make_unique<Database>(path, Database::Mode::read);
 }
 
 Result<std::unique_ptr<Database>> checked(const std::string& path, Scrutiny scrutiny) {
   if (auto why = objection(path)) return store_error(path, std::move(*why));
-  auto database = std::make_unique<Database>(path, Database::Mode::read);
-  auto why = objection(*database, scrutiny);
+  auto database = readable(path);
+  auto why = objection(*database);
+  if (!why && !database->failure()) why = damage(*database, scrutiny);
   if (database->failure()) return store_error(path, trouble_with(*database));
   if (why) return store_error(path, std::move(*why));
   return database;
@@ -116,6 +136,8 @@ std::string trouble_with(const Database& database) {
       return fmt::format("the store is damaged: {}", *database.failure());
     case DatabaseTrouble::no_space:
       return "no space is left for the store";
+    case DatabaseTrouble::interrupted:
+      return "a process was killed while it wrote the file, and what it wrote cannot be undone";
     case DatabaseTrouble::other:
     case DatabaseTrouble::none:
       break;

@@ -74,10 +74,15 @@ void write_description(Database& database, const ExperimentDescription& descript
   Statement version(database, "INSERT INTO versions (subject, version) VALUES (?, ?)");
   version.run("store", fmt::format("{}", kStoreVersion));
   version.run("jaywalk", description.version);
-  Statement(database, "INSERT INTO experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)")
+  const auto anchored = [&]<class T>(T Anchor::*field) -> std::optional<T> {
+    if (!description.anchor) return std::nullopt;
+    return *description.anchor.*field;
+  };
+  Statement(database, "INSERT INTO experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .run(description.scenario, description.seed, description.first_test, description.tests,
            description.tick_s, name(description.level), description.shard.index,
-           description.shard.count);
+           description.shard.count, anchored(&Anchor::epsg), anchored(&Anchor::easting_m),
+           anchored(&Anchor::northing_m), anchored(&Anchor::bearing_deg));
   write_options(database, description);
   write_plan(database, description);
   Statement input(database, "INSERT INTO inputs (path, sha256, text) VALUES (?, ?, ?)");
@@ -86,9 +91,11 @@ void write_description(Database& database, const ExperimentDescription& descript
 
 Result<ExperimentDescription> read_description(Database& database, const std::string& path) {
   ExperimentDescription description;
-  Statement row(database,
-                "SELECT scenario, seed, first_test, tests, tick_s, level, shard, shards FROM "
-                "experiment WHERE id = 1");
+  Statement row(
+      database,
+      "SELECT scenario, seed, first_test, tests, tick_s, level, shard, shards, epsg, easting, "
+      "northing, bearing FROM "
+      "experiment WHERE id = 1");
   bool found = row.step();
   if (found) {
     description.scenario = row.text(0);
@@ -100,6 +107,12 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
     description.level = level.value_or(StoreLevel::found);
     description.shard = {.index = row.integer<std::uint32_t>(6),
                          .count = row.integer<std::uint32_t>(7)};
+    if (!row.is_null(8)) {
+      description.anchor = Anchor{.epsg = row.integer<int>(8),
+                                  .easting_m = row.real(9),
+                                  .northing_m = row.real(10),
+                                  .bearing_deg = row.real(11)};
+    }
     found = level.has_value();
   }
   description.version =

@@ -159,7 +159,9 @@ class ResultsWriter::Impl {
   void finish_file() {
     const std::uint64_t cells = description_.behaviours.size() * description_.agents.size();
     // A store that is complete may still be without what comes last, if it was killed just then.
-    if (written_ > 0 || !is_completed(*database_)) note_extents(*database_);
+    if (written_ > 0 || !is_completed(*database_)) {
+      note_extents(*database_, Placement(description_.anchor));
+    }
     if (count_ + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
     // One file without a log beside it, which can be read from anywhere.
     database_->execute("PRAGMA journal_mode = DELETE");
@@ -206,7 +208,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
     const auto fill = [&](Database& database) {
-      create_tables(database);
+      create_tables(database, Placement(description.anchor));
       write_description(database, description);
     };
     if (auto failure = create_store_file(path, fill)) return std::move(*failure);

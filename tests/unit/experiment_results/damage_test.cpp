@@ -134,6 +134,44 @@ TEST_F(Damage, OfRowsIsTold) {
   }
 }
 
+/// A copy of a file as a process leaves it that is killed while it writes: with the journal by
+/// which its changes are undone.
+void copy_while_written(const std::string& path, const char* sql, const std::string& copy) {
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &connection), SQLITE_OK);
+  // Without room in memory, changes go to the file at once.
+  const std::string begin = std::string("PRAGMA cache_size = 1; BEGIN; ") + sql;
+  ASSERT_EQ(sqlite3_exec(connection, begin.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  std::filesystem::copy_file(path, copy);
+  std::filesystem::copy_file(path + "-journal", copy + "-journal");
+  sqlite3_close(connection);
+}
+
+TEST_F(Damage, ByAKillInTheMidstOfAChangeIsUndone) {
+  write(file("a.gpkg"), description(StoreLevel::all), cases());
+  const char* change = "UPDATE observations SET x = x + 1; UPDATE tests SET ticks = 0";
+  copy_while_written(file("a.gpkg"), change, file("read.gpkg"));
+  ASSERT_TRUE(read_bytes(file("read.gpkg")) != read_bytes(file("a.gpkg")));
+  auto store = ResultsReader::open(file("read.gpkg"));
+  ASSERT_EQ(message_of(ResultsReader::open(file("read.gpkg"))), "");
+  for (std::int64_t id = 1; id <= 48; ++id) {
+    const TestCase test = store.value()->test(id).value().test;
+    EXPECT_EQ(store.value()->recording(id).value(), run(test).recording);
+  }
+  copy_while_written(file("a.gpkg"), change, file("resume.gpkg"));
+  EXPECT_EQ(message_of(ResultsWriter::resume(file("resume.gpkg"), description(StoreLevel::all))),
+            "");
+}
+
+TEST_F(Damage, ByAKillIsNotUndoneInFilesThatAreNoStores) {
+  run_sql(file("other.gpkg"),
+          "CREATE TABLE t (x); PRAGMA application_id = 0x47504B47;"
+          "WITH RECURSIVE n(i) AS (VALUES (1) UNION ALL SELECT i + 1 FROM n LIMIT 20000)"
+          "INSERT INTO t SELECT i FROM n");
+  copy_while_written(file("other.gpkg"), "UPDATE t SET x = x + 1", file("hot.gpkg"));
+  expect_refused(file("hot.gpkg"), "cannot be undone");
+}
+
 TEST_F(Damage, OfAnotherExperimentIsNotDone) {
   write(file("a.gpkg"), description(), cases());
   const std::string before = read_bytes(file("a.gpkg"));

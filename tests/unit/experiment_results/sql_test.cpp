@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "experiment/results/placement.h"
 #include "experiment/results/reader.h"
 #include "tests/unit/experiment_results/experiment_runs.h"
 
@@ -91,6 +92,30 @@ TEST_F(StoreTest, IsCompletedEvenIfItWasKilledAtTheVeryEnd) {
       1U);
 }
 
+TEST_F(StoreTest, LiesWhereItsAnchorSays) {
+  const Anchor anchor{
+      .epsg = 32630, .easting_m = 530'000, .northing_m = 5'700'000, .bearing_deg = 90};
+  // The AV drives east, so what is to its right is south.
+  const auto [east, north] = Placement(anchor).place(2, 10);
+  EXPECT_NEAR(east, 530'010, 1e-6);
+  EXPECT_NEAR(north, 5'699'998, 1e-6);
+
+  ExperimentDescription anchored = description(StoreLevel::all);
+  anchored.anchor = anchor;
+  write(file("plain.gpkg"), description(StoreLevel::all), cases());
+  write(file("a.gpkg"), anchored, cases());
+  EXPECT_EQ(ResultsReader::open(file("a.gpkg")).value()->description().anchor, anchor);
+  EXPECT_EQ(ResultsReader::open(file("a.gpkg")).value()->recording(7).value(),
+            ResultsReader::open(file("plain.gpkg")).value()->recording(7).value());
+  const auto extent = [&](const std::string& name, const std::string& column) {
+    return rows_of(file(name), "SELECT 1, " + column +
+                                   " FROM gpkg_contents WHERE table_name = 'observations'")[1];
+  };
+  EXPECT_NEAR(extent("a.gpkg", "max_x") - 530'000, extent("plain.gpkg", "max_y"), 1e-6);
+  EXPECT_NEAR(5'700'000 - extent("a.gpkg", "min_y"), extent("plain.gpkg", "max_x"), 1e-6);
+  EXPECT_EQ(rows_of(file("a.gpkg"), "SELECT 1, srs_id FROM gpkg_geometry_columns")[1], 32630);
+}
+
 TEST_F(StoreTest, TellsWhereThePreconditionWasMet) {
   write(file("a.gpkg"), description(StoreLevel::summary), cases());
   const auto found =
@@ -102,7 +127,10 @@ TEST_F(StoreTest, TellsWhereThePreconditionWasMet) {
   const auto store = ResultsReader::open(file("a.gpkg"));
   for (const auto& [test, y] : found) {
     const Recording recording = store.value()->recording(test).value();
-    const RecordedEvent& event = recording.events().back();
+    const auto last = std::find_if(recording.events().rbegin(), recording.events().rend(),
+                                   [](const auto& each) { return each.kind == "precondition"; });
+    ASSERT_NE(last, recording.events().rend());
+    const RecordedEvent& event = *last;
     EXPECT_EQ(y, recording.scene(event.tick)[*event.actor].y_m);
     EXPECT_EQ(event.tick, successes.at(test));
   }
