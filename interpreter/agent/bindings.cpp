@@ -59,12 +59,16 @@ void Agent::collect_solutions(Intention& intention, const Goal& condition, Loop&
   Value* const last = first + means.plan->slot_count;
   const std::size_t trail = unifier.mark();
   machine_.solve_all(&condition, first, [&] {
-    for (Value* const cell : unifier.bindings_since(trail)) {
+    // A formula from run-time data may have bound a variable to a term with slots of this frame;
+    // giving those a variable is a binding, too, behind the ones that are looked at here.
+    const std::size_t count = unifier.bindings_since(trail).size();
+    for (std::size_t i = 0; i < count; ++i) {
+      Value* const cell = unifier.bindings_since(trail)[i];
       const bool is_slot = cell >= first && cell < last;
       if (!is_slot && machine_.is_in_frame(cell)) continue;
       loop.solutions.push_back(is_slot ? Value::slot(static_cast<std::uint32_t>(cell - first))
                                        : variable_of(cell));
-      loop.solutions.push_back(unifier.apply(*cell));
+      loop.solutions.push_back(unifier.instantiate(*cell, first));
     }
     loop.solution_ends.push_back(loop.solutions.size());
     return true;

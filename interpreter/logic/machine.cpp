@@ -479,11 +479,12 @@ bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal) {
     } else if (row.rule != nullptr) {
       choice.combination = kNextRow;
       Environment* const caller = environment_;
-      const bool entered = unifier_.unify_no_undo(
-                               with_annotations(heap_, Value::atom(predicates::self), parts.annots),
-                               with_annotations(heap_, Value::atom(predicates::self),
-                                                literal_parts(row.rule->head).annots)) &&
-                           enter_rule(*row.rule, goal, parts.args);
+      // The head's annotations are in the rule's variables, hence the frame first.
+      const bool entered =
+          enter_rule(*row.rule, goal, parts.args) &&
+          unifier_.unify_annotations(
+              parts.annots,
+              unifier_.instantiate(literal_parts(row.rule->head).annots, environment_->slots));
       if (entered) return true;
       environment_ = caller;
       query.combination = kNextRow;
