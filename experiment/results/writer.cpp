@@ -58,15 +58,38 @@ std::optional<Diagnostics> mismatch(const std::string& path, const ExperimentDes
   return std::nullopt;
 }
 
+/// Which tests a store has.
+struct StoredIds {
+  std::vector<bool> has;  // by id
+  std::uint64_t count = 0;
+};
+
+Result<StoredIds> read_ids(const std::string& path, OpenStore& store) {
+  StoredIds ids;
+  Statement row(*store.database, "SELECT id FROM tests ORDER BY id");
+  while (row.step()) {
+    const std::int64_t id = row.number(0);
+    if (!find_test(store.description, id)) {
+      return store_error(path, fmt::format("the store is damaged: it has a test {}", id));
+    }
+    ids.has.resize(static_cast<std::size_t>(id) + 1);
+    ids.has.back() = true;
+    ++ids.count;
+  }
+  if (store.database->failure()) return store_error(path, trouble_with(*store.database));
+  return ids;
+}
+
 }  // namespace
 
 class ResultsWriter::Impl {
  public:
-  Impl(std::string path, std::unique_ptr<Database> database, ExperimentDescription description)
+  Impl(std::string path, std::unique_ptr<Database> database, ExperimentDescription description,
+       StoredIds had)
       : path_(std::move(path)),
         database_(std::move(database)),
-        description_(std::move(description)) {
-    read_ids();
+        description_(std::move(description)),
+        had_(std::move(had)) {
     writer_ = std::jthread([this] { write_until_closed(); });
   }
 
@@ -74,9 +97,9 @@ class ResultsWriter::Impl {
 
   [[nodiscard]] bool had(const TestCase& test) const {
     const auto id = static_cast<std::size_t>(test_id(description_, test));
-    return id < had_.size() && had_[id];
+    return id < had_.has.size() && had_.has[id];
   }
-  [[nodiscard]] std::uint64_t had() const { return count_; }
+  [[nodiscard]] std::uint64_t had() const { return had_.count; }
   [[nodiscard]] const std::optional<std::string>& database_failure() const {
     return database_->failure();
   }
@@ -109,20 +132,6 @@ class ResultsWriter::Impl {
   }
 
  private:
-  void read_ids() {
-    Statement row(*database_, "SELECT id FROM tests ORDER BY id");
-    while (row.step()) {
-      const std::int64_t id = row.number(0);
-      if (!find_test(description_, id)) {
-        database_->fail(fmt::format("the store is damaged: it has a test {}", id));
-        return;
-      }
-      had_.resize(static_cast<std::size_t>(id) + 1);
-      had_.back() = true;
-      ++count_;
-    }
-  }
-
   void write_until_closed() {
     RowWriter rows(*database_, description_);
     std::vector<TestRecord> records;
@@ -162,7 +171,7 @@ class ResultsWriter::Impl {
     if (written_ > 0 || !is_completed(*database_)) {
       note_extents(*database_, Placement(description_.anchor));
     }
-    if (count_ + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
+    if (had_.count + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
     // One file without a log beside it, which can be read from anywhere.
     database_->execute("PRAGMA journal_mode = DELETE");
     // Left by whoever looked at a store that was killed; nobody else has it open now.
@@ -174,8 +183,7 @@ class ResultsWriter::Impl {
   std::string path_;
   std::unique_ptr<Database> database_;
   ExperimentDescription description_;
-  std::vector<bool> had_;  // by id
-  std::uint64_t count_ = 0;
+  StoredIds had_;
   std::uint64_t written_ = 0;
 
   mutable std::mutex mutex_;  // guards what follows
@@ -216,11 +224,13 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   auto seen = open_to_read(path, Scrutiny::all);
   if (!seen) return std::move(seen.diagnostics());
   if (auto why = mismatch(path, seen.value().description, description)) return std::move(*why);
+  auto ids = read_ids(path, seen.value());
+  if (!ids) return std::move(ids.diagnostics());
   seen.value().database.reset();
   auto database = open_to_write(path);
   if (!database) return std::move(database.diagnostics());
-  auto impl = std::make_unique<Impl>(path, std::move(database).value(), description);
-  if (auto failure = impl->failure()) return store_error(path, *failure);
+  auto impl = std::make_unique<Impl>(path, std::move(database).value(), description,
+                                     std::move(ids).value());
   return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(impl)));
 }
 

@@ -62,6 +62,21 @@ TEST_F(Damage, OfStoresOfAnotherVersion) {
   expect_refused(file("a.gpkg"), "its tables have version 2, this jaywalk knows version 1");
 }
 
+TEST_F(Damage, OfATestThatThePlanDoesNotHave) {
+  for (const char* sql : {"UPDATE tests SET id = 49 WHERE id = 48",
+                          "UPDATE tests SET id = -1 WHERE "
+                          "id = 48"}) {
+    write(file("a.gpkg"), description(), cases());
+    run_sql(file("a.gpkg"), sql);
+    const std::string before = read_bytes(file("a.gpkg"));
+    EXPECT_THAT(message_of(ResultsWriter::resume(file("a.gpkg"), description())),
+                HasSubstr("the store is damaged: it has a test"));
+    EXPECT_TRUE(read_bytes(file("a.gpkg")) == before);
+    (void)ResultsReader::open(file("a.gpkg")).value()->comparison();
+    std::filesystem::remove(file("a.gpkg"));
+  }
+}
+
 TEST_F(Damage, OfAStoreThatIsCutOff) {
   write(file("a.gpkg"), description(), cases());
   const std::string whole = read_bytes(file("a.gpkg"));
