@@ -6,6 +6,8 @@ target_sources(jaywalk_experiment PRIVATE
   assertions/grammar.cpp
   assertions/resolve.cpp
   assertions/robustness.cpp
+  export/junit.cpp
+  findings.cpp
   metrics/encroachment.cpp
   metrics/impact_speed.cpp
   metrics/max_btn.cpp
@@ -17,6 +19,7 @@ target_sources(jaywalk_experiment PRIVATE
   metrics/min_ttc.cpp
   metrics/time_exposed.cpp
   metrics/time_in_road.cpp
+  report/verdict_table.cpp
   signals/boxes.cpp
   signals/careful_driver.cpp
   signals/collision_course.cpp

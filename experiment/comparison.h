@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/findings.h"
 #include "experiment/summary.h"
 
 namespace jaywalk {
@@ -18,6 +19,10 @@ struct Comparison {
   std::uint64_t tests = 0;
   /// In the order of behaviours, then of the numbers of agents.
   std::vector<Summary> summaries;
+  /// The assertions that were judged, and what assertions and metrics say of each of the summaries;
+  /// empty if none were asked for.
+  std::vector<std::string> assertions;
+  std::vector<FindingsSummary> findings;
   /// False if the user ended it before all of its tests were run.
   bool complete = true;
 };

@@ -150,6 +150,71 @@ class ScenarioBuilder {
     }
     check_behaviours();
     if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
+    if (draft_.assertions_file) {
+      read_assertions();
+    } else if (!draft_.judged.empty()) {
+      report(diagnostics_, draft_.judged.front().second, "assertions to judge, but no file of them",
+             "name it under 'assertions.file'");
+    }
+  }
+
+  void read_assertions() {
+    Result<SourcePtr> source = options_.files.read(*draft_.assertions_file, kMaxScenarioBytes);
+    if (!source.ok()) {
+      report(diagnostics_, origin_of("assertions"),
+             fmt::format("no assertions are at '{}'", *draft_.assertions_file));
+      return;
+    }
+    draft_.scenario.sources.push_back(source.value());
+    Result<std::vector<Assertion>> all = parse_assertions(source.value());
+    if (!all.ok()) {
+      diagnostics_.append(std::move(all.diagnostics()));
+      return;
+    }
+    if (draft_.judged.empty()) {
+      draft_.scenario.assertions = std::move(all.value());
+    } else {
+      select_assertions(all.value());
+    }
+    check_told_assertions();
+  }
+
+  void select_assertions(const std::vector<Assertion>& all) {
+    std::vector<std::string> ids;
+    for (const Assertion& assertion : all) ids.push_back(assertion.id);
+    for (const auto& [id, origin] : draft_.judged) {
+      const auto found = std::find(ids.begin(), ids.end(), id);
+      if (found != ids.end()) {
+        draft_.scenario.assertions.push_back(all[static_cast<std::size_t>(found - ids.begin())]);
+        continue;
+      }
+      report(diagnostics_, origin,
+             fmt::format("no assertion '{}' in '{}'", id, *draft_.assertions_file),
+             did_you_mean(id, ids));
+    }
+  }
+
+  // Agents that are told an assertion, as a belief assertion(Id), are told one that is judged.
+  void check_told_assertions() {
+    for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      for (const ParameterSetting& setting : behaviour.parameters) check_told(setting);
+      for (const AgentSettings& agents : behaviour.agents) {
+        for (const ParameterSetting& setting : agents.parameters) check_told(setting);
+      }
+    }
+  }
+
+  void check_told(const ParameterSetting& setting) {
+    if (setting.name != "assertion") return;
+    std::vector<std::string> ids;
+    for (const Assertion& assertion : draft_.scenario.assertions) ids.push_back(assertion.id);
+    for (const ParameterValue& value : setting.values) {
+      const auto* const id = std::get_if<std::string>(&value);
+      if (id == nullptr || std::find(ids.begin(), ids.end(), *id) != ids.end()) continue;
+      report(diagnostics_, setting.origin,
+             fmt::format("no assertion '{}' is judged by this scenario", *id),
+             did_you_mean(*id, ids));
+    }
   }
 
   void check_behaviours() {

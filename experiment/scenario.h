@@ -15,6 +15,7 @@
 #include "env/crossing/parameters.h"
 #include "env/crossing/start_cells.h"
 #include "experiment/anchor.h"
+#include "experiment/assertions/assertion.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/source_files.h"
 
@@ -82,6 +83,8 @@ struct Scenario {
   std::optional<Anchor> anchor;
   /// Start cells that take the place of spawning.
   std::optional<StartCells> start_cells;
+  /// What tests are judged by.
+  std::vector<Assertion> assertions;
   /// The texts that it was read from (programs are read when it is prepared), and where they and
   /// the programs are.
   std::vector<SourcePtr> sources;

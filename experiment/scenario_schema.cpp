@@ -31,6 +31,7 @@ class LayerReader : LayerPart {
                      read_world(node, path, folder_, draft_, diagnostics_);
                    }},
                   {"behaviours", method(&LayerReader::read_behaviours)},
+                  {"assertions", method(&LayerReader::read_assertions)},
                   {"experiment", method(&LayerReader::read_experiment)},
               });
   }
@@ -143,6 +144,40 @@ class LayerReader : LayerPart {
       if (!read_numbers(entry.key, entry.origin, setting.agents)) continue;
       read_parameters(entry.value, reader_, setting.parameters);
       settings.push_back(std::move(setting));
+    }
+  }
+
+  // A file of assertions, or a file and which of them.
+  void read_assertions(const ConfigNode& node, const std::string& path) {
+    if (node.kind != ConfigNode::Kind::map) {
+      read_assertions_file(node, path);
+      draft_.judged.clear();
+      return;
+    }
+    read_keys(node, path,
+              {
+                  {"file", method(&LayerReader::read_assertions_file)},
+                  {"judge", method(&LayerReader::read_judged)},
+              });
+  }
+
+  void read_assertions_file(const ConfigNode& node, const std::string&) {
+    if (const auto file = reader_.text(node, "the path of a file of assertions")) {
+      draft_.origins["assertions"] = node.origin;
+      draft_.assertions_file = path_in(folder_, *file);
+    }
+  }
+
+  void read_judged(const ConfigNode& node, const std::string&) {
+    if (node.kind != ConfigNode::Kind::list) {
+      reader_.unexpected(node, "a list of assertions' ids");
+      return;
+    }
+    draft_.judged.clear();
+    for (const ConfigNode& item : node.items) {
+      if (const auto id = reader_.text(item, "the id of an assertion")) {
+        draft_.judged.emplace_back(*id, item.origin);
+      }
     }
   }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiment/scenario.h"
@@ -23,6 +24,9 @@ struct ScenarioDraft {
   std::vector<std::optional<double>> actor_mps;
   /// The file with start cells, and where it was named.
   std::optional<std::string> start_cells_file;
+  /// The file with assertions, and which of them to judge; all if none is named.
+  std::optional<std::string> assertions_file;
+  std::vector<std::pair<std::string, ValueOrigin>> judged;
   /// Where each key was given last, by its path.
   std::map<std::string, ValueOrigin> origins;
 };

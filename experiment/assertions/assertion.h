@@ -43,7 +43,7 @@ struct Assertion {
 /// requirement.
 enum class Verdict : std::uint8_t { vacuous, pass, fail, unavoidable };
 
-inline constexpr std::size_t kVerdicts = 4;
+inline constexpr std::size_t kVerdictCount = 4;
 
 [[nodiscard]] std::string_view name(Verdict verdict);
 

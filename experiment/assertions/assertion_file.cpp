@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "experiment/assertions/assertion.h"
+#include "experiment/metrics/metrics.h"
 #include "experiment/scenario_reader.h"
 
 namespace jaywalk {
@@ -128,6 +129,8 @@ class FileReader {
       reader_.error(node.origin, fmt::format("'{}' cannot be the id of an assertion", *text),
                     "ids are atoms, so that agents can be told them: a lower-case letter, then "
                     "letters, digits and _");
+    } else if (find_metric(*text) != nullptr) {
+      reader_.error(node.origin, fmt::format("'{}' is the name of a metric", *text));
     } else if (!ids_.insert(*text).second) {
       reader_.error(node.origin, fmt::format("a second assertion with the id '{}'", *text));
     }

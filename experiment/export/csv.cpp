@@ -33,6 +33,38 @@ std::string quoted(std::string_view text) {
   return field + '"';
 }
 
+std::string findings_heading(const Comparison& comparison) {
+  std::string text;
+  if (comparison.findings.empty()) return text;
+  for (const std::string& id : comparison.assertions) {
+    for (std::size_t i = 0; i < kVerdictCount; ++i) {
+      text += fmt::format(",{}_{}", id, name(static_cast<Verdict>(i)));
+    }
+  }
+  if (comparison.findings.front().metrics.empty()) return text;
+  for (const Metric& metric : metrics()) {
+    for (const std::string_view column : {"count", "mean", "min", "q1", "median", "q3", "max"}) {
+      text += fmt::format(",{}_{}", metric.name, column);
+    }
+  }
+  return text;
+}
+
+std::string findings_fields(const FindingsSummary& findings) {
+  std::string text;
+  for (const VerdictCounts& counts : findings.verdicts) {
+    for (const std::uint64_t count : counts.tests) text += fmt::format(",{}", count);
+  }
+  for (const Distribution& metric : findings.metrics) {
+    text += fmt::format(",{}", metric.count);
+    for (const double value : {metric.mean, metric.least, metric.lower_quartile, metric.median,
+                               metric.upper_quartile, metric.greatest}) {
+      add_field(text, metric.count > 0 ? std::optional(value) : std::nullopt);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string to_csv(const Comparison& comparison) {
@@ -42,8 +74,9 @@ std::string to_csv(const Comparison& comparison) {
       if (!column.empty()) text += fmt::format(",{}", column);
     }
   }
-  text += '\n';
-  for (const Summary& summary : comparison.summaries) {
+  text += findings_heading(comparison) + '\n';
+  for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
+    const Summary& summary = comparison.summaries[row];
     text += fmt::format("{},{},{},{}", quoted(summary.behaviour), summary.agents, summary.tests,
                         summary.successes);
     for (const Measure& measure : measures()) {
@@ -52,6 +85,7 @@ std::string to_csv(const Comparison& comparison) {
       if (!measure.low_column.empty()) add_field(text, estimate.low);
       if (!measure.high_column.empty()) add_field(text, estimate.high);
     }
+    if (!comparison.findings.empty()) text += findings_fields(comparison.findings[row]);
     text += '\n';
   }
   return text;

@@ -24,6 +24,33 @@ void add_estimate(Json& object, const Measure& measure, const Estimate& estimate
   add_number(object, measure.high_column, estimate.high);
 }
 
+Json to_object(const Distribution& metric) {
+  Json object = {{"count", metric.count}};
+  if (metric.count == 0) return object;
+  add_number(object, "mean", metric.mean);
+  add_number(object, "min", metric.least);
+  add_number(object, "q1", metric.lower_quartile);
+  add_number(object, "median", metric.median);
+  add_number(object, "q3", metric.upper_quartile);
+  add_number(object, "max", metric.greatest);
+  return object;
+}
+
+/// Verdicts and metrics, if they were asked for. Infinite values become null.
+void add_findings(Json& object, const Comparison& comparison, const FindingsSummary& findings) {
+  for (std::size_t i = 0; i < findings.verdicts.size(); ++i) {
+    Json& counts = object["verdicts"][comparison.assertions[i]];
+    for (std::size_t verdict = 0; verdict < kVerdictCount; ++verdict) {
+      counts[std::string(name(static_cast<Verdict>(verdict)))] =
+          findings.verdicts[i].tests[verdict];
+    }
+    counts["exercised_pct"] = exercised_pct(findings.verdicts[i]);
+  }
+  for (std::size_t i = 0; i < findings.metrics.size(); ++i) {
+    object["metrics"][std::string(metrics()[i].name)] = to_object(findings.metrics[i]);
+  }
+}
+
 Json to_object(const Summary& summary) {
   Json object = {{"behaviour", summary.behaviour},
                  {"agents", summary.agents},
@@ -43,7 +70,12 @@ Json to_object(const Summary& summary) {
 
 std::string to_json(const Comparison& comparison) {
   Json results = Json::array();
-  for (const Summary& summary : comparison.summaries) results.push_back(to_object(summary));
+  for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
+    results.push_back(to_object(comparison.summaries[row]));
+    if (!comparison.findings.empty()) {
+      add_findings(results.back(), comparison, comparison.findings[row]);
+    }
+  }
   const Json document = {{"scenario", comparison.scenario},
                          {"seed", comparison.seed},
                          {"tests", comparison.tests},

@@ -20,7 +20,11 @@ const Metric* find_metric(std::string_view name) {
   return found == metrics().end() ? nullptr : &*found;
 }
 
-std::optional<MetricValue> measure(const Metric& metric, const TestView& view) {
+std::optional<MetricValue> measured(const Metric& metric, const TestView& view) {
+  if (metric.worst == Worst::nearest) {
+    const auto nearest = measured(*find_metric("min_distance"), view);
+    return nearest ? metric.measure(view, nearest->actor) : std::nullopt;
+  }
   std::optional<MetricValue> worst;
   for (const ActorIndex user : view.road_users()) {
     const auto value = metric.measure(view, user);
@@ -32,9 +36,9 @@ std::optional<MetricValue> measure(const Metric& metric, const TestView& view) {
   return worst;
 }
 
-std::vector<std::optional<MetricValue>> measure_all(const TestView& view) {
+std::vector<std::optional<MetricValue>> measured_all(const TestView& view) {
   std::vector<std::optional<MetricValue>> values;
-  for (const Metric& metric : metrics()) values.push_back(measure(metric, view));
+  for (const Metric& metric : metrics()) values.push_back(measured(metric, view));
   return values;
 }
 

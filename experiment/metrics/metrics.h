@@ -24,7 +24,9 @@ struct MetricValue {
   friend bool operator==(const MetricValue&, const MetricValue&) = default;
 };
 
-enum class Worst { least, greatest };
+/// Whose value is the test's: that of the road user with the least one, the greatest one, or of the
+/// one who comes nearest.
+enum class Worst { least, greatest, nearest };
 
 struct Metric {
   std::string_view name;
@@ -41,9 +43,9 @@ struct Metric {
 [[nodiscard]] const Metric* find_metric(std::string_view name);
 
 /// The test's value: that of the road user for whom it is worst, the first of equals.
-[[nodiscard]] std::optional<MetricValue> measure(const Metric& metric, const TestView& view);
+[[nodiscard]] std::optional<MetricValue> measured(const Metric& metric, const TestView& view);
 /// All metrics in the order of metrics().
-[[nodiscard]] std::vector<std::optional<MetricValue>> measure_all(const TestView& view);
+[[nodiscard]] std::vector<std::optional<MetricValue>> measured_all(const TestView& view);
 
 namespace metric {
 #define JAYWALK_METRIC(name, worst, unit, formula, source) \

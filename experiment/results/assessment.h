@@ -11,9 +11,9 @@
 namespace jaywalk {
 
 /// `none`: a metric, which has a value and no verdict.
-enum class AssessmentVerdict { none, vacuous, pass, fail };
+enum class AssessmentVerdict { none, vacuous, pass, fail, unavoidable };
 
-/// `none`, `vacuous`, `pass`, `fail`: the words of the store's column.
+/// `none`, `vacuous`, `pass`, `fail`, `unavoidable`: the words of the store's column.
 [[nodiscard]] std::string_view name(AssessmentVerdict verdict);
 [[nodiscard]] std::optional<AssessmentVerdict> parse_assessment_verdict(std::string_view text);
 

@@ -7,7 +7,8 @@
 namespace jaywalk {
 namespace {
 
-constexpr std::array<std::string_view, 4> kVerdicts = {"none", "vacuous", "pass", "fail"};
+constexpr std::array<std::string_view, 5> kVerdicts = {"none", "vacuous", "pass", "fail",
+                                                       "unavoidable"};
 
 }  // namespace
 

@@ -12,16 +12,19 @@
 #include "experiment/experiment.h"
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
+#include "experiment/export/junit.h"
 #include "experiment/export/write_file.h"
 #include "experiment/number_list.h"
 #include "experiment/report/chart.h"
 #include "experiment/report/table.h"
+#include "experiment/report/verdict_table.h"
 #include "experiment/results/reader.h"
 #include "experiment/trial.h"
 #include "experiment/trimmed.h"
 #include "experiment/verdict.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/shipped.h"
@@ -39,6 +42,8 @@ struct Request {
   ExperimentPlan plan;
   std::vector<FailureCondition> conditions;
   std::optional<StoreOptions> store;
+  Inquiry inquiry;
+  Ground ground;
 };
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -82,14 +87,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
       diagnostics.append(std::move(list.diagnostics()));
     }
   }
-  for (const std::string& text : arguments.texts("fail-on")) {
-    auto condition = parse_failure_condition(text);
-    if (condition) {
-      options.conditions.push_back(std::move(condition).value());
-    } else {
-      diagnostics.append(std::move(condition.diagnostics()));
-    }
-  }
+  options.conditions = read_conditions(arguments, diagnostics);
   options.store = read_store_options(arguments, diagnostics);
   return options;
 }
@@ -121,6 +119,10 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
     request.plan.behaviours.push_back(behaviour.name);
   }
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario(), console);
+  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
+  request.ground = ground(request.prepared->scenario().world);
   return request;
 }
 
@@ -159,8 +161,9 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
   return diagnostics;
 }
 
-/// Runs a test and hands it to the store, if there is one.
-Result<TestResult> run_test(const Request& request, const TestCase& test, ResultsWriter* store) {
+/// Runs a test, finds out about it and hands it to the store, if there is one.
+Result<TestResult> run_test(const Request& request, const TestCase& test, FindingsTable& findings,
+                            ResultsWriter* store) {
   const TrialInput input{.behaviour = test.behaviour,
                          .agents = test.agents,
                          .seed = request.seed,
@@ -169,7 +172,8 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, Result
   Recording recording;
   TrialResult trial =
       run_trial(*request.prepared, input,
-                {.record = store != nullptr ? &recording : nullptr, .measure_cpu = true});
+                {.record = store != nullptr || asks(request.inquiry) ? &recording : nullptr,
+                 .measure_cpu = true});
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
@@ -179,7 +183,17 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, Result
                           .score = trial.outcome.score(),
                           .cpu_us = trial.cpu_s * 1e6,
                           .wall_us = wall.count()};
-  if (store != nullptr) store->add(make_test_record(test, result, trial, std::move(recording)));
+  std::vector<Assessment> assessments;
+  if (asks(request.inquiry)) {
+    const TestFindings found = assess(request.inquiry, recording, request.ground);
+    findings.add(test, found);
+    if (store != nullptr) assessments = to_assessments(request.inquiry, found);
+  }
+  if (store != nullptr) {
+    TestRecord record = make_test_record(test, result, trial, std::move(recording));
+    record.assessments = std::move(assessments);
+    store->add(std::move(record));
+  }
   return result;
 }
 
@@ -208,11 +222,12 @@ class Selection {
 
 /// Runs what is selected; whoever looks at the progress sees nothing of the rest.
 ExperimentOutcome run_selection(const Request& request, const Selection& selection,
-                                ResultsWriter* store, const ProgressFunction& progress) {
+                                FindingsTable& findings, ResultsWriter* store,
+                                const ProgressFunction& progress) {
   std::atomic<std::uint64_t> done = 0;
   const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
     if (!selection.has(test_case)) return TestResult{};
-    auto result = run_test(request, test_case, store);
+    auto result = run_test(request, test_case, findings, store);
     done.fetch_add(1, std::memory_order_relaxed);
     return result;
   };
@@ -231,11 +246,37 @@ ExperimentDescription describe_experiment(const Request& request, const Argument
                   request.plan, request.seed);
 }
 
+/// What the store's tests of earlier runs were found to be.
+bool add_earlier_findings(const Request& request, const ResultsReader& store,
+                          const ResultsWriter& writer, FindingsTable& findings, Console& console) {
+  if (!asks(request.inquiry) || writer.had() == 0) return true;
+  const auto tests = store.tests();
+  if (!tests) {
+    console.report(tests.diagnostics());
+    return false;
+  }
+  for (const StoredTest& stored : tests.value()) {
+    if (!writer.had(stored.test)) continue;
+    const auto found = stored_findings(request.inquiry, store, stored.id, request.ground);
+    if (!found) {
+      console.report(found.diagnostics());
+      return false;
+    }
+    findings.add(stored.test, found.value());
+  }
+  return true;
+}
+
 /// Summed up from the store, which may have had tests before; nothing after reporting why not.
-std::optional<Comparison> stored_comparison(const std::string& path, Console& console) {
+std::optional<Comparison> stored_comparison(const Request& request, const ResultsWriter& writer,
+                                            FindingsTable& findings, Console& console) {
+  const std::string& path = request.store->path;
   auto store = ResultsReader::open(path);
   if (!store) {
     console.report(store.diagnostics());
+    return std::nullopt;
+  }
+  if (!add_earlier_findings(request, *store.value(), writer, findings, console)) {
     return std::nullopt;
   }
   auto comparison = store.value()->comparison();
@@ -276,6 +317,7 @@ bool write_outputs(const Arguments& arguments, const Request& request, const Com
   const std::array outputs = {
       Output{"csv", [&] { return to_csv(comparison); }},
       Output{"json", [&] { return to_json(comparison); }},
+      Output{"junit", [&] { return to_junit(comparison); }},
       Output{"starts", [&] { return start_cells_csv(request); }},
       Output{"report", [&] { return picture ? render_svg(comparison) : render_html(comparison); }},
   };
@@ -292,19 +334,12 @@ bool write_outputs(const Arguments& arguments, const Request& request, const Com
   return written;
 }
 
-/// Says which rows meet a condition; whether any does.
-bool failed(const Request& request, const Comparison& comparison, Console& console) {
-  bool any = false;
-  for (const FailureCondition& condition : request.conditions) {
-    for (const Summary& summary : comparison.summaries) {
-      if (!fails(condition, summary)) continue;
-      any = true;
-      console.note(fmt::format("failed: {} with {} agents: {} is {:.6g} ({})", summary.behaviour,
-                               summary.agents, condition.measure->name,
-                               *condition.measure->estimate(summary).value, condition.text));
-    }
+std::string tables(const Comparison& comparison) {
+  std::string text = render_table(comparison);
+  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison)}) {
+    if (!more.empty()) text += '\n' + more;
   }
-  return any;
+  return text;
 }
 
 /// What is there, and how to get the rest.
@@ -351,7 +386,8 @@ CommandHelp help() {
               {"report", "FILE", "write a page (.html) or a picture (.svg) of the results"},
               {"fail-on", "EXPR",
                "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
-               "== !=), as accuracy<40; repeatable"},
+               "== !=), as accuracy<40, or of an assertion ID.fail>0 (also\n"
+               "pass, vacuous, unavoidable, exercised_pct); repeatable"},
               {"quiet", "", "print no table"},
           },
       .examples =
@@ -361,7 +397,10 @@ CommandHelp help() {
           "  jaywalk compare scenarios/paper.yaml --set world.spawn.choose=cell\n"
           "  jaywalk compare scenarios/paper.yaml --store paper.gpkg --resume\n"
           "  jaywalk compare scenarios/paper.yaml --store 2.gpkg --shard 2/4\n"
-          "  jaywalk compare scenarios/paper.yaml --behaviours election --fail-on 'accuracy<40'\n"};
+          "  jaywalk compare scenarios/paper.yaml --behaviours election --fail-on 'accuracy<40'\n"
+          "  jaywalk compare scenarios/paper.yaml --assertions "
+          "scenarios/assertions/crossing.yaml\n"};
+  help.options.insert(help.options.end(), kJudgingOptions.begin(), kJudgingOptions.end());
   help.options.insert(help.options.end(), kStoreOptions.begin(), kStoreOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
   return help;
@@ -388,8 +427,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const InterruptGuard interrupt;
   ProgressLine line(console);
   const Selection selection(*request, store.get());
+  FindingsTable findings(request->inquiry, request->plan);
   ExperimentOutcome outcome =
-      run_selection(*request, selection, store.get(), [&](const Progress& now) {
+      run_selection(*request, selection, findings, store.get(), [&](const Progress& now) {
         line.show(now);
         return interrupt.interrupted() ? Proceed::no : Proceed::yes;
       });
@@ -401,17 +441,20 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   if (!kept) return ExitCode::failed;
 
-  std::optional<Comparison> comparison = request->store
-                                             ? stored_comparison(request->store->path, console)
-                                             : make_comparison(*request, outcome);
+  std::optional<Comparison> comparison =
+      request->store ? stored_comparison(*request, *store, findings, console)
+                     : make_comparison(*request, outcome);
   if (!comparison) return ExitCode::failed;
+  add_findings(request->inquiry, findings, request->plan.behaviours, *comparison);
   const bool written = write_outputs(arguments, *request, *comparison, console);
-  if (!arguments.has("quiet")) console.print(render_table(*comparison));
+  if (!arguments.has("quiet")) console.print(tables(*comparison));
   if (!comparison->complete) {
     console.note(interruption(*request, outcome, *comparison));
     return ExitCode::interrupted;
   }
-  if (failed(*request, *comparison, console) || !written) return ExitCode::failed;
+  if (report_failures(request->conditions, *comparison, console) || !written) {
+    return ExitCode::failed;
+  }
   return ExitCode::success;
 }
 

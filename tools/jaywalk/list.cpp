@@ -10,7 +10,9 @@
 #include "env/vehicle/vehicle.h"
 #include "experiment/export/exporter.h"
 #include "experiment/measures/measures.h"
+#include "experiment/metrics/metrics.h"
 #include "experiment/scenario.h"
+#include "experiment/signals/signals.h"
 #include "interpreter/check/check.h"
 #include "interpreter/logic/action.h"
 #include "tools/jaywalk/command.h"
@@ -104,6 +106,27 @@ std::string function_text() {
   return columns("", rows);
 }
 
+std::string metric_text() {
+  std::vector<Row> rows;
+  for (const Metric& metric : metrics()) {
+    const std::string unit = metric.unit.empty() ? "" : fmt::format(" [{}]", metric.unit);
+    const std::string source = metric.source.empty() ? "" : fmt::format(" ({})", metric.source);
+    rows.push_back({std::string(metric.name), fmt::format("{}{}{}", metric.formula, unit, source)});
+  }
+  return columns("", rows);
+}
+
+std::string signal_text() {
+  std::vector<Row> rows;
+  for (const Signal& signal : signals()) {
+    const std::string_view unit = signal.kind == SignalKind::condition ? "condition" : signal.unit;
+    rows.push_back({std::string(signal.name), unit.empty()
+                                                  ? std::string(signal.summary)
+                                                  : fmt::format("[{}] {}", unit, signal.summary)});
+  }
+  return columns("", rows);
+}
+
 struct Kind {
   std::string_view name;
   std::string_view summary;
@@ -120,6 +143,8 @@ constexpr std::array kKinds = {
          [] { return named_rows(exporters()); }},
     Kind{"vehicles", "how automated vehicles drive, world.av.model",
          [] { return named_rows(vehicle_models()); }},
+    Kind{"metrics", "what --metrics measures of each test", metric_text},
+    Kind{"signals", "what assertions speak of", signal_text},
     Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
     Kind{"commands", "what jaywalk can do", [] { return named_rows(commands()); }},
 };
@@ -130,7 +155,7 @@ CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
               "Names what there is of a kind: environments, internal-actions, functions,\n"
-              "checks, measures, exporters, vehicles, presets or commands.\n",
+              "checks, measures, metrics, signals, exporters, vehicles, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

@@ -8,6 +8,7 @@
 
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/include_path.h"
+#include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/run_program.h"
 #include "tools/jaywalk/run_scenario.h"
 #include "tools/jaywalk/scenario_options.h"
@@ -17,8 +18,9 @@ namespace jaywalk::command::run {
 namespace {
 
 /// Options that mean something for one kind of file only.
-constexpr std::array<std::string_view, 8> kForScenarios = {"set",  "preset", "behaviour", "agents",
-                                                           "test", "watch",  "speed",     "store"};
+constexpr std::array<std::string_view, 12> kForScenarios = {
+    "set",   "preset", "behaviour",  "agents",  "test",  "watch",
+    "speed", "store",  "assertions", "metrics", "junit", "fail-on"};
 constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "include", "map",
                                                           "ignore-java"};
 
@@ -60,6 +62,9 @@ CommandHelp help() {
               {"watch", "", "of a scenario: draw the test tick by tick"},
               {"speed", "X", "of --watch: ticks a second (default 2)"},
               {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)"},
+              {"fail-on", "EXPR",
+               "of a scenario: exit with 1 if the test meets it, as\n"
+               "collision_avoidance.fail>0; repeatable"},
           },
       .examples =
           "  jaywalk run hello.asl\n"
@@ -67,6 +72,7 @@ CommandHelp help() {
           "  jaywalk run scenarios/paper.yaml --behaviour election --agents 3 --watch\n"
           "  jaywalk run scenarios/paper.yaml --behaviour mine.asl --test 7 --seed 42\n"};
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
+  help.options.insert(help.options.end(), kJudgingOptions.begin(), kJudgingOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
   return help;
 }

@@ -11,8 +11,12 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/junit.h"
+#include "experiment/export/write_file.h"
+#include "experiment/report/verdict_table.h"
 #include "experiment/trial.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/store_options.h"
 #include "tools/jaywalk/viewer.h"
@@ -29,6 +33,8 @@ struct Request {
   std::optional<double> timeout_s;
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
+  Inquiry inquiry;
+  std::vector<FailureCondition> conditions;
   /// Ticks a second.
   double speed = kDefaultSpeed;
 };
@@ -52,6 +58,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   if (agents.value_or(1) > kMaxAgents) {
     diagnostics.error("--agents", fmt::format("at most {}", kMaxAgents));
   }
+  request.conditions = read_conditions(arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
     return std::nullopt;
@@ -65,6 +72,9 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
     console.error(why);
     return std::nullopt;
   }
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario(), console);
+  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
   return request;
 }
 
@@ -90,15 +100,52 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
   return open_store({.path = path, .level = StoreLevel::all}, std::move(description), console);
 }
 
+TestResult result_of(const TrialResult& trial) {
+  return {.succeeded = trial.outcome.success,
+          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+          .score = trial.outcome.score()};
+}
+
 void store_test(const Request& request, const TrialResult& trial, Recording recording,
-                ResultsWriter& store) {
+                const TestFindings& findings, ResultsWriter& store) {
   const TestCase test{.behaviour = request.input.behaviour,
                       .agents = request.input.agents,
                       .number = request.input.test};
-  const TestResult result{.succeeded = trial.outcome.success,
-                          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
-                          .score = trial.outcome.score()};
-  store.add(make_test_record(test, result, trial, std::move(recording)));
+  TestRecord record = make_test_record(test, result_of(trial), trial, std::move(recording));
+  record.assessments = to_assessments(request.inquiry, findings);
+  store.add(std::move(record));
+}
+
+/// The one test as a comparison, which conditions of --fail-on are about.
+Comparison comparison_of(const Request& request, const TrialResult& trial,
+                         const TestFindings& findings) {
+  const std::string& behaviour = request.prepared->behaviours()[request.input.behaviour].name;
+  const ExperimentPlan plan{
+      .behaviours = {behaviour}, .agents = {request.input.agents}, .tests = 1};
+  FindingsTable table(request.inquiry, plan);
+  table.add({.agents = request.input.agents}, findings);
+  const TestResult result = result_of(trial);
+  Comparison comparison{.summaries = {summarise({&result, 1})}};
+  comparison.summaries.front().behaviour = behaviour;
+  comparison.summaries.front().agents = request.input.agents;
+  add_findings(request.inquiry, table, plan.behaviours, comparison);
+  return comparison;
+}
+
+/// Writes the verdicts and looks at --fail-on.
+ExitCode conclude(const Request& request, const Arguments& arguments, const TrialResult& trial,
+                  const TestFindings& findings, Console& console) {
+  if (const auto path = arguments.text("junit")) {
+    const std::string xml = to_junit(title_of(request), request.inquiry, findings);
+    console.flush();
+    if (const auto why = write_file(*path, xml)) {
+      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+      return ExitCode::failed;
+    }
+  }
+  const Comparison comparison = comparison_of(request, trial, findings);
+  const bool failed = report_failures(request.conditions, comparison, console);
+  return failed ? ExitCode::failed : ExitCode::success;
 }
 
 }  // namespace
@@ -131,8 +178,8 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   if (store_path) {
     store = open_store(*request, arguments, *store_path, console);
     if (!store) return ExitCode::usage;
-    options.record = &recording;
   }
+  if (store || asks(request->inquiry)) options.record = &recording;
   const TrialResult result = run_trial(*request->prepared, request->input, options);
   if (interrupt.interrupted()) {
     console.note("interrupted");
@@ -142,17 +189,25 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     console.error(result.message);
     return ExitCode::failed;
   }
+  TestFindings findings;
+  std::string found;
+  if (asks(request->inquiry)) {
+    findings = assess(request->inquiry, recording, ground(request->prepared->scenario().world));
+    found = render_findings(request->inquiry, findings, recording.actors());
+    if (found.ends_with('\n')) found.pop_back();
+  }
   if (store) {
-    store_test(*request, result, std::move(recording), *store);
+    store_test(*request, result, std::move(recording), findings, *store);
     if (!finish_store(*store, *store_path, console)) return ExitCode::failed;
   }
   const std::string outcome = describe_result(result.outcome);
   if (watch) {
-    console.print(fmt::format("{}\n", outcome));
+    console.print(fmt::format("{}\n{}{}", outcome, found, found.empty() ? "" : "\n"));
   } else {
     console.note(fmt::format("{}: {}", title_of(*request), outcome));
+    if (!found.empty()) console.note(found);
   }
-  return ExitCode::success;
+  return conclude(*request, arguments, result, findings, console);
 }
 
 }  // namespace jaywalk

@@ -9,7 +9,7 @@ namespace {
 
 std::optional<MetricValue> value_of(std::string_view metric, const Recording& recording) {
   const Ground ground = road();
-  return measure(*find_metric(metric), TestView(recording, ground));
+  return measured(*find_metric(metric), TestView(recording, ground));
 }
 
 double number(std::string_view metric, const Recording& recording) {
@@ -37,6 +37,9 @@ TEST(Metrics, TheTestsValueIsTheWorstRoadUsers) {
       drive(1, {steps({0, 0}, {0, 10}, 3), steps({9, 10}, {0, 0}, 3), steps({3, 10}, {0, 0}, 3)});
   EXPECT_EQ(value_of("min_distance", two)->actor, 2U);
   EXPECT_NEAR(value_of("min_distance", two)->value, 1.75, 1e-12);
+  const Recording later =
+      drive(1, {steps({0, 0}, {0, 10}, 4), steps({9, 6}, {0, 0}, 4), steps({3, 26}, {0, 0}, 4)});
+  EXPECT_NEAR(number("min_distance_time", later), 2.375, 1e-6) << "of the one who comes nearest";
 }
 
 TEST(Metrics, TimeToCollisionIsExposedAndIntegrated) {
@@ -109,7 +112,7 @@ TEST(Metrics, TimeInRoadIsSpentOnLanes) {
 TEST(Metrics, OfATestWithoutRoadUsersDoNotExist) {
   const Recording alone = drive(1, {steps({0, 0}, {0, 10}, 3)});
   const Ground ground = road();
-  for (const auto& value : measure_all(TestView(alone, ground))) EXPECT_FALSE(value);
+  for (const auto& value : measured_all(TestView(alone, ground))) EXPECT_FALSE(value);
 }
 
 }  // namespace

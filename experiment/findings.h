@@ -1,0 +1,104 @@
+#pragma once
+
+// What the assertions and metrics say of an experiment's tests, and what that comes to for each
+// behaviour and number of agents. Read assertions/assertion.h and metrics/metrics.h before.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiment/assertions/assertion.h"
+#include "experiment/experiment.h"
+#include "experiment/metrics/metrics.h"
+#include "experiment/results/assessment.h"
+
+namespace jaywalk {
+
+/// What is to be found out about each test.
+struct Inquiry {
+  std::vector<Assertion> assertions;
+  bool metrics = false;
+};
+
+struct TestFindings {
+  /// In the order of the assertions.
+  std::vector<Judgement> judgements;
+  /// In the order of metrics(); empty unless asked for.
+  std::vector<std::optional<MetricValue>> metrics;
+};
+
+[[nodiscard]] TestFindings assess(const Inquiry& inquiry, const Recording& recording,
+                                  const Ground& ground);
+
+/// As stores keep them: a row for each assertion and for each metric that has a value.
+[[nodiscard]] std::vector<Assessment> to_assessments(const Inquiry& inquiry,
+                                                     const TestFindings& findings);
+
+/// How the values of a metric are spread over tests; those that do not exist are not counted.
+struct Distribution {
+  std::uint64_t count = 0;
+  double mean = 0;
+  double least = 0;
+  double lower_quartile = 0;
+  double median = 0;
+  double upper_quartile = 0;
+  double greatest = 0;
+};
+
+/// Quantiles are interpolated between neighbours, as by R's default (Hyndman and Fan's type 7).
+[[nodiscard]] Distribution distribution(std::vector<double> values);
+
+struct VerdictCounts {
+  /// In the order of Verdict.
+  std::array<std::uint64_t, kVerdictCount> tests{};
+
+  [[nodiscard]] std::uint64_t of(Verdict verdict) const {
+    return tests[static_cast<std::size_t>(verdict)];
+  }
+  /// Those that met the precondition.
+  [[nodiscard]] std::uint64_t exercised() const;
+  [[nodiscard]] std::uint64_t all() const;
+};
+
+/// The share of tests that met the precondition; 0 if there are none.
+[[nodiscard]] double exercised_pct(const VerdictCounts& counts);
+
+/// Of one behaviour with one number of agents.
+struct FindingsSummary {
+  std::vector<VerdictCounts> verdicts;  // in the order of the assertions
+  std::vector<Distribution> metrics;    // in the order of metrics(), if asked for
+};
+
+/// Collects findings from several threads; what it sums up depends on the tests alone.
+class FindingsTable {
+ public:
+  FindingsTable(const Inquiry& inquiry, const ExperimentPlan& plan);
+
+  /// REQUIRES: a test of the plan; each once.
+  void add(const TestCase& test, const TestFindings& findings);
+  /// Of the tests that were added. REQUIRES: nobody adds meanwhile.
+  [[nodiscard]] FindingsSummary summary(std::size_t behaviour, std::uint32_t agents) const;
+
+ private:
+  struct Row {
+    std::vector<Verdict> verdicts;
+    std::vector<std::optional<double>> metrics;
+  };
+  struct Cell {
+    std::once_flag started;
+    std::vector<Row> tests;
+  };
+  [[nodiscard]] std::size_t cell_index(std::size_t behaviour, std::uint32_t agents) const;
+
+  std::size_t assertions_;
+  std::vector<std::uint32_t> agents_;
+  std::uint64_t tests_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,221 @@
+// `jaywalk judge`: assertions and metrics over the tests of a store, after the fact.
+
+#include <array>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "experiment/export/csv.h"
+#include "experiment/export/json.h"
+#include "experiment/export/junit.h"
+#include "experiment/export/write_file.h"
+#include "experiment/report/verdict_table.h"
+#include "experiment/results/writer.h"
+#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/progress_line.h"
+
+namespace jaywalk::command::judge {
+namespace {
+
+/// Everything that the command line says, and the store.
+struct Request {
+  std::unique_ptr<ResultsReader> store;
+  std::shared_ptr<const PreparedScenario> prepared;
+  Inquiry inquiry;
+  std::vector<FailureCondition> conditions;
+  std::optional<std::uint64_t> test;
+};
+
+std::optional<Request> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("judge",
+                      fmt::format("expected one store, found {}", arguments.operands().size()),
+                      "jaywalk judge --help shows how to write it");
+  }
+  Request request{.conditions = read_conditions(arguments, diagnostics),
+                  .test = arguments.number("test", 1, diagnostics)};
+  console.report(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  auto store = ResultsReader::open(arguments.operands().front());
+  if (!store) {
+    console.report(store.diagnostics());
+    return std::nullopt;
+  }
+  request.store = std::move(store).value();
+  auto prepared = request.store->prepared();
+  if (!prepared) {
+    console.report(prepared.diagnostics());
+    return std::nullopt;
+  }
+  request.prepared = std::move(prepared).value();
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario(), console);
+  if (!inquiry) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
+  if (!asks(request.inquiry)) {
+    console.error("there is nothing to judge", "--assertions names a file of assertions");
+    return std::nullopt;
+  }
+  if (!check_conditions(request.conditions, request.inquiry, console)) return std::nullopt;
+  return request;
+}
+
+/// One test, told in full.
+ExitCode judge_one(const Request& request, const Arguments& arguments, Console& console) {
+  const auto id = static_cast<std::int64_t>(*request.test);
+  const auto recording = request.store->recording(id);
+  if (!recording) {
+    console.report(recording.diagnostics());
+    return ExitCode::usage;
+  }
+  const TestFindings findings =
+      assess(request.inquiry, recording.value(), ground(request.prepared->scenario().world));
+  console.print(render_findings(request.inquiry, findings, recording.value().actors()));
+  if (const auto path = arguments.text("junit")) {
+    const std::string name = fmt::format("test {}", id);
+    if (const auto why = write_file(*path, to_junit(name, request.inquiry, findings))) {
+      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+      return ExitCode::failed;
+    }
+  }
+  return ExitCode::success;
+}
+
+struct Outcome {
+  ExitCode code = ExitCode::success;
+  std::vector<std::pair<std::int64_t, std::vector<Assessment>>> assessments;
+};
+
+/// Looks at every test of the store.
+Outcome judge_all(const Request& request, bool keep, FindingsTable& table, Console& console) {
+  Outcome outcome;
+  const auto tests = request.store->tests();
+  if (!tests) {
+    console.report(tests.diagnostics());
+    return {.code = ExitCode::failed};
+  }
+  const Ground on = ground(request.prepared->scenario().world);
+  const InterruptGuard interrupt;
+  ProgressLine line(console);
+  Progress progress{.done = 0, .total = tests.value().size()};
+  for (const StoredTest& stored : tests.value()) {
+    constexpr std::uint64_t kBetweenLooks = 256;
+    if (progress.done % kBetweenLooks == 0) line.show(progress);
+    const auto recording = request.store->recording(stored.id);
+    if (!recording || interrupt.interrupted()) {
+      line.clear();
+      if (!recording) console.report(recording.diagnostics());
+      return {.code = recording ? ExitCode::interrupted : ExitCode::failed};
+    }
+    const TestFindings findings = assess(request.inquiry, recording.value(), on);
+    TestCase test = stored.test;
+    test.number -= request.store->description().first_test;
+    table.add(test, findings);
+    if (keep) {
+      outcome.assessments.emplace_back(stored.id, to_assessments(request.inquiry, findings));
+    }
+    ++progress.done;
+  }
+  line.clear();
+  return outcome;
+}
+
+/// Puts the findings into the store, which nobody reads any more.
+bool write_assessments(const std::string& path, const Outcome& outcome, Console& console) {
+  auto writer = AssessmentWriter::open(path);
+  if (!writer) {
+    console.report(writer.diagnostics());
+    return false;
+  }
+  for (const auto& [id, rows] : outcome.assessments) writer.value()->replace(id, rows);
+  if (const auto why = writer.value()->finish()) {
+    console.error(fmt::format("cannot write '{}': {}", path, *why));
+    return false;
+  }
+  return true;
+}
+
+bool write_outputs(const Arguments& arguments, const Comparison& comparison, Console& console) {
+  struct Output {
+    std::string_view option;
+    std::function<std::string(const Comparison&)> text;
+  };
+  const std::array outputs = {Output{"csv", to_csv}, Output{"json", to_json},
+                              Output{"junit", [](const Comparison& all) { return to_junit(all); }}};
+  bool written = true;
+  for (const Output& output : outputs) {
+    const auto path = arguments.text(output.option);
+    if (!path) continue;
+    console.flush();  // in case it is /dev/stdout
+    if (const auto why = write_file(*path, output.text(comparison))) {
+      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+      written = false;
+    }
+  }
+  return written;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  CommandHelp help{
+      .usage = "STORE.gpkg [OPTIONS]",
+      .description =
+          "Judges the tests of a store by assertions, after the fact, with the verdicts that\n"
+          "compare --assertions gives. Tests whose positions the store does not have are run\n"
+          "again from their seeds. Without --assertions those of the stored scenario count.\n",
+      .options =
+          {
+              {"test", "N", "tell all about the test of this number in the store"},
+              {"write", "", "keep the verdicts and metrics in the store, in place of old ones"},
+              {"csv", "FILE", "write the results as CSV"},
+              {"json", "FILE", "write the results as JSON"},
+              {"fail-on", "EXPR",
+               "exit with 1 if a row meets it: ASSERTION.VERDICT>NUMBER, as\n"
+               "collision_avoidance.fail>0, or MEASURE<NUMBER; repeatable"},
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk judge paper.gpkg --assertions scenarios/assertions/crossing.yaml\n"
+          "  jaywalk judge paper.gpkg --metrics --write\n"
+          "  jaywalk judge paper.gpkg --test 17 --metrics\n"
+          "  jaywalk judge paper.gpkg --fail-on 'collision_avoidance.fail>0' --junit out.xml\n"};
+  help.options.insert(help.options.begin(), kJudgingOptions.begin(), kJudgingOptions.end());
+  return help;
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  auto request = read_request(arguments, console);
+  if (!request) return ExitCode::usage;
+  if (request->test) return judge_one(*request, arguments, console);
+
+  ExperimentPlan plan;
+  for (const StoredBehaviour& behaviour : request->store->description().behaviours) {
+    plan.behaviours.push_back(behaviour.name);
+  }
+  plan.agents = request->store->description().agents;
+  plan.tests = request->store->description().tests;
+  FindingsTable table(request->inquiry, plan);
+  const bool keep = arguments.has("write");
+  const Outcome outcome = judge_all(*request, keep, table, console);
+  if (outcome.code != ExitCode::success) return outcome.code;
+  auto comparison = request->store->comparison();
+  if (!comparison) {
+    console.report(comparison.diagnostics());
+    return ExitCode::failed;
+  }
+  add_findings(request->inquiry, table, plan.behaviours, comparison.value());
+  request->store.reset();
+
+  bool written = !keep || write_assessments(arguments.operands().front(), outcome, console);
+  written = write_outputs(arguments, comparison.value(), console) && written;
+  if (!arguments.has("quiet")) {
+    console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()));
+  }
+  const bool failed = report_failures(request->conditions, comparison.value(), console);
+  return failed || !written ? ExitCode::failed : ExitCode::success;
+}
+
+}  // namespace jaywalk::command::judge
