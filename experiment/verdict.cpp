@@ -27,8 +27,8 @@ constexpr std::array<std::pair<std::string_view, BoundKind>, 6> kBoundKinds = {{
 }};
 
 /// What can be asked of an assertion: the verdicts, in their order, and the share of tests.
-constexpr std::array<std::string_view, kVerdictCount + 1> kFields = {"vacuous", "pass", "fail",
-                                                                 "unavoidable", "exercised_pct"};
+constexpr std::array<std::string_view, kVerdictCount + 1> kFields = {
+    "vacuous", "pass", "fail", "unavoidable", "exercised_pct"};
 
 Diagnostics refusal(std::string message, std::string hint) {
   Diagnostics diagnostics;

@@ -140,7 +140,7 @@ std::string_view name(AssertionSeverity severity) {
 
 std::string_view name(Verdict verdict) {
   static constexpr std::array<std::string_view, kVerdictCount> kNames = {"vacuous", "pass", "fail",
-                                                                     "unavoidable"};
+                                                                         "unavoidable"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
