@@ -57,15 +57,7 @@ void remove(ActionCall& call, Value what, Value source) {
     return;
   }
   const Plan* const plan = call.agent()->plan_with_label(label_of(call, what));
-  if (plan == nullptr) return;
-  std::size_t others = 0;
-  bool named = false;
-  for (const Value annot : elements(literal_parts(plan->label).annots)) {
-    if (!annot.is_structure() || annot.structure()->predicate() != predicates::source) continue;
-    equal_terms(annot.structure()->arg(0), source) ? static_cast<void>(named = true)
-                                                   : static_cast<void>(++others);
-  }
-  if (named && others == 0) call.agent()->remove_plan(*plan);
+  if (plan != nullptr) call.agent()->remove_plan_source(*plan, source);
 }
 
 bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) {
@@ -92,7 +84,9 @@ bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) 
   return true;
 }
 
-Value bare_label(ActionCall& call, const Plan& plan) { return call.unifier().apply(plan.label); }
+Value bare_label(ActionCall& call, const Plan& plan) {
+  return call.unifier().apply(call.agent()->label_of(plan));
+}
 
 // Pairs of plan and label, one after another.
 class PlanSolutions : public Solutions {

@@ -238,6 +238,7 @@ void Agent::remove_plan(const Plan& plan) {
     own_library_ = std::make_unique<PlanLibrary>(program_->library());
     library_ = own_library_.get();
   }
+  labels_.erase(&plan);
   own_library_->remove(plan);
 }
 
@@ -281,6 +282,7 @@ void Agent::collect_garbage() {
     const auto visit = [&](Value& value) { relocate(value); };
     beliefs_.visit_terms(visit);
     for (const auto& plan : own_plans_) plan->visit_terms(visit);
+    for (auto& [plan, label] : labels_) visit(label);
     for (BodyCode* code : codes) code->visit_terms(visit);
     for (const auto& intention : c.intentions) intention->visit_terms(visit);
     for (Event& event : c.events) relocate(event.literal);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -156,9 +157,14 @@ class Agent {
   /// Adds a plan made at run time, last or first.
   void add_plan(std::shared_ptr<Plan> plan, Place place);
   void remove_plan(const Plan& plan);
+  /// The plan's label with the sources that this agent has it from.
+  [[nodiscard]] Value label_of(const Plan& plan) const;
+  /// Takes a source away, and the plan too when no other is left; nothing if it is none of them.
+  void remove_plan_source(const Plan& plan, Value source);
   /// The plan as a term whose variables are fresh.
   [[nodiscard]] Value plan_term(const Plan& plan);
-  /// Adds a term of form plan; `problem` receives why that is not possible.
+  /// Adds a term of form plan, or its source if there is an equal plan; `problem` receives why that
+  /// is not possible.
   [[nodiscard]] bool add_plan_term(Value term, Value source, Place place, std::string& problem);
   [[nodiscard]] const Plan* plan_with_label(Value label) const;
   /// The plans whose trigger unifies, whatever their context.
@@ -285,6 +291,8 @@ class Agent {
   void lose(Intention& intention, const ActionError& error, Value code);
 
   [[nodiscard]] static bool same_plan(const Plan& a, const Plan& b);
+  [[nodiscard]] const Plan* equal_plan(const Plan& plan) const;
+  void add_plan_source(const Plan& plan, Value source);
   [[nodiscard]] Value as_template(Value term, std::vector<Symbol>& slot_names);
   void begin(const Program& program, std::span<const Predicate> replaced,
              std::span<const Value> given);
@@ -317,6 +325,7 @@ class Agent {
   std::unique_ptr<PlanLibrary> own_library_;      // once the program's has been changed
   std::vector<std::shared_ptr<Plan>> own_plans_;  // made at run time, perhaps removed again
   std::vector<std::shared_ptr<const Program>> included_;
+  std::map<const Plan*, Value> labels_;  // of plans whose sources have changed
   std::uint32_t next_label_ = 0;
   std::vector<Value> scratch_;  // the frame of the plan being tried
   std::vector<std::pair<Value, Value>> renamed_;

@@ -64,8 +64,13 @@ void Agent::copy_beliefs(const Agent& original, Transfer& transfer) {
 // The original's plans and what each has become.
 Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
   PlanMap copies;
+  const auto add = [&](const Plan& plan, const Plan& copy) {
+    copies.emplace(&plan, &copy);
+    const auto label = original.labels_.find(&plan);
+    if (label != original.labels_.end()) labels_.emplace(&copy, transfer.copy(label->second));
+  };
   if (original.own_library_ == nullptr) {
-    for (const auto& plan : library_->plans()) copies.emplace(plan.get(), plan.get());
+    for (const auto& plan : library_->plans()) add(*plan, *plan);
     return copies;
   }
   included_ = original.included_;
@@ -82,7 +87,7 @@ Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
       own_plans_.push_back(made);
       copy = made;
     }
-    copies.emplace(plan.get(), copy.get());
+    add(*plan, *copy);
     own_library_->add(copy);
   }
   return copies;

@@ -19,8 +19,8 @@ Value Agent::plan_term(const Plan& plan) {
   const std::size_t trail = unifier.mark();
   unifier.set_slot_names(plan.slot_names);
   const PlanParts parts = plan_parts(plan.source);
-  std::array<Value, 6> made{plan.label, parts.trigger,        parts.context,
-                            parts.body, parts.goal_condition, Value()};
+  std::array<Value, 6> made{label_of(plan), parts.trigger,        parts.context,
+                            parts.body,     parts.goal_condition, Value()};
   for (Value& part : made) part = unifier.instantiate(part, slots.data());
   unifier.commit(trail);
   return heap_.structure(plan.source.structure()->predicate(), made, Value::empty_list(),
@@ -57,14 +57,11 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
     return false;
   }
   plan->file = program_->name();
-  const Value source_annot = heap_.structure(predicates::source, std::span(&source, 1));
-  const Value sources = heap_.pair(source_annot, Value::empty_list());
-  for (const auto& known : library_->plans()) {
-    const bool same_label =
-        is_literal(plan->label) && is_literal(known->label) &&
-        literal_parts(plan->label).predicate == literal_parts(known->label).predicate;
-    if (!same_label) continue;
-    if (same_plan(*known, *plan)) return true;  // it is there already
+  if (const Plan* const known = equal_plan(*plan)) {
+    add_plan_source(*known, source);
+    return true;
+  }
+  if (plan_with_label(plan->label) != nullptr) {
     problem = "another plan has the label " + plan_name(*plan);
     return false;
   }
@@ -74,10 +71,8 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
       plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++next_label_), 0));
     }
   }
-  plan->label = with_annotations(
-      heap_, plan->label, union_of(heap_, literal_parts(plan->label).annots, sources, symbols_));
-  heap_.protect();
   add_plan(plan, place);
+  add_plan_source(*plan, source);
   return true;
 }
 
@@ -88,6 +83,52 @@ bool Agent::same_plan(const Plan& a, const Plan& b) {
     return (p.is_unset() && q.is_unset()) || (!p.is_unset() && !q.is_unset() && equal_terms(p, q));
   };
   return same(x.trigger, y.trigger) && same(x.context, y.context) && same(x.body, y.body);
+}
+
+// Equal plans may have different labels.
+const Plan* Agent::equal_plan(const Plan& plan) const {
+  const auto& candidates = library_->candidates(plan.key);
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Plan* known) {
+    return known->any_predicate == plan.any_predicate && same_plan(*known, plan);
+  });
+  return found == candidates.end() ? nullptr : *found;
+}
+
+Value Agent::label_of(const Plan& plan) const {
+  const auto changed = labels_.find(&plan);
+  return changed == labels_.end() ? plan.label : changed->second;
+}
+
+// A plan may be the program's, which others share: what changes is kept apart.
+void Agent::add_plan_source(const Plan& plan, Value source) {
+  const Value label = label_of(plan);
+  const Value annot = heap_.structure(predicates::source, std::span(&source, 1));
+  labels_[&plan] = with_annotations(heap_, label,
+                                    union_of(heap_, literal_parts(label).annots,
+                                             heap_.pair(annot, Value::empty_list()), symbols_));
+  heap_.protect();
+}
+
+void Agent::remove_plan_source(const Plan& plan, Value source) {
+  const Value label = label_of(plan);
+  std::vector<Value> kept;
+  bool was_there = false;
+  for (Value rest = literal_parts(label).annots; rest.is_pair(); rest = deref(rest.pair()->tail)) {
+    const Value annot = deref(rest.pair()->head);
+    const bool named = annot.is_structure() &&
+                       annot.structure()->predicate() == predicates::source &&
+                       equal_terms(annot.structure()->arg(0), source);
+    was_there = was_there || named;
+    if (!named) kept.push_back(annot);
+  }
+  if (!was_there) return;
+  const Value annots = heap_.list(kept);
+  if (!has_source(annots)) {
+    remove_plan(plan);
+    return;
+  }
+  labels_[&plan] = with_annotations(heap_, label, annots);
+  heap_.protect();
 }
 
 const Plan* Agent::plan_with_label(Value label) const {
@@ -138,7 +179,7 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
     add_rule(code, place);
   } else if (removes) {
     const Plan* const known = plan_with_label(plan_parts(code).label);
-    if (known != nullptr) remove_plan(*known);
+    if (known != nullptr) remove_plan_source(*known, Value::atom(predicates::self));
   } else if (!add_plan_term(code, Value::atom(predicates::self), place, error.message)) {
     fail(intention, error);
     return true;
