@@ -172,8 +172,8 @@ Outcome list_rules(ActionCall& call) {
 Outcome asserta(ActionCall& call) { return assert_belief(call, Place::front); }
 Outcome assertz(ActionCall& call) { return assert_belief(call, Place::back); }
 
-Outcome perceive(ActionCall&) {
-  // The system gives every agent its percepts before it reasons: there is nothing newer.
+Outcome perceive(ActionCall& call) {
+  call.agent()->perceive_now();
   return Outcome::succeeded;
 }
 

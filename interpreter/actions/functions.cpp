@@ -102,8 +102,9 @@ bool pi(Args, Heap&, SymbolTable&, Value& result) {
   return true;
 }
 
+// Of no numbers, Jason's answers: Double.MIN_VALUE, which is above zero, and Double.MAX_VALUE.
 bool maximum(Args args, Heap&, SymbolTable&, Value& result) {
-  return extreme(args, result, -std::numeric_limits<double>::max(), java_max);
+  return extreme(args, result, std::numeric_limits<double>::denorm_min(), java_max);
 }
 
 bool minimum(Args args, Heap&, SymbolTable&, Value& result) {

@@ -5,6 +5,7 @@
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
 #include "interpreter/program/plan_compiler.h"
+#include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk::actions {
@@ -27,6 +28,16 @@ bool has_object(Value term) {
     }
   }
   return false;
+}
+
+/// The belief without `source(percept)`.
+Value without_percept(Heap& heap, Value fact) {
+  const Value percept = source_percept().pair()->head;
+  std::vector<Value> kept;
+  for (const Value annot : elements(literal_parts(fact).annots)) {
+    if (!equal_terms(annot, percept)) kept.push_back(annot);
+  }
+  return with_annotations(heap, fact, heap.list(kept));
 }
 
 /// Writes an agent as the text of a program.
@@ -79,10 +90,20 @@ class ProgramText {
       if (row.rule != nullptr) {
         const Structure& rule = *rule_term(agent_.machine().unifier(), *row.rule).structure();
         text_ += fmt::format("{} :- {}.\n", source(rule.arg(0)), source(rule.arg(1)));
-      } else if (!row.fact.is_unset() && row.percept_generation == 0 && !has_object(row.fact)) {
-        text_ += source(row.fact) + ".\n";
+      } else if (!row.fact.is_unset() && !has_object(row.fact)) {
+        write_fact(row);
       }
     }
+  }
+
+  // What the agent has from its percepts alone is for the copy to perceive by itself.
+  void write_fact(const Row& row) {
+    Value fact = row.fact;
+    if (row.percept_generation != 0) {
+      fact = without_percept(agent_.heap(), fact);
+      if (!has_source(literal_parts(fact).annots)) return;
+    }
+    text_ += source(fact) + ".\n";
   }
 
   void write(const Plan& plan, int depth) {

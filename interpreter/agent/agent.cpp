@@ -62,6 +62,20 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
 }
 
 void Agent::update_percepts(const Percepts& percepts) {
+  if (settings_.cycles_per_look > 1) {
+    unseen_ = percepts;
+  } else {
+    believe_percepts(percepts);
+  }
+}
+
+void Agent::perceive_now() {
+  if (!unseen_) return;
+  believe_percepts(*unseen_);
+  unseen_.reset();
+}
+
+void Agent::believe_percepts(const Percepts& percepts) {
   beliefs_.begin_percepts();
   percept_changes_.clear();
   std::vector<BeliefBase::PerceptChange> added;
@@ -79,7 +93,7 @@ void Agent::update_percepts(const Percepts& percepts) {
 
 bool Agent::is_active() const {
   const Circumstance& c = circumstance_;
-  if (!c.mailbox.empty() || !c.feedback.empty()) return true;
+  if (!c.mailbox.empty() || !c.feedback.empty() || unseen_) return true;
   if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
   if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
   if (c.atomic_suspended) return false;

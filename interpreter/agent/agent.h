@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -56,7 +57,10 @@ class Agent {
   void copy_from(const Agent& original);
 
   /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not.
+  /// With `nrcbp` it waits for the cycle that looks.
   void update_percepts(const Percepts& percepts);
+  /// Looks now at what the environment has shown, whatever `nrcbp` says (`.perceive`).
+  void perceive_now();
   /// One reasoning cycle.
   void cycle();
   /// Does something with the agent from outside, between two cycles. False: a limit stopped it, and
@@ -200,6 +204,8 @@ class Agent {
   void find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
                     std::vector<Option>& options);
 
+  void believe_percepts(const Percepts& percepts);
+
   // Changes of belief as they are without belief revision.
   bool believe(Value literal, Place place, Intention* focus);
   bool disbelieve(Value literal, Intention* focus);
@@ -311,7 +317,8 @@ class Agent {
   std::string name_;
   ReasoningSettings settings_;
   std::uint32_t cycles_since_look_ = 0;
-  std::size_t seen_mail_ = 0;  // messages of the mailbox that may be handled
+  std::optional<Percepts> unseen_;  // of the next cycle that looks
+  std::size_t seen_mail_ = 0;       // messages of the mailbox that may be handled
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;
   AgentHost& host_;

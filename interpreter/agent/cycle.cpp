@@ -59,9 +59,10 @@ void Agent::tidy_up() {
 }
 
 void Agent::sense() {
-  // Rule ProcMsg: one message a cycle (messages.cpp).
+  // Belief update, then rule ProcMsg: one message a cycle (messages.cpp).
   if (++cycles_since_look_ >= settings_.cycles_per_look) {
     cycles_since_look_ = 0;
+    perceive_now();
     seen_mail_ = circumstance_.mailbox.size();
   }
   if (seen_mail_ == 0 || circumstance_.mailbox.empty()) return;

@@ -13,7 +13,7 @@ struct ReasoningSettings {
   Unwanted unwanted = Unwanted::discard;
   /// `intBels = sameFocus`: the plan for `+b` runs before the next formula; else on its own.
   bool same_focus = true;
-  /// `nrcbp`: reasoning cycles between two looks into the inbox.
+  /// `nrcbp`: reasoning cycles between two looks at the world and into the inbox.
   std::uint32_t cycles_per_look = 1;
   /// `verbose`: 0: only warnings are logged, and `.print` writes plain text; 1; 2: everything.
   int verbosity = 1;

@@ -61,9 +61,10 @@ void internal_actions(Checking& checking, CheckedFile& file) {
   const auto& entries = checking.vocabulary().internal_actions;
   for (const Node* action : file.uses.internal_actions) {
     const int arity = arity_of(*action);
-    const Vocabulary::Entry* const known = entry_of(entries, action->text);
+    const std::string_view name = short_name(action->text);
+    const Vocabulary::Entry* const known = entry_of(entries, name);
     const bool taken = std::ranges::any_of(entries, [&](const Vocabulary::Entry& entry) {
-      return entry.name == action->text && takes(entry, arity);
+      return entry.name == name && takes(entry, arity);
     });
     if (known == nullptr || taken || checking.index().functions.contains(action->text, arity)) {
       continue;

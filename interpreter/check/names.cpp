@@ -72,7 +72,7 @@ void unknown_internal_actions(Checking& checking) {
   for (CheckedFile& file : checking.files()) {
     for (const Node* action : file.uses.internal_actions) {
       if (!checking.index().functions.arities(action->text).empty()) continue;
-      if (entry_of(known, action->text) != nullptr) continue;
+      if (entry_of(known, short_name(action->text)) != nullptr) continue;
       checking.warn(file, action->span,
                     fmt::format("there is no internal action '{}'", action->text),
                     did_you_mean(action->text, names_of(known)));

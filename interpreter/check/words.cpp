@@ -44,6 +44,14 @@ std::string counted(const Vocabulary::Entry& entry) {
   return counted(std::set{entry.least_args});
 }
 
+std::string_view short_name(std::string_view action) {
+  constexpr std::string_view kPackage = "jason.stdlib";
+  if (action.starts_with(kPackage) && action.substr(kPackage.size()).starts_with('.')) {
+    action.remove_prefix(kPackage.size());
+  }
+  return action;
+}
+
 const Vocabulary::Entry* entry_of(std::span<const Vocabulary::Entry> entries,
                                   std::string_view name) {
   const auto found = std::find_if(entries.begin(), entries.end(),

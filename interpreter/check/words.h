@@ -21,6 +21,8 @@ namespace jaywalk {
 [[nodiscard]] std::string counted(const Vocabulary::Entry& entry);
 
 /// The first entry of that name, or null.
+/// `.print` for `jason.stdlib.print`; other names as they are.
+[[nodiscard]] std::string_view short_name(std::string_view action);
 [[nodiscard]] const Vocabulary::Entry* entry_of(std::span<const Vocabulary::Entry> entries,
                                                 std::string_view name);
 [[nodiscard]] bool takes(const Vocabulary::Entry& entry, int arity);

@@ -59,10 +59,34 @@ bool read_expectation(std::string_view text, ProgramFile& file) {
   return true;
 }
 
+// The options of a project that have a meaning here, as in a `.mas2j`.
+bool read_settings(std::string_view text, ReasoningSettings& settings) {
+  std::istringstream words{std::string(text)};
+  std::string word;
+  while (words >> word) {
+    std::string_view value = word;
+    if (take(value, "nrcbp=")) {
+      settings.cycles_per_look = static_cast<std::uint32_t>(std::stoul(std::string(value)));
+    } else if (word == "events=requeue") {
+      settings.unwanted = ReasoningSettings::Unwanted::requeue;
+    } else if (word == "intBels=newFocus") {
+      settings.same_focus = false;
+    } else if (word == "tro=false") {
+      settings.tail_recursion = false;
+    } else if (word == "synchronised=true") {
+      settings.messages_by_plans = true;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// False: the comment begins like one of ours but is none.
 bool read_comment(std::string_view comment, ProgramFile& file) {
   if (take(comment, "expect")) return read_expectation(comment, file);
   if (take(comment, "limit ")) return read_limit(comment, file.options);
+  if (take(comment, "settings: ")) return read_settings(comment, file.agents.back().settings);
   if (take(comment, "environment: ")) {
     file.on_board = comment == "board";
     return file.on_board;
@@ -78,7 +102,7 @@ ProgramFile read_program_file(const std::string& path) {
   file.options.max_ticks = kTicks;
   std::ifstream stream(path);
   if (!stream) file.problems.push_back("cannot read " + path);
-  file.agents.push_back({"agent", ""});
+  file.agents.push_back({"agent", "", {}});
   std::string line;
   std::string* included = nullptr;  // the file whose lines these are; null: an agent's
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
@@ -89,7 +113,7 @@ ProgramFile read_program_file(const std::string& path) {
       included = nullptr;
       if (number == 1) file.agents.clear();
       // Lines keep their numbers.
-      file.agents.push_back({std::string(text), std::string(number - 1, '\n')});
+      file.agents.push_back({std::string(text), std::string(number - 1, '\n'), {}});
     } else {
       const std::size_t comment = text.find("// ");
       if (comment != text.npos && !read_comment(text.substr(comment + 3), file)) {

@@ -40,7 +40,8 @@ AgentRun run_agents(const std::vector<NamedProgram>& programs, MasOptions option
         run.errors.push_back(place_and_message(diagnostic));
       }
     }
-    if (compiled != nullptr) agents.push_back({.name = program.name, .program = compiled});
+    if (compiled == nullptr) continue;
+    agents.push_back({.name = program.name, .program = compiled, .settings = program.settings});
   }
   if (!run.errors.empty()) return run;
   options.print = [&](std::string_view line) { run.printed.emplace_back(line); };

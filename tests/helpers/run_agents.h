@@ -15,6 +15,7 @@ namespace jaywalk::test {
 struct NamedProgram {
   std::string name;
   std::string text;
+  ReasoningSettings settings = {};
 };
 
 struct AgentRun {
