@@ -11,6 +11,15 @@
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
+namespace {
+
+// Labels of plans that have none are an agent's own: another's plan may bring the same.
+bool has_made_label(const Plan& plan, const SymbolTable& symbols) {
+  return is_literal(plan.label) &&
+         symbols.functor(literal_parts(plan.label).predicate).starts_with("p__");
+}
+
+}  // namespace
 
 // A template's slots as variables of the plan's names.
 Value Agent::plan_term(const Plan& plan) {
@@ -61,10 +70,12 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
     add_plan_source(*known, source);
     return true;
   }
-  if (plan_with_label(plan->label) != nullptr) {
+  const bool is_unnamed = has_made_label(*plan, symbols_);
+  if (!is_unnamed && plan_with_label(plan->label) != nullptr) {
     problem = "another plan has the label " + plan_name(*plan);
     return false;
   }
+  if (is_unnamed && plan_with_label(plan->label) != nullptr) plan->label = Value();
   if (!is_literal(plan->label)) {
     plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++next_label_), 0));
     while (plan_with_label(plan->label) != nullptr) {

@@ -260,7 +260,7 @@ class ProgramBuilder {
     const Symbol outer = translator_.current_namespace();
     translator_.set_namespace(translator_.resolve_namespace(directive.args[0]->text));
     for (const ast::Component& inner : component.inner) add_component(inner);
-    if (component.is_block) translator_.set_namespace(outer);
+    translator_.set_namespace(outer);
   }
 
   void add_pattern(const ast::Component& component) {

@@ -17,6 +17,7 @@ struct InnerPlan {
   std::string head;     // label and trigger
   std::string context;  // empty: none
   std::string body;     // without the arrow
+  std::string goal;     // the trigger's literal; empty: it is not about achieving the goal
 };
 
 class Expansion {
@@ -88,6 +89,20 @@ class Expansion {
     return result;
   }
 
+  // What a plan for the directive's goal is to have achieved, in the plan's own terms.
+  std::string achieved(const ast::Trigger& trigger) const {
+    const ast::Node& goal = *component_.literal->args[0];
+    const bool same = trigger.op == ast::TriggerOperator::add &&
+                      trigger.kind == ast::TriggerKind::achieve &&
+                      trigger.literal->kind == goal.kind && trigger.literal->text == goal.text &&
+                      trigger.literal->args.size() == goal.args.size();
+    return same ? text(*trigger.literal) : "";
+  }
+
+  static std::string test_of(const InnerPlan& plan) {
+    return plan.goal.empty() ? "" : "?" + plan.goal;
+  }
+
   std::vector<InnerPlan> inner_plans() const {
     std::vector<InnerPlan> plans;
     for (const ast::Component& inner : component_.inner) {
@@ -96,6 +111,7 @@ class Expansion {
       InnerPlan parts;
       const std::uint32_t start = plan.label != nullptr ? plan.span.begin : plan.trigger.span.begin;
       parts.head = source_.text({start, plan.trigger.span.end});
+      parts.goal = achieved(plan.trigger);
       if (plan.context != nullptr) parts.context = text(*plan.context);
       if (!plan.body.empty()) {
         parts.body = source_.text({plan.body.front().span.begin, plan.body.back().span.end});
@@ -123,12 +139,14 @@ class Expansion {
       if (!body.empty()) body += "; ";
       body += part;
     }
-    return plan.head + (context.empty() ? "" : " : " + context) + " <- " + body + ".\n";
+    return plan.head + (context.empty() ? "" : " : " + context) +
+           (body.empty() ? "" : " <- " + body) + ".\n";
   }
 
   std::string declarative(const std::string& g) const {
     std::string result = fmt::format("+!{0} : {0}.\n+!{0} : .intend({0}).\n", g) + others();
-    for (const InnerPlan& plan : inner_plans()) result += join(plan, plan.context, "", "?" + g);
+    for (const InnerPlan& plan : inner_plans())
+      result += join(plan, plan.context, "", test_of(plan));
     return result + fmt::format("+{0} <- .succeed_goal({0}).\n", g);
   }
 
@@ -140,7 +158,7 @@ class Expansion {
       const std::string mark = fmt::format("p__f({},{})", number, g);
       const std::string context =
           plan.context.empty() ? "not " + mark : fmt::format("not {} & ({})", mark, plan.context);
-      result += join(plan, context, "+" + mark, "?" + g);
+      result += join(plan, context, "+" + mark, test_of(plan));
     }
     return result + fmt::format(
                         "-!{0} <- !{0}.\n+{0} <- .abolish(p__f(_,{0})); .succeed_goal({0}).\n"

@@ -202,6 +202,10 @@ Value Translator::annotations(const ast::Node* annots, VariableScope& scope) {
 
 Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
                                     Position position) {
+  if (node.text == "this_ns" && position == Position::term && node.args.empty() &&
+      node.ns == nullptr && !node.negated) {
+    return Value::atom(symbols_.predicate(Signature{.functor = namespace_}));
+  }
   std::vector<Value> args;
   args.reserve(node.args.size());
   for (const ast::Node* arg : node.args) args.push_back(term(*arg, scope));
