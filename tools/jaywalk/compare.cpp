@@ -418,13 +418,14 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::usage;
   }
 
+  // Whoever sees that there is a store may end us, and what is finished is kept.
+  const InterruptGuard interrupt;
   std::unique_ptr<ResultsWriter> store;
   if (request->store) {
     store = open_store(*request->store, describe_experiment(*request, arguments), console);
     if (!store) return ExitCode::usage;
   }
 
-  const InterruptGuard interrupt;
   ProgressLine line(console);
   const Selection selection(*request, store.get());
   FindingsTable findings(request->inquiry, request->plan);
