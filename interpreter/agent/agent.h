@@ -139,8 +139,11 @@ class Agent {
   [[nodiscard]] Value pending_action(const Intention& intention) const;
   /// Asks for waiting formulas and goal conditions to be looked at again.
   void something_changed() { changed_ = true; }
-  /// The event that is being handled or that the executing intention is of; for `.intention`.
-  [[nodiscard]] Intention* executing() const { return executing_; }
+  /// The intention whose formula is being executed; while a plan is looked for, the one that waits
+  /// for it. Null: there is none, or it is still to be made.
+  [[nodiscard]] Intention* executing() const {
+    return executing_ != nullptr ? executing_ : deliberating_;
+  }
 
   /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms`
   /// is negative.
@@ -226,6 +229,7 @@ class Agent {
   [[nodiscard]] bool find_option(const Event& event, bool& had_candidates);
   [[nodiscard]] bool select_by_rules(const Event& event, bool& had_candidates);
   [[nodiscard]] bool is_selected(const Option& option, const Event& event);
+  [[nodiscard]] bool find_option(const TriggerKey& key, const Event& event, bool& had_candidates);
   [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
                               const std::shared_ptr<Scope>& scope);
   void add_intended_means(const Plan& plan, const Event& event,
@@ -293,7 +297,8 @@ class Agent {
   [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor, const ActionError& error,
                                   Value code, std::uint32_t line);
   [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal, const Scope* scope);
-  Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line);
+  Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line,
+                        const Intention* intention);
   void lose(Intention& intention, const ActionError& error, Value code);
 
   [[nodiscard]] static bool same_plan(const Plan& a, const Plan& b);
@@ -343,6 +348,7 @@ class Agent {
   std::uint64_t cycles_ = 0;
   std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
   Intention* executing_ = nullptr;
+  Intention* deliberating_ = nullptr;  // that of the event for which a plan is looked for
   bool uses_subplans_ = false;       // some means has had sub-plans
   bool changed_ = false;             // since waiting formulas were last looked at
   std::size_t goal_conditions_ = 0;  // means with a goal condition

@@ -30,6 +30,7 @@ void Agent::cycle() {
     log(error.message);
     if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
     executing_ = nullptr;
+    deliberating_ = nullptr;
   }
   tidy_up();
 }
@@ -114,6 +115,13 @@ bool Agent::find_option(const Event& event, bool& had_candidates) {
     return select_by_rules(event, had_candidates);
   const TriggerKey key = key_of(event);
   had_candidates = false;
+  deliberating_ = event.intention;
+  const bool found = find_option(key, event, had_candidates);
+  deliberating_ = nullptr;
+  return found;
+}
+
+bool Agent::find_option(const TriggerKey& key, const Event& event, bool& had_candidates) {
   if (event.intention != nullptr && !event.intention->is_finished()) {
     std::shared_ptr<Scope> scope = event.intention->top().scope;
     for (; scope != nullptr; scope = scope->outer) {

@@ -26,7 +26,7 @@ bool Agent::has_failure_plan(TriggerKind kind, Value literal, const Scope* scope
 
 // The goal's literal with error(Id), error_msg("..."), code(Formula), code_src and code_line.
 Value Agent::failure_literal(Value literal, const ActionError& error, Value code,
-                             std::uint32_t line) {
+                             std::uint32_t line, const Intention* intention) {
   const auto annot = [&](std::string_view name, Value arg) {
     return heap_.structure(symbols_.predicate(name, 1), std::span(&arg, 1));
   };
@@ -39,8 +39,8 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
   if (!has_message) annots.push_back(annot("error_msg", heap_.text(error.message)));
   annots.push_back(
       annot("code", code.is_unset() ? Value::atom(symbols_.predicate("no_code", 0)) : code));
-  if (line > 0) {
-    annots.push_back(annot("code_src", heap_.text("file:" + program_->name() + ".asl")));
+  if (line > 0 && intention != nullptr) {
+    annots.push_back(annot("code_src", heap_.text("file:" + intention->top().plan->file)));
     annots.push_back(annot("code_line", Value::number(line)));
   }
   const Value set = sorted_set(heap_, heap_.list(annots), symbols_);
@@ -66,7 +66,7 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
       continue;
     }
     add_event({TriggerOperator::remove, means.kind,
-               failure_literal(means.trigger, error, code, line), &intention, i});
+               failure_literal(means.trigger, error, code, line, &intention), &intention, i});
     return true;
   }
   return false;
@@ -177,7 +177,7 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
     if (!is_failure) signal_failure({{event.kind, event.literal}}, error, is_handled);
     if (is_handled) {
       add_event({TriggerOperator::remove, event.kind,
-                 failure_literal(event.literal, error, event.literal, 0), nullptr, 0});
+                 failure_literal(event.literal, error, event.literal, 0, nullptr), nullptr, 0});
     } else {
       log(error.message);
     }
@@ -195,7 +195,7 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
     signal_failure({{event.kind, event.literal}}, error, true);
     add_event({TriggerOperator::remove, event.kind,
-               failure_literal(event.literal, error, goal, line), &intention,
+               failure_literal(event.literal, error, goal, line, &intention), &intention,
                intention.stack.size()});
     return;
   }

@@ -30,7 +30,7 @@ std::vector<Intention*> Agent::all_intentions() {
     }
   };
   // The executing one, those of events, those that act or wait, those that are ready.
-  add(executing_);
+  add(executing());
   const Circumstance& c = circumstance_;
   for (const Event& event : c.events) add(event.intention);
   if (c.atomic_event) add(c.atomic_event->intention);
@@ -96,8 +96,9 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
     const IntendedMeans& means = intention.top();
     signal_goal_state(means.kind, means.trigger, "failed", "fail_goal");
     if (has_failure_plan(means.kind, means.trigger, means.scope.get())) {
-      const Value goal = reason != nullptr ? failure_literal(means.trigger, error, Value(), 0)
-                                           : machine_.unifier().apply(means.trigger);
+      const Value goal = reason != nullptr
+                             ? failure_literal(means.trigger, error, Value(), 0, nullptr)
+                             : machine_.unifier().apply(means.trigger);
       add_event({TriggerOperator::remove, means.kind, goal, &intention, depth});
       return;
     }
@@ -151,7 +152,10 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
     if (end == GoalEnd::fail) {
       const ActionError error{.id = "goal_failed", .message = "", .annots = {}};
       fail_event(event, error);
-    } else if (event.intention != nullptr) {
+    } else {
+      signal_goal_state(event.kind, event.literal, "achieved");
+      signal_goal_state(event.kind, event.literal, "finished");
+      if (event.intention == nullptr) continue;
       go_on(*event.intention);
       clear_intention(*event.intention);
     }

@@ -47,6 +47,10 @@ void Agent::handle_message(const Message& message) {
       add_belief(add_source(message.content, sender), Place::front, nullptr);
       return;
     }
+    if (performative == "untell") {
+      (void)remove_belief(add_source(message.content, sender), nullptr);
+      return;
+    }
     if (performative == "signal") {
       const Value told = add_source(message.content, sender);
       const Value signal = Value::atom(symbols_.predicate("signal", 0));

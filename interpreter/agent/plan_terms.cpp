@@ -164,7 +164,16 @@ std::vector<const Plan*> Agent::relevant_plans(TriggerOperator op, TriggerKind k
   std::vector<const Plan*> found;
   Unifier& unifier = machine_.unifier();
   const Event event{op, kind, literal, nullptr, 0};
-  for (const Plan* const plan : library_->candidates(key_of(event))) {
+  std::vector<const Plan*> candidates;
+  if (is_literal(literal)) {
+    candidates = library_->candidates(key_of(event));
+  } else {
+    // A variable, {+!_}: any plan for an event of this kind.
+    for (const auto& plan : library_->plans()) {
+      if (plan->key.op == op && plan->key.kind == kind) candidates.push_back(plan.get());
+    }
+  }
+  for (const Plan* const plan : candidates) {
     const std::size_t trail = unifier.mark();
     ScratchSlots slots(unifier, plan->slot_count);
     unifier.set_slot_names(plan->slot_names);

@@ -313,6 +313,10 @@ Value Translator::trigger(const ast::Trigger& trigger, VariableScope& scope) {
   return heap_.structure(symbols_.predicate(op, 1), args, Value::empty_list(), Form::trigger);
 }
 
+namespace {
+bool is_true(const ast::Node& node) { return node.kind == ast::Kind::truth && node.text == "true"; }
+}  // namespace
+
 Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
   Value label;
   if (plan.label != nullptr && plan.label->kind == ast::Kind::list) {
@@ -322,12 +326,11 @@ Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
     label = literal(*plan.label, scope);
   }
   std::array<Value, 6> parts{
-      label,
-      trigger(plan.trigger, scope),
-      plan.context == nullptr ? Value() : formula(*plan.context, scope),
+      label, trigger(plan.trigger, scope),
+      // A context `true` is none.
+      plan.context == nullptr || is_true(*plan.context) ? Value() : formula(*plan.context, scope),
       body(plan.body, scope),
-      plan.goal_condition == nullptr ? Value() : formula(*plan.goal_condition, scope),
-      Value()};
+      plan.goal_condition == nullptr ? Value() : formula(*plan.goal_condition, scope), Value()};
   for (const std::size_t part : {std::size_t{1}, std::size_t{3}}) {
     parts[part].structure()->info |= Structure::kBare;
   }

@@ -176,7 +176,8 @@ bool Unifier::unify_bodies(const Structure& a, const Structure& b) {
     if (!is_form(step, Form::step)) return Value();
     const bool plain = symbols_.signature(step.structure()->predicate()).functor == names::empty;
     const Value term = deref(step.structure()->arg(0));
-    return plain && term.is_variable() ? term : Value();
+    // Or the body that the variable is bound to.
+    return plain && (term.is_variable() || is_form(term, Form::body)) ? term : Value();
   };
   const auto part = [this](const Structure& body, std::size_t from, std::size_t count) {
     const Predicate predicate = symbols_.predicate(

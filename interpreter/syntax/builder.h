@@ -76,6 +76,8 @@ class Builder {
   void begin_body();
   [[nodiscard]] bool may_continue() const;
   void semicolon();
+  /// A goal follows a formula without a semicolon; tolerated, with a warning.
+  void missing_semicolon();
   /// The body's formulas as a term on the stack of values.
   void end_body_as_term();
   void begin_formula();

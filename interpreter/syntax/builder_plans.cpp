@@ -60,6 +60,13 @@ bool Builder::may_continue() const { return frames_.back().may_continue; }
 
 void Builder::semicolon() { frames_.back().may_continue = true; }
 
+void Builder::missing_semicolon() {
+  frames_.back().may_continue = true;
+  const std::uint32_t end = next_[-1].span.end;
+  diagnostics_.warning({source_, {end, end}}, "missing-semicolon",
+                       "a ';' is missing between two formulas");
+}
+
 void Builder::end_body_as_term() {
   const Frame frame = end_frame();
   Node* const node = make_node(Kind::body, {});

@@ -305,12 +305,16 @@ const auto body_term_def = body_factor >
                              +(Terminal{K::fork_or} > body_factor) > act<&Builder::end_fork_or>);
 
 const auto semicolon = Terminal{K::semicolon} > act<&Builder::semicolon>;
+// As in Jason; before goals only, since what else may follow is rather the next clause.
+const auto missing_semicolon =
+    Ahead{kGoalOperator | bit(K::question), "a goal"} > act<&Builder::missing_semicolon>;
 
 // Leaves the frame that begin_body made; who uses the body ends it.
 const auto body_def = act<&Builder::begin_body> >
                       *(act<&Builder::may_continue> >>
                         ((Ahead{kStatement, "a statement"} > statement > -semicolon) |
-                         (Ahead{kFormula, "a formula"} > body_term > -semicolon)));
+                         (Ahead{kFormula, "a formula"} > body_term >
+                          -(semicolon | missing_semicolon))));
 
 const auto block_def =
     open_brace > enter > body > close_brace > leave > act<&Builder::end_body_as_term>;
