@@ -59,8 +59,13 @@ class Loader {
                          "as in { include(\"common.asl\") }");
       return;
     }
+    const std::string name(args.front()->text);
+    if (const std::string* const text = include_path_.given_text(name)) {
+      tree_.includes[&directive] = add_file(std::make_shared<const Source>(name, *text));
+      return;
+    }
     const SourceSpan where = {file.source, args.front()->span};
-    const std::optional<std::string> path = find(std::string(args.front()->text), where);
+    const std::optional<std::string> path = find(name, where);
     if (!path || !may_include(*path, where)) return;
     Result<SourcePtr> source = include_path_.files.read(*path);
     if (!source) {
@@ -148,6 +153,13 @@ class Loader {
 };
 
 }  // namespace
+
+const std::string* IncludePath::given_text(std::string_view path) const {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  const auto found = std::find_if(given.begin(), given.end(),
+                                  [&](const auto& each) { return each.first == name; });
+  return found == given.end() ? nullptr : &found->second;
+}
 
 SourceTree load_agent(const std::string& path, const IncludePath& include_path,
                       Diagnostics& diagnostics) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct IncludePath {
   std::vector<std::string> folders;
   /// Prefixes and what stands for them: `$jasonJar` → a folder (`--map`).
   std::vector<std::pair<std::string, std::string>> mapped;
+  /// Texts that stand for files of a name, in whatever folder the directive looks for them.
+  std::vector<std::pair<std::string, std::string>> given;
+
+  /// The text given for a file; null if it is to be looked for.
+  [[nodiscard]] const std::string* given_text(std::string_view path) const;
   /// What is read from: the disk, unless copies are given.
   SourceFiles files;
 };

@@ -44,9 +44,13 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
   if (known != loaded_.end() && known->second.changed == changed) return known->second.program;
   Diagnostics diagnostics;
   // An agent may be created without a program.
-  const SourceTree tree = request.file.empty() ? load_agent(std::make_shared<const Source>("", ""),
-                                                            include_path_, diagnostics)
-                                               : load_agent(path, include_path_, diagnostics);
+  static const std::string kEmpty;
+  const std::string* const text =
+      request.file.empty() ? &kEmpty : include_path_.given_text(request.file);
+  const SourceTree tree = text != nullptr
+                              ? load_agent(std::make_shared<const Source>(request.file, *text),
+                                           include_path_, diagnostics)
+                              : load_agent(path, include_path_, diagnostics);
   auto program =
       compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
   if (program == nullptr) {

@@ -82,6 +82,18 @@ std::string find_program(const ProjectAgent& agent, const fs::path& folder,
   return (folder / file).lexically_normal().string();
 }
 
+/// A folder of the source path, perhaps below one that --map gives a place.
+std::string with_mapped_prefix(const std::string& folder, const IncludePath& include_path) {
+  const std::size_t length = std::min(folder.find('/'), folder.size());
+  for (const auto& [prefix, meant] : include_path.mapped) {
+    if (folder.compare(0, length, prefix) != 0) continue;
+    // The user's own path is relative to where the command runs.
+    std::error_code ignored;
+    return fs::absolute(meant + folder.substr(length), ignored).string();
+  }
+  return folder;
+}
+
 std::vector<std::string> names_of(const ProjectAgent& agent) {
   if (agent.count == 1) return {agent.name};
   std::vector<std::string> names;
@@ -170,7 +182,8 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
   IncludePath folders = include_path;
   std::vector<std::string> source_path;
   for (const std::string& each : project->asl_source_path) {
-    source_path.push_back((folder / each).lexically_normal().string());
+    source_path.push_back(
+        (folder / with_mapped_prefix(each, include_path)).lexically_normal().string());
   }
   folders.folders.insert(folders.folders.begin(), source_path.begin(), source_path.end());
 

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "tools/jaywalk/unit_tests.h"
+
+namespace jaywalk {
+namespace {
+
+using Verdict = UnitTestReport::Verdict;
+
+/// As content of an element or an attribute; what XML cannot hold becomes '?'.
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\n':
+      case '\t':
+        safe += fmt::format("&#{};", byte);
+        break;
+      default:
+        safe += byte < 0x20 ? '?' : c;
+    }
+  }
+  return safe;
+}
+
+std::string test_case(const UnitTest& test, const UnitTestReport& report) {
+  const auto line = test.where.source->position(test.where.span.begin).line;
+  std::string xml = fmt::format(
+      "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" "
+      "assertions=\"{}\" time=\"{:g}\"",
+      escaped(test.file), escaped(test.name), escaped(test.where.source->name()), line,
+      report.assertions, report.seconds);
+  if (report.verdict == Verdict::passed) return xml + "/>\n";
+  xml += ">\n";
+  if (report.verdict == Verdict::no_assertions) {
+    xml += "      <skipped message=\"the test asserts nothing\"/>\n";
+  }
+  for (const UnitTestReport::Failure& failure : report.failures) {
+    const bool is_assertion = !failure.assertion.empty();
+    const std::string_view element = is_assertion ? "failure" : "error";
+    xml += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", element,
+                       escaped(is_assertion ? failure.assertion : "test"),
+                       escaped(failure.what.message), escaped(render(failure.what)));
+  }
+  if (!report.output.empty()) {
+    std::string output;
+    for (const std::string& each : report.output) output += each + "\n";
+    xml += fmt::format("      <system-out>{}</system-out>\n", escaped(output));
+  }
+  return xml + "    </testcase>\n";
+}
+
+struct Counts {
+  std::size_t tests = 0;
+  std::size_t failures = 0;
+  std::size_t errors = 0;
+  std::size_t skipped = 0;
+  double seconds = 0;
+
+  void add(const UnitTestReport& report) {
+    ++tests;
+    failures += report.verdict == Verdict::failed ? 1 : 0;
+    errors += report.verdict == Verdict::broken ? 1 : 0;
+    skipped += report.verdict == Verdict::no_assertions ? 1 : 0;
+    seconds += report.seconds;
+  }
+  [[nodiscard]] std::string attributes() const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:g}\"",
+                       tests, failures, errors, skipped, seconds);
+  }
+};
+
+}  // namespace
+
+std::string junit_xml(const std::vector<UnitTest>& tests,
+                      const std::vector<UnitTestReport>& reports) {
+  Counts all;
+  std::string suites;
+  for (std::size_t begin = 0; begin < tests.size();) {
+    Counts counts;
+    std::string cases;
+    std::size_t end = begin;
+    for (; end < tests.size() && tests[end].file == tests[begin].file; ++end) {
+      counts.add(reports[end]);
+      all.add(reports[end]);
+      cases += test_case(tests[end], reports[end]);
+    }
+    suites += fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n",
+                          escaped(tests[begin].file), counts.attributes(), cases);
+    begin = end;
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {}>\n{}</testsuites>\n",
+      all.attributes(), suites);
+}
+
+}  // namespace jaywalk
