@@ -229,7 +229,7 @@ class Agent {
   [[nodiscard]] bool find_option(const Event& event, bool& had_candidates);
   [[nodiscard]] bool select_by_rules(const Event& event, bool& had_candidates);
   [[nodiscard]] bool is_selected(const Option& option, const Event& event);
-  [[nodiscard]] bool find_option(const TriggerKey& key, const Event& event, bool& had_candidates);
+  [[nodiscard]] bool find_first_option(const Event& event, bool& had_candidates);
   [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
                               const std::shared_ptr<Scope>& scope);
   void add_intended_means(const Plan& plan, const Event& event,
@@ -349,9 +349,9 @@ class Agent {
   std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
   Intention* executing_ = nullptr;
   Intention* deliberating_ = nullptr;  // that of the event for which a plan is looked for
-  bool uses_subplans_ = false;       // some means has had sub-plans
-  bool changed_ = false;             // since waiting formulas were last looked at
-  std::size_t goal_conditions_ = 0;  // means with a goal condition
+  bool uses_subplans_ = false;         // some means has had sub-plans
+  bool changed_ = false;               // since waiting formulas were last looked at
+  std::size_t goal_conditions_ = 0;    // means with a goal condition
   std::size_t formula_waits_ = 0;
 };
 

@@ -105,23 +105,23 @@ TriggerKey Agent::key_of(const Event& event) {
   return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
-// Rules RelPl, ApplPl and SelAppl: the first plan in the library whose trigger unifies with the
-// event's and whose context follows from the beliefs, with the first solution. Goals below a plan
-// with sub-plans look there first, then further out, last in the agent's library.
 bool Agent::find_option(const Event& event, bool& had_candidates) {
   const bool has_function = customisation_ != nullptr && customisation_->select_option;
   const Relation* const selecting = beliefs_.find(predicates::select_option);
-  if (!has_function && selecting != nullptr && selecting->has_rules())
-    return select_by_rules(event, had_candidates);
-  const TriggerKey key = key_of(event);
-  had_candidates = false;
+  const bool by_rules = !has_function && selecting != nullptr && selecting->has_rules();
   deliberating_ = event.intention;
-  const bool found = find_option(key, event, had_candidates);
+  const bool found =
+      by_rules ? select_by_rules(event, had_candidates) : find_first_option(event, had_candidates);
   deliberating_ = nullptr;
   return found;
 }
 
-bool Agent::find_option(const TriggerKey& key, const Event& event, bool& had_candidates) {
+// Rules RelPl, ApplPl and SelAppl: the first plan in the library whose trigger unifies with the
+// event's and whose context follows from the beliefs, with the first solution. Goals below a plan
+// with sub-plans look there first, then further out, last in the agent's library.
+bool Agent::find_first_option(const Event& event, bool& had_candidates) {
+  const TriggerKey key = key_of(event);
+  had_candidates = false;
   if (event.intention != nullptr && !event.intention->is_finished()) {
     std::shared_ptr<Scope> scope = event.intention->top().scope;
     for (; scope != nullptr; scope = scope->outer) {
