@@ -159,9 +159,15 @@ bool Unifier::unify_structures(const Structure& a, const Structure& b) {
   // A step's line and a plan's missing parts do not count.
   const std::size_t count = a.form() == Form::step ? 1 : a.arity;
   for (std::size_t i = 0; i < count; ++i) {
-    const Value x = a.arg(i);
-    const Value y = b.arg(i);
+    Value x = a.arg(i);
+    Value y = b.arg(i);
     if (x.is_unset() && y.is_unset()) continue;
+    // Seen from outside a plan without context has the context `true`.
+    constexpr std::size_t kContext = 2;
+    if (a.form() == Form::plan && i == kContext) {
+      if (x.is_unset()) x = Value::atom(predicates::truth);
+      if (y.is_unset()) y = Value::atom(predicates::truth);
+    }
     if (!unify_no_undo(x, y)) return false;
   }
   if (!a.is_annotated()) return true;

@@ -8,6 +8,7 @@ zone_rows(4, 6).
 zone_ahead(3, 5).
 av(10).
 av_speed(1).
+walking_speed(1).
 road_end(60).
 
 @[test]
