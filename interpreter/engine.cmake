@@ -37,6 +37,7 @@ jaywalk_add_library(engine
     agent/options.cpp
     agent/plan_terms.cpp
     agent/services.cpp
+    agent/step_guard.cpp
     agent/waiting.cpp
     embed/interpreter.cpp
     mas/mas.cpp

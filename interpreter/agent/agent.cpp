@@ -91,15 +91,6 @@ void Agent::believe_percepts(const Percepts& percepts) {
   }
 }
 
-bool Agent::is_active() const {
-  const Circumstance& c = circumstance_;
-  if (!c.mailbox.empty() || !c.feedback.empty() || unseen_) return true;
-  if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
-  if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
-  if (c.atomic_suspended) return false;
-  return !c.events.empty() || !c.running.empty();
-}
-
 const PendingAction* Agent::take_action() {
   if (circumstance_.actions.empty()) return nullptr;
   circumstance_.acting.push_back(circumstance_.actions.front());
@@ -157,6 +148,7 @@ void Agent::add_event(Event event) {
   }
   if (event.intention != nullptr) {
     event.intention->state = Intention::State::in_event;
+    event.intention->has_event = true;
     if (event.intention->is_atomic()) {
       circumstance_.atomic_event = event;
       return;
@@ -176,7 +168,16 @@ void Agent::add_goal(Value literal) {
 }
 
 Intention& Agent::new_intention() {
-  circumstance_.intentions.push_back(std::make_unique<Intention>(next_intention_++));
+  std::unique_ptr<Intention> made;
+  if (spare_intentions_.empty()) {
+    made = std::make_unique<Intention>(next_intention_);
+  } else {
+    made = std::move(spare_intentions_.back());
+    spare_intentions_.pop_back();
+    made->start_again(next_intention_);
+  }
+  ++next_intention_;
+  circumstance_.intentions.push_back(std::move(made));
   return *circumstance_.intentions.back();
 }
 
@@ -210,30 +211,39 @@ void Agent::resume(Intention& intention) {
   clear_intention(intention);
 }
 
+// It is mostly the one that was put there last.
+void Agent::remove_from_running(const Intention& intention) {
+  auto& running = circumstance_.running;
+  if (running.empty()) return;
+  if (running.back() == &intention) {
+    running.pop_back();
+  } else if (intention.state == Intention::State::running) {
+    erase_if(running, [&](const Intention* other) { return other == &intention; });
+  }
+}
+
 void Agent::drop(Intention& intention) {
   Circumstance& c = circumstance_;
-  erase(c.running, &intention);
+  remove_from_running(intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
   if (c.atomic_event && c.atomic_event->intention == &intention) c.atomic_event.reset();
   const auto is_its = [&](const auto& item) { return item.intention == &intention; };
-  erase_if(c.events, is_its);
-  erase_if(c.actions, is_its);
-  erase_if(c.feedback, is_its);
+  if (intention.has_event) erase_if(c.events, is_its);
+  if (!c.actions.empty()) erase_if(c.actions, is_its);
+  if (!c.feedback.empty()) erase_if(c.feedback, is_its);
   for (const IntendedMeans& means : intention.stack) {
     if (means.plan->has_goal_condition) --goal_conditions_;
   }
-  std::erase_if(c.pending_events, is_its);
-  std::erase_if(c.asks, is_its);
-  std::erase_if(c.waits, [&](const Wait& wait) {
-    if (wait.intention != intention.id) return false;
-    if (wait.has_formula) --formula_waits_;
-    return true;
-  });
-  intention.stack.clear();
-  intention.values.clear();
-  intention.atomic_means = 0;
-  intention.state = Intention::State::finished;
+  if (!c.pending_events.empty()) std::erase_if(c.pending_events, is_its);
+  if (!c.asks.empty()) std::erase_if(c.asks, is_its);
+  if (!c.waits.empty())
+    std::erase_if(c.waits, [&](const Wait& wait) {
+      if (wait.intention != intention.id) return false;
+      if (wait.has_formula) --formula_waits_;
+      return true;
+    });
+  intention.finish();
   ++finished_;
 }
 
@@ -256,11 +266,22 @@ void Agent::remove_plan(const Plan& plan) {
   own_library_->remove(plan);
 }
 
+// Not before half of them are finished, so that the cost of one does not grow with their number.
+// Some are kept, with the memory that they own, for intentions to come.
 void Agent::forget_finished() {
-  if (finished_ == 0) return;
-  std::erase_if(circumstance_.intentions, [](const auto& intention) {
-    return intention->state == Intention::State::finished;
-  });
+  constexpr std::size_t kSpares = 4;
+  auto& intentions = circumstance_.intentions;
+  if (2 * finished_ < intentions.size()) return;
+  std::size_t kept = 0;
+  for (auto& intention : intentions) {
+    if (intention->state != Intention::State::finished) {
+      if (&intentions[kept] != &intention) intentions[kept] = std::move(intention);
+      ++kept;
+    } else if (spare_intentions_.size() < kSpares) {
+      spare_intentions_.push_back(std::move(intention));
+    }
+  }
+  intentions.resize(kept);
   finished_ = 0;
 }
 

@@ -67,7 +67,14 @@ class Agent {
   /// `problem` says which.
   [[nodiscard]] bool intervene(const std::function<void()>& work, std::string& problem);
   /// A cycle would do something.
-  [[nodiscard]] bool is_active() const;
+  [[nodiscard]] bool is_active() const {
+    const Circumstance& c = circumstance_;
+    if (!c.mailbox.empty() || !c.feedback.empty() || unseen_) return true;
+    if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
+    if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
+    if (c.atomic_suspended) return false;
+    return !c.events.empty() || !c.running.empty();
+  }
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
   // Messages and actions, to and from the system.
@@ -129,7 +136,9 @@ class Agent {
   void resume_goal(Value goal);
   /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
-                         std::string_view reason = {});
+                         std::string_view reason = {}) {
+    if (library_->has_goal_state_plans()) add_goal_state(kind, goal, state, reason);
+  }
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
   /// The same for the goal on top of an intention, if there is one.
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
@@ -240,6 +249,8 @@ class Agent {
   void signal_action_executed(const Intention& intention, Value action);
   Intention* select_intention();
   void run_tasks();
+  void add_goal_state(TriggerKind kind, Value goal, std::string_view state,
+                      std::string_view reason);
   Value watch_deadline(Value goal);
   void end_late_goal(Value goal);
   [[nodiscard]] bool is_pursued(Value goal) const;
@@ -248,7 +259,7 @@ class Agent {
   void check_formulas();
   void check_goal_conditions();
   void start_subplan_intentions(const Event& event);
-  [[nodiscard]] bool try_plans(const std::vector<const Plan*>& plans, const Event& event,
+  [[nodiscard]] bool try_plans(const PlanList& plans, const Event& event,
                                const std::shared_ptr<Scope>& scope, bool& had_candidates);
   void clear_intention(Intention& intention);
   void finish_means(Intention& intention);
@@ -318,6 +329,7 @@ class Agent {
   Intention& new_intention();
   void collect_garbage();
   void forget_finished();
+  void remove_from_running(const Intention& intention);
 
   std::string name_;
   ReasoningSettings settings_;
@@ -346,7 +358,8 @@ class Agent {
   std::uint32_t next_intention_ = 1;
   std::uint32_t last_message_ = 0;
   std::uint64_t cycles_ = 0;
-  std::size_t finished_ = 0;  // intentions to be forgotten at the end of the cycle
+  std::size_t finished_ = 0;  // intentions that are finished but not forgotten
+  std::vector<std::unique_ptr<Intention>> spare_intentions_;
   Intention* executing_ = nullptr;
   Intention* deliberating_ = nullptr;  // that of the event for which a plan is looked for
   bool uses_subplans_ = false;         // some means has had sub-plans

@@ -76,12 +76,14 @@ void Agent::collect_solutions(Intention& intention, const Goal& condition, Loop&
 }
 
 Intention* Agent::find_intention(std::uint32_t id) {
-  for (const auto& intention : circumstance_.intentions) {
-    if (intention->id == id && intention->state != Intention::State::finished) {
-      return intention.get();
-    }
-  }
-  return nullptr;
+  // They stand in the order of their numbers.
+  const auto& all = circumstance_.intentions;
+  const auto found = std::lower_bound(
+      all.begin(), all.end(), id, [](const std::unique_ptr<Intention>& each, std::uint32_t number) {
+        return each->id < number;
+      });
+  const bool exists = found != all.end() && (*found)->id == id;
+  return exists && (*found)->state != Intention::State::finished ? found->get() : nullptr;
 }
 
 // What the rounds of an intention's loops have bound is free while this lives: the copy of the

@@ -19,7 +19,7 @@ namespace jaywalk {
 
 void Agent::cycle() {
   ++cycles_;
-  ActionError error;
+  std::unique_ptr<ActionError> error;
   const bool completed = guarded(error, [&] {
     sense();
     deliberate();
@@ -27,7 +27,7 @@ void Agent::cycle() {
     return true;
   });
   if (!completed) {
-    log(error.message);
+    log(error->message);
     if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
     executing_ = nullptr;
     deliberating_ = nullptr;
@@ -54,7 +54,7 @@ void Agent::tidy_up() {
   // Nothing holds a Value any more but the circumstance and the beliefs.
   machine_.unifier().commit(0);
   machine_.forget_temporary_code();
-  forget_finished();
+  if (finished_ > 0) forget_finished();
   beliefs_.compact();
   if (heap_.wants_collection()) collect_garbage();
 }
@@ -73,7 +73,7 @@ void Agent::sense() {
 
 void Agent::deliberate() {
   Circumstance& c = circumstance_;
-  run_tasks();
+  if (!c.tasks.empty()) run_tasks();
   if (changed_ && formula_waits_ > 0) check_formulas();
   // Rule SelEv, for atomic: while an atomic intention exists, only its own events are selected.
   if (c.atomic != nullptr || c.atomic_suspended) return;
@@ -93,6 +93,7 @@ void Agent::deliberate() {
       event = c.events.front();
       c.events.pop_front();
     }
+    if (event.intention != nullptr) event.intention->has_event = false;
     if (uses_subplans_) start_subplan_intentions(event);
     if (find_option(event, had_candidates) || no_plan(event, had_candidates)) return;
   }
@@ -101,7 +102,7 @@ void Agent::deliberate() {
 
 TriggerKey Agent::key_of(const Event& event) {
   const Predicate predicate =
-      is_literal(event.literal) ? literal_parts(event.literal).predicate : predicates::truth;
+      is_literal(event.literal) ? predicate_of(event.literal) : predicates::truth;
   return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
@@ -125,23 +126,24 @@ bool Agent::find_first_option(const Event& event, bool& had_candidates) {
   if (event.intention != nullptr && !event.intention->is_finished()) {
     std::shared_ptr<Scope> scope = event.intention->top().scope;
     for (; scope != nullptr; scope = scope->outer) {
-      if (try_plans(scope->library->candidates(key), event, scope, had_candidates)) return true;
+      if (try_plans(scope->library->list(key), event, scope, had_candidates)) return true;
       if (had_candidates) return false;
     }
   }
-  return try_plans(library_->candidates(key), event, nullptr, had_candidates);
+  return try_plans(library_->list(key), event, nullptr, had_candidates);
 }
 
-bool Agent::try_plans(const std::vector<const Plan*>& plans, const Event& event,
+bool Agent::try_plans(const PlanList& plans, const Event& event,
                       const std::shared_ptr<Scope>& scope, bool& had_candidates) {
   if (customisation_ != nullptr && customisation_->select_option) {
-    return select_option(plans, event, scope, had_candidates);
+    return select_option(plans.plans(), event, scope, had_candidates);
   }
-  for (const Plan* const plan : plans) {
-    if (try_plan(*plan, event, scope)) return true;
-    had_candidates = true;
-  }
-  return false;
+  const Value literal = event.literal;
+  const std::uint64_t first_key = literal.is_structure() && literal.structure()->arity > 0
+                                      ? argument_key(literal.structure()->arg(0))
+                                      : 0;
+  had_candidates = had_candidates || !plans.plans().empty();
+  return plans.find(first_key, [&](const Plan& plan) { return try_plan(plan, event, scope); });
 }
 
 void Agent::prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope) {
@@ -156,13 +158,13 @@ bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr
   Unifier& unifier = machine_.unifier();
   const std::size_t trail = unifier.mark();
   prepare_scratch(plan, scope);
-  ActionError error;
+  std::unique_ptr<ActionError> error;
   const bool applicable = guarded(error, [&] {
     return unifier.match(plan.trigger, scratch_.data(), event.literal,
                          Unifier::Direction::template_first) &&
            machine_.solve(plan.context, scratch_.data());
   });
-  if (!error.message.empty()) log("in the context of " + plan_name(plan) + ": " + error.message);
+  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
   if (!applicable) {
     unifier.undo(trail);
     return false;
@@ -177,22 +179,20 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
                                const std::shared_ptr<Scope>& scope) {
   Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
   if (event.intention != nullptr) replace_finished_caller(intention, event);
-  IntendedMeans means;
-  means.plan = &plan;
+  const std::size_t depth = intention.stack.size();
+  IntendedMeans& means = intention.push(plan, scratch_);
   means.op = event.op;
   means.kind = event.kind;
   means.trigger = event.literal;
-  means.cursor.body = plan.code.entry;
   means.keeps = event.keeps;
   means.scope = scope;
   if (plan.subplans != nullptr) {
     uses_subplans_ = true;
     means.scope = std::make_shared<Scope>(
-        Scope{plan.subplans.get(), &plan, scratch_, scope, intention.id, intention.stack.size()});
+        Scope{plan.subplans.get(), &plan, scratch_, scope, intention.id, depth});
   }
   if (plan.has_goal_condition) ++goal_conditions_;
   if (plan.atomic) circumstance_.atomic_suspended = false;
-  intention.push(std::move(means), scratch_);
   if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
     signal_goal_state(event.kind, event.literal, "executing");
   }
@@ -208,7 +208,7 @@ void Agent::replace_finished_caller(Intention& intention, const Event& event) {
   if (!settings_.tail_recursion || !last || event.op != TriggerOperator::add ||
       event.kind == TriggerKind::belief || !caller.is_goal_addition() ||
       caller.kind != event.kind || caller.plan->has_goal_condition ||
-      literal_parts(caller.trigger).predicate != literal_parts(event.literal).predicate) {
+      predicate_of(caller.trigger) != predicate_of(event.literal)) {
     return;
   }
   signal_goal_state(caller.kind, caller.trigger, "achieved");

@@ -39,7 +39,7 @@ void Agent::execute(Intention& intention) {
     make_ready(intention);
     return;
   }
-  ActionError error;
+  std::unique_ptr<ActionError> error;
   const Step& step = means.step();
   const bool completed = guarded(error, [&] {
     machine_.unifier().set_slot_names(means.plan->slot_names);
@@ -49,7 +49,7 @@ void Agent::execute(Intention& intention) {
   if (!completed) {
     machine_.unifier().undo(0);
     const MemoryReserve reserve(heap_);
-    fail(intention, error);
+    fail(intention, *error);
   }
 }
 

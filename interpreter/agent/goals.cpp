@@ -294,7 +294,7 @@ void Agent::check_goal_conditions() {
     for (std::size_t i = 0; i < intention->stack.size(); ++i) {
       const IntendedMeans& means = intention->stack[i];
       if (!means.plan->has_goal_condition) continue;
-      ActionError error;
+      std::unique_ptr<ActionError> error;
       machine_.unifier().set_slot_names(means.plan->slot_names);
       const std::size_t trail = machine_.unifier().mark();
       const bool holds = guarded(error, [&] {
@@ -318,7 +318,7 @@ void Agent::start_subplan_intentions(const Event& event) {
     for (; scope != nullptr; scope = scope->outer) {
       if (scope->intention != intention->id) continue;  // an inner intention of its own
       bool had_candidates = false;
-      if (try_plans(scope->library->candidates(key), event, scope, had_candidates)) break;
+      if (try_plans(scope->library->list(key), event, scope, had_candidates)) break;
     }
   }
 }

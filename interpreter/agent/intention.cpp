@@ -2,17 +2,36 @@
 
 namespace jaywalk {
 
-void Intention::push(IntendedMeans means, std::span<const Value> slots) {
+IntendedMeans& Intention::push(const Plan& plan, std::span<const Value> slots) {
+  IntendedMeans& means = stack.emplace_back();
+  means.plan = &plan;
+  means.cursor.body = plan.code.entry;
   means.frame = values.size();
   values.insert(values.end(), slots.begin(), slots.end());
-  if (means.plan->atomic) ++atomic_means;
-  stack.push_back(std::move(means));
+  if (plan.atomic) ++atomic_means;
+  return means;
 }
 
 void Intention::pop() {
   if (stack.back().plan->atomic) --atomic_means;
   values.resize(stack.back().frame);
   stack.pop_back();
+}
+
+void Intention::finish() {
+  constexpr std::size_t kMostKept = 1024;  // values; a deep stack's memory is not worth keeping
+  stack.clear();
+  values.clear();
+  if (values.capacity() > kMostKept) {
+    stack.shrink_to_fit();
+    values.shrink_to_fit();
+  }
+  reason.clear();
+  also_suspended = false;
+  has_event = false;
+  atomic_means = 0;
+  fork.reset();
+  state = State::finished;
 }
 
 void Intention::leave_finished_bodies(IntendedMeans& means) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "interpreter/program/plan.h"
+#include "interpreter/support/sparse_stack.h"
 
 namespace jaywalk {
 
@@ -57,8 +58,8 @@ struct IntendedMeans {
   TriggerKind kind = TriggerKind::belief;
   Value trigger;  // the event's literal
   Cursor cursor;
-  std::vector<Cursor> outer;  // where to go on when the cursor's body is done
-  std::vector<Loop> loops;
+  SparseStack<Cursor> outer;  // where to go on when the cursor's body is done
+  SparseStack<Loop> loops;
   std::shared_ptr<Scope> scope;  // null: the agent's library alone
   std::size_t frame = 0;         // index into the intention's values
   std::size_t returns = 0;       // values behind the frame: pairs of the open call
@@ -93,6 +94,13 @@ class Intention {
   };
 
   explicit Intention(std::uint32_t number) : id(number) {}
+  /// A finished intention becomes a new one, so that its memory is used again.
+  void start_again(std::uint32_t number) {
+    id = number;
+    state = State::running;
+  }
+  /// Lets go of everything.
+  void finish();
 
   [[nodiscard]] bool is_finished() const { return stack.empty(); }
   [[nodiscard]] IntendedMeans& top() { return stack.back(); }
@@ -100,7 +108,8 @@ class Intention {
   [[nodiscard]] Value* frame(const IntendedMeans& means) { return values.data() + means.frame; }
   [[nodiscard]] bool is_atomic() const { return atomic_means > 0; }
 
-  void push(IntendedMeans means, std::span<const Value> slots);
+  /// Puts a means on top, at the beginning of its plan's body, with a frame of these values.
+  IntendedMeans& push(const Plan& plan, std::span<const Value> slots);
   /// Removes the top means and its frame.
   void pop();
   /// Goes on behind the current step of the top means; the ends of bodies are left.
@@ -120,7 +129,8 @@ class Intention {
     }
   }
 
-  const std::uint32_t id;
+  /// Intentions that are made later have greater ones.
+  std::uint32_t id;
   State state = State::running;
   /// What it waits for, as `.suspended` tells it.
   std::string reason;
@@ -128,6 +138,8 @@ class Intention {
   bool also_suspended = false;
   /// It suspended itself: resumed, it goes on behind its formula.
   bool suspended_itself = false;
+  /// An event of it may be in the event queue.
+  bool has_event = false;
   std::vector<IntendedMeans> stack;
   std::vector<Value> values;
   std::uint32_t atomic_means = 0;

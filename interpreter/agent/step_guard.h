@@ -2,28 +2,35 @@
 
 // Turns the limits that a query or a term may hit into a failure of the step that hit them.
 
-#include <fmt/format.h>
+#include <memory>
 
 #include "interpreter/logic/machine.h"
 #include "interpreter/term/heap.h"
 
 namespace jaywalk {
 
+/// What the limit that is being handled means for the step; another exception goes on its way.
+/// REQUIRES: called from a handler.
+[[nodiscard]] ActionError error_of_limit();
+
 /// Runs `body`; if a limit stops it, `error` says which, and the result is false.
 template <class Body>
 [[nodiscard]] bool guarded(ActionError& error, Body&& body) {
-  error.id = "limit";
   try {
     return body();
-  } catch (const QueryLimit& limit) {
-    error.message = limit.message;
-  } catch (const HeapExhausted&) {
-    error.message = "the agent's memory limit is reached";
-  } catch (const TermTooDeep&) {
-    error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);
-  } catch (const DivisionByZero&) {
-    error.id = "division_by_zero";
-    error.message = "division by zero in div";
+  } catch (...) {
+    error = error_of_limit();
+  }
+  return false;
+}
+
+/// The same for what is done in every cycle: an error is made only if there is one.
+template <class Body>
+[[nodiscard]] bool guarded(std::unique_ptr<ActionError>& error, Body&& body) {
+  try {
+    return body();
+  } catch (...) {
+    error = std::make_unique<ActionError>(error_of_limit());
   }
   return false;
 }

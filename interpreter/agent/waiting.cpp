@@ -143,7 +143,6 @@ void Agent::check_formulas() {
 }
 
 void Agent::run_tasks() {
-  if (circumstance_.tasks.empty()) return;
   const std::vector<Task> tasks = std::move(circumstance_.tasks);
   circumstance_.tasks.clear();
   std::size_t goal_states = 0;
@@ -184,9 +183,8 @@ void Agent::end_wait(const Wait& wait, bool timed_out) {
   resume(*intention);
 }
 
-void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
-                              std::string_view reason) {
-  if (!library_->has_goal_state_plans()) return;
+void Agent::add_goal_state(TriggerKind kind, Value goal, std::string_view state,
+                           std::string_view reason) {
   signal_goal_state(kind, goal, state,
                     reason.empty() ? Value() : Value::atom(symbols_.predicate(reason, 0)));
 }

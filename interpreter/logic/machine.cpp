@@ -122,6 +122,8 @@ class Machine::Run {
   [[nodiscard]] std::size_t base() const { return base_; }
   /// What the run has bound stays; else it is undone at its end, also when a limit ends it.
   void keep_bindings() { keeps_bindings_ = true; }
+  /// What was bound before the run, too, is undone.
+  void undo(std::size_t trail) { trail_ = trail; }
 
  private:
   Machine& machine_;
@@ -148,10 +150,46 @@ Machine::Machine(Heap& heap, SymbolTable& symbols, BeliefBase& beliefs,
 
 Machine::~Machine() = default;
 
+// The comparisons and unifications with which many contexts begin, or of which they consist, leave
+// no choice: they need neither frame nor choice point. `goal` becomes the first that needs them.
+Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
+  if (nesting_ == 0) query_start_ = inferences_;
+  for (; goal != nullptr; goal = goal->next) {
+    bool holds = true;
+    switch (goal->kind) {
+      case Goal::Kind::compare:
+        holds = compare(*goal, slots);
+        break;
+      case Goal::Kind::unify:
+        holds = unify(*goal, slots);
+        break;
+      case Goal::Kind::truth:
+        break;
+      default:
+        return Tests::undecided;
+    }
+    count_inference();
+    if (!holds) return Tests::fail;
+  }
+  return Tests::hold;
+}
+
 bool Machine::solve(const Goal* entry, Value* slots) {
-  if (entry == nullptr) return true;
+  const std::size_t trail = unifier_.mark();
+  switch (test_in_place(entry, slots)) {
+    case Tests::hold:
+      return true;
+    case Tests::fail:
+      unifier_.undo(trail);
+      return false;
+    case Tests::undecided:
+      break;
+  }
   Run state(*this, entry, slots);
-  if (!run(state.base())) return false;
+  if (!run(state.base())) {
+    state.undo(trail);
+    return false;
+  }
   state.keep_bindings();
   return true;
 }
@@ -226,10 +264,10 @@ bool Machine::step() {
       goal_ = goal.inner;
       return true;
     case Goal::Kind::unify:
-      holds = unify(goal);
+      holds = unify(goal, environment_->slots);
       break;
     case Goal::Kind::compare:
-      holds = compare(goal);
+      holds = compare(goal, environment_->slots);
       break;
     case Goal::Kind::univ:
       holds = univ(goal);
@@ -587,21 +625,21 @@ bool Machine::any_belief(const Goal& goal, Value pattern) {
   return next_solution();
 }
 
-bool Machine::unify(const Goal& goal) {
+bool Machine::unify(const Goal& goal, Value* slots) {
   const Value left = goal.args()[0];
-  const Value right = unifier_.build(goal.args()[1], environment_->slots);
+  const Value right = unifier_.build(goal.args()[1], slots);
   const bool foreign = (right.is_atom() && is_foreign(right.atom_id())) ||
                        (right.is_structure() && is_foreign(right.structure()->predicate()));
-  if (left.is_slot() && environment_->slots[left.slot_index()].is_unset() && !foreign) {
-    unifier_.set_slot(environment_->slots + left.slot_index(), right);
+  if (left.is_slot() && slots[left.slot_index()].is_unset() && !foreign) {
+    unifier_.set_slot(slots + left.slot_index(), right);
     return true;
   }
-  return unifier_.unify_no_undo(unifier_.build(left, environment_->slots), right);
+  return unifier_.unify_no_undo(unifier_.build(left, slots), right);
 }
 
-bool Machine::compare(const Goal& goal) {
-  const Value left = unifier_.build(goal.args()[0], environment_->slots);
-  const Value right = unifier_.build(goal.args()[1], environment_->slots);
+bool Machine::compare(const Goal& goal, Value* slots) {
+  const Value left = unifier_.build(goal.args()[0], slots);
+  const Value right = unifier_.build(goal.args()[1], slots);
   if (left.is_number() && right.is_number()) {
     const double a = left.as_number();
     const double b = right.as_number();

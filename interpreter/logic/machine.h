@@ -158,8 +158,10 @@ class Machine : public FunctionCaller {
   bool any_belief(const Goal& goal, Value pattern);
   bool enter_term(Value formula, const Goal& goal);
   bool next_solution();
-  bool unify(const Goal& goal);
-  bool compare(const Goal& goal);
+  bool unify(const Goal& goal, Value* slots);
+  bool compare(const Goal& goal, Value* slots);
+  enum class Tests { hold, fail, undecided };
+  Tests test_in_place(const Goal*& goal, Value* slots);
   bool univ(const Goal& goal);
   bool action(const Goal& goal);
   bool finish_negation(const Goal& done);

@@ -44,14 +44,6 @@ bool is_evaluable(Value value) {
 
 }  // namespace
 
-bool is_literal(Value value) { return value.is_atom() || is_form(value, Form::literal); }
-
-LiteralParts literal_parts(Value value) {
-  if (value.is_atom()) return {.predicate = value.atom_id(), .args = {}};
-  const Structure& s = *value.structure();
-  return {s.predicate(), s.arg_span(), s.annots()};
-}
-
 Value with_annotations(Heap& heap, Value literal, Value annots) {
   if (literal.is_atom()) {
     return annots.is_empty_list() ? literal : heap.structure(literal.atom_id(), {}, annots);
@@ -62,6 +54,7 @@ Value with_annotations(Heap& heap, Value literal, Value annots) {
 }
 
 bool has_source(Value annots) {
+  if (annots.same_as(source_self())) return true;
   for (annots = deref(annots); annots.is_pair(); annots = deref(annots.pair()->tail)) {
     const Value annot = deref(annots.pair()->head);
     if (annot.is_structure() && annot.structure()->predicate() == predicates::source) return true;

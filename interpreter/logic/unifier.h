@@ -150,9 +150,19 @@ struct LiteralParts {
 };
 
 /// Whether a dereferenced value is a literal: an atom or a structure of form literal.
-[[nodiscard]] bool is_literal(Value value);
+[[nodiscard]] inline bool is_literal(Value value) {
+  return value.is_atom() || (value.is_structure() && value.structure()->form() == Form::literal);
+}
 /// REQUIRES: is_literal(value).
-[[nodiscard]] LiteralParts literal_parts(Value value);
+[[nodiscard]] inline LiteralParts literal_parts(Value value) {
+  if (value.is_atom()) return {.predicate = value.atom_id(), .args = {}};
+  const Structure& s = *value.structure();
+  return {s.predicate(), s.arg_span(), s.annots()};
+}
+/// The predicate alone. REQUIRES: is_literal(value).
+[[nodiscard]] inline Predicate predicate_of(Value value) {
+  return value.is_atom() ? value.atom_id() : value.structure()->predicate();
+}
 /// The same literal with other annotations.
 [[nodiscard]] Value with_annotations(Heap& heap, Value literal, Value annots);
 /// Whether the annotations contain some `source(_)`.

@@ -4,24 +4,44 @@
 
 namespace jaywalk {
 
+void PlanList::add(const Plan& plan) {
+  plans_.push_back(&plan);
+  if (plans_.size() <= kUnindexedPlans) return;
+  const auto index = [this](std::size_t place) {
+    const std::uint64_t key = plans_[place]->first_key;
+    (key == 0 ? wild_ : by_first_key_[key]).push_back(static_cast<std::uint32_t>(place));
+  };
+  if (plans_.size() == kUnindexedPlans + 1) {
+    for (std::size_t i = 0; i < kUnindexedPlans; ++i) index(i);
+  }
+  index(plans_.size() - 1);
+}
+
 void PlanLibrary::insert(const Plan& plan) {
   if (plan.key.op == TriggerOperator::goal_state) ++goal_state_plans_;
   if (!plan.any_predicate) {
-    auto [entry, is_new] = by_key_.try_emplace(plan.key);
-    // Variable triggers that came before stand before.
-    if (is_new) entry->second = any_[kind_index(plan.key)];
-    entry->second.push_back(&plan);
+    std::uint32_t place = index_.find(packed(plan.key));
+    if (place == FlatIndex<std::uint64_t>::kNone) {
+      place = static_cast<std::uint32_t>(lists_.size());
+      index_.insert(packed(plan.key), place);
+      keys_.push_back(plan.key);
+      // Variable triggers that came before stand before.
+      lists_.push_back(any_[kind_index(plan.key)]);
+    }
+    lists_[place].add(plan);
     return;
   }
-  any_[kind_index(plan.key)].push_back(&plan);
-  for (auto& [key, plans] : by_key_) {
-    if (kind_index(key) == kind_index(plan.key)) plans.push_back(&plan);
+  any_[kind_index(plan.key)].add(plan);
+  for (std::size_t i = 0; i < lists_.size(); ++i) {
+    if (kind_index(keys_[i]) == kind_index(plan.key)) lists_[i].add(plan);
   }
 }
 
 void PlanLibrary::rebuild() {
-  by_key_.clear();
-  for (auto& any : any_) any.clear();
+  index_.clear();
+  lists_.clear();
+  keys_.clear();
+  any_.fill({});
   goal_state_plans_ = 0;
   for (const auto& plan : plans_) insert(*plan);
 }
@@ -39,11 +59,6 @@ void PlanLibrary::add_first(std::shared_ptr<const Plan> plan) {
 void PlanLibrary::remove(const Plan& plan) {
   std::erase_if(plans_, [&](const auto& known) { return known.get() == &plan; });
   rebuild();
-}
-
-const std::vector<const Plan*>& PlanLibrary::candidates(const TriggerKey& key) const {
-  const auto found = by_key_.find(key);
-  return found == by_key_.end() ? any_[kind_index(key)] : found->second;
 }
 
 }  // namespace jaywalk

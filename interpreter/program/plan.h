@@ -4,6 +4,7 @@
 // an agent looks for the plans that are relevant for an event. A plan of a Program never changes;
 // plans made at run time are owned by the agent's own copy of the library.
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "interpreter/logic/code.h"
+#include "interpreter/support/flat_index.h"
 #include "interpreter/term/heap.h"
 
 namespace jaywalk {
@@ -103,6 +105,8 @@ struct Plan {
   /// The trigger is a variable: it is relevant for all events of its kind.
   bool any_predicate = false;
   Value trigger;  // the literal or variable; a template
+  /// argument_key of the trigger's first argument; 0: it may match any, or there is none.
+  std::uint64_t first_key = 0;
   const Goal* context = nullptr;
   const Goal* goal_condition = nullptr;
   bool has_goal_condition = false;
@@ -126,6 +130,28 @@ struct Plan {
   void visit_terms(Visit&& visit);
 };
 
+/// The plans for one key, in order. Where they are many, those whose trigger has a given first
+/// argument are found without a look at the others.
+class PlanList {
+ public:
+  void add(const Plan& plan);
+  [[nodiscard]] const std::vector<const Plan*>& plans() const { return plans_; }
+
+  /// Calls `is_it(plan)` for the plans that may match a first argument with this argument_key (0:
+  /// any plan), in order, until it returns true; false if it never does.
+  template <class IsIt>
+  bool find(std::uint64_t first_key, IsIt is_it) const;
+
+ private:
+  static constexpr std::size_t kUnindexedPlans = 8;
+  using Places = std::vector<std::uint32_t>;  // in plans_, ascending
+
+  std::vector<const Plan*> plans_;
+  // Only of long lists.
+  std::unordered_map<std::uint64_t, Places> by_first_key_;
+  Places wild_;  // those that may match any first argument
+};
+
 /// Plans in order, and by what they are relevant for.
 class PlanLibrary {
  public:
@@ -137,19 +163,21 @@ class PlanLibrary {
 
   [[nodiscard]] const std::vector<std::shared_ptr<const Plan>>& plans() const { return plans_; }
   /// The plans whose trigger might match, in order; empty if there are none.
-  [[nodiscard]] const std::vector<const Plan*>& candidates(const TriggerKey& key) const;
+  [[nodiscard]] const std::vector<const Plan*>& candidates(const TriggerKey& key) const {
+    return list(key).plans();
+  }
+  [[nodiscard]] const PlanList& list(const TriggerKey& key) const {
+    const std::uint32_t found = index_.find(packed(key));
+    return found == FlatIndex<std::uint64_t>::kNone ? any_[kind_index(key)] : lists_[found];
+  }
   /// Plans for goal states, `^!g`, exist.
   [[nodiscard]] bool has_goal_state_plans() const { return goal_state_plans_ > 0; }
 
  private:
-  struct KeyHash {
-    std::size_t operator()(const TriggerKey& key) const {
-      return (static_cast<std::size_t>(key.predicate) * 16 + static_cast<std::size_t>(key.op) * 4 +
-              static_cast<std::size_t>(key.kind)) *
-                 0x9E3779B97F4A7C15U >>
-             7U;
-    }
-  };
+  static std::uint64_t packed(const TriggerKey& key) {
+    return static_cast<std::uint64_t>(key.predicate) * 16 + static_cast<std::uint64_t>(key.op) * 4 +
+           static_cast<std::uint64_t>(key.kind);
+  }
   static std::size_t kind_index(const TriggerKey& key) {
     return static_cast<std::size_t>(key.op) * 3 + static_cast<std::size_t>(key.kind);
   }
@@ -157,11 +185,35 @@ class PlanLibrary {
   void insert(const Plan& plan);
 
   std::vector<std::shared_ptr<const Plan>> plans_;
-  std::unordered_map<TriggerKey, std::vector<const Plan*>, KeyHash> by_key_;
+  FlatIndex<std::uint64_t> index_;  // into lists_, by packed key
+  std::deque<PlanList> lists_;
+  std::vector<TriggerKey> keys_;  // of the lists
   // Plans with variable triggers, by kind of event; they are in the lists of all keys too.
-  std::vector<const Plan*> any_[9];
+  std::array<PlanList, 9> any_;
   std::size_t goal_state_plans_ = 0;
 };
+
+template <class IsIt>
+bool PlanList::find(std::uint64_t first_key, IsIt is_it) const {
+  if (first_key == 0 || plans_.size() <= kUnindexedPlans) {
+    for (const Plan* const plan : plans_) {
+      const bool may_match = first_key == 0 || plan->first_key == 0 || plan->first_key == first_key;
+      if (may_match && is_it(*plan)) return true;
+    }
+    return false;
+  }
+  static const Places kNone;
+  const auto found = by_first_key_.find(first_key);
+  const Places& same = found == by_first_key_.end() ? kNone : found->second;
+  auto next_same = same.begin();
+  auto next_wild = wild_.begin();
+  while (next_same != same.end() || next_wild != wild_.end()) {
+    const bool take_same =
+        next_wild == wild_.end() || (next_same != same.end() && *next_same < *next_wild);
+    if (is_it(*plans_[take_same ? *next_same++ : *next_wild++])) return true;
+  }
+  return false;
+}
 
 template <class Visit>
 void Plan::visit_terms(Visit&& visit) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "interpreter/logic/belief_base.h"
 #include "interpreter/logic/unifier.h"
 
 namespace jaywalk {
@@ -212,8 +213,8 @@ std::string trigger_operator(TriggerOperator op, TriggerKind kind) {
 
 TriggerKey trigger_key(TriggerOperator op, TriggerKind kind, Predicate predicate,
                        SymbolTable& symbols) {
-  Signature signature = symbols.signature(predicate);
-  if (signature.negated) {
+  if (is_negated(predicate)) {
+    Signature signature = symbols.signature(predicate);
     signature.negated = false;
     predicate = symbols.predicate(signature);
   }
@@ -242,6 +243,8 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   if (!plan->any_predicate) {
     plan->key =
         trigger_key(trigger.op, trigger.kind, literal_parts(trigger.literal).predicate, symbols);
+    const std::span<const Value> args = literal_parts(trigger.literal).args;
+    if (!args.empty()) plan->first_key = argument_key(args.front());
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);

@@ -82,6 +82,10 @@ class Ring {
     first_ = place(1);
     --size_;
   }
+  void pop_back() {
+    back() = T{};
+    --size_;
+  }
   void clear() {
     while (!empty()) pop_front();
   }

@@ -50,11 +50,6 @@ Value source_percept() {
 
 Heap::Heap(Owner owner) : static_flag_(owner == Owner::program ? Value::kStatic : 0) {}
 
-std::size_t Heap::used_in_current() const {
-  if (chunks_.empty()) return 0;
-  return static_cast<std::size_t>(top_ - chunks_.back().words.get()) * sizeof(std::uint64_t);
-}
-
 void Heap::grow(std::size_t words) {
   full_bytes_ += used_in_current();
   const std::size_t last = chunks_.empty() ? kFirstChunkWords / 2 : chunks_.back().size;
@@ -64,32 +59,23 @@ void Heap::grow(std::size_t words) {
     throw HeapExhausted{};
   }
   chunks_.push_back({std::make_unique_for_overwrite<std::uint64_t[]>(size), size});
-  top_ = chunks_.back().words.get();
+  start_ = top_ = chunks_.back().words.get();
   end_ = top_ + size;
 }
 
-void Heap::release(Mark mark) {
-  if (mark.chunk < floor_.chunk || (mark.chunk == floor_.chunk && mark.top < floor_.top)) {
-    mark = floor_;
+// The chunk that was current at a mark was full up to where it was left.
+void Heap::release_chunks(std::size_t kept) {
+  chunks_.resize(kept);
+  full_bytes_ = 0;
+  if (chunks_.empty()) {
+    start_ = top_ = end_ = nullptr;
+    return;
   }
-  if (chunks_.size() > mark.chunk) {
-    // The chunk that was current at the mark was full up to where it was left.
-    while (chunks_.size() > mark.chunk) {
-      chunks_.pop_back();
-      if (!chunks_.empty()) top_ = nullptr;
-    }
-    if (chunks_.empty()) {
-      top_ = end_ = nullptr;
-      full_bytes_ = 0;
-      return;
-    }
-    full_bytes_ = 0;
-    for (std::size_t i = 0; i + 1 < chunks_.size(); ++i) {
-      full_bytes_ += chunks_[i].size * sizeof(std::uint64_t);
-    }
-    end_ = chunks_.back().words.get() + chunks_.back().size;
+  for (std::size_t i = 0; i + 1 < chunks_.size(); ++i) {
+    full_bytes_ += chunks_[i].size * sizeof(std::uint64_t);
   }
-  top_ = mark.top;
+  start_ = chunks_.back().words.get();
+  end_ = start_ + chunks_.back().size;
 }
 
 Value Heap::structure(Predicate predicate, std::span<const Value> args, Value annots, Form form) {
@@ -116,15 +102,6 @@ Value Heap::structure(Predicate predicate, std::span<const Value> args, Value an
                           (closed ? Value::kClosed : 0) | static_flag_);
 }
 
-Value Heap::pair(Value head, Value tail) {
-  std::uint64_t* const cell = allocate(2);
-  auto* const made = reinterpret_cast<Pair*>(cell);
-  made->head = head;
-  made->tail = tail;
-  const bool closed = head.is_closed() && tail.is_closed();
-  return Value::reference(Value::Kind::pair, cell, (closed ? Value::kClosed : 0) | static_flag_);
-}
-
 Value Heap::list(std::span<const Value> elements, Value tail) {
   for (std::size_t i = elements.size(); i > 0; --i) tail = pair(elements[i - 1], tail);
   return tail;
@@ -140,15 +117,6 @@ Value Heap::text(std::string_view bytes) {
   return Value::reference(Value::Kind::text, cell, static_flag_);
 }
 
-Value Heap::variable(Symbol name) {
-  std::uint64_t* const cell = allocate(2);
-  auto* const made = reinterpret_cast<Variable*>(cell);
-  made->value = Value();
-  made->name_id = static_cast<std::uint32_t>(name);
-  made->serial = next_serial_++;
-  return Value::reference(Value::Kind::variable, cell, 0);
-}
-
 Value Heap::object(std::unique_ptr<Object> object) {
   std::uint64_t* const cell = allocate(2);
   auto* const made = reinterpret_cast<ObjectCell*>(cell);
@@ -162,7 +130,7 @@ Value Heap::object(std::unique_ptr<Object> object) {
 std::vector<Heap::Chunk> Heap::start_collection() {
   std::vector<Chunk> old = std::move(chunks_);
   chunks_.clear();
-  top_ = end_ = nullptr;
+  start_ = top_ = end_ = nullptr;
   full_bytes_ = 0;
   floor_ = {};
   for (const auto& object : objects_) object->reached = false;

@@ -116,10 +116,22 @@ class Heap {
   /// Values of all kinds. The flag `closed` is derived from the parts.
   [[nodiscard]] Value structure(Predicate predicate, std::span<const Value> args,
                                 Value annots = Value::empty_list(), Form form = Form::literal);
-  [[nodiscard]] Value pair(Value head, Value tail);
+  [[nodiscard]] Value pair(Value head, Value tail) {
+    auto* const made = reinterpret_cast<Pair*>(allocate(2));
+    made->head = head;
+    made->tail = tail;
+    const bool closed = head.is_closed() && tail.is_closed();
+    return Value::reference(Value::Kind::pair, made, (closed ? Value::kClosed : 0) | static_flag_);
+  }
   [[nodiscard]] Value list(std::span<const Value> elements, Value tail = Value::empty_list());
   [[nodiscard]] Value text(std::string_view bytes);
-  [[nodiscard]] Value variable(Symbol name = names::unnamed);
+  [[nodiscard]] Value variable(Symbol name = names::unnamed) {
+    auto* const made = reinterpret_cast<Variable*>(allocate(2));
+    made->value = Value();
+    made->name_id = static_cast<std::uint32_t>(name);
+    made->serial = next_serial_++;
+    return Value::reference(Value::Kind::variable, made, 0);
+  }
   [[nodiscard]] Value object(std::unique_ptr<Object> object);
 
   /// A place to which the heap can be cut back when nothing made since is needed.
@@ -128,7 +140,13 @@ class Heap {
     std::uint64_t* top = nullptr;
   };
   [[nodiscard]] Mark mark() const { return {chunks_.size(), top_}; }
-  void release(Mark mark);
+  void release(Mark mark) {
+    const bool is_below_floor =
+        mark.chunk < floor_.chunk || (mark.chunk == floor_.chunk && mark.top < floor_.top);
+    if (is_below_floor) mark = floor_;
+    if (chunks_.size() > mark.chunk) release_chunks(mark.chunk);
+    top_ = mark.top;
+  }
   /// Nothing allocated until now is released any more, whatever the mark.
   void protect() { floor_ = mark(); }
 
@@ -177,10 +195,14 @@ class Heap {
     return cell;
   }
   void grow(std::size_t words);
-  [[nodiscard]] std::size_t used_in_current() const;
+  void release_chunks(std::size_t kept);
+  [[nodiscard]] std::size_t used_in_current() const {
+    return static_cast<std::size_t>(top_ - start_) * sizeof(std::uint64_t);
+  }
   [[nodiscard]] std::vector<Chunk> start_collection();
   void finish_collection();
 
+  std::uint64_t* start_ = nullptr;  // of the current chunk, the last
   std::uint64_t* top_ = nullptr;
   std::uint64_t* end_ = nullptr;
   std::vector<Chunk> chunks_;

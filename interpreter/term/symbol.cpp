@@ -75,7 +75,8 @@ Predicate SymbolTable::predicate(const Signature& signature) {
   complete.dotted = is_dotted(text(signature.functor));
   if (const Predicate* known = find(complete)) return *known;
   const Predicate id{static_cast<std::uint32_t>(predicate_count()) |
-                     (signature.ns == names::default_ns ? 0 : kForeignBit)};
+                     (signature.ns == names::default_ns ? 0 : kForeignBit) |
+                     (signature.negated ? kNegatedBit : 0)};
   predicates_.emplace(signatures_.emplace_back(complete), id);
   return id;
 }
@@ -93,7 +94,7 @@ std::string_view SymbolTable::text(Symbol symbol) const {
 }
 
 const Signature& SymbolTable::signature(Predicate predicate) const {
-  const std::uint32_t index = static_cast<std::uint32_t>(predicate) & ~kForeignBit;
+  const std::uint32_t index = static_cast<std::uint32_t>(predicate) & ~(kForeignBit | kNegatedBit);
   const SymbolTable* table = this;
   while (index < table->first_predicate_) table = table->base_.get();
   return table->signatures_[index - table->first_predicate_];

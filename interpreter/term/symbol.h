@@ -23,6 +23,11 @@ inline constexpr std::uint32_t kForeignBit = 0x8000'0000U;
 [[nodiscard]] constexpr bool is_foreign(Predicate predicate) {
   return (static_cast<std::uint32_t>(predicate) & kForeignBit) != 0;
 }
+/// Predicates with strong negation have this one.
+inline constexpr std::uint32_t kNegatedBit = 0x4000'0000U;
+[[nodiscard]] constexpr bool is_negated(Predicate predicate) {
+  return (static_cast<std::uint32_t>(predicate) & kNegatedBit) != 0;
+}
 
 /// The names that the engine itself needs; every table has them under these ids.
 namespace names {

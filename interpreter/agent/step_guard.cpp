@@ -1,0 +1,25 @@
+#include "interpreter/agent/step_guard.h"
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+
+ActionError error_of_limit() {
+  ActionError error;
+  error.id = "limit";
+  try {
+    throw;
+  } catch (const QueryLimit& limit) {
+    error.message = limit.message;
+  } catch (const HeapExhausted&) {
+    error.message = "the agent's memory limit is reached";
+  } catch (const TermTooDeep&) {
+    error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);
+  } catch (const DivisionByZero&) {
+    error.id = "division_by_zero";
+    error.message = "division by zero in div";
+  }
+  return error;
+}
+
+}  // namespace jaywalk
