@@ -14,6 +14,8 @@ jaywalk_add_library(engine
     logic/belief_base.cpp
     logic/formula_compiler.cpp
     logic/machine.cpp
+    logic/machine_calls.cpp
+    logic/row_index.cpp
     logic/unifier.cpp
     logic/univ.cpp
     program/plan.cpp

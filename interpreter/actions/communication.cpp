@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 
 #include "interpreter/actions/actions.h"
@@ -20,16 +21,28 @@ constexpr std::array<Alias, 5> kAliases{{{"ask-one", "askOne"},
                                          {"tell-how", "tellHow"},
                                          {"untell-how", "untellHow"}}};
 
+/// The text of a string, or the name that an atom of the default namespace is; `buffer` holds what
+/// others are printed as.
+std::string_view name_of(Value value, const SymbolTable& symbols, std::string& buffer) {
+  if (value.is_text()) return value.text()->view();
+  if (value.is_atom() && !is_foreign(value.atom_id()) && !is_negated(value.atom_id())) {
+    return symbols.functor(value.atom_id());
+  }
+  buffer = text_of(value, symbols);
+  return buffer;
+}
+
 /// The performative that an argument names; empty if it does not name one.
 std::string performative_of(Value value, const SymbolTable& symbols) {
   if (!value.is_atom() && !value.is_text()) return {};
-  std::string name = text_of(value, symbols);
+  std::string buffer;
+  std::string_view name = name_of(value, symbols, buffer);
   if (name.size() > 2 && name.front() == '\'' && name.back() == '\'') {
     name = name.substr(1, name.size() - 2);
   }
   const auto* const alias = std::find_if(kAliases.begin(), kAliases.end(),
                                          [&](const Alias& each) { return each.written == name; });
-  return alias == kAliases.end() ? name : std::string(alias->meant);
+  return std::string(alias == kAliases.end() ? name : alias->meant);
 }
 
 bool asks(std::string_view performative) {
@@ -48,8 +61,9 @@ Outcome send(ActionCall& call) {
     if (!call.arg(4).is_number()) return call.wrong_argument(4, "a number of milliseconds");
     timeout_ms = std::max(0.0, call.arg(4).as_number());
   }
-  std::vector<Value> receivers{call.arg(0)};
-  if (call.arg(0).is_list()) receivers = elements(call.arg(0));
+  const Value lone = call.arg(0);
+  const std::vector<Value> listed = lone.is_list() ? elements(lone) : std::vector<Value>{};
+  const std::span<const Value> receivers = lone.is_list() ? listed : std::span(&lone, 1);
   Agent& agent = *call.agent();
   OutgoingMessage message;
   message.performative = call.symbols().symbol(performative);
@@ -60,10 +74,10 @@ Outcome send(ActionCall& call) {
     if (!receiver.is_atom() && !receiver.is_text()) {
       return call.wrong_argument(0, "an agent's name or a list of them");
     }
-    const std::string name = text_of(receiver, call.symbols());
-    message.receiver = name;
+    std::string buffer;
+    message.receiver = name_of(receiver, call.symbols(), buffer);
     if (!agent.host().send(agent, message)) {
-      return call.fail("receiver_not_found", "there is no agent " + name);
+      return call.fail("receiver_not_found", "there is no agent " + std::string(message.receiver));
     }
   }
   if (!waits) return Outcome::succeeded;

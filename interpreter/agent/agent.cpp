@@ -108,6 +108,7 @@ void Agent::give_feedback(bool succeeded, std::string reason) {
 Value Agent::with_own_source(Value literal) {
   const LiteralParts parts = literal_parts(literal);
   if (has_source(parts.annots)) return literal;
+  if (parts.annots.is_empty_list()) return with_annotations(heap_, literal, source_self());
   return with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
 }
 

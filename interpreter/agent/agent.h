@@ -88,6 +88,9 @@ class Agent {
 
   // For internal actions and observers.
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Its number in the system that it lives in, which gives it.
+  [[nodiscard]] std::uint32_t number() const { return number_; }
+  void set_number(std::uint32_t number) { number_ = number; }
   [[nodiscard]] AgentHost& host() { return host_; }
   [[nodiscard]] Machine& machine() { return machine_; }
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
@@ -231,7 +234,6 @@ class Agent {
   [[nodiscard]] bool ask_timed_out(std::uint64_t token);
   void end_ask(const PendingAsk& ask, Value answer);
   void handle_message(const Message& message);
-  [[nodiscard]] bool has_own_message_plans() const;
   [[nodiscard]] TriggerKey key_of(const Event& event);
   void deliberate();
   void act();
@@ -287,6 +289,7 @@ class Agent {
   [[nodiscard]] Intention* find_intention(std::uint32_t id);
   void enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code);
   void go_on(Intention& intention);
+  void note_returns(Intention& intention);
   Value prepare_for_event(Intention& intention, Value term, bool returns);
   void record_bindings(Intention& intention, std::size_t trail);
   void undo_round(Intention& intention, Loop& loop);
@@ -356,6 +359,7 @@ class Agent {
   std::vector<BeliefBase::PerceptChange> percept_changes_;
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
+  std::uint32_t number_ = 0;
   std::uint32_t last_message_ = 0;
   std::uint64_t cycles_ = 0;
   std::size_t finished_ = 0;  // intentions that are finished but not forgotten

@@ -25,7 +25,7 @@ struct Event {
 };
 
 struct Message {
-  std::string sender;  // "self" if it is from the agent itself
+  Predicate sender{};  // an atom; `self` if it is from the agent itself
   Symbol performative{};
   Value content;
   std::string id;

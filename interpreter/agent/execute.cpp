@@ -162,24 +162,41 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   }
 }
 
+// Behind the frame stands what a call is to bring back: each variable with its copy.
+void Agent::note_returns(Intention& intention) {
+  IntendedMeans& means = intention.top();
+  intention.values.resize(means.frame + means.plan->slot_count);
+  for (const auto& [own, copy] : renamed_) {
+    intention.values.push_back(own);
+    intention.values.push_back(copy);
+  }
+  means.returns = 2 * renamed_.size();
+}
+
 // A goal's or belief's literal, applied, with source(self) unless it has a source. Where values are
 // to come back, its open variables are renamed and recorded behind the frame.
 Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
-  IntendedMeans& means = intention.top();
   Unifier& unifier = machine_.unifier();
-  Value literal = unifier.instantiate(term, intention.frame(means));
+  Value* const frame = intention.frame(intention.top());
+  renamed_.clear();
+  if (is_form(term, Form::literal)) {
+    const Structure& s = *term.structure();
+    const Value annots = s.is_annotated() ? s.annots() : source_self();
+    if (annots.is_closed() && has_source(annots)) {
+      const Value made =
+          unifier.instantiate_renamed(s, frame, annots, returns ? &renamed_ : nullptr);
+      record_bindings(intention, 0);
+      if (!made.is_unset()) {
+        if (!renamed_.empty()) note_returns(intention);
+        return made;
+      }
+    }
+  }
+  Value literal = unifier.instantiate(term, frame);
   record_bindings(intention, 0);
   if (!literal.is_closed()) {
-    renamed_.clear();
     literal = unifier.rename(literal, returns ? &renamed_ : nullptr);
-    if (returns) {
-      intention.values.resize(means.frame + means.plan->slot_count);
-      for (const auto& [own, copy] : renamed_) {
-        intention.values.push_back(own);
-        intention.values.push_back(copy);
-      }
-      means.returns = 2 * renamed_.size();
-    }
+    if (returns) note_returns(intention);
   }
   if (!is_literal(literal)) return literal;
   const Value annots = literal_parts(literal).annots;
@@ -255,13 +272,13 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
 // -+b: one belief of the same name goes, as if deleted by another intention, then b comes.
 void Agent::execute_replace(Intention& intention, Value literal) {
   const LiteralParts parts = literal_parts(literal);
-  std::vector<Value> open(parts.args.size());
-  for (Value& arg : open) arg = heap_.variable();
+  scratch_.resize(parts.args.size());
+  for (Value& arg : scratch_) arg = heap_.variable();
   const std::size_t trail = machine_.unifier().mark();
-  (void)remove_belief(heap_.structure(parts.predicate, open, parts.annots), nullptr);
+  (void)remove_belief(heap_.structure(parts.predicate, scratch_, parts.annots), nullptr);
   machine_.unifier().commit(trail);
   record_bindings(intention, 0);
-  literal = machine_.unifier().fresh_copy(literal);
+  if (!literal.is_closed()) literal = machine_.unifier().fresh_copy(literal);
   Intention* const focus = settings_.same_focus ? &intention : nullptr;
   if (!add_belief(literal, Place::front, focus) || focus == nullptr) go_on(intention);
 }

@@ -31,14 +31,16 @@ void Agent::process_message() {
     if (is_free || customisation_->accepts_message(*this, message)) handle_message(message);
     return true;
   });
-  if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error.message));
+  if (!handled)
+    log(fmt::format("a message of {} is lost: {}", symbols_.functor(message.sender),
+                    error.message));
 }
 
 void Agent::handle_message(const Message& message) {
-  const Value sender = Value::atom(symbols_.predicate(message.sender, 0));
+  const Value sender = Value::atom(message.sender);
   const std::string_view performative = symbols_.text(message.performative);
   // The usual performatives are done at once unless the agent has its own plans for messages.
-  if (is_literal(message.content) && !settings_.messages_by_plans && !has_own_message_plans()) {
+  if (is_literal(message.content) && !settings_.messages_by_plans && !library_->has_own_message_plans()) {
     if (performative == "achieve") {
       add_goal(add_source(message.content, sender));
       return;
@@ -68,19 +70,13 @@ void Agent::handle_message(const Message& message) {
   add_goal(heap_.structure(predicates::kqml_received, args));
 }
 
-bool Agent::has_own_message_plans() const {
-  const auto& plans =
-      library_->candidates({TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received});
-  return std::any_of(plans.begin(), plans.end(),
-                     [](const Plan* plan) { return !plan->is_standard && !plan->any_predicate; });
-}
-
 std::string Agent::new_message_id(std::string_view prefix) {
   // The texts become atoms, which are never forgotten: so there are only so many.
   constexpr std::uint32_t kMessageIds = 65'536;
   while (true) {
     last_message_ = last_message_ % kMessageIds + 1;
-    std::string id = fmt::format("{}{}", prefix, last_message_);
+    std::string id(prefix);
+    id += std::to_string(last_message_);
     const auto& asks = circumstance_.asks;
     const bool in_use =
         std::any_of(asks.begin(), asks.end(), [&](const PendingAsk& ask) { return ask.id == id; });
@@ -113,7 +109,7 @@ bool Agent::answer_arrived(const Message& message) {
     return ask.id == message.in_reply_to;
   });
   if (found == asks.end()) return true;  // too late
-  const Value sender = Value::atom(symbols_.predicate(message.sender, 0));
+  const Value sender = Value::atom(message.sender);
   Value answer = message.content;
   if (found->is_one && symbols_.text(message.performative) == "untell") {
     answer = Value::atom(predicates::falsity);
@@ -186,6 +182,10 @@ void Agent::end_ask(const PendingAsk& ask, Value answer) {
 
 Value Agent::add_source(Value literal, Value sender) {
   if (!is_literal(literal)) return literal;
+  if (literal_parts(literal).annots.is_empty_list()) {
+    const Value source = heap_.structure(predicates::source, std::span(&sender, 1));
+    return with_annotations(heap_, literal, heap_.pair(source, Value::empty_list()));
+  }
   std::vector<Value> sources;
   std::vector<Value> kept;
   for (Value a = deref(literal_parts(literal).annots); a.is_pair(); a = deref(a.pair()->tail)) {

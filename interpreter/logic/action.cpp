@@ -59,24 +59,30 @@ const FunctionDefinition* ActionRegistry::function(std::string_view name, std::s
 
 ActionCall::ActionCall(Machine& machine, const Goal& goal, Value* slots, Agent* agent,
                        Intention* intention)
-    : machine_(machine), goal_(goal), slots_(slots), agent_(agent), intention_(intention) {
+    : machine_(machine),
+      goal_(goal),
+      slots_(slots),
+      agent_(agent),
+      intention_(intention),
+      count_(goal.args().size()) {
   const bool raw = goal.action == nullptr || goal.action->raw_args;
   const std::span<const Value> terms = goal.args();
-  args_.reserve(terms.size());
+  if (count_ > few_args_.size()) many_args_.resize(count_);
+  Value* const args = count_ > few_args_.size() ? many_args_.data() : few_args_.data();
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const bool formula = i < goal.queries.size() && goal.queries[i] != nullptr;
-    args_.push_back(raw || formula ? terms[i] : machine.unifier().instantiate(terms[i], slots));
+    args[i] = raw || formula ? terms[i] : machine.unifier().instantiate(terms[i], slots);
   }
 }
 
 Value ActionCall::applied(std::size_t index) {
-  return machine_.unifier().instantiate(args_[index], slots_);
+  return machine_.unifier().instantiate(args()[index], slots_);
 }
 
 bool ActionCall::unify(std::size_t index, Value value) {
   // Arguments that were applied have no slots; what is bound meanwhile, unifying finds by itself.
   const bool raw = goal_.action == nullptr || goal_.action->raw_args;
-  const Value own = args_[index];
+  const Value own = args()[index];
   return machine_.unifier().unify(raw && !own.is_closed() ? applied(index) : own, value);
 }
 

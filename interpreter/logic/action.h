@@ -3,6 +3,7 @@
 // Internal actions and arithmetic functions: how they are called and found. The standard ones stand
 // in actions/actions.def, a row each; programs that embed the interpreter may register their own.
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -120,10 +121,12 @@ class ActionCall {
  public:
   ActionCall(Machine& machine, const Goal& goal, Value* slots, Agent* agent, Intention* intention);
 
-  [[nodiscard]] std::size_t count() const { return args_.size(); }
+  [[nodiscard]] std::size_t count() const { return count_; }
   /// The argument, applied (unless the action takes raw arguments) and dereferenced.
-  [[nodiscard]] Value arg(std::size_t index) const { return deref(args_[index]); }
-  [[nodiscard]] std::span<const Value> args() const { return args_; }
+  [[nodiscard]] Value arg(std::size_t index) const { return deref(args()[index]); }
+  [[nodiscard]] std::span<const Value> args() const {
+    return {count_ <= few_args_.size() ? few_args_.data() : many_args_.data(), count_};
+  }
   /// The argument with what it now means for variables bound meanwhile.
   [[nodiscard]] Value applied(std::size_t index);
   /// Unifies an argument with a value.
@@ -163,7 +166,9 @@ class ActionCall {
   Value* slots_;
   Agent* agent_;
   Intention* intention_;
-  std::vector<Value> args_;
+  std::size_t count_;
+  std::array<Value, 6> few_args_;
+  std::vector<Value> many_args_;  // if there are more
 };
 
 }  // namespace jaywalk

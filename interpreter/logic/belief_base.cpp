@@ -69,105 +69,114 @@ std::uint64_t argument_key(Value argument) {
 
 Relation::Cursor Relation::open(std::span<const Value> args) {
   Cursor cursor;
-  cursor.next = end_seq();
-  if (args.empty()) return cursor;
-  cursor.key = argument_key(args[0]);
-  if (rows_.size() <= kUnindexedRows) return cursor;
-  static const std::vector<std::int64_t> kNone;
+  if (!args.empty()) {
+    cursor.key = argument_key(args[0]);
+    if (rows_.size() > kUnindexedRows) {
+      open_indexed(cursor, args);
+      if (cursor.index != nullptr) return cursor;
+    }
+  }
+  cursor.seq = next_unindexed(end_seq(), cursor.key);
+  return cursor;
+}
+
+// By the bound argument that fewest rows share.
+void Relation::open_indexed(Cursor& cursor, std::span<const Value> args) {
   std::size_t best = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < args.size(); ++i) {
     const std::uint64_t key = i == 0 ? cursor.key : argument_key(args[i]);
     if (key == 0) continue;
-    const ArgumentIndex& index = index_of(i);
-    const auto found = index.rows.find(key);
-    const std::vector<std::int64_t>& listed = found == index.rows.end() ? kNone : found->second;
-    const std::size_t count = listed.size() + index.wild.size();
+    RowIndex& index = index_of(i);
+    const std::size_t count = index.count(key) + index.count(0);
     if (count >= best) continue;
     best = count;
-    cursor.indexed = true;
-    cursor.listed = &listed;
-    cursor.wild = &index.wild;
-    cursor.listed_left = listed.size();
-    cursor.wild_left = index.wild.size();
+    cursor.index = &index;
+    cursor.key = key;
     if (count <= 1) break;
   }
-  return cursor;
+  if (cursor.index == nullptr) return;
+  cursor.same = older(*cursor.index, cursor.key, RowIndex::kNone);
+  cursor.wild = older(*cursor.index, 0, RowIndex::kNone);
+  cursor.seq = std::max(cursor.same, cursor.wild);
 }
 
-const Row* Relation::advance(Cursor& cursor, std::int64_t& seq) const {
-  for (;;) {
-    if (cursor.indexed) {
-      const std::int64_t listed =
-          cursor.listed_left > 0 ? (*cursor.listed)[cursor.listed_left - 1] : INT64_MIN;
-      const std::int64_t wild =
-          cursor.wild_left > 0 ? (*cursor.wild)[cursor.wild_left - 1] : INT64_MIN;
-      if (listed == INT64_MIN && wild == INT64_MIN) return nullptr;
-      seq = std::max(listed, wild);
-      --(listed > wild ? cursor.listed_left : cursor.wild_left);
-    } else {
-      if (cursor.next <= first_seq_) return nullptr;
-      seq = --cursor.next;
+void Relation::move_on_indexed(Cursor& cursor) const {
+  if (cursor.seq == cursor.same) {
+    cursor.same = older(*cursor.index, cursor.key, cursor.same);
+  } else {
+    cursor.wild = older(*cursor.index, 0, cursor.wild);
+  }
+  cursor.seq = std::max(cursor.same, cursor.wild);
+}
+
+// The next row of a key below `seq` (kNone: the newest) that is no hole. The holes on the way are
+// taken out of the chain, so that each is met once.
+std::int64_t Relation::older(RowIndex& index, std::uint64_t key, std::int64_t seq) const {
+  const std::int64_t next = seq == RowIndex::kNone ? index.newest(key) : index.older(seq);
+  std::int64_t found = next;
+  while (found >= first_seq_ && row(found).is_hole()) found = index.older(found);
+  if (found < first_seq_) found = RowIndex::kNone;
+  if (found != next && next >= first_seq_) index.skip(key, seq, found);
+  return found;
+}
+
+std::uint64_t Relation::fact_key(const Row& r) const {
+  return r.fact.is_unset() ? RowIndex::kHoleKey : hash_args(literal_parts(r.fact).args);
+}
+
+RowIndex& Relation::facts() {
+  if (indexes_ == nullptr) indexes_ = std::make_unique<Indexes>();
+  if (indexes_->facts == nullptr) {
+    indexes_->facts = std::make_unique<RowIndex>(first_seq_);
+    for (const Row& r : rows_) indexes_->facts->add_newest(fact_key(r));
+  }
+  return *indexes_->facts;
+}
+
+RowIndex& Relation::index_of(std::size_t argument) {
+  if (indexes_ == nullptr) indexes_ = std::make_unique<Indexes>();
+  auto& arguments = indexes_->arguments;
+  if (arguments.size() <= argument) arguments.resize(argument + 1);
+  if (arguments[argument] == nullptr) {
+    arguments[argument] = std::make_unique<RowIndex>(first_seq_);
+    for (const Row& r : rows_) {
+      arguments[argument]->add_newest(
+          r.is_hole() ? RowIndex::kHoleKey : argument_key(r.literal().structure()->arg(argument)));
     }
-    const Row& candidate = row(seq);
-    if (candidate.is_hole()) continue;
-    if (candidate.key != 0 && cursor.key != 0 && candidate.key != cursor.key) continue;
-    return &candidate;
   }
+  return *arguments[argument];
 }
 
-Relation::ArgumentIndex& Relation::index_of(std::size_t argument) {
-  if (indexes_.size() <= argument) indexes_.resize(argument + 1);
-  if (indexes_[argument] == nullptr) {
-    indexes_[argument] = std::make_unique<ArgumentIndex>();
-    for (std::int64_t seq = first_seq_; seq < end_seq(); ++seq) {
-      const Row& r = row(seq);
-      if (r.is_hole()) continue;
-      const Value literal = r.rule != nullptr ? r.rule->head : r.fact;
-      const std::uint64_t key = argument_key(literal.structure()->arg(argument));
-      (key == 0 ? indexes_[argument]->wild : indexes_[argument]->rows[key]).push_back(seq);
-    }
-  }
-  return *indexes_[argument];
-}
-
-void Relation::insert_in_indexes(std::int64_t seq, bool at_back) {
-  const Row& r = row(seq);
-  const Value literal = r.rule != nullptr ? r.rule->head : r.fact;
-  if (facts_ != nullptr && r.rule == nullptr) {
-    facts_->emplace(hash_args(literal_parts(literal).args), seq);
-  }
-  for (std::size_t i = 0; i < indexes_.size(); ++i) {
-    if (indexes_[i] == nullptr) continue;
-    const std::uint64_t key = argument_key(literal.structure()->arg(i));
-    auto& list = key == 0 ? indexes_[i]->wild : indexes_[i]->rows[key];
-    list.insert(at_back ? list.begin() : list.end(), seq);
+void Relation::insert_in_indexes(const Row& r, bool at_back) {
+  const auto insert = [at_back](RowIndex& index, std::uint64_t key) {
+    at_back ? index.add_oldest(key) : index.add_newest(key);
+  };
+  if (indexes_->facts != nullptr) insert(*indexes_->facts, fact_key(r));
+  for (std::size_t i = 0; i < indexes_->arguments.size(); ++i) {
+    if (indexes_->arguments[i] == nullptr) continue;
+    insert(*indexes_->arguments[i], argument_key(r.literal().structure()->arg(i)));
   }
 }
 
 std::int64_t Relation::add_front(Row added) {
-  if (added.rule != nullptr) rules_.push_back(added.rule);
+  if (added.rule != nullptr) ++rules_;
+  if (indexes_ != nullptr) insert_in_indexes(added, false);
   rows_.push_back(added);
-  insert_in_indexes(end_seq() - 1, false);
   return end_seq() - 1;
 }
 
 std::int64_t Relation::add_back(Row added) {
-  if (added.rule != nullptr) rules_.push_back(added.rule);
+  if (added.rule != nullptr) ++rules_;
+  if (indexes_ != nullptr) insert_in_indexes(added, true);
   rows_.push_front(added);
   --first_seq_;
-  insert_in_indexes(first_seq_, true);
   return first_seq_;
 }
 
 void Relation::erase(std::int64_t seq) {
   Row& r = row(seq);
-  if (facts_ != nullptr && r.rule == nullptr) {
-    const auto [first, last] = facts_->equal_range(hash_args(literal_parts(r.fact).args));
-    const auto found = std::find_if(first, last, [&](const auto& e) { return e.second == seq; });
-    if (found != last) facts_->erase(found);
-  }
-  if (!indexes_.empty()) erased_.emplace_back(seq, r.rule != nullptr ? r.rule->head : r.fact);
-  if (r.rule != nullptr) std::erase(rules_, r.rule);
+  if (indexes_ != nullptr) indexes_->visit([seq](RowIndex& index) { index.erase(seq); });
+  if (r.rule != nullptr) --rules_;
   r = Row{};
   ++holes_;
 }
@@ -182,74 +191,40 @@ std::optional<std::int64_t> Relation::find(std::span<const Value> args) {
     }
     return std::nullopt;
   }
-  if (facts_ == nullptr) {
-    facts_ = std::make_unique<std::unordered_multimap<std::uint64_t, std::int64_t>>();
-    for (std::int64_t seq = first_seq_; seq < end_seq(); ++seq) {
-      const Row& r = row(seq);
-      if (!r.fact.is_unset()) facts_->emplace(hash_args(literal_parts(r.fact).args), seq);
-    }
+  RowIndex& index = facts();
+  const std::uint64_t key = hash_args(args);
+  std::int64_t seq = older(index, key, RowIndex::kNone);
+  while (seq != RowIndex::kNone && !equal_args(args, literal_parts(row(seq).fact).args)) {
+    seq = older(index, key, seq);
   }
-  const auto [first, last] = facts_->equal_range(hash_args(args));
-  for (auto entry = first; entry != last; ++entry) {
-    if (equal_args(args, literal_parts(row(entry->second).fact).args)) return entry->second;
-  }
-  return std::nullopt;
-}
-
-// Takes the erased rows out of the indexes: their numbers may be given to other rows.
-void Relation::forget_erased() {
-  for (const auto& [seq, literal] : erased_) {
-    for (std::size_t i = 0; i < indexes_.size(); ++i) {
-      if (indexes_[i] == nullptr) continue;
-      const std::uint64_t key = argument_key(literal.structure()->arg(i));
-      auto& list = key == 0 ? indexes_[i]->wild : indexes_[i]->rows[key];
-      const auto found = std::lower_bound(list.begin(), list.end(), seq);
-      if (found != list.end() && *found == seq) list.erase(found);
-      if (key != 0 && list.empty()) indexes_[i]->rows.erase(key);
-    }
-  }
-  erased_.clear();
+  return seq == RowIndex::kNone ? std::nullopt : std::optional(seq);
 }
 
 void Relation::compact() {
-  while (!rows_.empty() && rows_.front().is_hole()) {
+  // Rows of an index know the older ones by number, so there these must not be given to others.
+  while (indexes_ == nullptr && !rows_.empty() && rows_.front().is_hole()) {
     rows_.pop_front();
     ++first_seq_;
     --holes_;
   }
   while (!rows_.empty() && rows_.back().is_hole()) {
+    if (indexes_ != nullptr) indexes_->visit([](RowIndex& index) { index.drop_newest(); });
     rows_.pop_back();
     --holes_;
   }
   // Indexes name rows by number: holes inside are worth closing only when they prevail.
-  if (holes_ * 2 <= rows_.size()) {
-    forget_erased();
-    return;
-  }
-  std::erase_if(rows_, [](const Row& r) { return r.is_hole(); });
+  if (holes_ * 2 <= rows_.size()) return;
+  erase_if(rows_, [](const Row& r) { return r.is_hole(); });
   holes_ = 0;
-  facts_.reset();
-  indexes_.clear();
-  erased_.clear();
+  indexes_.reset();
 }
 
 Relation& BeliefBase::relation(Predicate predicate) {
-  Relation*& known = by_predicate_[predicate];
-  if (known == nullptr) {
-    relations_.push_back(std::make_unique<Relation>(predicate));
-    known = relations_.back().get();
-  }
-  return *known;
-}
-
-Relation* BeliefBase::find(Predicate predicate) {
-  const auto found = by_predicate_.find(predicate);
-  return found == by_predicate_.end() ? nullptr : found->second;
-}
-
-const Relation* BeliefBase::find(Predicate predicate) const {
-  const auto found = by_predicate_.find(predicate);
-  return found == by_predicate_.end() ? nullptr : found->second;
+  if (Relation* const known = find(predicate)) return *known;
+  by_predicate_.insert(static_cast<std::uint32_t>(predicate),
+                       static_cast<std::uint32_t>(relations_.size()));
+  relations_.push_back(std::make_unique<Relation>(predicate));
+  return *relations_.back();
 }
 
 std::optional<Value> BeliefBase::add(Value literal, Place place) {

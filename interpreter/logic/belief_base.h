@@ -12,16 +12,16 @@
 // each argument that is bound in some query.
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "interpreter/logic/code.h"
+#include "interpreter/logic/row_index.h"
 #include "interpreter/logic/unifier.h"
+#include "interpreter/support/flat_index.h"
 
 namespace jaywalk {
 
@@ -38,6 +38,8 @@ struct Row {
   std::uint32_t percept_generation = 0;
 
   [[nodiscard]] bool is_hole() const { return fact.is_unset() && rule == nullptr; }
+  /// What a query is unified with. REQUIRES: no hole.
+  [[nodiscard]] Value literal() const { return rule != nullptr ? rule->head : fact; }
 };
 
 class Relation {
@@ -46,7 +48,7 @@ class Relation {
 
   [[nodiscard]] Predicate predicate() const { return predicate_; }
   [[nodiscard]] std::size_t size() const { return rows_.size() - holes_; }
-  [[nodiscard]] bool has_rules() const { return !rules_.empty(); }
+  [[nodiscard]] bool has_rules() const { return rules_ > 0; }
   [[nodiscard]] std::int64_t first_seq() const { return first_seq_; }
   [[nodiscard]] std::int64_t end_seq() const {
     return first_seq_ + static_cast<std::int64_t>(rows_.size());
@@ -60,18 +62,30 @@ class Relation {
 
   /// A walk over the rows that may match arguments, newest first. Rows added after its start are
   /// not seen; removed ones are skipped.
-  struct Cursor {
-    std::int64_t next = 0;  // without an index: rows below this one are to come
-    const std::vector<std::int64_t>* listed = nullptr;  // with an index: the rows of one key,
-    const std::vector<std::int64_t>* wild = nullptr;    // and those that may match any key
-    std::size_t listed_left = 0;
-    std::size_t wild_left = 0;
-    std::uint64_t key = 0;  // of the first argument
-    bool indexed = false;
+  class Cursor {
+   public:
+    /// Rows are left, as far as none of them is removed before it is its turn.
+    [[nodiscard]] bool has_more() const { return seq != RowIndex::kNone; }
+
+   private:
+    friend class Relation;
+    std::int64_t seq = RowIndex::kNone;   // the candidate whose turn it is
+    std::uint64_t key = 0;                // of the first argument; with an index, of its argument
+    RowIndex* index = nullptr;            // null: all rows are looked at
+    std::int64_t same = RowIndex::kNone;  // with an index: the next row of that key,
+    std::int64_t wild = RowIndex::kNone;  // and the next of those that may match any key
   };
   [[nodiscard]] Cursor open(std::span<const Value> args);
-  /// The next candidate, or null at the end. `seq` receives its place.
-  [[nodiscard]] const Row* advance(Cursor& cursor, std::int64_t& seq) const;
+  /// The candidate whose turn it is, or null at the end. `seq` receives its place.
+  [[nodiscard]] const Row* advance(Cursor& cursor, std::int64_t& seq) {
+    while (cursor.seq != RowIndex::kNone) {
+      seq = cursor.seq;
+      move_on(cursor);
+      const Row& candidate = row(seq);
+      if (!candidate.is_hole()) return &candidate;
+    }
+    return nullptr;
+  }
 
   std::int64_t add_front(Row row);  // asked first
   std::int64_t add_back(Row row);   // asked last
@@ -87,31 +101,53 @@ class Relation {
   void visit_terms(Visit&& visit) {
     for (Row& row : rows_) visit(row.fact);
     for (auto& rule : rules_owned_) rule->visit_terms(visit);
-    for (auto& [seq, literal] : erased_) visit(literal);
   }
 
  private:
-  struct ArgumentIndex {
-    std::unordered_map<std::uint64_t, std::vector<std::int64_t>> rows;  // ascending
-    std::vector<std::int64_t> wild;                                     // ascending
-  };
   static constexpr std::size_t kUnindexedRows = 8;
+  struct Indexes {
+    std::unique_ptr<RowIndex> facts;  // by hash_args; rules are holes in it
+    std::vector<std::unique_ptr<RowIndex>> arguments;
+    template <class Visit>
+    void visit(Visit visit_index) {
+      if (facts != nullptr) visit_index(*facts);
+      for (const auto& index : arguments) {
+        if (index != nullptr) visit_index(*index);
+      }
+    }
+  };
 
-  void insert_in_indexes(std::int64_t seq, bool at_back);
-  void forget_erased();
-  ArgumentIndex& index_of(std::size_t argument);
+  void open_indexed(Cursor& cursor, std::span<const Value> args);
+  void move_on(Cursor& cursor) const {
+    if (cursor.index == nullptr) {
+      cursor.seq = next_unindexed(cursor.seq, cursor.key);
+    } else {
+      move_on_indexed(cursor);
+    }
+  }
+  // The next candidate below a row.
+  [[nodiscard]] std::int64_t next_unindexed(std::int64_t seq, std::uint64_t key) const {
+    while (--seq >= first_seq_) {
+      const Row& candidate = row(seq);
+      if (candidate.key != 0 && key != 0 && candidate.key != key) continue;
+      if (!candidate.is_hole()) return seq;
+    }
+    return RowIndex::kNone;
+  }
+  void move_on_indexed(Cursor& cursor) const;
+  [[nodiscard]] std::int64_t older(RowIndex& index, std::uint64_t key, std::int64_t seq) const;
+  [[nodiscard]] std::uint64_t fact_key(const Row& row) const;
+  [[nodiscard]] RowIndex& facts();
+  [[nodiscard]] RowIndex& index_of(std::size_t argument);
+  void insert_in_indexes(const Row& row, bool at_back);
 
   Predicate predicate_;
-  std::deque<Row> rows_;
+  std::uint32_t rules_ = 0;
+  Ring<Row> rows_;
   std::int64_t first_seq_ = 0;
   std::size_t holes_ = 0;
-  std::vector<const RuleCode*> rules_;
   std::vector<std::unique_ptr<RuleCode>> rules_owned_;
-  std::unique_ptr<std::unordered_multimap<std::uint64_t, std::int64_t>> facts_;
-  std::vector<std::unique_ptr<ArgumentIndex>> indexes_;
-  // Rows erased since compact(), with their literals: the indexes still name them, since a cursor
-  // may be on its way through them.
-  std::vector<std::pair<std::int64_t, Value>> erased_;
+  std::unique_ptr<Indexes> indexes_;
 };
 
 enum class Place { front, back };
@@ -140,8 +176,13 @@ class BeliefBase {
   /// Removes a row whatever its sources.
   void erase(Relation& relation, std::int64_t seq);
 
-  [[nodiscard]] Relation* find(Predicate predicate);
-  [[nodiscard]] const Relation* find(Predicate predicate) const;
+  [[nodiscard]] Relation* find(Predicate predicate) {
+    const std::uint32_t place = by_predicate_.find(static_cast<std::uint32_t>(predicate));
+    return place == FlatIndex<std::uint32_t>::kNone ? nullptr : relations_[place].get();
+  }
+  [[nodiscard]] const Relation* find(Predicate predicate) const {
+    return const_cast<BeliefBase*>(this)->find(predicate);
+  }
   /// Relations in the order in which they came to be.
   [[nodiscard]] const std::vector<std::unique_ptr<Relation>>& relations() const {
     return relations_;
@@ -180,7 +221,7 @@ class BeliefBase {
   Heap& heap_;
   SymbolTable& symbols_;
   std::vector<std::unique_ptr<Relation>> relations_;
-  std::unordered_map<Predicate, Relation*> by_predicate_;
+  FlatIndex<std::uint32_t> by_predicate_;  // into relations_
   std::vector<Relation*> with_holes_;
   std::vector<Relation*> perceived_;
   std::uint32_t generation_ = 0;

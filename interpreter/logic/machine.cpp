@@ -55,23 +55,36 @@ std::vector<std::size_t> subset(std::size_t count, std::size_t wanted, std::size
   return chosen;
 }
 
+// Undoes what is bound while it lives, unless that is kept; also when a limit ends a query.
+class UndoGuard {
+ public:
+  explicit UndoGuard(Unifier& unifier) : unifier_(unifier), mark_(unifier.mark()) {}
+  ~UndoGuard() {
+    if (!kept_) unifier_.undo(mark_);
+  }
+  UndoGuard(const UndoGuard&) = delete;
+  UndoGuard& operator=(const UndoGuard&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  Unifier& unifier_;
+  std::size_t mark_;
+  bool kept_ = false;
+};
+
 }  // namespace
 
-std::uint64_t* FrameStack::allocate(std::size_t words) {
+void FrameStack::next_chunk(std::size_t words) {
   while (chunk_ >= chunks_.size() || used_ + words > sizes_[chunk_]) {
     if (chunk_ + 1 > chunks_.size()) {
       const std::size_t size = std::max(words, chunks_.empty() ? kChunkWords / 16 : kChunkWords);
       chunks_.push_back(std::make_unique_for_overwrite<std::uint64_t[]>(size));
       sizes_.push_back(size);
-      used_ = 0;
     } else {
       ++chunk_;
-      used_ = 0;
     }
+    used_ = 0;
   }
-  std::uint64_t* const block = chunks_[chunk_].get() + used_;
-  used_ += words;
-  return block;
 }
 
 bool FrameStack::contains(const void* address) const {
@@ -96,18 +109,23 @@ class Machine::Run {
         names_(machine.unifier_.slot_names()),
         trail_(machine.unifier_.mark()),
         base_(machine.choices_.size()),
-        root_{nullptr, nullptr, slots, names_, base_, frames_, machine.unifier_.mark(), 0} {
-    if (machine.nesting_ == 0) machine.query_start_ = machine.inferences_;
+        root_{nullptr, nullptr,
+              slots,   names_,
+              frames_, static_cast<std::uint32_t>(base_),
+              0,       machine.unifier_.mark()} {
+    if (machine.nesting_ == 0) machine.start_query();
     if (++machine.nesting_ > kMaxNestedQueries) {
       --machine.nesting_;
       throw QueryLimit{fmt::format("queries within queries, {} deep", kMaxNestedQueries)};
     }
+    machine.unifier_.end_fresh_frame();
     machine.goal_ = entry;
     machine.environment_ = &root_;
     machine.root_ = &root_;
   }
   ~Run() {
     --machine_.nesting_;
+    machine_.unifier_.end_fresh_frame();
     if (!keeps_bindings_) machine_.unifier_.undo(trail_);
     machine_.choices_.erase(machine_.choices_.begin() + static_cast<std::ptrdiff_t>(base_),
                             machine_.choices_.end());
@@ -122,8 +140,6 @@ class Machine::Run {
   [[nodiscard]] std::size_t base() const { return base_; }
   /// What the run has bound stays; else it is undone at its end, also when a limit ends it.
   void keep_bindings() { keeps_bindings_ = true; }
-  /// What was bound before the run, too, is undone.
-  void undo(std::size_t trail) { trail_ = trail; }
 
  private:
   Machine& machine_;
@@ -153,7 +169,7 @@ Machine::~Machine() = default;
 // The comparisons and unifications with which many contexts begin, or of which they consist, leave
 // no choice: they need neither frame nor choice point. `goal` becomes the first that needs them.
 Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
-  if (nesting_ == 0) query_start_ = inferences_;
+  if (nesting_ == 0) start_query();
   for (; goal != nullptr; goal = goal->next) {
     bool holds = true;
     switch (goal->kind) {
@@ -175,22 +191,15 @@ Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
 }
 
 bool Machine::solve(const Goal* entry, Value* slots) {
-  const std::size_t trail = unifier_.mark();
-  switch (test_in_place(entry, slots)) {
-    case Tests::hold:
-      return true;
-    case Tests::fail:
-      unifier_.undo(trail);
-      return false;
-    case Tests::undecided:
-      break;
+  UndoGuard bindings(unifier_);
+  const Tests tests = test_in_place(entry, slots);
+  if (tests == Tests::fail) return false;
+  if (tests == Tests::undecided) {
+    Run state(*this, entry, slots);
+    if (!run(state.base())) return false;
+    state.keep_bindings();
   }
-  Run state(*this, entry, slots);
-  if (!run(state.base())) {
-    state.undo(trail);
-    return false;
-  }
-  state.keep_bindings();
+  bindings.keep();
   return true;
 }
 
@@ -291,6 +300,7 @@ Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
   choice.kind = kind;
   choice.goal = &goal;
   choice.environment = environment_;
+  unifier_.end_fresh_frame();
   choice.trail = unifier_.mark();
   choice.frames = frames_.mark();
   choice.heap = heap_.mark();
@@ -322,8 +332,7 @@ bool Machine::retry() {
     case ChoicePoint::Kind::rows:
       return retry_rows();
     case ChoicePoint::Kind::annotated: {
-      const AnnotatedQuery query{choice.relation, choice.cursor, choice.seq, choice.combination,
-                                 choice.literal};
+      const AnnotatedQuery query = *choice.annotated;
       const Goal& goal = *choice.goal;
       choices_.pop_back();
       return try_annotated(query, goal);
@@ -357,15 +366,14 @@ bool Machine::next_solution() {
   return true;
 }
 
-void Machine::count_inference() {
-  ++inferences_;
+void Machine::check_limits() {
   if (inferences_ - query_start_ > max_inferences_) {
     throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_)};
   }
-  constexpr std::uint64_t kOften = 4096;
-  if (inferences_ % kOften == 0 && unifier_.mark() * sizeof(Value*) > heap_.limit()) {
+  if (unifier_.mark() * sizeof(Value*) > heap_.limit()) {
     throw QueryLimit{"a query binds too many variables for the memory allowed"};
   }
+  next_check_ = std::min(inferences_ + kChecked, query_start_ + max_inferences_ + 1);
 }
 
 bool Machine::query(const Goal& goal) {
@@ -376,57 +384,80 @@ bool Machine::query(const Goal& goal) {
   for (std::size_t i = 0; i < args.size(); ++i) {
     registers_[i] = unifier_.build(args[i], environment_->slots);
   }
-  return try_rows(*relation, relation->open(registers_), goal);
+  Relation::Cursor cursor = relation->open(registers_);
+  return try_rows(*relation, cursor, goal);
 }
 
-// The candidates of a cursor for the arguments in the registers.
-bool Machine::try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal) {
+// The candidates of a cursor for the arguments in the registers. The last of them needs no choice
+// point: if it fails, so does the query. A fact that matches not needs none either.
+bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal) {
   std::int64_t seq = 0;
-  const Row* row = relation.advance(cursor, seq);
-  while (row != nullptr) {
-    Relation::Cursor rest = cursor;
-    const Row* const following = relation.advance(rest, seq);
+  while (const Row* const row = relation.advance(cursor, seq)) {
+    const bool is_last = !cursor.has_more();
+    if (row->rule != nullptr) {
+      if (is_last) return enter_rule(*row->rule, goal, registers_);
+      push_rows(relation, cursor, goal);
+      if (enter_rule(*row->rule, goal, registers_)) return true;
+      restore(choices_.back());
+      frames_.release(choices_.back().below_args);
+      choices_.pop_back();
+      continue;
+    }
     const std::size_t trail = unifier_.mark();
     const Heap::Mark heap = heap_.mark();
-    const FrameStack::Mark below_args = frames_.mark();
-    if (following != nullptr) {
-      auto* const saved = reinterpret_cast<Value*>(frames_.allocate(registers_.size()));
-      std::copy(registers_.begin(), registers_.end(), saved);
-      ChoicePoint& choice = push(ChoicePoint::Kind::rows, goal);
-      choice.relation = &relation;
-      choice.cursor = cursor;
-      choice.args = {saved, registers_.size()};
-      choice.below_args = below_args;
-    }
-    if (row->rule != nullptr) {
-      Environment* const caller = environment_;
-      if (enter_rule(*row->rule, goal, registers_)) return true;
-      environment_ = caller;
-    } else if (unify_fact(row->fact, registers_)) {
+    if (unify_fact(row->fact, registers_)) {
+      if (!is_last) {
+        push_rows(relation, cursor, goal);
+        choices_.back().trail = trail;
+        choices_.back().heap = heap;
+      }
       goal_ = goal.next;
       return true;
     }
     unifier_.undo(trail);
     heap_.release(heap);
-    if (following != nullptr) {
-      choices_.pop_back();
-      frames_.release(below_args);
-    }
-    cursor = rest;
-    row = following;
   }
   return false;
 }
 
+// A choice point for what is left of a cursor.
+void Machine::push_rows(Relation& relation, const Relation::Cursor& cursor, const Goal& goal) {
+  const FrameStack::Mark below_args = frames_.mark();
+  auto* const saved = reinterpret_cast<Value*>(frames_.allocate(registers_.size()));
+  std::copy(registers_.begin(), registers_.end(), saved);
+  ChoicePoint& choice = push(ChoicePoint::Kind::rows, goal);
+  choice.relation = &relation;
+  choice.cursor = cursor;
+  choice.args = {saved, registers_.size()};
+  choice.below_args = below_args;
+}
+
+// The choice point stays as long as it has candidates left.
 bool Machine::retry_rows() {
-  ChoicePoint& choice = choices_.back();
-  registers_.assign(choice.args.begin(), choice.args.end());
-  Relation& relation = *choice.relation;
-  const Relation::Cursor cursor = choice.cursor;
-  const Goal& goal = *choice.goal;
-  frames_.release(choice.below_args);
+  Relation& relation = *choices_.back().relation;
+  const Goal& goal = *choices_.back().goal;
+  const std::span<const Value> args = choices_.back().args;
+  std::int64_t seq = 0;
+  while (const Row* const row = relation.advance(choices_.back().cursor, seq)) {
+    if (!choices_.back().cursor.has_more()) {
+      registers_.assign(args.begin(), args.end());
+      frames_.release(choices_.back().below_args);
+      choices_.pop_back();
+      if (row->rule != nullptr) return enter_rule(*row->rule, goal, registers_);
+      goal_ = goal.next;
+      return unify_fact(row->fact, registers_);
+    }
+    if (row->rule != nullptr) {
+      if (enter_rule(*row->rule, goal, args)) return true;
+    } else if (unify_fact(row->fact, args)) {
+      goal_ = goal.next;
+      return true;
+    }
+    restore(choices_.back());
+  }
+  frames_.release(choices_.back().below_args);
   choices_.pop_back();
-  return try_rows(relation, cursor, goal);
+  return false;
 }
 
 bool Machine::unify_fact(Value fact, std::span<const Value> args) {
@@ -457,8 +488,14 @@ Machine::Environment* Machine::make_environment(Environment* parent, const Goal*
   std::uint64_t* const block = frames_.allocate(kWords + slot_count);
   auto* const slots = reinterpret_cast<Value*>(block + kWords);
   std::fill_n(slots, slot_count, Value());
-  return new (block) Environment{parent,          continuation, slots,           names,
-                                 choices_.size(), start,        unifier_.mark(), slot_count};
+  return new (block) Environment{parent,
+                                 continuation,
+                                 slots,
+                                 names,
+                                 start,
+                                 static_cast<std::uint32_t>(choices_.size()),
+                                 static_cast<std::uint32_t>(slot_count),
+                                 unifier_.mark()};
 }
 
 bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const Value> args) {
@@ -470,19 +507,20 @@ bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const
     continuation = caller->continuation;
     parent = caller->parent;
     if (caller->choice_points == choices_.size()) {
-      unifier_.forget(caller->trail, {caller->slots, caller->slot_count});
+      if (unifier_.mark() > caller->trail) {
+        unifier_.forget(caller->trail, {caller->slots, caller->slot_count});
+      }
       frames_.release(caller->start);
     }
   }
   Environment* const made =
       make_environment(parent, continuation, rule.slot_names, rule.slot_count);
   unifier_.set_slot_names(rule.slot_names);
+  unifier_.begin_fresh_frame({made->slots, made->slot_count});
   if (!args.empty()) {
-    const Structure& head = *rule.head.structure();
+    const Value* const head = rule.head.structure()->args();
     for (std::size_t i = 0; i < args.size(); ++i) {
-      if (!unifier_.match(head.arg(i), made->slots, args[i], Unifier::Direction::value_first)) {
-        return false;
-      }
+      if (!unifier_.match_value(head[i], made->slots, args[i])) return false;
     }
   }
   environment_ = made;
@@ -508,14 +546,11 @@ bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal) {
     }
     const Row& row = query.relation->row(query.seq);
     ChoicePoint& choice = push(ChoicePoint::Kind::annotated, goal);
-    choice.relation = query.relation;
-    choice.cursor = query.cursor;
-    choice.seq = query.seq;
-    choice.literal = query.literal;
+    choice.annotated = std::make_unique<AnnotatedQuery>(query);
     if (row.is_hole()) {
       query.combination = kNextRow;
     } else if (row.rule != nullptr) {
-      choice.combination = kNextRow;
+      choice.annotated->combination = kNextRow;
       Environment* const caller = environment_;
       // The head's annotations are in the rule's variables, hence the frame first.
       const bool entered =
@@ -528,7 +563,7 @@ bool Machine::try_annotated(AnnotatedQuery query, const Goal& goal) {
       query.combination = kNextRow;
     } else {
       bool exhausted = false;
-      choice.combination = query.combination + 1;
+      choice.annotated->combination = query.combination + 1;
       if (unify_subset(query.literal, row.fact, query.combination, exhausted)) {
         goal_ = goal.next;
         return true;
@@ -638,8 +673,9 @@ bool Machine::unify(const Goal& goal, Value* slots) {
 }
 
 bool Machine::compare(const Goal& goal, Value* slots) {
-  const Value left = unifier_.build(goal.args()[0], slots);
-  const Value right = unifier_.build(goal.args()[1], slots);
+  const Value* const sides = goal.term.structure()->args();
+  const Value left = unifier_.build(sides[0], slots);
+  const Value right = unifier_.build(sides[1], slots);
   if (left.is_number() && right.is_number()) {
     const double a = left.as_number();
     const double b = right.as_number();
@@ -704,115 +740,6 @@ bool Machine::finish_negation(const Goal& done) {
   restore(choices_[index]);
   choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(index), choices_.end());
   return false;
-}
-
-bool Machine::action(const Goal& goal) {
-  ActionError error;
-  if (goal.action == nullptr) {
-    warn(fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
-    return false;
-  }
-  if (goal.action->body_only) {
-    warn(fmt::format("{} cannot be used within a formula", goal.action->name));
-    return false;
-  }
-  auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
-  const auto count = static_cast<int>(call->count());
-  if (count < goal.action->least_args ||
-      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
-    warn(fmt::format("wrong number of arguments: {}", goal.action->signature));
-    return false;
-  }
-  switch (goal.action->function(*call)) {
-    case Outcome::succeeded:
-      goal_ = goal.next;
-      return true;
-    case Outcome::failed:
-      return false;
-    case Outcome::many:
-      push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
-      return next_solution();
-    case Outcome::suspended:
-      return false;
-    case Outcome::error:
-      warn(fmt::format("{}: {}", goal.action->name, call->error.message));
-      return false;
-  }
-  return false;
-}
-
-Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, ActionError& error) {
-  if (goal.action == nullptr) {
-    error.id = "unknown_internal_action";
-    error.message = fmt::format("there is no internal action {}", symbols_.functor(goal.predicate));
-    return Outcome::error;
-  }
-  ActionCall call(*this, goal, slots, agent_, intention);
-  const auto count = static_cast<int>(call.count());
-  if (count < goal.action->least_args ||
-      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
-    error.id = "wrong_arguments";
-    error.message = fmt::format("wrong number of arguments: {}", goal.action->signature);
-    return Outcome::error;
-  }
-  Outcome outcome = goal.action->function(call);
-  if (outcome == Outcome::many) {
-    outcome = call.solutions->next(call) ? Outcome::succeeded : Outcome::failed;
-  }
-  if (outcome == Outcome::error) error = std::move(call.error);
-  return outcome;
-}
-
-void Machine::register_function(Symbol name, std::uint16_t arity, Predicate predicate) {
-  rule_functions_.push_back({name, arity, predicate});
-}
-
-bool Machine::call_function(const Structure& function, Value& result) {
-  const Signature& signature = symbols_.signature(function.predicate());
-  for (const RuleFunction& known : rule_functions_) {
-    if (known.name != signature.functor || known.arity != function.arity) continue;
-    std::vector<Value> args(function.arg_span().begin(), function.arg_span().end());
-    const Value answer = heap_.variable();
-    args.push_back(answer);
-    const Value query = heap_.structure(known.predicate, args);
-    const std::size_t trail = unifier_.mark();
-    if (!solve_term(query)) return false;
-    result = unifier_.apply(answer);
-    unifier_.undo(trail);
-    return true;
-  }
-  const FunctionDefinition* const definition =
-      actions_.function(symbols_.text(signature.functor), function.arity);
-  if (definition == nullptr) return false;
-  if (definition->function != nullptr) {
-    for (const Value arg : function.arg_span()) {
-      if (!is_ground(arg)) return false;
-    }
-    return definition->function(function.arg_span(), heap_, symbols_, result);
-  }
-  if (definition->name == ".count") {
-    double count = 0;
-    solve_all_terms(function.arg(0), [&] {
-      ++count;
-      return true;
-    });
-    result = Value::number(count);
-    return true;
-  }
-  if (definition->name == "system.time") {
-    if (!clock_ms) return false;
-    result = Value::number(clock_ms());
-    return true;
-  }
-  if (!random) return false;  // math.random([N])
-  double most = 1;
-  if (function.arity == 1 && !unifier_.evaluate(function.arg(0), nullptr, most)) return false;
-  result = Value::number(random() * most);
-  return true;
-}
-
-void Machine::warn(std::string_view message) {
-  if (log_) log_(message);
 }
 
 }  // namespace jaywalk

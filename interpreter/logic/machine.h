@@ -12,6 +12,7 @@
 //
 // A row that is the last that can match leaves no choice point, so loops run in constant space.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,25 +36,32 @@ struct QueryLimit {
 class FrameStack {
  public:
   struct Mark {
-    std::size_t chunk = 0;
-    std::size_t used = 0;
+    std::uint32_t chunk = 0;
+    std::uint32_t used = 0;
   };
-  [[nodiscard]] std::uint64_t* allocate(std::size_t words);
+  [[nodiscard]] std::uint64_t* allocate(std::size_t words) {
+    if (chunk_ >= chunks_.size() || used_ + words > sizes_[chunk_]) next_chunk(words);
+    std::uint64_t* const block = chunks_[chunk_].get() + used_;
+    used_ += static_cast<std::uint32_t>(words);
+    return block;
+  }
   [[nodiscard]] Mark mark() const { return {chunk_, used_}; }
   void release(Mark mark) {
     chunk_ = mark.chunk;
     used_ = mark.used;
   }
   /// Roughly how much is in use.
-  [[nodiscard]] std::size_t words() const { return chunk_ * kChunkWords + used_; }
+  [[nodiscard]] std::size_t words() const { return std::size_t{chunk_} * kChunkWords + used_; }
   [[nodiscard]] bool contains(const void* address) const;
 
  private:
   static constexpr std::size_t kChunkWords = 4096;
+  void next_chunk(std::size_t words);
+
   std::vector<std::unique_ptr<std::uint64_t[]>> chunks_;
   std::vector<std::size_t> sizes_;
-  std::size_t chunk_ = 0;
-  std::size_t used_ = 0;
+  std::uint32_t chunk_ = 0;
+  std::uint32_t used_ = 0;
 };
 
 class Machine : public FunctionCaller {
@@ -107,10 +115,17 @@ class Machine : public FunctionCaller {
     const Goal* continuation;
     Value* slots;
     std::span<const Symbol> names;
-    std::size_t choice_points;  // when the frame was made
     FrameStack::Mark start;
+    std::uint32_t choice_points;  // when the frame was made
+    std::uint32_t slot_count;
     std::size_t trail;  // when the frame was made
-    std::size_t slot_count;
+  };
+  struct AnnotatedQuery {
+    Relation* relation;
+    Relation::Cursor cursor;
+    std::int64_t seq;         // of the fact whose annotations are being tried
+    std::size_t combination;  // the next of their subsets; kNextRow: go to the next row
+    Value literal;
   };
   struct ChoicePoint {
     enum class Kind : std::uint8_t { rows, annotated, alternative, negation, solutions };
@@ -125,10 +140,7 @@ class Machine : public FunctionCaller {
     Relation::Cursor cursor;
     std::span<const Value> args;
     FrameStack::Mark below_args;
-    // annotated
-    std::int64_t seq = 0;
-    std::size_t combination = 0;
-    Value literal;
+    std::unique_ptr<AnnotatedQuery> annotated;
     // solutions
     std::unique_ptr<ActionCall> call;
   };
@@ -139,15 +151,9 @@ class Machine : public FunctionCaller {
   bool retry();
   bool query(const Goal& goal);
   bool slow_query(const Goal& goal, Value literal);
-  bool try_rows(Relation& relation, Relation::Cursor cursor, const Goal& goal);
+  bool try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal);
+  void push_rows(Relation& relation, const Relation::Cursor& cursor, const Goal& goal);
   bool retry_rows();
-  struct AnnotatedQuery {
-    Relation* relation;
-    Relation::Cursor cursor;
-    std::int64_t seq;         // of the fact whose annotations are being tried
-    std::size_t combination;  // the next of their subsets; kNextRow: go to the next row
-    Value literal;
-  };
   static constexpr std::size_t kNextRow = static_cast<std::size_t>(-1);
   bool try_annotated(AnnotatedQuery query, const Goal& goal);
   bool unify_fact(Value fact, std::span<const Value> args);
@@ -169,7 +175,16 @@ class Machine : public FunctionCaller {
   void restore(const ChoicePoint& choice);
   Environment* make_environment(Environment* parent, const Goal* continuation,
                                 std::span<const Symbol> names, std::size_t slot_count);
-  void count_inference();
+  void count_inference() {
+    if (++inferences_ >= next_check_) check_limits();
+  }
+  // How many inferences come between two looks at the limits.
+  static constexpr std::uint64_t kChecked = 4096;
+  void check_limits();
+  void start_query() {
+    query_start_ = inferences_;
+    next_check_ = inferences_ + std::min<std::uint64_t>(kChecked, max_inferences_ + 1);
+  }
 
   // Saves what a run changes and puts it back, also when a limit ends the run.
   class Run;
@@ -191,6 +206,7 @@ class Machine : public FunctionCaller {
   std::vector<std::unique_ptr<FormulaCode>> temporary_;
   std::uint64_t inferences_ = 0;
   std::uint64_t query_start_ = 0;
+  std::uint64_t next_check_ = 0;  // when the limits are to be looked at again
   std::uint64_t max_inferences_ = 1'000'000'000;
   int nesting_ = 0;
 

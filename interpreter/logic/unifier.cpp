@@ -28,14 +28,30 @@ class ArgumentBuffer {
   std::vector<Value> large_;
 };
 
+// A list's elements, the first few on the stack.
+class ElementBuffer {
+ public:
+  void push_back(Value value) {
+    if (size_ < few_.size()) {
+      few_[size_++] = value;
+      return;
+    }
+    if (size_ == few_.size()) many_.assign(few_.begin(), few_.end());
+    ++size_;
+    many_.push_back(value);
+  }
+  [[nodiscard]] std::span<const Value> span() const {
+    return size_ <= few_.size() ? std::span(few_).first(size_) : std::span<const Value>(many_);
+  }
+
+ private:
+  std::size_t size_ = 0;
+  std::array<Value, 8> few_;
+  std::vector<Value> many_;
+};
+
 bool is_form(Value value, Form form) {
   return value.is_structure() && value.structure()->form() == form;
-}
-
-// A literal of another namespace, which a plain variable does not take.
-bool is_foreign_literal(Value value) {
-  if (value.is_atom()) return is_foreign(value.atom_id());
-  return value.is_structure() && is_foreign(value.structure()->predicate());
 }
 
 bool is_evaluable(Value value) {
@@ -127,7 +143,7 @@ bool Unifier::unify_variable(Value variable, Value value) {
     a_points ? bind(a, value) : bind(b, variable);
     return true;
   }
-  if (is_foreign_literal(value)) return false;
+  if (is_of_other_namespace(value)) return false;
   bind(variable.variable(), value);
   return true;
 }
@@ -295,7 +311,7 @@ bool Unifier::match(Value pattern, Value* slots, Value value, Direction directio
       Value* const slot = slots + pattern.slot_index();
       value = deref(value);
       if (slot->is_unset()) {
-        if (is_foreign_literal(value)) return false;
+        if (is_of_other_namespace(value)) return false;
         set_slot(slot, value);
         return true;
       }
@@ -311,6 +327,12 @@ bool Unifier::match(Value pattern, Value* slots, Value value, Direction directio
   if (pattern.same_as(value)) return true;
   if (pattern.is_atom() && value.is_atom()) return false;
   if (pattern.is_number() && value.is_number()) return pattern.as_number() == value.as_number();
+  if (value.is_variable() && (pattern.is_pair() || is_form(pattern, Form::literal))) {
+    const Value made = build(pattern, slots);
+    if (is_of_other_namespace(made)) return false;
+    bind(value.variable(), made);
+    return true;
+  }
   return match_structure(pattern, slots, value, direction);
 }
 
@@ -356,13 +378,9 @@ Value Unifier::instantiate(Value term, Value* slots) {
                         : instantiate_structure(*term.structure(), slots);
 }
 
-Value Unifier::build(Value term, Value* slots) {
-  if (term.is_closed()) return term;
+Value Unifier::build_term(Value term, Value* slots) {
   if (term.is_variable()) return deref(term);
-  if (term.is_slot()) {
-    const Value value = slots[term.slot_index()];
-    return value.is_unset() ? instantiate(term, slots) : deref(value);
-  }
+  if (term.is_slot()) return instantiate(term, slots);
   const TermWalk::Level level(walk_);
   if (term.is_pair()) {
     // Templates are short: nesting is bounded by the parser.
@@ -370,10 +388,52 @@ Value Unifier::build(Value term, Value* slots) {
     return heap_.pair(head, build(term.pair()->tail, slots));
   }
   const Structure& s = *term.structure();
-  if (s.form() != Form::literal || s.is_annotated()) return instantiate(term, slots);
+  if (s.form() != Form::literal || s.is_annotated()) return instantiate_structure(s, slots);
   ArgumentBuffer args(s.arity);
   for (std::size_t i = 0; i < s.arity; ++i) args[i] = build(s.arg(i), slots);
   return heap_.structure(s.predicate(), args.span());
+}
+
+// Variables among arguments give way to copies of theirs.
+void Unifier::rename_arguments(std::span<Value> args,
+                               std::vector<std::pair<Value, Value>>* renamed) {
+  ArgumentBuffer copies(args.size());
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    copies[i] = args[i];
+    if (!args[i].is_variable()) continue;
+    const auto first = static_cast<std::size_t>(
+        std::find_if(args.begin(), args.end(), [&](Value arg) { return arg.same_as(args[i]); }) -
+        args.begin());
+    copies[i] = first < i ? copies[first] : heap_.variable(args[i].variable()->name());
+    if (first == i && renamed != nullptr) renamed->emplace_back(args[i], copies[i]);
+  }
+  std::copy(copies.span().begin(), copies.span().end(), args.begin());
+}
+
+Value Unifier::instantiate_renamed(const Structure& literal, Value* slots, Value annots,
+                                   std::vector<std::pair<Value, Value>>* renamed) {
+  ArgumentBuffer args(literal.arity);
+  bool is_open = false;
+  for (std::size_t i = 0; i < literal.arity; ++i) {
+    Value arg = literal.arg(i);
+    double number = 0;
+    if (arg.is_slot()) {
+      arg = deref(slots[arg.slot_index()].is_unset() ? instantiate(arg, slots)
+                                                     : slots[arg.slot_index()]);
+    } else if (arg.is_variable()) {
+      arg = deref(arg);
+    } else if (is_form(arg, Form::expression) && evaluate(arg, slots, number)) {
+      arg = Value::number(number);
+    }
+    if (arg.is_variable()) {
+      is_open = true;
+    } else if (!arg.is_closed()) {
+      return {};
+    }
+    args[i] = arg;
+  }
+  if (is_open) rename_arguments(args.span(), renamed);
+  return heap_.structure(literal.predicate(), args.span(), annots);
 }
 
 Value Unifier::apply_slots(Value term) {
@@ -425,7 +485,7 @@ Value Unifier::rename(Value term, std::vector<std::pair<Value, Value>>* renamed)
 
 Value Unifier::instantiate_pairs(Value list, Value* slots) {
   // A loop, since lists are long: the elements first, then the pairs from the end.
-  std::vector<Value> elements;
+  ElementBuffer elements;
   Value tail = list;
   ListWalk walk;
   while (tail.is_pair() && !tail.is_closed()) {
@@ -438,7 +498,7 @@ Value Unifier::instantiate_pairs(Value list, Value* slots) {
     tail = deref(tail);
   }
   if (!tail.is_closed()) tail = instantiate(tail, slots);
-  return heap_.list(elements, tail);
+  return heap_.list(elements.span(), tail);
 }
 
 Value Unifier::instantiate_structure(const Structure& s, Value* slots) {
@@ -510,7 +570,7 @@ Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
                          sorted_set(heap_, annots, symbols_), Form::decorated);
 }
 
-bool Unifier::evaluate(Value term, Value* slots, double& result) {
+bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   if (term.is_slot()) {
     if (keep_slots_) return false;
     term = slots[term.slot_index()];
@@ -545,6 +605,19 @@ bool Unifier::evaluate(Value term, Value* slots, double& result) {
   }
   double b = 0;
   if (!evaluate(s.arg(1), slots, b)) return false;
+  switch (s.predicate()) {
+    case predicates::add:
+      result = a + b;
+      return true;
+    case predicates::subtract:
+      result = a - b;
+      return true;
+    case predicates::multiply:
+      result = a * b;
+      return true;
+    default:
+      break;
+  }
   const std::optional<double> value = calculate(s.predicate(), a, b);
   if (!value) throw DivisionByZero{};
   result = *value;

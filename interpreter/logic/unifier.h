@@ -4,6 +4,7 @@
 // into variable cells and frame slots and recorded on a trail, so that undoing is popping.
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -41,6 +42,21 @@ class Unifier {
   /// Each of `a` in order with a distinct one of `b`; tails collect the rest.
   [[nodiscard]] bool unify_annotations(Value a, Value b);
 
+  /// The same as match with `value_first`, the usual cases in line.
+  [[nodiscard]] bool match_value(Value pattern, Value* slots, Value value) {
+    value = deref(value);
+    if (pattern.is_slot()) {
+      Value* const slot = slots + pattern.slot_index();
+      if (slot->is_unset() && !is_of_other_namespace(value)) {
+        set_slot(slot, value);
+        return true;
+      }
+    } else if (pattern.same_as(value)) {
+      return true;
+    }
+    return match(pattern, slots, value, Direction::value_first);
+  }
+
   enum class Direction { template_first, value_first };
   /// Unifies a template, whose slots are in `slots`, with a value, building as little as possible.
   [[nodiscard]] bool match(Value pattern, Value* slots, Value value, Direction direction);
@@ -51,7 +67,21 @@ class Unifier {
   [[nodiscard]] Value apply(Value term) { return instantiate(term, nullptr); }
   /// The same, but values of slots and variables are referred to as they are, not applied in turn:
   /// what a query passes to a rule. Arithmetic is evaluated.
-  [[nodiscard]] Value build(Value term, Value* slots);
+  [[nodiscard]] Value build(Value term, Value* slots) {
+    if (term.is_slot()) {
+      const Value value = slots[term.slot_index()];
+      if (!value.is_unset()) return deref(value);
+    } else if (term.is_closed()) {
+      return term;
+    }
+    return build_term(term, slots);
+  }
+  /// A literal for an event: instantiated, its open variables renamed, with these annotations.
+  /// Appends each variable with its copy to `renamed` (unless null). Unset if the literal has
+  /// arguments that are more than constants, variables, numbers and ground terms: then nothing but
+  /// slots has changed.
+  [[nodiscard]] Value instantiate_renamed(const Structure& literal, Value* slots, Value annots,
+                                          std::vector<std::pair<Value, Value>>* renamed);
   /// Variables bound to slots are replaced by these: data at run time becomes a template. (Applying
   /// would look for the slots' values.)
   [[nodiscard]] Value apply_slots(Value term);
@@ -64,7 +94,15 @@ class Unifier {
   [[nodiscard]] std::span<const Symbol> slot_names() const { return slot_names_; }
 
   /// The number that an expression stands for, if all its operands are known.
-  [[nodiscard]] bool evaluate(Value term, Value* slots, double& result);
+  [[nodiscard]] bool evaluate(Value term, Value* slots, double& result) {
+    Value value = term.is_slot() && !keep_slots_ ? slots[term.slot_index()] : term;
+    if (value.is_variable()) value = deref(value);
+    if (value.is_number()) {
+      result = value.as_number();
+      return true;
+    }
+    return evaluate_term(term, slots, result);
+  }
 
   void bind(Variable* variable, Value value) {
     variable->value = value;
@@ -72,8 +110,16 @@ class Unifier {
   }
   void set_slot(Value* slot, Value value) {
     *slot = value;
-    trail_.push_back(slot);
+    const auto offset = reinterpret_cast<std::uintptr_t>(slot) - fresh_begin_;
+    if (offset >= fresh_bytes_) trail_.push_back(slot);
   }
+  /// A frame that nothing can go back behind without giving it up: what is set in it need not be
+  /// undone. Until the next choice point.
+  void begin_fresh_frame(std::span<Value> slots) {
+    fresh_begin_ = reinterpret_cast<std::uintptr_t>(slots.data());
+    fresh_bytes_ = slots.size_bytes();
+  }
+  void end_fresh_frame() { fresh_bytes_ = 0; }
 
   [[nodiscard]] std::size_t mark() const { return trail_.size(); }
   void undo(std::size_t mark) {
@@ -103,6 +149,14 @@ class Unifier {
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
 
  private:
+  // A variable of no namespace does not take literals of others.
+  static bool is_of_other_namespace(Value value) {
+    if (value.is_atom()) return is_foreign(value.atom_id());
+    return value.is_structure() && is_foreign(value.structure()->predicate());
+  }
+  Value build_term(Value term, Value* slots);
+  void rename_arguments(std::span<Value> args, std::vector<std::pair<Value, Value>>* renamed);
+  bool evaluate_term(Value term, Value* slots, double& result);
   Value instantiate_structure(const Structure& structure, Value* slots);
   Value keep_expression(const Structure& structure, Value* slots);
   Value instantiate_decorated(const Structure& structure, Value* slots);
@@ -122,6 +176,8 @@ class Unifier {
   std::unordered_set<std::uint64_t> fresh_;  // only while fresh_copy runs
   TermWalk walk_;
   bool keep_slots_ = false;
+  std::uintptr_t fresh_begin_ = 0;
+  std::size_t fresh_bytes_ = 0;
 };
 
 /// Slots for a template that is instantiated aside, without a place in any frame. When they go,

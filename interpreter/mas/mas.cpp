@@ -31,12 +31,13 @@ Mas::~Mas() = default;
 AgentId Mas::add_agent(const AgentSpec& spec) { return implementation_->add_agent(spec); }
 
 RunOutcome Mas::run() {
-  while (step()) {
+  while (stride()) {
   }
   return outcome();
 }
 
 bool Mas::step() { return implementation_->step(); }
+bool Mas::stride() { return implementation_->stride(); }
 const RunOutcome& Mas::outcome() const { return implementation_->outcome(); }
 std::size_t Mas::agent_count() const { return implementation_->residents().size(); }
 

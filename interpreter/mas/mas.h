@@ -123,6 +123,8 @@ class Mas {
   RunOutcome run();
   /// Runs one tick (without an environment: one cycle of every active agent); false: it has ended.
   bool step();
+  /// As many steps as take little time and are best done at once; false: it has ended.
+  bool stride();
   [[nodiscard]] const RunOutcome& outcome() const;
 
   /// How many agents there have been; those that were killed count.

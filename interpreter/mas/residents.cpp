@@ -17,8 +17,8 @@ std::string Residents::free_name(const std::string& name) {
 
 Resident& Residents::add(std::unique_ptr<Agent> agent, std::shared_ptr<const Program> program) {
   const auto number = static_cast<std::uint32_t>(all_.size());
+  agent->set_number(number);
   by_name_.emplace(agent->name(), number);
-  numbers_.emplace(agent.get(), number);
   Resident& resident = all_.emplace_back();
   resident.agent = std::move(agent);
   resident.program = std::move(program);
@@ -36,7 +36,6 @@ void Residents::remove(Resident& resident) {
 
 void Residents::bury() {
   for (const std::uint32_t number : leaving_) {
-    numbers_.erase(all_[number].agent.get());
     all_[number].agent.reset();
   }
   leaving_.clear();
@@ -54,7 +53,6 @@ void Residents::wake(Resident& resident) {
 }
 
 void Residents::list_woken() {
-  if (woken_.empty()) return;
   std::sort(woken_.begin(), woken_.end());
   const auto middle = static_cast<std::ptrdiff_t>(active_.size());
   active_.insert(active_.end(), woken_.begin(), woken_.end());

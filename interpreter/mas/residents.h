@@ -20,6 +20,7 @@ struct Resident {
   std::unique_ptr<Agent> agent;  // null once it has left
   /// Kept as long as the run, since terms that were sent refer to its constants.
   std::shared_ptr<const Program> program;
+  Predicate name{};  // its name as an atom
   std::uint32_t number = 0;
   bool has_body = false;   // the environment knows it
   bool is_listed = false;  // as awake, or to be from the next round on
@@ -48,17 +49,24 @@ class Residents {
   [[nodiscard]] const Resident& operator[](std::uint32_t number) const { return all_[number]; }
   /// Null if there is no such agent.
   [[nodiscard]] Resident* find(std::string_view name);
-  [[nodiscard]] Resident& of(const Agent& agent) { return all_[numbers_.at(&agent)]; }
+  [[nodiscard]] Resident& of(const Agent& agent) { return all_[agent.number()]; }
   /// In the order of their numbers, those that have left included.
   [[nodiscard]] std::deque<Resident>& all() { return all_; }
   [[nodiscard]] const std::deque<Resident>& all() const { return all_; }
 
   /// The agent may have something to do: it takes part from the next round on.
   void wake(Resident& resident);
+  /// The only agent that takes part in the next round; null if there are none or several.
+  [[nodiscard]] Resident* lone_active() {
+    if (!woken_.empty()) list_woken();
+    return active_.size() == 1 ? &all_[active_.front()] : nullptr;
+  }
+  [[nodiscard]] bool has_woken() const { return !woken_.empty(); }
+  [[nodiscard]] bool has_leaving() const { return !leaving_.empty(); }
   /// One round: `work` for each agent that has something to do, in the order of numbers.
   template <class Work>
   void for_each_active(Work work) {
-    list_woken();
+    if (!woken_.empty()) list_woken();
     std::size_t kept = 0;
     for (const std::uint32_t number : active_) {
       Resident& resident = all_[number];
@@ -73,21 +81,13 @@ class Residents {
   }
 
  private:
-  struct NameHash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view name) const {
-      return std::hash<std::string_view>{}(name);
-    }
-  };
-
   void list_woken();
 
   std::deque<Resident> all_;  // a deque: references stay good when agents come
-  std::unordered_map<std::string, std::uint32_t, NameHash, std::equal_to<>> by_name_;
-  std::unordered_map<const Agent*, std::uint32_t> numbers_;
-  std::unordered_map<std::string, std::uint32_t> suffixes_;  // the last that was taken
-  std::vector<std::uint32_t> active_;                        // sorted
-  std::vector<std::uint32_t> woken_;                         // to be active from the next round on
+  std::unordered_map<std::string_view, std::uint32_t> by_name_;  // the agents' own names
+  std::unordered_map<std::string, std::uint32_t> suffixes_;      // the last that was taken
+  std::vector<std::uint32_t> active_;                            // sorted
+  std::vector<std::uint32_t> woken_;  // to be active from the next round on
   std::vector<std::uint32_t> leaving_;
 };
 

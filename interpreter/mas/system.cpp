@@ -51,6 +51,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
       std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
                               AgentLimits{options_.max_heap_bytes, options_.max_inferences});
   Resident& resident = residents_.add(std::move(agent), std::move(program));
+  resident.name = symbols_.predicate(resident.agent->name(), 0);
   residents_.wake(resident);
   return resident;
 }
@@ -210,7 +211,7 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
       message.receiver == "self" ? &residents_.of(sender) : residents_.find(message.receiver);
   if (receiver == nullptr) return false;
   Message copy;
-  copy.sender = receiver->agent.get() == &sender ? "self" : sender.name();
+  copy.sender = receiver->agent.get() == &sender ? predicates::self : residents_.of(sender).name;
   copy.performative = message.performative;
   copy.content = transfer(message.content, receiver->agent->heap());
   copy.id = message.id;
@@ -227,7 +228,7 @@ void Mas::Implementation::tell_of_provider(const std::string& subscriber,
   Heap& heap = receiver->agent->heap();
   const std::array<Value, 2> args{Value::atom(symbols_.predicate(provider, 0)), heap.text(service)};
   Message message;
-  message.sender = "df";
+  message.sender = symbols_.predicate("df", 0);
   message.performative = symbols_.symbol("tell");
   message.content = heap.structure(symbols_.predicate("provider", 2), args);
   post(*receiver, std::move(message));
@@ -261,7 +262,7 @@ void Mas::Implementation::announce(Agent& agent, Predicate predicate, std::span<
   const Value literal =
       args.empty() ? Value::atom(predicate) : agent.heap().structure(predicate, args);
   agent.add_event({TriggerOperator::add, TriggerKind::belief, literal, nullptr, 0});
-  residents_.wake(residents_.of(agent));
+  if (agent.is_active()) residents_.wake(residents_.of(agent));
 }
 
 void Mas::Implementation::put_to_sleep(Resident& resident) {
@@ -282,8 +283,40 @@ void Mas::Implementation::wake(Resident& resident) {
 bool Mas::Implementation::step() {
   if (ended_) return false;
   environment_ != nullptr ? tick() : free_step();
-  residents_.bury();
+  if (residents_.has_leaving()) residents_.bury();
   return !ended_;
+}
+
+bool Mas::Implementation::stride() {
+  if (ended_) return false;
+  Resident* const lone =
+      environment_ == nullptr && !options_.realtime ? residents_.lone_active() : nullptr;
+  if (lone == nullptr || !lone->agent->is_active()) return step();
+  reason_alone(*lone);
+  if (residents_.has_leaving()) residents_.bury();
+  return !ended_;
+}
+
+// Free steps, as long as no other agent takes part and no time passes.
+void Mas::Implementation::reason_alone(Resident& resident) {
+  constexpr int kLongestStride = 64;  // cycles; then the caller may look at the clock
+  int left = kLongestStride;
+  do {
+    reason(resident);
+    if (ended_) return;
+    deliver_messages();
+    if (++busy_steps_ >= kStepsPerMs) {
+      pass_busy_ms();
+      return;
+    }
+  } while (--left > 0 && !residents_.has_woken() && !resident.is_leaving &&
+           resident.agent->is_active());
+}
+
+void Mas::Implementation::pass_busy_ms() {
+  busy_steps_ = 0;
+  now_ms_ += 1;
+  fire_timers();
 }
 
 double Mas::Implementation::wall_ms() const {
@@ -430,9 +463,7 @@ void Mas::Implementation::free_step() {
   if (!deliver_messages() && !any) {
     pass_idle_time();
   } else if (!options_.realtime && ++busy_steps_ >= kStepsPerMs) {
-    busy_steps_ = 0;
-    now_ms_ += 1;
-    fire_timers();
+    pass_busy_ms();
   }
 }
 

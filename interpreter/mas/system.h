@@ -29,6 +29,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] bool intervene(AgentId id, const std::function<void(Agent& agent)>& work,
                                std::string& problem);
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
+  bool stride();
 
   [[nodiscard]] const RunOutcome& outcome() const { return outcome_; }
   [[nodiscard]] const Residents& residents() const { return residents_; }
@@ -67,6 +68,8 @@ class Mas::Implementation : public AgentHost, public Society {
   // One step of the run.
   void tick();
   void free_step();
+  void reason_alone(Resident& resident);
+  void pass_busy_ms();
   void perceive();
   void reason_until_quiet();
   void execute_actions();

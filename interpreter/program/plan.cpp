@@ -19,6 +19,8 @@ void PlanList::add(const Plan& plan) {
 
 void PlanLibrary::insert(const Plan& plan) {
   if (plan.key.op == TriggerOperator::goal_state) ++goal_state_plans_;
+  const TriggerKey message{TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received};
+  if (!plan.is_standard && !plan.any_predicate && plan.key == message) ++message_plans_;
   if (!plan.any_predicate) {
     std::uint32_t place = index_.find(packed(plan.key));
     if (place == FlatIndex<std::uint64_t>::kNone) {
@@ -43,6 +45,7 @@ void PlanLibrary::rebuild() {
   keys_.clear();
   any_.fill({});
   goal_state_plans_ = 0;
+  message_plans_ = 0;
   for (const auto& plan : plans_) insert(*plan);
 }
 

@@ -172,6 +172,8 @@ class PlanLibrary {
   }
   /// Plans for goal states, `^!g`, exist.
   [[nodiscard]] bool has_goal_state_plans() const { return goal_state_plans_ > 0; }
+  /// There are plans for messages, `+!kqml_received(...)`, beside the standard ones.
+  [[nodiscard]] bool has_own_message_plans() const { return message_plans_ > 0; }
 
  private:
   static std::uint64_t packed(const TriggerKey& key) {
@@ -191,6 +193,7 @@ class PlanLibrary {
   // Plans with variable triggers, by kind of event; they are in the lists of all keys too.
   std::array<PlanList, 9> any_;
   std::size_t goal_state_plans_ = 0;
+  std::size_t message_plans_ = 0;
 };
 
 template <class IsIt>

@@ -1,6 +1,8 @@
 #include "interpreter/term/transfer.h"
 
+#include <array>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,9 +53,10 @@ Value Transfer::list(Value term) {
 }
 
 Value Transfer::structure(const Structure& structure) {
-  std::vector<Value> args;
-  args.reserve(structure.arity);
-  for (const Value arg : structure.arg_span()) args.push_back(copy(arg));
+  std::array<Value, 8> few;
+  std::vector<Value> many(structure.arity > few.size() ? structure.arity : 0);
+  const std::span<Value> args = many.empty() ? std::span(few).first(structure.arity) : many;
+  for (std::size_t i = 0; i < args.size(); ++i) args[i] = copy(structure.arg(i));
   const Value made =
       to_.structure(structure.predicate(), args, copy(structure.annots()), structure.form());
   if (made.is_structure()) made.structure()->info |= structure.info & Structure::kBare;

@@ -21,7 +21,7 @@ namespace jaywalk {
 namespace {
 
 /// Looking at the clock after every cycle would cost more than the cycle.
-constexpr std::uint64_t kStepsBetweenLooks = 256;
+constexpr std::uint64_t kStepsBetweenLooks = 4;
 
 struct Limits {
   MasOptions mas;
@@ -68,7 +68,7 @@ ExitCode verdict(const RunOutcome& outcome, Console& console) {
 ExitCode run_to_end(Mas& mas, const Limits& limits, Console& console) {
   const InterruptGuard interrupt;
   const Deadline deadline(limits.timeout_s);
-  for (std::uint64_t steps = 1; mas.step(); ++steps) {
+  for (std::uint64_t steps = 1; mas.stride(); ++steps) {
     if (interrupt.interrupted()) {
       console.note("interrupted");
       return ExitCode::interrupted;

@@ -1,0 +1,120 @@
+// How the machine calls what is written in C++: internal actions, in queries and in plan bodies,
+// and arithmetic functions.
+
+#include <fmt/format.h>
+
+#include "interpreter/logic/machine.h"
+#include "interpreter/term/compare.h"
+
+namespace jaywalk {
+
+bool Machine::action(const Goal& goal) {
+  ActionError error;
+  if (goal.action == nullptr) {
+    warn(fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
+    return false;
+  }
+  if (goal.action->body_only) {
+    warn(fmt::format("{} cannot be used within a formula", goal.action->name));
+    return false;
+  }
+  auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
+  const auto count = static_cast<int>(call->count());
+  if (count < goal.action->least_args ||
+      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
+    warn(fmt::format("wrong number of arguments: {}", goal.action->signature));
+    return false;
+  }
+  switch (goal.action->function(*call)) {
+    case Outcome::succeeded:
+      goal_ = goal.next;
+      return true;
+    case Outcome::failed:
+      return false;
+    case Outcome::many:
+      push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
+      return next_solution();
+    case Outcome::suspended:
+      return false;
+    case Outcome::error:
+      warn(fmt::format("{}: {}", goal.action->name, call->error.message));
+      return false;
+  }
+  return false;
+}
+
+Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, ActionError& error) {
+  if (goal.action == nullptr) {
+    error.id = "unknown_internal_action";
+    error.message = fmt::format("there is no internal action {}", symbols_.functor(goal.predicate));
+    return Outcome::error;
+  }
+  ActionCall call(*this, goal, slots, agent_, intention);
+  const auto count = static_cast<int>(call.count());
+  if (count < goal.action->least_args ||
+      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
+    error.id = "wrong_arguments";
+    error.message = fmt::format("wrong number of arguments: {}", goal.action->signature);
+    return Outcome::error;
+  }
+  Outcome outcome = goal.action->function(call);
+  if (outcome == Outcome::many) {
+    outcome = call.solutions->next(call) ? Outcome::succeeded : Outcome::failed;
+  }
+  if (outcome == Outcome::error) error = std::move(call.error);
+  return outcome;
+}
+
+void Machine::register_function(Symbol name, std::uint16_t arity, Predicate predicate) {
+  rule_functions_.push_back({name, arity, predicate});
+}
+
+bool Machine::call_function(const Structure& function, Value& result) {
+  const Signature& signature = symbols_.signature(function.predicate());
+  for (const RuleFunction& known : rule_functions_) {
+    if (known.name != signature.functor || known.arity != function.arity) continue;
+    std::vector<Value> args(function.arg_span().begin(), function.arg_span().end());
+    const Value answer = heap_.variable();
+    args.push_back(answer);
+    const Value query = heap_.structure(known.predicate, args);
+    const std::size_t trail = unifier_.mark();
+    if (!solve_term(query)) return false;
+    result = unifier_.apply(answer);
+    unifier_.undo(trail);
+    return true;
+  }
+  const FunctionDefinition* const definition =
+      actions_.function(symbols_.text(signature.functor), function.arity);
+  if (definition == nullptr) return false;
+  if (definition->function != nullptr) {
+    for (const Value arg : function.arg_span()) {
+      if (!is_ground(arg)) return false;
+    }
+    return definition->function(function.arg_span(), heap_, symbols_, result);
+  }
+  if (definition->name == ".count") {
+    double count = 0;
+    solve_all_terms(function.arg(0), [&] {
+      ++count;
+      return true;
+    });
+    result = Value::number(count);
+    return true;
+  }
+  if (definition->name == "system.time") {
+    if (!clock_ms) return false;
+    result = Value::number(clock_ms());
+    return true;
+  }
+  if (!random) return false;  // math.random([N])
+  double most = 1;
+  if (function.arity == 1 && !unifier_.evaluate(function.arg(0), nullptr, most)) return false;
+  result = Value::number(random() * most);
+  return true;
+}
+
+void Machine::warn(std::string_view message) {
+  if (log_) log_(message);
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,94 @@
+#include "interpreter/logic/row_index.h"
+
+#include <algorithm>
+
+namespace jaywalk {
+
+const RowIndex::Entry* RowIndex::find(std::uint64_t key) const {
+  if (table_.empty()) return nullptr;
+  for (std::size_t i = place(key);; i = (i + 1) & (table_.size() - 1)) {
+    if (table_[i].key == key) return &table_[i];
+    if (table_[i].key == kFree) return nullptr;
+  }
+}
+
+RowIndex::Entry& RowIndex::entry(std::uint64_t key) {
+  if (Entry* const known = find(key)) return *known;
+  if (2 * (taken_ + 1) > table_.size()) grow();
+  std::size_t i = place(key);
+  while (table_[i].key != kFree) i = (i + 1) & (table_.size() - 1);
+  ++taken_;
+  table_[i].key = key;
+  return table_[i];
+}
+
+// Keys whose rows have all gone are left behind.
+void RowIndex::grow() {
+  const auto live = static_cast<std::size_t>(
+      std::count_if(table_.begin(), table_.end(), [](const Entry& e) { return e.count > 0; }));
+  std::size_t size = 8;
+  while (size < 4 * (live + 1)) size *= 2;
+  std::vector<Entry> old(size);
+  old.swap(table_);
+  taken_ = live;
+  for (const Entry& each : old) {
+    if (each.count == 0) continue;
+    std::size_t i = place(each.key);
+    while (table_[i].key != kFree) i = (i + 1) & (table_.size() - 1);
+    table_[i] = each;
+  }
+}
+
+void RowIndex::add_newest(std::uint64_t key) {
+  const std::int64_t seq = first_ + static_cast<std::int64_t>(links_.size());
+  if (key == kHoleKey) {
+    links_.push_back({});
+    return;
+  }
+  Entry& chain = entry(key);
+  links_.push_back({key, chain.newest});
+  chain.newest = seq;
+  if (chain.oldest == kNone) chain.oldest = seq;
+  ++chain.count;
+}
+
+void RowIndex::add_oldest(std::uint64_t key) {
+  Entry& chain = entry(key);
+  if (chain.count == 0) {
+    chain.newest = first_ - 1;
+  } else {
+    link(chain.oldest).older = first_ - 1;
+  }
+  links_.push_front({key, kNone});
+  --first_;
+  chain.oldest = first_;
+  ++chain.count;
+}
+
+void RowIndex::erase(std::int64_t seq) {
+  Entry* const chain = find(link(seq).key);
+  if (chain != nullptr && chain->count > 0) --chain->count;
+}
+
+void RowIndex::drop_newest() {
+  const std::int64_t seq = first_ + static_cast<std::int64_t>(links_.size()) - 1;
+  const Link& last = link(seq);
+  Entry* const chain = find(last.key);
+  if (chain != nullptr && chain->newest == seq) {
+    chain->newest = last.older;
+    if (chain->oldest == seq) chain->oldest = kNone;
+  }
+  links_.pop_back();
+}
+
+void RowIndex::skip(std::uint64_t key, std::int64_t newer, std::int64_t older) {
+  Entry* const chain = find(key);
+  if (newer != kNone) {
+    link(newer).older = older;
+  } else if (chain != nullptr) {
+    chain->newest = older;
+  }
+  if (older == kNone && chain != nullptr) chain->oldest = newer;
+}
+
+}  // namespace jaywalk
