@@ -17,21 +17,32 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
       symbols_(symbols),
       host_(host),
       beliefs_(heap_, symbols),
-      machine_(heap_, symbols, beliefs_, program_->actions()),
+      max_inferences_(limits.inferences),
       random_(static_cast<std::int64_t>(seed)),
       library_(&program_->library()) {
   heap_.set_limit(limits.heap_bytes);
-  machine_.set_agent(this);
-  machine_.set_limits(limits.inferences);
-  machine_.set_log([this](std::string_view text) { log(text); });
-  machine_.random = [this] { return random_.next_double(); };
-  machine_.clock_ms = [this] { return kEpochMs + std::floor(host_.now_ms()); };
   for (const Program::Function& function : program_->functions()) {
-    machine_.register_function(function.name, function.arity, function.predicate);
+    functions_.push_back({function.name, function.arity, function.predicate});
   }
 }
 
 Agent::~Agent() = default;
+
+void Agent::borrow_workspace() {
+  workspace_ = host_.workspaces().lend();
+  workspace_->machine.attach({.heap = &heap_,
+                              .beliefs = &beliefs_,
+                              .actions = &program_->actions(),
+                              .agent = this,
+                              .surroundings = this,
+                              .functions = &functions_,
+                              .max_inferences = max_inferences_});
+}
+
+void Agent::give_back_workspace() {
+  workspace_->machine.unifier().commit(0);
+  host_.workspaces().take_back(std::move(workspace_));
+}
 
 void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {
   begin(*program_, replaced, given);
@@ -54,10 +65,10 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
     }
   }
   for (const Program::Goal& goal : program.goals()) {
-    ScratchSlots slots(machine_.unifier(), goal.slot_count);
-    machine_.unifier().set_slot_names(goal.slot_names);
-    add_goal(machine_.unifier().instantiate(goal.literal, slots.data()));
-    machine_.unifier().commit(0);
+    ScratchSlots slots(machine().unifier(), goal.slot_count);
+    machine().unifier().set_slot_names(goal.slot_names);
+    add_goal(machine().unifier().instantiate(goal.literal, slots.data()));
+    machine().unifier().commit(0);
   }
 }
 
@@ -77,15 +88,15 @@ void Agent::perceive_now() {
 
 void Agent::believe_percepts(const Percepts& percepts) {
   beliefs_.begin_percepts();
-  percept_changes_.clear();
+  work().percept_changes.clear();
   std::vector<BeliefBase::PerceptChange> added;
   for (std::size_t i = 0; i < percepts.size(); ++i) {
     BeliefBase::PerceptChange change;
     if (beliefs_.perceive(percepts.predicate(i), percepts.args(i), change)) added.push_back(change);
   }
-  beliefs_.end_percepts(percept_changes_);
-  percept_changes_.insert(percept_changes_.end(), added.begin(), added.end());
-  for (const BeliefBase::PerceptChange& change : percept_changes_) {
+  beliefs_.end_percepts(work().percept_changes);
+  work().percept_changes.insert(work().percept_changes.end(), added.begin(), added.end());
+  for (const BeliefBase::PerceptChange& change : work().percept_changes) {
     add_event({change.added ? TriggerOperator::add : TriggerOperator::remove, TriggerKind::belief,
                change.literal, nullptr});
   }
@@ -135,9 +146,9 @@ bool Agent::believe(Value literal, Place place, Intention* focus) {
 
 bool Agent::disbelieve(Value literal, Intention* focus) {
   literal = with_own_source(literal);
-  if (!beliefs_.remove(literal, machine_.unifier())) return false;
+  if (!beliefs_.remove(literal, machine().unifier())) return false;
   add_event(
-      {TriggerOperator::remove, TriggerKind::belief, machine_.unifier().apply(literal), focus});
+      {TriggerOperator::remove, TriggerKind::belief, machine().unifier().apply(literal), focus});
   return true;
 }
 
@@ -170,11 +181,11 @@ void Agent::add_goal(Value literal) {
 
 Intention& Agent::new_intention() {
   std::unique_ptr<Intention> made;
-  if (spare_intentions_.empty()) {
+  if (work().spare_intentions.empty()) {
     made = std::make_unique<Intention>(next_intention_);
   } else {
-    made = std::move(spare_intentions_.back());
-    spare_intentions_.pop_back();
+    made = std::move(work().spare_intentions.back());
+    work().spare_intentions.pop_back();
     made->start_again(next_intention_);
   }
   ++next_intention_;
@@ -278,8 +289,8 @@ void Agent::forget_finished() {
     if (intention->state != Intention::State::finished) {
       if (&intentions[kept] != &intention) intentions[kept] = std::move(intention);
       ++kept;
-    } else if (spare_intentions_.size() < kSpares) {
-      spare_intentions_.push_back(std::move(intention));
+    } else if (work().spare_intentions.size() < kSpares) {
+      work().spare_intentions.push_back(std::move(intention));
     }
   }
   intentions.resize(kept);

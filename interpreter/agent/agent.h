@@ -4,6 +4,7 @@
 // cycle follows Jason's semantic rules; each is a function that bears its name, in cycle.cpp, in
 // order.
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -17,6 +18,7 @@
 #include "interpreter/agent/customisation.h"
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/settings.h"
+#include "interpreter/agent/workspace.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/mas/environment.h"
 #include "interpreter/program/program.h"
@@ -31,11 +33,11 @@ struct AgentLimits {
   std::uint64_t inferences = 1'000'000'000;
 };
 
-class Agent {
+class Agent final : public MachineSurroundings {
  public:
   Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
         AgentHost& host, std::uint64_t seed, const AgentLimits& limits);
-  ~Agent();
+  ~Agent() override;
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
 
@@ -92,7 +94,12 @@ class Agent {
   [[nodiscard]] std::uint32_t number() const { return number_; }
   void set_number(std::uint32_t number) { number_ = number; }
   [[nodiscard]] AgentHost& host() { return host_; }
-  [[nodiscard]] Machine& machine() { return machine_; }
+  /// The machine that answers its queries, borrowed from the system until the end of its cycle.
+  [[nodiscard]] Machine& machine() { return work().machine; }
+  /// To be called when the agent has been made to do something outside of its cycles.
+  void rest() {
+    if (workspace_ != nullptr) give_back_workspace();
+  }
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
   [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
   [[nodiscard]] Heap& heap() { return heap_; }
@@ -198,7 +205,10 @@ class Agent {
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
 
-  void log(std::string_view text) { host_.log(*this, text); }
+  // MachineSurroundings
+  void log(std::string_view text) override { host_.log(*this, text); }
+  double draw() override { return random_.next_double(); }
+  double clock_ms() override { return kEpochMs + std::floor(host_.now_ms()); }
 
   /// The literal as told by `sender`: its own sources become annotations of the new one.
   [[nodiscard]] Value add_source(Value literal, Value sender);
@@ -328,6 +338,12 @@ class Agent {
   void copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans);
 
   void tidy_up();
+  [[nodiscard]] Workspace& work() {
+    if (workspace_ == nullptr) borrow_workspace();
+    return *workspace_;
+  }
+  void borrow_workspace();
+  void give_back_workspace();
   void make_ready(Intention& intention);
   Intention& new_intention();
   void collect_garbage();
@@ -344,7 +360,9 @@ class Agent {
   AgentHost& host_;
   Heap heap_;
   BeliefBase beliefs_;
-  Machine machine_;
+  std::unique_ptr<Workspace> workspace_;  // null while it is at rest
+  std::uint64_t max_inferences_;
+  std::vector<RuleFunction> functions_;
   JavaRandom random_;
   Circumstance circumstance_;
   std::shared_ptr<const Customisation> customisation_;
@@ -354,16 +372,12 @@ class Agent {
   std::vector<std::shared_ptr<const Program>> included_;
   std::map<const Plan*, Value> labels_;  // of plans whose sources have changed
   std::uint32_t next_label_ = 0;
-  std::vector<Value> scratch_;  // the frame of the plan being tried
-  std::vector<std::pair<Value, Value>> renamed_;
-  std::vector<BeliefBase::PerceptChange> percept_changes_;
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
   std::uint32_t number_ = 0;
   std::uint32_t last_message_ = 0;
   std::uint64_t cycles_ = 0;
   std::size_t finished_ = 0;  // intentions that are finished but not forgotten
-  std::vector<std::unique_ptr<Intention>> spare_intentions_;
   Intention* executing_ = nullptr;
   Intention* deliberating_ = nullptr;  // that of the event for which a plan is looked for
   bool uses_subplans_ = false;         // some means has had sub-plans

@@ -19,15 +19,15 @@ void Agent::record_bindings(Intention& intention, std::size_t trail) {
   if (!means.loops.empty()) {
     Value* const first = intention.frame(means);
     Value* const last = first + means.plan->slot_count;
-    for (Value* const cell : machine_.unifier().bindings_since(trail)) {
+    for (Value* const cell : machine().unifier().bindings_since(trail)) {
       if (cell >= first && cell < last) {
         means.loops.back().bound.push_back(Value::slot(static_cast<std::uint32_t>(cell - first)));
-      } else if (!machine_.is_in_frame(cell)) {
+      } else if (!machine().is_in_frame(cell)) {
         means.loops.back().bound.push_back(variable_of(cell));
       }
     }
   }
-  machine_.unifier().commit(trail);
+  machine().unifier().commit(trail);
 }
 
 void Agent::undo_round(Intention& intention, Loop& loop) {
@@ -53,19 +53,19 @@ void Agent::bind_recorded(Intention& intention, Loop& loop, Value place, Value v
 
 // All solutions of a `for`, each as what it binds.
 void Agent::collect_solutions(Intention& intention, const Goal& condition, Loop& loop) {
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   const IntendedMeans& means = intention.top();
   Value* const first = intention.frame(means);
   Value* const last = first + means.plan->slot_count;
   const std::size_t trail = unifier.mark();
-  machine_.solve_all(&condition, first, [&] {
+  machine().solve_all(&condition, first, [&] {
     // A formula from run-time data may have bound a variable to a term with slots of this frame;
     // giving those a variable is a binding, too, behind the ones that are looked at here.
     const std::size_t count = unifier.bindings_since(trail).size();
     for (std::size_t i = 0; i < count; ++i) {
       Value* const cell = unifier.bindings_since(trail)[i];
       const bool is_slot = cell >= first && cell < last;
-      if (!is_slot && machine_.is_in_frame(cell)) continue;
+      if (!is_slot && machine().is_in_frame(cell)) continue;
       loop.solutions.push_back(is_slot ? Value::slot(static_cast<std::uint32_t>(cell - first))
                                        : variable_of(cell));
       loop.solutions.push_back(unifier.instantiate(*cell, first));
@@ -141,7 +141,7 @@ Intention& Agent::copy_for_branch(Intention& intention) {
     note(held.place);
     note(held.value);
   }
-  Value renamed = machine_.unifier().fresh_copy(heap_.list(terms));
+  Value renamed = machine().unifier().fresh_copy(heap_.list(terms));
   const auto next = [&] {
     const Value value = renamed.pair()->head;
     renamed = renamed.pair()->tail;

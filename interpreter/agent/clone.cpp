@@ -54,7 +54,7 @@ void Agent::copy_beliefs(const Agent& original, Transfer& transfer) {
       } else {
         const Value rule = transfer.copy(row.rule->source);
         beliefs_.add_rule(make_rule(rule.structure()->arg(0), rule.structure()->arg(1),
-                                    row.rule->slot_names, heap_, machine_.actions(), symbols_),
+                                    row.rule->slot_names, heap_, machine().actions(), symbols_),
                           Place::front);
       }
     }
@@ -80,7 +80,7 @@ Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
     std::shared_ptr<const Plan> copy = plan;
     if (!plan->source.is_static()) {
       const auto made =
-          compile_plan(transfer.copy(plan->source), plan->slot_names, machine_.actions(), symbols_);
+          compile_plan(transfer.copy(plan->source), plan->slot_names, machine().actions(), symbols_);
       made->label = transfer.copy(plan->label);
       made->file = plan->file;
       made->line = plan->line;

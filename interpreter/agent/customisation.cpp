@@ -58,7 +58,7 @@ bool Agent::select_option(const std::vector<const Plan*>& plans, const Event& ev
   if (!chosen || *chosen >= options.size()) return false;
   Option& option = options[*chosen];
   for (const auto& [variable, value] : option.bindings) variable.variable()->value = value;
-  scratch_ = std::move(option.values);
+  work().frame = std::move(option.values);
   add_intended_means(*option.plan, event, option.scope);
   return true;
 }
@@ -66,17 +66,17 @@ bool Agent::select_option(const std::vector<const Plan*>& plans, const Event& ev
 // The options that one plan is, each with what it binds; the bindings themselves are undone.
 void Agent::find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
                          std::vector<Option>& options) {
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
   prepare_scratch(plan, scope);
-  Value* const first = scratch_.data();
-  Value* const last = first + scratch_.size();
+  Value* const first = work().frame.data();
+  Value* const last = first + work().frame.size();
   const auto note = [&] {
-    Option option{.plan = &plan, .values = scratch_, .scope = scope};
+    Option option{.plan = &plan, .values = work().frame, .scope = scope};
     for (Value* const cell : unifier.bindings_since(trail)) {
       if (cell >= first && cell < last) {
         option.values[static_cast<std::size_t>(cell - first)] = unifier.apply(*cell);
-      } else if (!machine_.is_in_frame(cell)) {
+      } else if (!machine().is_in_frame(cell)) {
         option.bindings.emplace_back(Value::reference(Value::Kind::variable, cell, 0),
                                      unifier.apply(*cell));
       }
@@ -87,7 +87,7 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
   ActionError error;
   const bool completed = guarded(error, [&] {
     if (unifier.match(plan.trigger, first, event.literal, Unifier::Direction::template_first)) {
-      machine_.solve_all(plan.context, first, note);
+      machine().solve_all(plan.context, first, note);
     }
     return true;
   });

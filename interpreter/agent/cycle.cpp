@@ -42,7 +42,7 @@ bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
     return true;
   });
   if (!completed) {
-    machine_.unifier().undo(0);
+    machine().unifier().undo(0);
     problem = error.message;
   }
   changed_ = true;
@@ -52,11 +52,12 @@ bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
 
 void Agent::tidy_up() {
   // Nothing holds a Value any more but the circumstance and the beliefs.
-  machine_.unifier().commit(0);
-  machine_.forget_temporary_code();
+  machine().unifier().commit(0);
+  machine().forget_temporary_code();
   if (finished_ > 0) forget_finished();
   beliefs_.compact();
   if (heap_.wants_collection()) collect_garbage();
+  rest();
 }
 
 void Agent::sense() {
@@ -147,22 +148,22 @@ bool Agent::try_plans(const PlanList& plans, const Event& event,
 }
 
 void Agent::prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope) {
-  scratch_.assign(plan.slot_count, Value());
+  work().frame.assign(plan.slot_count, Value());
   if (scope != nullptr && scope->owner != nullptr) {
-    for (const auto& [own, outer] : plan.inherited) scratch_[own] = scope->frame[outer];
+    for (const auto& [own, outer] : plan.inherited) work().frame[own] = scope->frame[outer];
   }
-  machine_.unifier().set_slot_names(plan.slot_names);
+  machine().unifier().set_slot_names(plan.slot_names);
 }
 
 bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope) {
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
   prepare_scratch(plan, scope);
   std::unique_ptr<ActionError> error;
   const bool applicable = guarded(error, [&] {
-    return unifier.match(plan.trigger, scratch_.data(), event.literal,
+    return unifier.match(plan.trigger, work().frame.data(), event.literal,
                          Unifier::Direction::template_first) &&
-           machine_.solve(plan.context, scratch_.data());
+           machine().solve(plan.context, work().frame.data());
   });
   if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
   if (!applicable) {
@@ -180,7 +181,7 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
   Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
   if (event.intention != nullptr) replace_finished_caller(intention, event);
   const std::size_t depth = intention.stack.size();
-  IntendedMeans& means = intention.push(plan, scratch_);
+  IntendedMeans& means = intention.push(plan, work().frame);
   means.op = event.op;
   means.kind = event.kind;
   means.trigger = event.literal;
@@ -189,7 +190,7 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
   if (plan.subplans != nullptr) {
     uses_subplans_ = true;
     means.scope = std::make_shared<Scope>(
-        Scope{plan.subplans.get(), &plan, scratch_, scope, intention.id, depth});
+        Scope{plan.subplans.get(), &plan, work().frame, scope, intention.id, depth});
   }
   if (plan.has_goal_condition) ++goal_conditions_;
   if (plan.atomic) circumstance_.atomic_suspended = false;
@@ -360,7 +361,7 @@ void Agent::pop_means(Intention& intention) {
 void Agent::return_values(Intention& intention) {
   const IntendedMeans& caller = intention.top();
   if (caller.returns == 0) return;
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
   const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {

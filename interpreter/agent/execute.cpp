@@ -42,12 +42,12 @@ void Agent::execute(Intention& intention) {
   std::unique_ptr<ActionError> error;
   const Step& step = means.step();
   const bool completed = guarded(error, [&] {
-    machine_.unifier().set_slot_names(means.plan->slot_names);
+    machine().unifier().set_slot_names(means.plan->slot_names);
     execute_step(intention, step);
     return true;
   });
   if (!completed) {
-    machine_.unifier().undo(0);
+    machine().unifier().undo(0);
     const MemoryReserve reserve(heap_);
     fail(intention, *error);
   }
@@ -62,8 +62,8 @@ void Agent::execute_step(Intention& intention, const Step& step) {
       execute_internal_action(intention, *step.goal);
       return;
     case Step::Kind::constraint: {
-      const std::size_t trail = machine_.unifier().mark();
-      if (!machine_.solve(step.goal, intention.frame(intention.top()))) {
+      const std::size_t trail = machine().unifier().mark();
+      if (!machine().solve(step.goal, intention.frame(intention.top()))) {
         fail(intention, make_error("constraint_failed", ""));
         return;
       }
@@ -120,7 +120,7 @@ void Agent::go_on(Intention& intention) {
 
 void Agent::execute_action(Intention& intention, Value term) {
   Value* const frame = intention.frame(intention.top());
-  const Value literal = machine_.unifier().instantiate(term, frame);
+  const Value literal = machine().unifier().instantiate(term, frame);
   record_bindings(intention, 0);
   suspend(intention, Intention::State::acting, "act");
   circumstance_.actions.push_back({&intention, literal});
@@ -134,11 +134,11 @@ void Agent::execute_action(Intention& intention, Value term) {
 }
 
 void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
-  const std::size_t trail = machine_.unifier().mark();
+  const std::size_t trail = machine().unifier().mark();
   ActionError error;
   // The action may drop its own intention, or finish its goal: look at the state afterwards.
   const std::size_t depth = intention.stack.size();
-  const Outcome outcome = machine_.call(goal, intention.frame(intention.top()), &intention, error);
+  const Outcome outcome = machine().call(goal, intention.frame(intention.top()), &intention, error);
   if (intention.state != Intention::State::running || intention.stack.size() != depth) {
     if (outcome != Outcome::suspended && intention.state == Intention::State::running) {
       make_ready(intention);
@@ -166,28 +166,28 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
 void Agent::note_returns(Intention& intention) {
   IntendedMeans& means = intention.top();
   intention.values.resize(means.frame + means.plan->slot_count);
-  for (const auto& [own, copy] : renamed_) {
+  for (const auto& [own, copy] : work().renamed) {
     intention.values.push_back(own);
     intention.values.push_back(copy);
   }
-  means.returns = 2 * renamed_.size();
+  means.returns = 2 * work().renamed.size();
 }
 
 // A goal's or belief's literal, applied, with source(self) unless it has a source. Where values are
 // to come back, its open variables are renamed and recorded behind the frame.
 Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   Value* const frame = intention.frame(intention.top());
-  renamed_.clear();
+  work().renamed.clear();
   if (is_form(term, Form::literal)) {
     const Structure& s = *term.structure();
     const Value annots = s.is_annotated() ? s.annots() : source_self();
     if (annots.is_closed() && has_source(annots)) {
       const Value made =
-          unifier.instantiate_renamed(s, frame, annots, returns ? &renamed_ : nullptr);
+          unifier.instantiate_renamed(s, frame, annots, returns ? &work().renamed : nullptr);
       record_bindings(intention, 0);
       if (!made.is_unset()) {
-        if (!renamed_.empty()) note_returns(intention);
+        if (!work().renamed.empty()) note_returns(intention);
         return made;
       }
     }
@@ -195,7 +195,7 @@ Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
   Value literal = unifier.instantiate(term, frame);
   record_bindings(intention, 0);
   if (!literal.is_closed()) {
-    literal = unifier.rename(literal, returns ? &renamed_ : nullptr);
+    literal = unifier.rename(literal, returns ? &work().renamed : nullptr);
     if (returns) note_returns(intention);
   }
   if (!is_literal(literal)) return literal;
@@ -223,13 +223,13 @@ void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
 }
 
 void Agent::execute_test(Intention& intention, const Step& step) {
-  const std::size_t trail = machine_.unifier().mark();
-  if (machine_.solve(step.goal, intention.frame(intention.top()))) {
+  const std::size_t trail = machine().unifier().mark();
+  if (machine().solve(step.goal, intention.frame(intention.top()))) {
     record_bindings(intention, trail);
     go_on(intention);
     return;
   }
-  const Value term = machine_.unifier().instantiate(step.term, intention.frame(intention.top()));
+  const Value term = machine().unifier().instantiate(step.term, intention.frame(intention.top()));
   record_bindings(intention, trail);
   if (is_literal(term)) {
     const TriggerKey key = trigger_key(TriggerOperator::add, TriggerKind::test,
@@ -252,7 +252,7 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
   const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
   // Deleting binds the variables of the pattern, so they are not renamed.
   const Value literal = removes || kind == Step::Kind::replace
-                            ? machine_.unifier().instantiate(term, intention.frame(intention.top()))
+                            ? machine().unifier().instantiate(term, intention.frame(intention.top()))
                             : prepare_for_event(intention, term, !new_focus);
   if (!is_literal(literal)) {
     fail(intention, make_error("body_var_not_literal", "a belief must be a literal"));
@@ -262,7 +262,7 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
     execute_replace(intention, literal);
     return;
   }
-  const std::size_t trail = removes ? 0 : machine_.unifier().mark();
+  const std::size_t trail = removes ? 0 : machine().unifier().mark();
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
   const bool changed = removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
   record_bindings(intention, trail);
@@ -272,13 +272,13 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
 // -+b: one belief of the same name goes, as if deleted by another intention, then b comes.
 void Agent::execute_replace(Intention& intention, Value literal) {
   const LiteralParts parts = literal_parts(literal);
-  scratch_.resize(parts.args.size());
-  for (Value& arg : scratch_) arg = heap_.variable();
-  const std::size_t trail = machine_.unifier().mark();
-  (void)remove_belief(heap_.structure(parts.predicate, scratch_, parts.annots), nullptr);
-  machine_.unifier().commit(trail);
+  work().frame.resize(parts.args.size());
+  for (Value& arg : work().frame) arg = heap_.variable();
+  const std::size_t trail = machine().unifier().mark();
+  (void)remove_belief(heap_.structure(parts.predicate, work().frame, parts.annots), nullptr);
+  machine().unifier().commit(trail);
   record_bindings(intention, 0);
-  if (!literal.is_closed()) literal = machine_.unifier().fresh_copy(literal);
+  if (!literal.is_closed()) literal = machine().unifier().fresh_copy(literal);
   Intention* const focus = settings_.same_focus ? &intention : nullptr;
   if (!add_belief(literal, Place::front, focus) || focus == nullptr) go_on(intention);
 }
@@ -286,7 +286,7 @@ void Agent::execute_replace(Intention& intention, Value literal) {
 // A variable as formula, with or without an operator: its value says what to do.
 void Agent::execute_variable(Intention& intention, const Step& step) {
   IntendedMeans& means = intention.top();
-  const Value value = machine_.unifier().instantiate(step.term, intention.frame(means));
+  const Value value = machine().unifier().instantiate(step.term, intention.frame(means));
   record_bindings(intention, 0);
   const bool is_open = value.is_variable() || is_form(value, Form::decorated);
   // N::p(X) asks all namespaces; to do something, the namespace must be known.
@@ -316,7 +316,7 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
     return;
   }
   auto code = std::make_shared<BodyCode>();
-  code->entry = BodyCompiler(*code, machine_.actions(), symbols_).compile(value);
+  code->entry = BodyCompiler(*code, machine().actions(), symbols_).compile(value);
   const Body& body = *code->entry;
   if (is_form(value, Form::body)) {
     // The formulas come in the variable's place, the first of them in this step.
@@ -342,8 +342,8 @@ void Agent::enter_body(Intention& intention, const Body& body, std::shared_ptr<B
 }
 
 void Agent::execute_if(Intention& intention, const Step& step) {
-  const std::size_t trail = machine_.unifier().mark();
-  const bool holds = machine_.solve(step.goal, intention.frame(intention.top()));
+  const std::size_t trail = machine().unifier().mark();
+  const bool holds = machine().solve(step.goal, intention.frame(intention.top()));
   record_bindings(intention, trail);
   const Body* const branch = holds ? step.first : step.second;
   if (branch == nullptr) {
@@ -359,8 +359,8 @@ void Agent::execute_while(Intention& intention, const Step& step) {
   if (means.loops.empty() || means.loops.back().step != &step) {
     means.loops.emplace_back().step = &step;
   }
-  const std::size_t trail = machine_.unifier().mark();
-  if (!machine_.solve(step.goal, intention.frame(means))) {
+  const std::size_t trail = machine().unifier().mark();
+  if (!machine().solve(step.goal, intention.frame(means))) {
     means.loops.pop_back();
     go_on(intention);
     return;

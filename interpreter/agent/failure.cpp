@@ -44,7 +44,7 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
     annots.push_back(annot("code_line", Value::number(line)));
   }
   const Value set = sorted_set(heap_, heap_.list(annots), symbols_);
-  literal = machine_.unifier().apply(literal);
+  literal = machine().unifier().apply(literal);
   return with_annotations(heap_, literal,
                           union_of(heap_, literal_parts(literal).annots, set, symbols_));
 }
@@ -100,11 +100,11 @@ void Agent::fail(Intention& intention, const ActionError& error) {
   if (!top.cursor.at_end()) {
     const Step& step = top.step();
     line = step.line;
-    machine_.unifier().set_slot_names(top.plan->slot_names);
+    machine().unifier().set_slot_names(top.plan->slot_names);
     ActionError ignored;
     try {
-      code = machine_.unifier().fresh_copy(
-          machine_.unifier().instantiate(step.term, intention.frame(top)));
+      code = machine().unifier().fresh_copy(
+          machine().unifier().instantiate(step.term, intention.frame(top)));
     } catch (const DivisionByZero&) {
       code = Value();
     } catch (const TermTooDeep&) {
@@ -191,7 +191,7 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   }
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
   const std::uint32_t line = intention.top().cursor.at_end() ? 0 : intention.top().step().line;
-  const Value goal = machine_.unifier().fresh_copy(event.literal);
+  const Value goal = machine().unifier().fresh_copy(event.literal);
   if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
     signal_failure({{event.kind, event.literal}}, error, true);
     add_event({TriggerOperator::remove, event.kind,

@@ -14,7 +14,7 @@ bool Agent::has_goal(const Intention& intention, Value goal) {
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
     if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
-        machine_.unifier().unify(goal, means.trigger)) {
+        machine().unifier().unify(goal, means.trigger)) {
       return true;
     }
   }
@@ -46,9 +46,9 @@ std::vector<Intention*> Agent::all_intentions() {
 std::vector<Intention*> Agent::intentions_with(Value goal) {
   std::vector<Intention*> found;
   for (Intention* const intention : all_intentions()) {
-    const std::size_t trail = machine_.unifier().mark();
+    const std::size_t trail = machine().unifier().mark();
     if (has_goal(*intention, goal)) found.push_back(intention);
-    machine_.unifier().undo(trail);
+    machine().unifier().undo(trail);
   }
   return found;
 }
@@ -58,9 +58,9 @@ void Agent::drop_goal_events(Value goal) {
   std::vector<Intention*> orphaned;
   const auto matches = [&](const Event& event) {
     if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
-    const std::size_t trail = machine_.unifier().mark();
-    const bool found = machine_.unifier().unify(goal, event.literal);
-    machine_.unifier().undo(trail);
+    const std::size_t trail = machine().unifier().mark();
+    const bool found = machine().unifier().unify(goal, event.literal);
+    machine().unifier().undo(trail);
     if (found && event.intention != nullptr) orphaned.push_back(event.intention);
     if (found) signal_goal_state(event.kind, event.literal, "dropped");
     return found;
@@ -98,7 +98,7 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
     if (has_failure_plan(means.kind, means.trigger, means.scope.get())) {
       const Value goal = reason != nullptr
                              ? failure_literal(means.trigger, error, Value(), 0, nullptr)
-                             : machine_.unifier().apply(means.trigger);
+                             : machine().unifier().apply(means.trigger);
       add_event({TriggerOperator::remove, means.kind, goal, &intention, depth});
       return;
     }
@@ -127,9 +127,9 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
     for (std::size_t i = 0; i < intention->stack.size(); ++i) {
       const IntendedMeans& means = intention->stack[i];
       if (means.kind != TriggerKind::achieve || means.op != TriggerOperator::add) continue;
-      const std::size_t trail = machine_.unifier().mark();
-      const bool found = machine_.unifier().unify(goal, means.trigger);
-      machine_.unifier().commit(trail);
+      const std::size_t trail = machine().unifier().mark();
+      const bool found = machine().unifier().unify(goal, means.trigger);
+      machine().unifier().commit(trail);
       if (!found) continue;
       end_means(*intention, i, end);
       break;
@@ -140,9 +140,9 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
   std::vector<Event> ended;
   const auto take = [&](const Event& event) {
     if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
-    const std::size_t trail = machine_.unifier().mark();
-    const bool found = machine_.unifier().unify(goal, event.literal);
-    machine_.unifier().undo(trail);
+    const std::size_t trail = machine().unifier().mark();
+    const bool found = machine().unifier().unify(goal, event.literal);
+    machine().unifier().undo(trail);
     if (found) ended.push_back(event);
     return found;
   };
@@ -184,7 +184,7 @@ Value Agent::watch_deadline(Value goal) {
       continue;
     }
     double ms = 0;
-    if (!machine_.unifier().evaluate(annot.structure()->arg(0), nullptr, ms) || !(ms >= 0)) break;
+    if (!machine().unifier().evaluate(annot.structure()->arg(0), nullptr, ms) || !(ms >= 0)) break;
     goal = heap_.structure(parts.predicate, parts.args, parts.annots);
     const std::uint64_t token = new_token();
     circumstance_.deadlines.push_back({token, goal});
@@ -236,10 +236,10 @@ void Agent::suspend_goal(Value goal) {
   std::vector<Event> moved;
   erase_if(c.events, [&](const Event& event) {
     const bool is_goal = event.kind == TriggerKind::achieve && event.op == TriggerOperator::add;
-    const std::size_t trail = machine_.unifier().mark();
-    const bool found = (is_goal && machine_.unifier().unify(goal, event.literal)) ||
+    const std::size_t trail = machine().unifier().mark();
+    const bool found = (is_goal && machine().unifier().unify(goal, event.literal)) ||
                        (event.intention != nullptr && has_goal(*event.intention, goal));
-    machine_.unifier().undo(trail);
+    machine().unifier().undo(trail);
     if (found) moved.push_back(event);
     return found;
   });
@@ -271,10 +271,10 @@ void Agent::resume_goal(Value goal) {
   }
   std::vector<Event> moved;
   std::erase_if(c.pending_events, [&](const Event& event) {
-    const std::size_t trail = machine_.unifier().mark();
-    const bool found = machine_.unifier().unify(goal, event.literal) ||
+    const std::size_t trail = machine().unifier().mark();
+    const bool found = machine().unifier().unify(goal, event.literal) ||
                        (event.intention != nullptr && has_goal(*event.intention, goal));
-    machine_.unifier().undo(trail);
+    machine().unifier().undo(trail);
     if (found) moved.push_back(event);
     return found;
   });
@@ -295,12 +295,12 @@ void Agent::check_goal_conditions() {
       const IntendedMeans& means = intention->stack[i];
       if (!means.plan->has_goal_condition) continue;
       std::unique_ptr<ActionError> error;
-      machine_.unifier().set_slot_names(means.plan->slot_names);
-      const std::size_t trail = machine_.unifier().mark();
+      machine().unifier().set_slot_names(means.plan->slot_names);
+      const std::size_t trail = machine().unifier().mark();
       const bool holds = guarded(error, [&] {
-        return machine_.solve(means.plan->goal_condition, intention->frame(means));
+        return machine().solve(means.plan->goal_condition, intention->frame(means));
       });
-      machine_.unifier().commit(trail);
+      machine().unifier().commit(trail);
       if (!holds) continue;
       end_means(*intention, i, GoalEnd::succeed);
       break;

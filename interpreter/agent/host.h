@@ -16,6 +16,7 @@ namespace jaywalk {
 class Agent;
 class Program;
 class ServiceDirectory;
+class WorkspacePool;
 
 /// A message as its sender gives it. The content is copied when it is sent.
 struct OutgoingMessage {
@@ -89,6 +90,8 @@ class AgentHost {
   virtual void write(std::string_view text) = 0;
   virtual void log(Agent& agent, std::string_view text) = 0;
   [[nodiscard]] virtual Society& society() = 0;
+  /// Where agents borrow what they reason with.
+  [[nodiscard]] virtual WorkspacePool& workspaces() = 0;
 };
 
 }  // namespace jaywalk

@@ -165,7 +165,7 @@ bool Agent::expects_timer(std::uint64_t token) const {
 void Agent::end_ask(const PendingAsk& ask, Value answer) {
   Intention& intention = *ask.intention;
   if (intention.state != Intention::State::waiting || intention.reason != kWaitsForAnswer) return;
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
   if (unifier.unify(ask.answer, answer)) {
     record_bindings(intention, trail);

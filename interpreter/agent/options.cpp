@@ -31,7 +31,7 @@ bool Agent::select_by_rules(const Event& event, bool& had_candidates) {
     for (const auto& [variable, value] : option.bindings) {
       variable.variable()->value = value;
     }
-    scratch_ = option.values;
+    work().frame = option.values;
     add_intended_means(*option.plan, event, option.scope);
     return true;
   }
@@ -45,7 +45,7 @@ bool Agent::select_by_rules(const Event& event, bool& had_candidates) {
 }
 
 bool Agent::is_selected(const Option& option, const Event& event) {
-  const Value literal = machine_.unifier().apply(event.literal);
+  const Value literal = machine().unifier().apply(event.literal);
   const Value trigger =
       heap_.structure(symbols_.predicate(trigger_operator(event.op, event.kind), 1),
                       std::span(&literal, 1), Value::empty_list(), Form::trigger);
@@ -61,10 +61,10 @@ bool Agent::is_selected(const Option& option, const Event& event) {
   const std::array<Value, 4> args{trigger, Value::number(intention), plan_term(*option.plan),
                                   heap_.list(maps)};
   const Value query = heap_.structure(predicates::select_option, args);
-  const std::size_t trail = machine_.unifier().mark();
+  const std::size_t trail = machine().unifier().mark();
   ActionError error;
-  const bool selected = guarded(error, [&] { return machine_.solve_term(query); });
-  machine_.unifier().undo(trail);
+  const bool selected = guarded(error, [&] { return machine().solve_term(query); });
+  machine().unifier().undo(trail);
   return selected;
 }
 

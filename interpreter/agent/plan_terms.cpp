@@ -23,7 +23,7 @@ bool has_made_label(const Plan& plan, const SymbolTable& symbols) {
 
 // A template's slots as variables of the plan's names.
 Value Agent::plan_term(const Plan& plan) {
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   ScratchSlots slots(unifier, plan.slot_count);
   const std::size_t trail = unifier.mark();
   unifier.set_slot_names(plan.slot_names);
@@ -38,12 +38,12 @@ Value Agent::plan_term(const Plan& plan) {
 
 // The variables of a term become slots 0, 1, ...; their names are collected.
 Value Agent::as_template(Value term, std::vector<Symbol>& slot_names) {
-  Unifier& unifier = machine_.unifier();
-  renamed_.clear();
+  Unifier& unifier = machine().unifier();
+  work().renamed.clear();
   const std::size_t trail = unifier.mark();
-  const Value copy = unifier.rename(term, &renamed_);
-  for (std::size_t i = 0; i < renamed_.size(); ++i) {
-    Variable* const variable = renamed_[i].second.variable();
+  const Value copy = unifier.rename(term, &work().renamed);
+  for (std::size_t i = 0; i < work().renamed.size(); ++i) {
+    Variable* const variable = work().renamed[i].second.variable();
     slot_names.push_back(variable->name());
     unifier.bind(variable, Value::slot(static_cast<std::uint32_t>(i)));
   }
@@ -60,7 +60,7 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   std::vector<Symbol> names;
   const Value made = as_template(term, names);
   const std::shared_ptr<Plan> plan =
-      compile_plan(made, std::move(names), machine_.actions(), symbols_);
+      compile_plan(made, std::move(names), machine().actions(), symbols_);
   if (plan == nullptr) {
     problem = term_text(term, symbols_) + " has no trigger";
     return false;
@@ -162,7 +162,7 @@ const Plan* Agent::plan_with_label(Value label) const {
 std::vector<const Plan*> Agent::relevant_plans(TriggerOperator op, TriggerKind kind,
                                                Value literal) {
   std::vector<const Plan*> found;
-  Unifier& unifier = machine_.unifier();
+  Unifier& unifier = machine().unifier();
   const Event event{op, kind, literal, nullptr, 0};
   std::vector<const Plan*> candidates;
   if (is_literal(literal)) {
@@ -190,7 +190,7 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
   const bool is_rule = term.is_structure() && term.structure()->form() == Form::rule;
   const bool is_plan = term.is_structure() && term.structure()->form() == Form::plan;
   if (!is_rule && !is_plan) return false;
-  const Value code = machine_.unifier().instantiate(term, intention.frame(intention.top()));
+  const Value code = machine().unifier().instantiate(term, intention.frame(intention.top()));
   record_bindings(intention, 0);
   const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
@@ -219,7 +219,7 @@ void Agent::add_rule(Value rule, Place place) {
                             union_of(heap_, literal_parts(head).annots, source_self(), symbols_));
   }
   beliefs_.add_rule(make_rule(head, made.structure()->arg(1), std::move(names), heap_,
-                              machine_.actions(), symbols_),
+                              machine().actions(), symbols_),
                     place);
   heap_.protect();
 }
@@ -241,7 +241,7 @@ bool Agent::include(std::shared_ptr<const Program> program, std::string& problem
   }
   for (auto& plan : added) own_library_->add(std::move(plan));
   for (const Program::Function& function : program->functions()) {
-    machine_.register_function(function.name, function.arity, function.predicate);
+    functions_.push_back({function.name, function.arity, function.predicate});
   }
   included_.push_back(program);
   begin(*program, {}, {});

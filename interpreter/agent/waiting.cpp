@@ -106,9 +106,9 @@ void Agent::check_waits(const Event& event) {
   for (std::size_t i = 0; i < waits.size();) {
     const Wait wait = waits[i];
     Intention* const intention = find_intention(wait.intention);
-    const std::size_t trail = machine_.unifier().mark();
+    const std::size_t trail = machine().unifier().mark();
     if (!wait.has_trigger || wait.op != event.op || wait.kind != event.kind ||
-        intention == nullptr || !machine_.unifier().unify(wait.trigger, event.literal)) {
+        intention == nullptr || !machine().unifier().unify(wait.trigger, event.literal)) {
       ++i;
       continue;
     }
@@ -130,8 +130,8 @@ void Agent::check_formulas() {
       continue;
     }
     ActionError error;
-    const std::size_t trail = machine_.unifier().mark();
-    if (!guarded(error, [&] { return machine_.solve_term(wait.formula); })) {
+    const std::size_t trail = machine().unifier().mark();
+    if (!guarded(error, [&] { return machine().solve_term(wait.formula); })) {
       ++i;
       continue;
     }
@@ -175,8 +175,8 @@ void Agent::end_wait(const Wait& wait, bool timed_out) {
     return;
   }
   if (!wait.elapsed.is_unset()) {
-    const std::size_t trail = machine_.unifier().mark();
-    (void)machine_.unifier().unify(wait.elapsed, Value::number(host_.now_ms() - wait.start_ms));
+    const std::size_t trail = machine().unifier().mark();
+    (void)machine().unifier().unify(wait.elapsed, Value::number(host_.now_ms() - wait.start_ms));
     record_bindings(*intention, trail);
   }
   signal_top_state(*intention, "executing", Value());
@@ -197,7 +197,7 @@ void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view sta
   const Value name = Value::atom(symbols_.predicate(state, 0));
   const Value annot = heap_.structure(symbols_.predicate("state", 1), std::span(&name, 1),
                                       heap_.pair(why, Value::empty_list()));
-  goal = machine_.unifier().fresh_copy(goal);
+  goal = machine().unifier().fresh_copy(goal);
   const Value all =
       union_of(heap_, literal_parts(goal).annots, heap_.pair(annot, Value::empty_list()), symbols_);
   Task task;

@@ -156,12 +156,23 @@ class Machine::Run {
 
 Machine::Machine(Heap& heap, SymbolTable& symbols, BeliefBase& beliefs,
                  const ActionRegistry& actions)
-    : heap_(heap),
-      symbols_(symbols),
-      beliefs_(beliefs),
-      actions_(actions),
-      unifier_(heap, symbols) {
+    : Machine(symbols) {
+  attach({.heap = &heap, .beliefs = &beliefs, .actions = &actions});
+}
+
+Machine::Machine(SymbolTable& symbols) : symbols_(symbols), unifier_(symbols) {
   unifier_.set_functions(this);
+}
+
+void Machine::attach(const MachineClient& client) {
+  heap_ = client.heap;
+  beliefs_ = client.beliefs;
+  actions_ = client.actions;
+  agent_ = client.agent;
+  surroundings_ = client.surroundings;
+  functions_ = client.functions == nullptr ? &own_functions_ : client.functions;
+  max_inferences_ = client.max_inferences;
+  unifier_.set_heap(*client.heap);
 }
 
 Machine::~Machine() = default;
@@ -214,14 +225,14 @@ void Machine::solve_all(const Goal* entry, Value* slots, const std::function<boo
   bool found = run(state.base());
   while (found) {
     const bool more = solution();
-    heap_.protect();  // what the caller made of the solution
+    heap().protect();  // what the caller made of the solution
     found = more && fail(state.base()) && run(state.base());
   }
 }
 
 bool Machine::solve_term(Value formula) {
   auto code = std::make_unique<FormulaCode>();
-  code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
+  code->entry = FormulaCompiler(*code, *actions_, symbols_).compile(formula, nullptr);
   const Goal* const entry = code->entry;
   temporary_.push_back(std::move(code));
   return solve(entry, nullptr);
@@ -229,7 +240,7 @@ bool Machine::solve_term(Value formula) {
 
 void Machine::solve_all_terms(Value formula, const std::function<bool()>& solution) {
   auto code = std::make_unique<FormulaCode>();
-  code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
+  code->entry = FormulaCompiler(*code, *actions_, symbols_).compile(formula, nullptr);
   const Goal* const entry = code->entry;
   temporary_.push_back(std::move(code));
   solve_all(entry, nullptr, solution);
@@ -293,7 +304,7 @@ bool Machine::step() {
 }
 
 Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
-  if (choices_.size() * sizeof(ChoicePoint) > heap_.limit()) {
+  if (choices_.size() * sizeof(ChoicePoint) > heap().limit()) {
     throw QueryLimit{"a query leaves too many choices open for the memory allowed"};
   }
   ChoicePoint& choice = choices_.emplace_back();
@@ -303,14 +314,14 @@ Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
   unifier_.end_fresh_frame();
   choice.trail = unifier_.mark();
   choice.frames = frames_.mark();
-  choice.heap = heap_.mark();
+  choice.heap = heap().mark();
   return choice;
 }
 
 void Machine::restore(const ChoicePoint& choice) {
   unifier_.undo(choice.trail);
   frames_.release(choice.frames);
-  heap_.release(choice.heap);
+  heap().release(choice.heap);
   environment_ = choice.environment;
 }
 
@@ -370,14 +381,14 @@ void Machine::check_limits() {
   if (inferences_ - query_start_ > max_inferences_) {
     throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_)};
   }
-  if (unifier_.mark() * sizeof(Value*) > heap_.limit()) {
+  if (unifier_.mark() * sizeof(Value*) > heap().limit()) {
     throw QueryLimit{"a query binds too many variables for the memory allowed"};
   }
   next_check_ = std::min(inferences_ + kChecked, query_start_ + max_inferences_ + 1);
 }
 
 bool Machine::query(const Goal& goal) {
-  Relation* const relation = beliefs_.find(goal.predicate);
+  Relation* const relation = beliefs_->find(goal.predicate);
   if (relation == nullptr) return false;
   const std::span<const Value> args = goal.args();
   registers_.resize(args.size());
@@ -404,18 +415,18 @@ bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal&
       continue;
     }
     const std::size_t trail = unifier_.mark();
-    const Heap::Mark heap = heap_.mark();
+    const Heap::Mark top = heap().mark();
     if (unify_fact(row->fact, registers_)) {
       if (!is_last) {
         push_rows(relation, cursor, goal);
         choices_.back().trail = trail;
-        choices_.back().heap = heap;
+        choices_.back().heap = top;
       }
       goal_ = goal.next;
       return true;
     }
     unifier_.undo(trail);
-    heap_.release(heap);
+    heap().release(top);
   }
   return false;
 }
@@ -482,7 +493,7 @@ Machine::Environment* Machine::make_environment(Environment* parent, const Goal*
                                                 std::size_t slot_count) {
   constexpr std::size_t kWords = (sizeof(Environment) + 7) / 8;
   const FrameStack::Mark start = frames_.mark();
-  if (frames_.words() * sizeof(std::uint64_t) > heap_.limit()) {
+  if (frames_.words() * sizeof(std::uint64_t) > heap().limit()) {
     throw QueryLimit{"rules nest too deeply for the memory allowed"};
   }
   std::uint64_t* const block = frames_.allocate(kWords + slot_count);
@@ -531,7 +542,7 @@ bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const
 bool Machine::slow_query(const Goal& goal, Value literal) {
   if (!is_literal(literal)) return enter_term(literal, goal);
   const LiteralParts parts = literal_parts(literal);
-  Relation* const relation = beliefs_.find(parts.predicate);
+  Relation* const relation = beliefs_->find(parts.predicate);
   if (relation == nullptr) return false;
   return try_annotated({relation, relation->open(parts.args), 0, kNextRow, literal}, goal);
 }
@@ -594,7 +605,7 @@ bool Machine::unify_subset(Value literal, Value fact, std::size_t combination, b
     for (Value a = known.annots; a.is_pair(); a = a.pair()->tail) all.push_back(a.pair()->head);
     std::vector<Value> some;
     for (const std::size_t index : chosen) some.push_back(all[index]);
-    annots = heap_.list(some);
+    annots = heap().list(some);
   }
   if (exhausted) return false;
   return unify_fact(fact, wanted.args) && unifier_.unify_annotations(wanted.annots, annots);
@@ -610,7 +621,7 @@ bool Machine::variable_goal(const Goal& goal) {
 bool Machine::enter_term(Value formula, const Goal& goal) {
   if (temporary_.size() > kMaxTemporaryCode) throw QueryLimit{"too many formulas made in a query"};
   auto code = std::make_unique<FormulaCode>();
-  code->entry = FormulaCompiler(*code, actions_, symbols_).compile(formula, nullptr);
+  code->entry = FormulaCompiler(*code, *actions_, symbols_).compile(formula, nullptr);
   const Goal* const entry = code->entry;
   temporary_.push_back(std::move(code));
   if (entry != nullptr && entry->kind == Goal::Kind::falsity) return false;
@@ -628,7 +639,7 @@ std::vector<Relation*> Machine::relations_for(Value pattern) const {
     wanted = symbols_.signature(literal_parts(deref(pattern.structure()->arg(0))).predicate);
   }
   std::vector<Relation*> found;
-  for (const auto& relation : beliefs_.relations()) {
+  for (const auto& relation : beliefs_->relations()) {
     Signature signature = symbols_.signature(relation->predicate());
     const bool is_default = signature.ns == names::default_ns;
     signature.ns = wanted.ns;

@@ -64,8 +64,41 @@ class FrameStack {
   std::uint32_t used_ = 0;
 };
 
+/// What a machine's queries know of the world around their agent.
+class MachineSurroundings {
+ public:
+  virtual ~MachineSurroundings() = default;
+  /// Warnings: arithmetic on an atom, an action that failed within a context.
+  virtual void log(std::string_view text) = 0;
+  /// `math.random` and its kin draw from here: uniform in [0, 1).
+  virtual double draw() = 0;
+  /// `system.time`: milliseconds since 1970.
+  virtual double clock_ms() = 0;
+};
+
+/// A function that is a query, `register_function("my.f", Arity, "pred")`.
+struct RuleFunction {
+  Symbol name;
+  std::uint16_t arity;
+  Predicate predicate;
+};
+
+/// Whose queries a machine answers.
+struct MachineClient {
+  Heap* heap = nullptr;
+  BeliefBase* beliefs = nullptr;
+  const ActionRegistry* actions = nullptr;
+  Agent* agent = nullptr;                       // null in tests
+  MachineSurroundings* surroundings = nullptr;  // null: there is neither chance nor time
+  const std::vector<RuleFunction>* functions = nullptr;
+  std::uint64_t max_inferences = 1'000'000'000;
+};
+
 class Machine : public FunctionCaller {
  public:
+  /// A machine for one client after another; attach() comes before anything else.
+  explicit Machine(SymbolTable& symbols);
+  void attach(const MachineClient& client);
   Machine(Heap& heap, SymbolTable& symbols, BeliefBase& beliefs, const ActionRegistry& actions);
   ~Machine() override;
   Machine(const Machine&) = delete;
@@ -86,14 +119,13 @@ class Machine : public FunctionCaller {
   /// Whether a binding on the trail is of a rule's frame, which is gone when the query is done.
   [[nodiscard]] bool is_in_frame(const Value* cell) const { return frames_.contains(cell); }
   [[nodiscard]] Unifier& unifier() { return unifier_; }
-  [[nodiscard]] Heap& heap() { return heap_; }
+  [[nodiscard]] Heap& heap() { return *heap_; }
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
-  [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
-  [[nodiscard]] const ActionRegistry& actions() const { return actions_; }
+  [[nodiscard]] BeliefBase& beliefs() { return *beliefs_; }
+  [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
 
-  void set_agent(Agent* agent) { agent_ = agent; }
   void set_limits(std::uint64_t inferences) { max_inferences_ = inferences; }
-  /// Where warnings go (arithmetic on an atom, an action that failed within a context).
+  /// Where warnings go if there are no surroundings.
   void set_log(std::function<void(std::string_view)> log) { log_ = std::move(log); }
   /// Inferences made so far, of all queries.
   [[nodiscard]] std::uint64_t inferences() const { return inferences_; }
@@ -102,12 +134,6 @@ class Machine : public FunctionCaller {
 
   bool call_function(const Structure& function, Value& result) override;
   void warn(std::string_view message) override;
-  /// Functions that are queries, `register_function("my.f", Arity, "pred")`.
-  void register_function(Symbol name, std::uint16_t arity, Predicate predicate);
-  /// `math.random` and its kin draw from here.
-  std::function<double()> random;
-  /// `system.time`: milliseconds since 1970.
-  std::function<double()> clock_ms;
 
  private:
   struct Environment {
@@ -189,12 +215,14 @@ class Machine : public FunctionCaller {
   // Saves what a run changes and puts it back, also when a limit ends the run.
   class Run;
 
-  Heap& heap_;
+  Heap* heap_ = nullptr;
   SymbolTable& symbols_;
-  BeliefBase& beliefs_;
-  const ActionRegistry& actions_;
+  BeliefBase* beliefs_ = nullptr;
+  const ActionRegistry* actions_ = nullptr;
   Unifier unifier_;
   Agent* agent_ = nullptr;
+  MachineSurroundings* surroundings_ = nullptr;
+  const std::vector<RuleFunction>* functions_ = nullptr;
   std::function<void(std::string_view)> log_;
 
   const Goal* goal_ = nullptr;
@@ -210,12 +238,7 @@ class Machine : public FunctionCaller {
   std::uint64_t max_inferences_ = 1'000'000'000;
   int nesting_ = 0;
 
-  struct RuleFunction {
-    Symbol name;
-    std::uint16_t arity;
-    Predicate predicate;
-  };
-  std::vector<RuleFunction> rule_functions_;
+  const std::vector<RuleFunction> own_functions_;  // none
 };
 
 }  // namespace jaywalk

@@ -65,18 +65,14 @@ Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, Acti
   return outcome;
 }
 
-void Machine::register_function(Symbol name, std::uint16_t arity, Predicate predicate) {
-  rule_functions_.push_back({name, arity, predicate});
-}
-
 bool Machine::call_function(const Structure& function, Value& result) {
   const Signature& signature = symbols_.signature(function.predicate());
-  for (const RuleFunction& known : rule_functions_) {
+  for (const RuleFunction& known : *functions_) {
     if (known.name != signature.functor || known.arity != function.arity) continue;
     std::vector<Value> args(function.arg_span().begin(), function.arg_span().end());
-    const Value answer = heap_.variable();
+    const Value answer = heap().variable();
     args.push_back(answer);
-    const Value query = heap_.structure(known.predicate, args);
+    const Value query = heap().structure(known.predicate, args);
     const std::size_t trail = unifier_.mark();
     if (!solve_term(query)) return false;
     result = unifier_.apply(answer);
@@ -84,13 +80,13 @@ bool Machine::call_function(const Structure& function, Value& result) {
     return true;
   }
   const FunctionDefinition* const definition =
-      actions_.function(symbols_.text(signature.functor), function.arity);
+      actions_->function(symbols_.text(signature.functor), function.arity);
   if (definition == nullptr) return false;
   if (definition->function != nullptr) {
     for (const Value arg : function.arg_span()) {
       if (!is_ground(arg)) return false;
     }
-    return definition->function(function.arg_span(), heap_, symbols_, result);
+    return definition->function(function.arg_span(), heap(), symbols_, result);
   }
   if (definition->name == ".count") {
     double count = 0;
@@ -102,19 +98,23 @@ bool Machine::call_function(const Structure& function, Value& result) {
     return true;
   }
   if (definition->name == "system.time") {
-    if (!clock_ms) return false;
-    result = Value::number(clock_ms());
+    if (surroundings_ == nullptr) return false;
+    result = Value::number(surroundings_->clock_ms());
     return true;
   }
-  if (!random) return false;  // math.random([N])
+  if (surroundings_ == nullptr) return false;  // math.random([N])
   double most = 1;
   if (function.arity == 1 && !unifier_.evaluate(function.arg(0), nullptr, most)) return false;
-  result = Value::number(random() * most);
+  result = Value::number(surroundings_->draw() * most);
   return true;
 }
 
 void Machine::warn(std::string_view message) {
-  if (log_) log_(message);
+  if (surroundings_ != nullptr) {
+    surroundings_->log(message);
+  } else if (log_) {
+    log_(message);
+  }
 }
 
 }  // namespace jaywalk

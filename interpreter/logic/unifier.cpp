@@ -197,7 +197,7 @@ bool Unifier::unify_bodies(const Structure& a, const Structure& b) {
   const auto part = [this](const Structure& body, std::size_t from, std::size_t count) {
     const Predicate predicate = symbols_.predicate(
         Signature{.functor = names::body_text, .arity = static_cast<std::uint16_t>(count)});
-    return heap_.structure(predicate, body.arg_span().subspan(from, count), Value::empty_list(),
+    return heap().structure(predicate, body.arg_span().subspan(from, count), Value::empty_list(),
                            Form::body);
   };
   // The rest prints as the body that it is of, a single formula without braces.
@@ -270,7 +270,7 @@ bool Unifier::unify_decorated(Value a, Value b) {
   }
   const Predicate bare = symbols_.predicate(signature);
   const bool keep_annots = !p.is_annotated();
-  return unify_no_undo(p.arg(0), heap_.structure(bare, parts.args,
+  return unify_no_undo(p.arg(0), heap().structure(bare, parts.args,
                                                  keep_annots ? parts.annots : Value::empty_list()));
 }
 
@@ -297,9 +297,9 @@ bool Unifier::unify_annotations(Value a, Value b) {
       return false;
     }
   }
-  if (a_tail.is_variable() && !unify_no_undo(a_tail, heap_.list(available))) return false;
+  if (a_tail.is_variable() && !unify_no_undo(a_tail, heap().list(available))) return false;
   if (b_tail.is_variable() && !b_tail.same_as(a_tail)) {
-    return unify_no_undo(b_tail, heap_.list(missing));
+    return unify_no_undo(b_tail, heap().list(missing));
   }
   return true;
 }
@@ -364,7 +364,7 @@ Value Unifier::instantiate(Value term, Value* slots) {
     if (slot->is_unset()) {
       const Symbol name =
           term.slot_index() < slot_names_.size() ? slot_names_[term.slot_index()] : names::unnamed;
-      set_slot(slot, heap_.variable(name));
+      set_slot(slot, heap().variable(name));
       return *slot;
     }
     return apply(*slot);
@@ -385,13 +385,13 @@ Value Unifier::build_term(Value term, Value* slots) {
   if (term.is_pair()) {
     // Templates are short: nesting is bounded by the parser.
     const Value head = build(term.pair()->head, slots);
-    return heap_.pair(head, build(term.pair()->tail, slots));
+    return heap().pair(head, build(term.pair()->tail, slots));
   }
   const Structure& s = *term.structure();
   if (s.form() != Form::literal || s.is_annotated()) return instantiate_structure(s, slots);
   ArgumentBuffer args(s.arity);
   for (std::size_t i = 0; i < s.arity; ++i) args[i] = build(s.arg(i), slots);
-  return heap_.structure(s.predicate(), args.span());
+  return heap().structure(s.predicate(), args.span());
 }
 
 // Variables among arguments give way to copies of theirs.
@@ -404,7 +404,7 @@ void Unifier::rename_arguments(std::span<Value> args,
     const auto first = static_cast<std::size_t>(
         std::find_if(args.begin(), args.end(), [&](Value arg) { return arg.same_as(args[i]); }) -
         args.begin());
-    copies[i] = first < i ? copies[first] : heap_.variable(args[i].variable()->name());
+    copies[i] = first < i ? copies[first] : heap().variable(args[i].variable()->name());
     if (first == i && renamed != nullptr) renamed->emplace_back(args[i], copies[i]);
   }
   std::copy(copies.span().begin(), copies.span().end(), args.begin());
@@ -433,7 +433,7 @@ Value Unifier::instantiate_renamed(const Structure& literal, Value* slots, Value
     args[i] = arg;
   }
   if (is_open) rename_arguments(args.span(), renamed);
-  return heap_.structure(literal.predicate(), args.span(), annots);
+  return heap().structure(literal.predicate(), args.span(), annots);
 }
 
 Value Unifier::apply_slots(Value term) {
@@ -464,7 +464,7 @@ Value Unifier::rename(Value term, std::vector<std::pair<Value, Value>>* renamed)
       } else {
         continue;
       }
-      const Value copy = heap_.variable(value.variable()->name());
+      const Value copy = heap().variable(value.variable()->name());
       fresh_.insert(copy.bits());
       bind(value.variable(), copy);
       if (renamed != nullptr) renamed->emplace_back(value, copy);
@@ -498,7 +498,7 @@ Value Unifier::instantiate_pairs(Value list, Value* slots) {
     tail = deref(tail);
   }
   if (!tail.is_closed()) tail = instantiate(tail, slots);
-  return heap_.list(elements.span(), tail);
+  return heap().list(elements.span(), tail);
 }
 
 Value Unifier::instantiate_structure(const Structure& s, Value* slots) {
@@ -519,8 +519,8 @@ Value Unifier::instantiate_structure(const Structure& s, Value* slots) {
                               : instantiate(arg, slots);
   }
   Value annots = s.annots();
-  if (!annots.is_closed()) annots = sorted_set(heap_, instantiate(annots, slots), symbols_);
-  Value made = heap_.structure(s.predicate(), args.span(), annots, s.form());
+  if (!annots.is_closed()) annots = sorted_set(heap(), instantiate(annots, slots), symbols_);
+  Value made = heap().structure(s.predicate(), args.span(), annots, s.form());
   if ((s.info & Structure::kBare) != 0) made.structure()->info |= Structure::kBare;
   if (s.form() == Form::function && functions_ != nullptr) {
     Value result;
@@ -536,7 +536,7 @@ Value Unifier::keep_expression(const Structure& s, Value* slots) {
     args[i] = is_form(s.arg(i), Form::expression) ? keep_expression(*s.arg(i).structure(), slots)
                                                   : instantiate(s.arg(i), slots);
   }
-  return heap_.structure(s.predicate(), args.span(), Value::empty_list(), Form::expression);
+  return heap().structure(s.predicate(), args.span(), Value::empty_list(), Form::expression);
 }
 
 Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
@@ -552,22 +552,22 @@ Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
     if (ns.is_variable() || ns.is_slot()) {
       // The namespace is still to be known: the literal stays as it is, for any of them.
       const std::array<Value, 2> parts_of{value, ns};
-      return heap_.structure(s.predicate(), parts_of, annots, Form::decorated);
+      return heap().structure(s.predicate(), parts_of, annots, Form::decorated);
     }
-    annots = union_of(heap_, parts.annots, annots, symbols_);
-    return heap_.structure(symbols_.predicate(signature), parts.args, annots);
+    annots = union_of(heap(), parts.annots, annots, symbols_);
+    return heap().structure(symbols_.predicate(signature), parts.args, annots);
   }
   if (is_form(value, Form::decorated)) {
     const Structure& inner = *value.structure();
-    annots = union_of(heap_, inner.annots(), annots, symbols_);
+    annots = union_of(heap(), inner.annots(), annots, symbols_);
     if (ns.is_unset() && inner.arity > 1) ns = inner.arg(1);
     value = inner.arg(0);
   } else if (!value.is_variable() && !value.is_slot()) {
     return value;  // annotations of a number, list or string vanish
   }
   const std::array<Value, 2> args{value, ns};
-  return heap_.structure(s.predicate(), std::span(args).first(ns.is_unset() ? 1 : 2),
-                         sorted_set(heap_, annots, symbols_), Form::decorated);
+  return heap().structure(s.predicate(), std::span(args).first(ns.is_unset() ? 1 : 2),
+                         sorted_set(heap(), annots, symbols_), Form::decorated);
 }
 
 bool Unifier::evaluate_term(Value term, Value* slots, double& result) {

@@ -31,7 +31,10 @@ class FunctionCaller {
 
 class Unifier {
  public:
-  Unifier(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
+  Unifier(Heap& heap, SymbolTable& symbols) : heap_(&heap), symbols_(symbols) {}
+  /// Without a heap: set_heap() comes before anything else.
+  explicit Unifier(SymbolTable& symbols) : symbols_(symbols) {}
+  void set_heap(Heap& heap) { heap_ = &heap; }
   void set_functions(FunctionCaller* functions) { functions_ = functions; }
 
   /// Unifies `a` with `b`; asymmetric: the annotations of `a` must be among those of `b`, inside
@@ -145,7 +148,7 @@ class Unifier {
     return std::span(trail_).subspan(mark);
   }
 
-  [[nodiscard]] Heap& heap() { return heap_; }
+  [[nodiscard]] Heap& heap() { return *heap_; }
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
 
  private:
@@ -168,7 +171,7 @@ class Unifier {
   bool unify_bodies(const Structure& a, const Structure& b);
   bool match_structure(Value pattern, Value* slots, Value value, Direction direction);
 
-  Heap& heap_;
+  Heap* heap_ = nullptr;
   SymbolTable& symbols_;
   FunctionCaller* functions_ = nullptr;
   std::vector<Value*> trail_;

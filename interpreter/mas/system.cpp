@@ -70,6 +70,7 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
     return true;
   });
   if (!started) agent.log("in its initial beliefs and goals: " + error.message);
+  agent.rest();
   if (!agent.is_active()) put_to_sleep(residents_.of(agent));
 }
 
@@ -117,6 +118,7 @@ Society::Creation Mas::Implementation::clone(Agent& original, const std::string&
   if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
   Agent& agent = *settle(name, residents_.of(original).program).agent;
   agent.copy_from(original);
+  agent.rest();
   return {agent.name(), {}};
 }
 
@@ -403,6 +405,7 @@ void Mas::Implementation::perceive() {
     environment_->perceive(AgentId{resident.number}, percepts_);
     if (options_.measure_cpu) perceiving_s_ += thread_cpu_s() - start;
     resident.agent->update_percepts(percepts_);
+    resident.agent->rest();
     if (resident.agent->is_active()) wake(resident);
   }
 }
@@ -443,6 +446,7 @@ void Mas::Implementation::fire_timers() {
       continue;
     }
     resident.agent->timer_fired(timer.token);
+    resident.agent->rest();
     if (resident.agent->is_active()) wake(resident);
   }
 }

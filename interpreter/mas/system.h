@@ -44,6 +44,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void write(std::string_view text) override;
   void log(Agent& agent, std::string_view text) override;
   [[nodiscard]] Society& society() override { return *this; }
+  [[nodiscard]] WorkspacePool& workspaces() override { return workspaces_; }
 
   // Society
   [[nodiscard]] std::vector<std::string> names() const override;
@@ -93,6 +94,7 @@ class Mas::Implementation : public AgentHost, public Society {
   std::unordered_set<std::shared_ptr<const Program>> loaded_;
   MasOptions options_;
   Environment* environment_;
+  WorkspacePool workspaces_{symbols_};  // outlives the agents
   Residents residents_;
   Timers timers_;
   ServiceDirectory services_;
