@@ -50,3 +50,16 @@ jaywalk_add_library(engine
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support
   PRIVATE fmt::fmt)
+
+# What every cycle passes through is compiled as one: the compiler may then inline across files, and
+# the headers are read once.
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set_target_properties(jaywalk_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_source_files_properties(
+    term/compare.cpp term/heap.cpp term/transfer.cpp
+    logic/action.cpp logic/belief_base.cpp logic/machine.cpp logic/machine_calls.cpp
+    logic/row_index.cpp logic/unifier.cpp
+    agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
+    agent/messages.cpp mas/residents.cpp mas/system.cpp
+    PROPERTIES UNITY_GROUP core)
+endif()

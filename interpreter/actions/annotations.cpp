@@ -7,10 +7,6 @@
 namespace jaywalk::actions {
 namespace {
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 // The term with one of its arguments replaced.
 Value with_argument(Heap& heap, Value term, std::size_t index, Value argument) {
   const Structure& s = *term.structure();

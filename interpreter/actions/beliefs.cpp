@@ -9,10 +9,6 @@
 namespace jaywalk::actions {
 namespace {
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 // The relations in which a pattern may find something: one for a literal, all for a variable.
 std::vector<Relation*> relations_for(Agent& agent, Value pattern) {
   std::vector<Relation*> found;

@@ -4,10 +4,6 @@
 namespace jaywalk::actions {
 namespace {
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 // Everything with a functor but arithmetic and variables.
 bool is_code(Value value) {
   return value.is_structure() && !is_form(value, Form::expression) &&

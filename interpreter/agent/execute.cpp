@@ -21,10 +21,6 @@ ActionError make_error(std::string id, std::string message) {
   return error;
 }
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 }  // namespace
 
 void Agent::execute(Intention& intention) {
@@ -251,9 +247,10 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
   Intention* const focus = new_focus ? nullptr : &intention;
   const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
   // Deleting binds the variables of the pattern, so they are not renamed.
-  const Value literal = removes || kind == Step::Kind::replace
-                            ? machine().unifier().instantiate(term, intention.frame(intention.top()))
-                            : prepare_for_event(intention, term, !new_focus);
+  const Value literal =
+      removes || kind == Step::Kind::replace
+          ? machine().unifier().instantiate(term, intention.frame(intention.top()))
+          : prepare_for_event(intention, term, !new_focus);
   if (!is_literal(literal)) {
     fail(intention, make_error("body_var_not_literal", "a belief must be a literal"));
     return;

@@ -1,17 +1,11 @@
 #include "interpreter/logic/belief_base.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
 namespace {
-
-constexpr std::uint64_t mix(std::uint64_t word) {
-  word = (word ^ word >> 31U) * 0x9E3779B97F4A7C15U;
-  return (word ^ word >> 29U) | 1U;
-}
 
 // 0 if the arguments are not ground.
 std::uint64_t hash_args(std::span<const Value> args) {
@@ -19,7 +13,7 @@ std::uint64_t hash_args(std::span<const Value> args) {
   for (const Value arg : args) {
     const std::uint64_t part = hash_term(arg);
     if (part == 0) return 0;
-    hash = mix(hash * 31 + part);
+    hash = mix_key(hash * 31 + part);
   }
   return hash | 1U;
 }
@@ -42,29 +36,13 @@ bool has_percept_source(Value annots) {
 
 }  // namespace
 
-std::uint64_t argument_key(Value argument) {
-  argument = deref(argument);
-  switch (argument.kind()) {
-    case Value::Kind::number:
-      return mix(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
-    case Value::Kind::atom:
-      return mix(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
-    case Value::Kind::text:
-      return mix(std::hash<std::string_view>{}(argument.text()->view()));
-    case Value::Kind::pair:
-      return 3;
-    case Value::Kind::special:
-      return argument.is_empty_list() ? 5 : 0;
-    case Value::Kind::structure: {
-      const Structure& s = *argument.structure();
-      if (s.form() != Form::literal) return 0;
-      // An atom with annotations still unifies with the bare atom.
-      const auto id = static_cast<std::uint64_t>(s.predicate());
-      return mix(s.arity == 0 ? id << 3U | 2U : id << 3U | 4U);
-    }
-    default:
-      return 0;
-  }
+std::uint64_t argument_key_of_cell(Value argument) {
+  if (argument.is_text()) return mix_key(std::hash<std::string_view>{}(argument.text()->view()));
+  if (!is_form(argument, Form::literal)) return 0;
+  // An atom with annotations still unifies with the bare atom.
+  const Structure& s = *argument.structure();
+  const auto id = static_cast<std::uint64_t>(s.predicate());
+  return mix_key(s.arity == 0 ? id << 3U | 2U : id << 3U | 4U);
 }
 
 Relation::Cursor Relation::open(std::span<const Value> args) {

@@ -11,6 +11,7 @@
 // get hash indexes, each built when first needed: one over whole facts (to add and remove), one for
 // each argument that is bound in some query.
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,7 +27,35 @@
 namespace jaywalk {
 
 /// A number that equal bound arguments share; 0 for arguments that can only be unified.
-[[nodiscard]] std::uint64_t argument_key(Value argument);
+[[nodiscard]] inline std::uint64_t argument_key(Value argument);
+
+/// Keys are odd, or 0; 3 and 5 are those of lists.
+[[nodiscard]] constexpr std::uint64_t mix_key(std::uint64_t word) {
+  word = (word ^ word >> 31U) * 0x9E3779B97F4A7C15U;
+  return (word ^ word >> 29U) | 1U;
+}
+[[nodiscard]] std::uint64_t argument_key_of_cell(Value argument);  // a text, structure or object
+
+std::uint64_t argument_key(Value argument) {
+  argument = deref(argument);
+  switch (argument.kind()) {
+    case Value::Kind::number:
+      return mix_key(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
+    case Value::Kind::atom:
+      return mix_key(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
+    case Value::Kind::pair:
+      return 3;
+    case Value::Kind::special:
+      return argument.is_empty_list() ? 5 : 0;
+    case Value::Kind::variable:
+      return 0;
+    case Value::Kind::text:
+    case Value::Kind::structure:
+    case Value::Kind::object:
+      return argument_key_of_cell(argument);
+  }
+  return 0;
+}
 
 struct Row {
   /// A literal with annotations; unset in rows of rules and holes.

@@ -109,10 +109,9 @@ class Machine::Run {
         names_(machine.unifier_.slot_names()),
         trail_(machine.unifier_.mark()),
         base_(machine.choices_.size()),
-        root_{nullptr, nullptr,
-              slots,   names_,
-              frames_, static_cast<std::uint32_t>(base_),
-              0,       machine.unifier_.mark()} {
+        root_{nullptr, nullptr, slots,
+              names_,  frames_, static_cast<std::uint32_t>(base_),
+              0,       0,       machine.unifier_.mark()} {
     if (machine.nesting_ == 0) machine.start_query();
     if (++machine.nesting_ > kMaxNestedQueries) {
       --machine.nesting_;
@@ -506,6 +505,7 @@ Machine::Environment* Machine::make_environment(Environment* parent, const Goal*
                                  start,
                                  static_cast<std::uint32_t>(choices_.size()),
                                  static_cast<std::uint32_t>(slot_count),
+                                 unifier_.slots_recorded(),
                                  unifier_.mark()};
 }
 
@@ -518,7 +518,7 @@ bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, std::span<const
     continuation = caller->continuation;
     parent = caller->parent;
     if (caller->choice_points == choices_.size()) {
-      if (unifier_.mark() > caller->trail) {
+      if (unifier_.slots_recorded() != caller->slots_recorded) {
         unifier_.forget(caller->trail, {caller->slots, caller->slot_count});
       }
       frames_.release(caller->start);

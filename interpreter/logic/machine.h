@@ -144,7 +144,8 @@ class Machine : public FunctionCaller {
     FrameStack::Mark start;
     std::uint32_t choice_points;  // when the frame was made
     std::uint32_t slot_count;
-    std::size_t trail;  // when the frame was made
+    std::uint32_t slots_recorded;  // when the frame was made
+    std::size_t trail;             // when the frame was made
   };
   struct AnnotatedQuery {
     Relation* relation;

@@ -50,10 +50,6 @@ class ElementBuffer {
   std::vector<Value> many_;
 };
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 bool is_evaluable(Value value) {
   return is_form(value, Form::expression) || is_form(value, Form::function);
 }
@@ -270,8 +266,9 @@ bool Unifier::unify_decorated(Value a, Value b) {
   }
   const Predicate bare = symbols_.predicate(signature);
   const bool keep_annots = !p.is_annotated();
-  return unify_no_undo(p.arg(0), heap().structure(bare, parts.args,
-                                                 keep_annots ? parts.annots : Value::empty_list()));
+  return unify_no_undo(
+      p.arg(0),
+      heap().structure(bare, parts.args, keep_annots ? parts.annots : Value::empty_list()));
 }
 
 bool Unifier::unify_annotations(Value a, Value b) {
@@ -304,8 +301,8 @@ bool Unifier::unify_annotations(Value a, Value b) {
   return true;
 }
 
+// Neither this nor build_term counts levels: templates are nested as deep as their text at most.
 bool Unifier::match(Value pattern, Value* slots, Value value, Direction direction) {
-  const TermWalk::Level level(walk_);
   for (;;) {
     if (pattern.is_slot()) {
       Value* const slot = slots + pattern.slot_index();
@@ -381,9 +378,7 @@ Value Unifier::instantiate(Value term, Value* slots) {
 Value Unifier::build_term(Value term, Value* slots) {
   if (term.is_variable()) return deref(term);
   if (term.is_slot()) return instantiate(term, slots);
-  const TermWalk::Level level(walk_);
   if (term.is_pair()) {
-    // Templates are short: nesting is bounded by the parser.
     const Value head = build(term.pair()->head, slots);
     return heap().pair(head, build(term.pair()->tail, slots));
   }
@@ -567,7 +562,7 @@ Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
   }
   const std::array<Value, 2> args{value, ns};
   return heap().structure(s.predicate(), std::span(args).first(ns.is_unset() ? 1 : 2),
-                         sorted_set(heap(), annots, symbols_), Form::decorated);
+                          sorted_set(heap(), annots, symbols_), Form::decorated);
 }
 
 bool Unifier::evaluate_term(Value term, Value* slots, double& result) {

@@ -114,7 +114,9 @@ class Unifier {
   void set_slot(Value* slot, Value value) {
     *slot = value;
     const auto offset = reinterpret_cast<std::uintptr_t>(slot) - fresh_begin_;
-    if (offset >= fresh_bytes_) trail_.push_back(slot);
+    if (offset < fresh_bytes_) return;
+    trail_.push_back(slot);
+    ++slots_recorded_;
   }
   /// A frame that nothing can go back behind without giving it up: what is set in it need not be
   /// undone. Until the next choice point.
@@ -123,6 +125,8 @@ class Unifier {
     fresh_bytes_ = slots.size_bytes();
   }
   void end_fresh_frame() { fresh_bytes_ = 0; }
+  /// How many bindings of slots have ever been recorded.
+  [[nodiscard]] std::uint32_t slots_recorded() const { return slots_recorded_; }
 
   [[nodiscard]] std::size_t mark() const { return trail_.size(); }
   void undo(std::size_t mark) {
@@ -181,6 +185,7 @@ class Unifier {
   bool keep_slots_ = false;
   std::uintptr_t fresh_begin_ = 0;
   std::size_t fresh_bytes_ = 0;
+  std::uint32_t slots_recorded_ = 0;
 };
 
 /// Slots for a template that is instantiated aside, without a place in any frame. When they go,

@@ -7,10 +7,6 @@
 namespace jaywalk {
 namespace {
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 bool take_apart(Unifier& unifier, Value term, Value list) {
   Heap& heap = unifier.heap();
   SymbolTable& symbols = unifier.symbols();

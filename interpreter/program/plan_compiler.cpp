@@ -9,10 +9,6 @@
 namespace jaywalk {
 namespace {
 
-bool is_form(Value value, Form form) {
-  return value.is_structure() && value.structure()->form() == form;
-}
-
 struct OperatorKind {
   Symbol symbol;
   Step::Kind kind;

@@ -61,6 +61,11 @@ struct Structure {
   [[nodiscard]] Value annots() const { return is_annotated() ? cells()[0] : Value::empty_list(); }
 };
 
+/// Whether a dereferenced value is a structure of that form.
+[[nodiscard]] inline bool is_form(Value value, Form form) {
+  return value.is_structure() && value.structure()->form() == form;
+}
+
 struct Pair {
   Value head;
   Value tail;
