@@ -79,8 +79,8 @@ Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
   for (const auto& plan : original.library_->plans()) {
     std::shared_ptr<const Plan> copy = plan;
     if (!plan->source.is_static()) {
-      const auto made =
-          compile_plan(transfer.copy(plan->source), plan->slot_names, machine().actions(), symbols_);
+      const auto made = compile_plan(transfer.copy(plan->source), plan->slot_names,
+                                     machine().actions(), symbols_);
       made->label = transfer.copy(plan->label);
       made->file = plan->file;
       made->line = plan->line;

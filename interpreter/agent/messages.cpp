@@ -40,7 +40,8 @@ void Agent::handle_message(const Message& message) {
   const Value sender = Value::atom(message.sender);
   const std::string_view performative = symbols_.text(message.performative);
   // The usual performatives are done at once unless the agent has its own plans for messages.
-  if (is_literal(message.content) && !settings_.messages_by_plans && !library_->has_own_message_plans()) {
+  if (is_literal(message.content) && !settings_.messages_by_plans &&
+      !library_->has_own_message_plans()) {
     if (performative == "achieve") {
       add_goal(add_source(message.content, sender));
       return;

@@ -18,8 +18,8 @@ struct Workspace {
   explicit Workspace(SymbolTable& symbols) : machine(symbols) {}
 
   Machine machine;
-  std::vector<Value> frame;                       // of the plan being tried
-  std::vector<std::pair<Value, Value>> renamed;   // variables of a call, with their copies
+  std::vector<Value> frame;                      // of the plan being tried
+  std::vector<std::pair<Value, Value>> renamed;  // variables of a call, with their copies
   std::vector<BeliefBase::PerceptChange> percept_changes;
   std::vector<std::unique_ptr<Intention>> spare_intentions;
 };

@@ -194,7 +194,7 @@ bool Unifier::unify_bodies(const Structure& a, const Structure& b) {
     const Predicate predicate = symbols_.predicate(
         Signature{.functor = names::body_text, .arity = static_cast<std::uint16_t>(count)});
     return heap().structure(predicate, body.arg_span().subspan(from, count), Value::empty_list(),
-                           Form::body);
+                            Form::body);
   };
   // The rest prints as the body that it is of, a single formula without braces.
   const auto unify_part = [&](Value variable, const Structure& body, std::size_t from, bool last) {
