@@ -25,7 +25,8 @@ struct Event {
 };
 
 struct Message {
-  Predicate sender{};  // an atom; `self` if it is from the agent itself
+  std::string sender;       // "self" if it is from the agent itself
+  Predicate sender_atom{};  // the same as an atom
   Symbol performative{};
   Value content;
   std::string id;

@@ -31,13 +31,11 @@ void Agent::process_message() {
     if (is_free || customisation_->accepts_message(*this, message)) handle_message(message);
     return true;
   });
-  if (!handled)
-    log(fmt::format("a message of {} is lost: {}", symbols_.functor(message.sender),
-                    error.message));
+  if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error.message));
 }
 
 void Agent::handle_message(const Message& message) {
-  const Value sender = Value::atom(message.sender);
+  const Value sender = Value::atom(message.sender_atom);
   const std::string_view performative = symbols_.text(message.performative);
   // The usual performatives are done at once unless the agent has its own plans for messages.
   if (is_literal(message.content) && !settings_.messages_by_plans &&
@@ -110,7 +108,7 @@ bool Agent::answer_arrived(const Message& message) {
     return ask.id == message.in_reply_to;
   });
   if (found == asks.end()) return true;  // too late
-  const Value sender = Value::atom(message.sender);
+  const Value sender = Value::atom(message.sender_atom);
   Value answer = message.content;
   if (found->is_one && symbols_.text(message.performative) == "untell") {
     answer = Value::atom(predicates::falsity);

@@ -213,7 +213,9 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
       message.receiver == "self" ? &residents_.of(sender) : residents_.find(message.receiver);
   if (receiver == nullptr) return false;
   Message copy;
-  copy.sender = receiver->agent.get() == &sender ? predicates::self : residents_.of(sender).name;
+  const bool to_itself = receiver->agent.get() == &sender;
+  copy.sender = to_itself ? "self" : sender.name();
+  copy.sender_atom = to_itself ? predicates::self : residents_.of(sender).name;
   copy.performative = message.performative;
   copy.content = transfer(message.content, receiver->agent->heap());
   copy.id = message.id;
@@ -230,7 +232,8 @@ void Mas::Implementation::tell_of_provider(const std::string& subscriber,
   Heap& heap = receiver->agent->heap();
   const std::array<Value, 2> args{Value::atom(symbols_.predicate(provider, 0)), heap.text(service)};
   Message message;
-  message.sender = symbols_.predicate("df", 0);
+  message.sender = "df";
+  message.sender_atom = symbols_.predicate(message.sender, 0);
   message.performative = symbols_.symbol("tell");
   message.content = heap.structure(symbols_.predicate("provider", 2), args);
   post(*receiver, std::move(message));
@@ -293,7 +296,7 @@ bool Mas::Implementation::stride() {
   if (ended_) return false;
   Resident* const lone =
       environment_ == nullptr && !options_.realtime ? residents_.lone_active() : nullptr;
-  if (lone == nullptr || !lone->agent->is_active()) return step();
+  if (lone == nullptr || lone->is_leaving || !lone->agent->is_active()) return step();
   reason_alone(*lone);
   if (residents_.has_leaving()) residents_.bury();
   return !ended_;
