@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "env/crossing/layout.h"
 #include "env/crossing/parameters.h"
 
 namespace jaywalk {
@@ -11,20 +12,59 @@ const Area* Ground::av_lane() const {
   return found == areas.end() ? nullptr : &*found;
 }
 
-Ground ground(const CrossingParameters& parameters) {
-  const double cell = parameters.cell_m;
-  const double end = parameters.length * cell;
+namespace {
+
+AreaKind kind_of(Surface surface) {
+  return surface == Surface::lane || surface == Surface::crosswalk ? AreaKind::lane
+                                                                   : AreaKind::pavement;
+}
+
+Area area(AreaKind kind, Interval rows, Interval cells, double cell_m) {
+  const double left = rows.first * cell_m;
+  const double right = (rows.last + 1) * cell_m;
+  const double begin = cells.first * cell_m;
+  const double end = (cells.last + 1) * cell_m;
+  return {.kind = kind, .corners = {{left, begin}, {right, begin}, {right, end}, {left, end}}};
+}
+
+Ground ground_of_bands(const CrossingParameters& parameters) {
   const std::vector<Interval> rows = band_rows(parameters);
   Ground result;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double left = rows[i].first * cell;
-    const double right = (rows[i].last + 1) * cell;
     const bool lane = parameters.bands[i].kind == BandKind::lane;
-    result.areas.push_back({.kind = lane ? AreaKind::lane : AreaKind::pavement,
-                            .corners = {{left, 0}, {right, 0}, {right, end}, {left, end}},
-                            .of_av = lane && rows[i].contains(parameters.av.rows.first)});
+    result.areas.push_back(area(lane ? AreaKind::lane : AreaKind::pavement, rows[i],
+                                {0, parameters.length - 1}, parameters.cell_m));
+    result.areas.back().of_av = lane && rows[i].contains(parameters.av.rows.first);
   }
   return result;
+}
+
+/// The stretches of each row that are of one kind, and the AV's lane, or else where its body
+/// drives.
+Ground ground_of_map(const CrossingParameters& parameters) {
+  const Layout layout(parameters);
+  const Grid grid = layout.grid();
+  Ground result;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int first = 0; first < grid.cells;) {
+      const AreaKind kind = kind_of(layout.at({row, first}));
+      int end = first + 1;
+      while (end < grid.cells && kind_of(layout.at({row, end})) == kind) ++end;
+      result.areas.push_back(area(kind, {row, row}, {first, end - 1}, parameters.cell_m));
+      first = end;
+    }
+  }
+  const Interval lane = av_lane(parameters);
+  result.areas.push_back(area(AreaKind::lane, lane.empty() ? parameters.av.rows : lane,
+                              {0, grid.cells - 1}, parameters.cell_m));
+  result.areas.back().of_av = true;
+  return result;
+}
+
+}  // namespace
+
+Ground ground(const CrossingParameters& parameters) {
+  return parameters.map.empty() ? ground_of_bands(parameters) : ground_of_map(parameters);
 }
 
 bool contains(const Area& area, Point point) {

@@ -28,7 +28,8 @@ struct Ground {
   [[nodiscard]] const Area* av_lane() const;
 };
 
-/// The bands of the crossing world, as far as its road goes.
+/// The bands of the crossing world, as far as its road goes; of a map the stretches of its rows,
+/// and its AV's lane over them. REQUIRES: parameters without problems().
 [[nodiscard]] Ground ground(const CrossingParameters& parameters);
 
 /// The point is in the area or on its edge.
