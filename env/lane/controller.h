@@ -9,6 +9,7 @@
 
 #include "env/lane/road.h"
 #include "env/lane/vehicle.h"
+#include "env/number_parameter.h"
 
 namespace jaywalk::lane {
 
@@ -24,15 +25,6 @@ class Controller {
   [[nodiscard]] virtual Actuator actuator() const = 0;
 };
 
-/// A number that an experiment may set.
-struct ControllerParameter {
-  std::string_view name;
-  double value = 0;
-  double least = 0;
-  double most = 0;
-  std::string_view meaning;
-};
-
 /// What a controller is made of; everything must outlive it.
 struct ControllerSetup {
   const Road& road;
@@ -46,7 +38,7 @@ struct ControllerSetup {
 struct ControllerKind {
   std::string_view name;
   std::string_view summary;
-  std::span<const ControllerParameter> parameters;
+  std::span<const NumberParameter> parameters;
   std::unique_ptr<Controller> (*make)(const ControllerSetup& setup);
 };
 

@@ -129,7 +129,7 @@ class Drive {
 DriveSettings drive_settings(const ControllerKind& controller) {
   DriveSettings settings;
   settings.controller = &controller;
-  for (const ControllerParameter& parameter : controller.parameters) {
+  for (const NumberParameter& parameter : controller.parameters) {
     settings.values.push_back(parameter.value);
   }
   return settings;

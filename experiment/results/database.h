@@ -2,7 +2,7 @@
 
 // SQLite as the store uses it: connections and statements that close themselves. The first thing
 // that goes wrong is kept and everything after it does nothing, so that callers ask once, at the
-// end. No file outside this folder includes this.
+// end. No file outside this folder includes this, but the store of searches (search/store).
 
 #include <cstdint>
 #include <memory>

@@ -34,24 +34,24 @@ enum Parameter : std::size_t {
 };
 
 constexpr std::array kParameters = {
-    ControllerParameter{"feed_forward", 1.2, 0, 10, "times the curvature ahead"},
-    ControllerParameter{"lateral_gain", 0.55, 0, 50,
+    NumberParameter{"feed_forward", 1.2, 0, 10, "times the curvature ahead"},
+    NumberParameter{"lateral_gain", 0.55, 0, 50,
                         "steering per metre beside the line, times m/s"},
-    ControllerParameter{"heading_gain", 0.91, 0, 50, "steering per radian off the line's heading"},
-    ControllerParameter{"steering_preview_m", 4, 0, 100, "where the curvature is taken, at rest"},
-    ControllerParameter{"steering_preview_s", 0.37, 0, 10, "and so much farther with speed"},
-    ControllerParameter{"band_stiffness_m", 21, 1, 1000, "how far a corner is cut ahead"},
-    ControllerParameter{"band_left_m", 1.2, 0, 4, "the most it drives left of the middle"},
-    ControllerParameter{"band_right_m", 1.6, 0, 4, "the most it drives right of the middle"},
-    ControllerParameter{"lateral_acceleration", 4.6, 0.1, 20, "planned for curves, m/s2"},
-    ControllerParameter{"planned_braking", 5.6, 0.1, 20, "for curves ahead, m/s2"},
-    ControllerParameter{"preview_m", 22.5, 1, 500, "how far ahead curves are seen"},
-    ControllerParameter{"speed_gain", 2.7, 0, 50, "acceleration per difference of speed, 1/s"},
-    ControllerParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
-    ControllerParameter{"most_braking", 8, 0.1, 20, "m/s2"},
-    ControllerParameter{"latency_s", 0.02, 0, 1, "between command and actuators"},
-    ControllerParameter{"steering_lag_s", 0.05, 0.005, 1, "time constant of the steering"},
-    ControllerParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
+    NumberParameter{"heading_gain", 0.91, 0, 50, "steering per radian off the line's heading"},
+    NumberParameter{"steering_preview_m", 4, 0, 100, "where the curvature is taken, at rest"},
+    NumberParameter{"steering_preview_s", 0.37, 0, 10, "and so much farther with speed"},
+    NumberParameter{"band_stiffness_m", 21, 1, 1000, "how far a corner is cut ahead"},
+    NumberParameter{"band_left_m", 1.2, 0, 4, "the most it drives left of the middle"},
+    NumberParameter{"band_right_m", 1.6, 0, 4, "the most it drives right of the middle"},
+    NumberParameter{"lateral_acceleration", 4.6, 0.1, 20, "planned for curves, m/s2"},
+    NumberParameter{"planned_braking", 5.6, 0.1, 20, "for curves ahead, m/s2"},
+    NumberParameter{"preview_m", 22.5, 1, 500, "how far ahead curves are seen"},
+    NumberParameter{"speed_gain", 2.7, 0, 50, "acceleration per difference of speed, 1/s"},
+    NumberParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
+    NumberParameter{"most_braking", 8, 0.1, 20, "m/s2"},
+    NumberParameter{"latency_s", 0.02, 0, 1, "between command and actuators"},
+    NumberParameter{"steering_lag_s", 0.05, 0.005, 1, "time constant of the steering"},
+    NumberParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
 };
 
 BandParameters band(const ControllerSetup& setup) {
@@ -111,7 +111,7 @@ class BandFollower : public Controller {
 
 }  // namespace
 
-std::span<const ControllerParameter> parameters() { return kParameters; }
+std::span<const NumberParameter> parameters() { return kParameters; }
 
 std::unique_ptr<Controller> make(const ControllerSetup& setup) {
   return std::make_unique<BandFollower>(setup);

@@ -27,17 +27,17 @@ enum Parameter : std::size_t {
 };
 
 constexpr std::array kParameters = {
-    ControllerParameter{"lookahead_m", 17, 1, 100, "how far ahead the pursued point is"},
-    ControllerParameter{"steering_gain", 1.03, 0, 10, "times the pure pursuit's steering angle"},
-    ControllerParameter{"lateral_acceleration", 5.25, 0.1, 20, "planned for curves, m/s2"},
-    ControllerParameter{"preview_m", 50, 1, 500, "how far ahead curves are seen"},
-    ControllerParameter{"planned_braking", 3.4, 0.1, 20, "at which it begins to brake, m/s2"},
-    ControllerParameter{"speed_gain", 4.6, 0, 50, "acceleration per difference of speed, 1/s"},
-    ControllerParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
-    ControllerParameter{"most_braking", 8, 0.1, 20, "m/s2"},
-    ControllerParameter{"latency_s", 0.06, 0, 1, "between command and actuators"},
-    ControllerParameter{"steering_lag_s", 0.08, 0.005, 1, "time constant of the steering"},
-    ControllerParameter{"steering_rate", 0.4, 0.01, 10, "the steering's speed, rad/s"},
+    NumberParameter{"lookahead_m", 17, 1, 100, "how far ahead the pursued point is"},
+    NumberParameter{"steering_gain", 1.03, 0, 10, "times the pure pursuit's steering angle"},
+    NumberParameter{"lateral_acceleration", 5.25, 0.1, 20, "planned for curves, m/s2"},
+    NumberParameter{"preview_m", 50, 1, 500, "how far ahead curves are seen"},
+    NumberParameter{"planned_braking", 3.4, 0.1, 20, "at which it begins to brake, m/s2"},
+    NumberParameter{"speed_gain", 4.6, 0, 50, "acceleration per difference of speed, 1/s"},
+    NumberParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
+    NumberParameter{"most_braking", 8, 0.1, 20, "m/s2"},
+    NumberParameter{"latency_s", 0.06, 0, 1, "between command and actuators"},
+    NumberParameter{"steering_lag_s", 0.08, 0.005, 1, "time constant of the steering"},
+    NumberParameter{"steering_rate", 0.4, 0.01, 10, "the steering's speed, rad/s"},
 };
 
 /// Near points count as being at the car already.
@@ -125,7 +125,7 @@ class PurePursuit : public Controller {
 
 }  // namespace
 
-std::span<const ControllerParameter> parameters() { return kParameters; }
+std::span<const NumberParameter> parameters() { return kParameters; }
 
 std::unique_ptr<Controller> make(const ControllerSetup& setup) {
   return std::make_unique<PurePursuit>(setup);

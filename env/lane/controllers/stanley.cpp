@@ -28,17 +28,17 @@ enum Parameter : std::size_t {
 };
 
 constexpr std::array kParameters = {
-    ControllerParameter{"gain", 2.5, 0, 50, "of the lateral error, 1/s"},
-    ControllerParameter{"softening", 1, 0.01, 50, "added to the speed that divides it, m/s"},
-    ControllerParameter{"lateral_acceleration", 4, 0.1, 20, "planned for curves, m/s2"},
-    ControllerParameter{"planned_braking", 4, 0.1, 20, "for curves ahead, m/s2"},
-    ControllerParameter{"preview_m", 40, 1, 500, "how far ahead curves are seen"},
-    ControllerParameter{"speed_gain", 2.7, 0, 50, "acceleration per difference of speed, 1/s"},
-    ControllerParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
-    ControllerParameter{"most_braking", 8, 0.1, 20, "m/s2"},
-    ControllerParameter{"latency_s", 0.02, 0, 1, "between command and actuators"},
-    ControllerParameter{"steering_lag_s", 0.05, 0.005, 1, "time constant of the steering"},
-    ControllerParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
+    NumberParameter{"gain", 2.5, 0, 50, "of the lateral error, 1/s"},
+    NumberParameter{"softening", 1, 0.01, 50, "added to the speed that divides it, m/s"},
+    NumberParameter{"lateral_acceleration", 4, 0.1, 20, "planned for curves, m/s2"},
+    NumberParameter{"planned_braking", 4, 0.1, 20, "for curves ahead, m/s2"},
+    NumberParameter{"preview_m", 40, 1, 500, "how far ahead curves are seen"},
+    NumberParameter{"speed_gain", 2.7, 0, 50, "acceleration per difference of speed, 1/s"},
+    NumberParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
+    NumberParameter{"most_braking", 8, 0.1, 20, "m/s2"},
+    NumberParameter{"latency_s", 0.02, 0, 1, "between command and actuators"},
+    NumberParameter{"steering_lag_s", 0.05, 0.005, 1, "time constant of the steering"},
+    NumberParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
 };
 
 SpeedPlanParameters speeds(const ControllerSetup& setup) {
@@ -88,7 +88,7 @@ class Stanley : public Controller {
 
 }  // namespace
 
-std::span<const ControllerParameter> parameters() { return kParameters; }
+std::span<const NumberParameter> parameters() { return kParameters; }
 
 std::unique_ptr<Controller> make(const ControllerSetup& setup) {
   return std::make_unique<Stanley>(setup);

@@ -1,0 +1,19 @@
+#pragma once
+
+// A number by which an experiment may change a controller, a generator or the like; their tables list
+// them.
+
+#include <string_view>
+
+namespace jaywalk {
+
+struct NumberParameter {
+  std::string_view name;
+  /// The default, and what it may be.
+  double value = 0;
+  double least = 0;
+  double most = 0;
+  std::string_view meaning;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,40 @@
+#pragma once
+
+// A search as a YAML file describes it (search/README.md is the reference of its keys).
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/scenario.h"
+#include "search/search.h"
+
+namespace jaywalk::search {
+
+struct SearchExperiment {
+  /// The file's name.
+  std::string name;
+  std::string sut;
+  std::string measure;
+  SearchPlan plan;
+  /// The text and the options from which it was read: what a store compares before it goes on.
+  std::string origin;
+};
+
+struct SearchOptions {
+  /// `dotted.path=value`, in order, as given to `--set`.
+  std::vector<std::string> sets;
+  /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
+  std::vector<std::string> generators;
+};
+
+[[nodiscard]] Result<SearchExperiment> read_search(const std::string& path,
+                                                   const SearchOptions& options = {});
+/// The same for a text in memory; paths in it are relative to the folder in the source's name.
+[[nodiscard]] Result<SearchExperiment> parse_search(const SourcePtr& source,
+                                                    const SearchOptions& options = {});
+
+/// Whether a file is a search rather than a scenario: it has the key `sut`.
+[[nodiscard]] bool is_search(const SourcePtr& source);
+
+}  // namespace jaywalk::search

@@ -1,0 +1,87 @@
+#pragma once
+
+// A generator proposes test inputs and learns from what comes of them. A file of generators/ and a
+// row of generators.def for each; TUTORIAL.md beside this file adds one. Read fitness.h before.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "env/number_parameter.h"
+#include "search/fitness.h"
+
+namespace jaywalk::search {
+
+/// What a generator has at hand while it is asked: it counts every candidate whose validity is
+/// looked at.
+class Asking {
+ public:
+  Asking(const SearchSpace& space, double spent) : space_(space), spent_(spent) {}
+
+  [[nodiscard]] bool valid(const TestInput& candidate) {
+    ++candidates_;
+    const bool is_valid = space_.check(candidate).valid();
+    if (!is_valid) ++invalid_;
+    return is_valid;
+  }
+  /// The share of the budget that is spent, 0 to 1.
+  [[nodiscard]] double spent() const { return spent_; }
+  [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
+  [[nodiscard]] std::uint64_t invalid() const { return invalid_; }
+
+ private:
+  const SearchSpace& space_;
+  double spent_;
+  std::uint64_t candidates_ = 0;
+  std::uint64_t invalid_ = 0;
+};
+
+class Generator {
+ public:
+  Generator() = default;
+  Generator(const Generator&) = delete;
+  Generator& operator=(const Generator&) = delete;
+  virtual ~Generator() = default;
+
+  /// The next test; it must be valid.
+  [[nodiscard]] virtual TestInput ask(Asking& asking) = 0;
+  /// What came of the test that was asked for last; `spent` is the share of the budget.
+  virtual void tell(const ExecutedTest& test, double spent) = 0;
+};
+
+/// What a generator is made of; everything must outlive it.
+struct GeneratorSetup {
+  const SearchSpace& space;
+  std::span<const MeasureKind> measures;
+  Fitness fitness;
+  std::uint64_t seed = 0;
+  /// In the order of the kind's parameters.
+  std::span<const double> values;
+};
+
+struct GeneratorKind {
+  std::string_view name;
+  std::string_view summary;
+  std::span<const NumberParameter> parameters;
+  std::unique_ptr<Generator> (*make)(const GeneratorSetup& setup);
+};
+
+[[nodiscard]] std::span<const GeneratorKind> generators();
+/// Null if there is none of that name.
+[[nodiscard]] const GeneratorKind* find_generator(std::string_view name);
+
+/// A valid vector from `draw`; gives up after very many and returns an invalid one, which the
+/// search refuses with a message.
+template <class Draw>
+[[nodiscard]] TestInput draw_valid(Asking& asking, Draw draw) {
+  constexpr int kPatience = 1'000'000;
+  TestInput input;
+  for (int i = 0; i < kPatience; ++i) {
+    input = draw();
+    if (asking.valid(input)) break;
+  }
+  return input;
+}
+
+}  // namespace jaywalk::search

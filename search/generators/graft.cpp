@@ -1,0 +1,226 @@
+// Our own. What makes a test fail is mostly local: a stretch of a few curvatures, approached fast.
+// Each failed sequence yields that stretch; new tests graft a stretch into fresh random
+// surroundings, so that they fail again but differ from each other everywhere else. How often a
+// stretch failed again decides how often it is used (Thompson 1933 sampling of its Beta
+// distribution); tests that fail elsewhere or differently yield new stretches. Until one is known,
+// near misses are varied.
+//
+// In spaces of vectors alone the "stretch" is a random choice of a failed vector's coordinates.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "search/generators/generators.h"
+
+namespace jaywalk::search::generator::graft {
+namespace {
+
+enum Parameter : std::size_t {
+  kInitial,
+  kExploration,
+  kLeastStretch,
+  kMostStretch,
+  kTail,
+  kMostLead,
+  kJitter,
+  kStretches,
+  kAttempts,
+};
+
+constexpr std::array kParameters = {
+    NumberParameter{"initial", 20, 1, 1e6, "random tests at the beginning"},
+    NumberParameter{"exploration", 0.05, 0, 1, "share of random tests later"},
+    NumberParameter{"least_stretch", 5, 1, 100, "values of a stretch before the failure"},
+    NumberParameter{"most_stretch", 9, 1, 100, "values of a stretch before the failure"},
+    NumberParameter{"tail", 3, 0, 100, "values after the failure"},
+    NumberParameter{"most_lead", 14, 0, 100, "random values before a stretch, at most"},
+    NumberParameter{"jitter", 0.05, 0, 1, "by which the values of a stretch are varied"},
+    NumberParameter{"stretches", 40, 1, 10000, "that are kept: the best ones"},
+    NumberParameter{"attempts", 200, 1, 100000, "invalid candidates before a random test"},
+};
+
+constexpr double kDifference = 0.05 / 0.07;
+
+struct Stretch {
+  std::vector<double> values;
+  /// In a vector: which coordinates count.
+  std::vector<bool> kept;
+  double failures = 1;
+  double uses = 1;
+};
+
+/// How promising a test was that did not fail: those near to failing are varied until one fails.
+struct NearMiss {
+  std::vector<double> values;
+  double fitness = 0;
+};
+
+class Graft : public Generator {
+ public:
+  explicit Graft(const GeneratorSetup& setup)
+      : space_(setup.space),
+        sequences_(setup.space.sequences()),
+        where_(find_measure(setup.measures, "worst_arc_m")),
+        values_(setup.values),
+        random_(setup.seed) {}
+
+  TestInput ask(Asking& asking) override {
+    used_.reset();
+    ++asked_;
+    const bool explores = asked_ <= static_cast<std::size_t>(values_[kInitial]) ||
+                          random_.uniform(0, 1) < values_[kExploration];
+    for (int i = 0; i < static_cast<int>(values_[kAttempts]); ++i) {
+      TestInput candidate = explores ? random_input() : stretches_.empty() ? varied() : grafted();
+      if (space_.as_points(candidate).values.empty()) continue;
+      if (asking.valid(candidate)) return candidate;
+    }
+    used_.reset();
+    return draw_valid(asking, [&] { return space_.draw_initial(random_); });
+  }
+
+  void tell(const ExecutedTest& test, double) override {
+    if (used_) {
+      stretches_[*used_].uses += 1;
+      if (test.failed) stretches_[*used_].failures += 1;
+    }
+    if (!test.outcome.executed()) return;
+    if (test.failed) {
+      learn(test);
+    } else if (best_.fitness < test.fitness && test.input.form == natural_form()) {
+      best_ = {test.input.values, test.fitness};
+    }
+  }
+
+ private:
+  [[nodiscard]] Form natural_form() const { return sequences_ ? Form::sequence : Form::vector; }
+
+  double next_value(double last) {
+    return random_.uniform(std::max(-1.0, last - kDifference), std::min(1.0, last + kDifference));
+  }
+
+  void append_random(std::vector<double>& values, int count) {
+    for (; count > 0; --count) values.push_back(next_value(values.empty() ? 0 : values.back()));
+  }
+
+  TestInput random_input() {
+    TestInput input{natural_form(), {}};
+    if (sequences_) {
+      const auto spread = static_cast<int>(sequences_->spread);
+      append_random(input.values,
+                    static_cast<int>(sequences_->usual) + random_.between(-spread, spread));
+    } else {
+      input.values.resize(space_.dimension());
+      for (double& value : input.values) value = random_.uniform(-1, 1);
+    }
+    return input;
+  }
+
+  [[nodiscard]] double jittered(double value) {
+    const double jitter = values_[kJitter];
+    return std::clamp(value + random_.uniform(-jitter, jitter), -1.0, 1.0);
+  }
+
+  /// The nearest miss with some of its values changed.
+  TestInput varied() {
+    TestInput input{natural_form(), best_.values};
+    if (input.values.empty()) return random_input();
+    const int changes = random_.between(1, 4);
+    for (int i = 0; i < changes; ++i) {
+      double& value = input.values[random_.below(input.values.size())];
+      value = std::clamp(value + random_.uniform(-kDifference, kDifference), -1.0, 1.0);
+    }
+    return input;
+  }
+
+  /// A stretch by the estimate of how often it makes tests fail.
+  std::size_t choose() {
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const Stretch& stretch = stretches_[i];
+      const double mean = stretch.failures / (stretch.uses + 1);
+      const double deviation = std::sqrt(mean * (1 - mean) / (stretch.uses + 2));
+      // The sum of three uniform numbers is nearly normal.
+      const double normal =
+          random_.uniform(-1, 1) + random_.uniform(-1, 1) + random_.uniform(-1, 1);
+      if (mean + deviation * normal > most) {
+        most = mean + deviation * normal;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  TestInput grafted() {
+    used_ = choose();
+    const Stretch& stretch = stretches_[*used_];
+    TestInput input{natural_form(), {}};
+    if (!sequences_) {
+      for (std::size_t i = 0; i < stretch.values.size(); ++i) {
+        input.values.push_back(stretch.kept[i] ? jittered(stretch.values[i])
+                                               : random_.uniform(-1, 1));
+      }
+      return input;
+    }
+    append_random(input.values, random_.between(0, static_cast<int>(values_[kMostLead])));
+    for (const double value : stretch.values) input.values.push_back(jittered(value));
+    append_random(input.values, random_.between(1, 3));
+    return input;
+  }
+
+  void learn(const ExecutedTest& test) {
+    if (test.input.form != natural_form()) return;
+    Stretch stretch = sequences_ ? cut(test) : choose_coordinates(test);
+    if (stretch.values.empty()) return;
+    if (stretches_.size() >= static_cast<std::size_t>(values_[kStretches])) {
+      const auto worst = std::ranges::min_element(
+          stretches_, {}, [](const Stretch& each) { return each.failures / (each.uses + 1); });
+      *worst = std::move(stretch);
+    } else {
+      stretches_.push_back(std::move(stretch));
+    }
+  }
+
+  Stretch cut(const ExecutedTest& test) {
+    const std::vector<double>& values = test.input.values;
+    std::size_t at = values.size();
+    if (where_)
+      at = static_cast<std::size_t>(test.outcome.measures[*where_] / sequences_->element_m);
+    const std::size_t end = std::min(values.size(), at + static_cast<std::size_t>(values_[kTail]));
+    const int most =
+        std::max(static_cast<int>(values_[kMostStretch]), static_cast<int>(values_[kLeastStretch]));
+    const auto length =
+        static_cast<std::size_t>(random_.between(static_cast<int>(values_[kLeastStretch]), most) +
+                                 static_cast<int>(values_[kTail]));
+    const std::size_t begin = end > length ? end - length : 0;
+    return {.values = {values.begin() + static_cast<std::ptrdiff_t>(begin),
+                       values.begin() + static_cast<std::ptrdiff_t>(end)}};
+  }
+
+  Stretch choose_coordinates(const ExecutedTest& test) {
+    Stretch stretch{.values = test.input.values};
+    for (std::size_t i = 0; i < stretch.values.size(); ++i) stretch.kept.push_back(random_.coin());
+    return stretch;
+  }
+
+  const SearchSpace& space_;
+  std::optional<SequenceBounds> sequences_;
+  std::optional<std::size_t> where_;
+  std::span<const double> values_;
+  Random random_;
+  std::vector<Stretch> stretches_;
+  NearMiss best_;
+  std::optional<std::size_t> used_;
+  std::size_t asked_ = 0;
+};
+
+}  // namespace
+
+std::span<const NumberParameter> parameters() { return kParameters; }
+
+std::unique_ptr<Generator> make(const GeneratorSetup& setup) {
+  return std::make_unique<Graft>(setup);
+}
+
+}  // namespace jaywalk::search::generator::graft

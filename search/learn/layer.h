@@ -1,0 +1,69 @@
+#pragma once
+
+// A fully connected layer and the optimiser of its weights. A matrix has one sample per column.
+// Initial weights and Adam are those of PyTorch. Read network.h next.
+
+#include <Eigen/Dense>
+#include <span>
+#include <vector>
+
+#include "search/random.h"
+
+namespace jaywalk::search::learn {
+
+using Matrix = Eigen::MatrixXf;
+using Vector = Eigen::VectorXf;
+
+/// Uniform in [-1, 1).
+[[nodiscard]] Matrix noise(Eigen::Index rows, Eigen::Index columns, Random& random);
+
+struct Layer {
+  Matrix weights;
+  Vector bias;
+  /// Of the loss, added up by backward passes.
+  Matrix weight_gradient;
+  Vector bias_gradient;
+
+  /// Uniform within 1 / sqrt(inputs), as torch.nn.Linear.
+  Layer(Eigen::Index inputs, Eigen::Index outputs, Random& random);
+
+  [[nodiscard]] Matrix forward(const Matrix& x) const { return (weights * x).colwise() + bias; }
+  /// Adds the gradients of a loss whose gradient by the output is `d`.
+  void accumulate(const Matrix& d, const Matrix& x) {
+    weight_gradient.noalias() += d * x.transpose();
+    bias_gradient += d.rowwise().sum();
+  }
+  void clear_gradients();
+};
+
+struct AdamSettings {
+  float rate = 1e-3F;
+  float beta1 = 0;
+  float beta2 = 0.9F;
+  float epsilon = 1e-8F;
+};
+
+/// Kingma and Ba 2015, "Adam: a method for stochastic optimization", algorithm 1.
+class Adam {
+ public:
+  explicit Adam(const AdamSettings& settings) : settings_(settings) {}
+
+  /// The numbers and their gradients must outlive it and stay where they are.
+  void add(std::span<float> values, std::span<const float> gradients);
+  void add(Layer& layer);
+  void step();
+
+ private:
+  struct Slot {
+    std::span<float> values;
+    std::span<const float> gradients;
+    Eigen::ArrayXf mean;
+    Eigen::ArrayXf square;
+  };
+
+  AdamSettings settings_;
+  std::vector<Slot> slots_;
+  int steps_ = 0;
+};
+
+}  // namespace jaywalk::search::learn

@@ -1,0 +1,61 @@
+#pragma once
+
+// Networks of two hidden layers with (leaky) rectified linear units and a linear output: forward,
+// backward, and the gradient penalty of a Wasserstein critic in closed form. Read layer.h before.
+
+#include <array>
+
+#include "search/learn/layer.h"
+
+namespace jaywalk::search::learn {
+
+struct NetworkShape {
+  Eigen::Index inputs = 1;
+  Eigen::Index hidden = 1;
+  Eigen::Index outputs = 1;
+  /// Slope of the hidden units below zero; 0: plain ReLU.
+  float slope = 0;
+};
+
+class Network {
+ public:
+  Network(const NetworkShape& shape, Random& random);
+
+  /// Keeps what backward() needs.
+  Matrix forward(const Matrix& x);
+
+  enum class Gradients { add, none };
+  /// `d`: the loss's gradient by the output of the last forward pass. Returns that by its input.
+  Matrix backward(const Matrix& d, Gradients gradients = Gradients::add);
+
+  /// Adds the gradient of weight * mean_i (|dC(x_i)/dx| - 1)^2 and returns that mean; C is this
+  /// network, which has one output. (Gulrajani et al. 2017, "Improved training of Wasserstein
+  /// GANs", section 4; the norm is sqrt(|g|^2 + 1e-6).)
+  ///
+  /// C is linear wherever no unit changes its sign, so g = W1' D1 W2' D2 w3 with the units' slopes
+  /// D1, D2, and the penalty's gradient is one more pass of v = dP/dg through the same chain: dW1 =
+  /// a1 v', dW2 = a2 u1', dw3 = D2 W2 u1 with a2 = D2 w3, a1 = D1 W2' a2, u1 = D1 W1 v; none for
+  /// biases.
+  float add_gradient_penalty(const Matrix& x, float weight);
+
+  [[nodiscard]] std::array<Layer*, 3> layers() { return {&first_, &second_, &third_}; }
+  void clear_gradients();
+  void add_to(Adam& optimiser);
+
+ private:
+  [[nodiscard]] Matrix slopes(const Matrix& z) const;
+  [[nodiscard]] Matrix activated(const Matrix& z) const;
+
+  float slope_;
+  Layer first_;
+  Layer second_;
+  Layer third_;
+  // Of the last forward pass: the input, and the hidden layers before and after activation.
+  Matrix x_;
+  Matrix z1_;
+  Matrix h1_;
+  Matrix z2_;
+  Matrix h2_;
+};
+
+}  // namespace jaywalk::search::learn

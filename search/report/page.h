@@ -1,0 +1,16 @@
+#pragma once
+
+// The results of searches as an HTML page that needs nothing beside it: the paper's Table 1 and
+// Figures 1 to 3 with ours, fitness over time, what each generator tried last, clusters of failing
+// tests. Read tables.h before.
+
+#include <string>
+
+#include "search/report/tables.h"
+
+namespace jaywalk::search {
+
+[[nodiscard]] std::string to_html(const SearchExperiment& experiment,
+                                  const std::vector<GeneratorResults>& generators);
+
+}  // namespace jaywalk::search

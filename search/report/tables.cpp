@@ -1,0 +1,182 @@
+#include "search/report/tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace jaywalk::search {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cell(const GeneratorResults& generator, const SummaryColumn& column) {
+  const MeanAndDeviation value = mean_and_deviation(generator.values(column.value));
+  return fmt::format("{:.{}f} ({:.{}f})", value.mean, column.decimals, value.deviation,
+                     column.decimals);
+}
+
+/// Some search has a value in the column.
+bool exists(const SummaryColumn& column, const std::vector<GeneratorResults>& generators) {
+  return std::ranges::any_of(generators, [&](const GeneratorResults& generator) {
+    return std::ranges::any_of(generator.summaries, [&](const RunSummary& summary) {
+      return !std::isnan(summary.*column.value);
+    });
+  });
+}
+
+struct Pair {
+  const GeneratorResults* first;
+  const GeneratorResults* second;
+
+  [[nodiscard]] double p(double RunSummary::*value) const {
+    return wilcoxon_signed_rank(first->values(value), second->values(value));
+  }
+};
+
+/// Generators with the same number of searches.
+std::vector<Pair> pairs(const std::vector<GeneratorResults>& generators) {
+  std::vector<Pair> result;
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    for (std::size_t j = i + 1; j < generators.size(); ++j) {
+      if (generators[i].runs.size() != generators[j].runs.size()) continue;
+      if (!generators[i].runs.empty()) result.push_back({&generators[i], &generators[j]});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> GeneratorResults::values(double RunSummary::*value) const {
+  std::vector<double> all;
+  for (const RunSummary& summary : summaries) all.push_back(summary.*value);
+  return all;
+}
+
+std::vector<GeneratorResults> group(const SearchExperiment& experiment,
+                                    const SearchResults& results) {
+  std::vector<GeneratorResults> generators;
+  for (const GeneratorSpec& spec : experiment.plan.generators) {
+    GeneratorResults generator{spec.name, {}, {}};
+    for (const SearchRun& run : results.runs) {
+      if (run.generator != spec.name || !run.complete) continue;
+      generator.runs.push_back(&run);
+      generator.summaries.push_back(summarise(run, experiment.plan.model_of(spec)));
+    }
+    generators.push_back(std::move(generator));
+  }
+  return generators;
+}
+
+std::string render_table(const std::vector<GeneratorResults>& generators) {
+  constexpr std::size_t kTitle = 28;
+  std::string text = fmt::format("{:<{}}", "mean (standard deviation)", kTitle);
+  for (const GeneratorResults& generator : generators) {
+    text += fmt::format("  {:>16}", generator.name);
+  }
+  text += '\n';
+  for (const SummaryColumn& column : summary_columns()) {
+    if (!exists(column, generators)) continue;
+    text += fmt::format("{:<{}}", column.title, kTitle);
+    for (const GeneratorResults& generator : generators) {
+      text += fmt::format("  {:>16}", generator.runs.empty() ? "-" : cell(generator, column));
+    }
+    text += '\n';
+  }
+  const std::vector<Pair> compared = pairs(generators);
+  if (compared.empty() || compared.front().first->runs.size() < 2) return text;
+  text += "\nWilcoxon signed-rank, p          failing tests   diversity\n";
+  for (const Pair& pair : compared) {
+    text += fmt::format("{:<32} {:>13.2g} {:>11.2g}\n",
+                        fmt::format("{} / {}", pair.first->name, pair.second->name),
+                        pair.p(&RunSummary::failures), pair.p(&RunSummary::diversity));
+  }
+  return text;
+}
+
+std::string to_csv(const std::vector<GeneratorResults>& generators) {
+  std::string text = "generator,repetition,seed";
+  for (const SummaryColumn& column : summary_columns()) text += fmt::format(",{}", column.name);
+  text += '\n';
+  for (const GeneratorResults& generator : generators) {
+    for (std::size_t i = 0; i < generator.runs.size(); ++i) {
+      const SearchRun& run = *generator.runs[i];
+      text += fmt::format("{},{},{}", generator.name, run.repetition, run.seed);
+      for (const SummaryColumn& column : summary_columns()) {
+        const double value = generator.summaries[i].*column.value;
+        text += std::isnan(value) ? "," : fmt::format(",{:.6g}", value);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+namespace {
+
+Json test_json(const TestRow& row) {
+  Json json{{"form", std::string(name(row.test.input.form))},
+            {"input", row.test.input.values},
+            {"fitness", row.test.fitness},
+            {"failed", row.test.failed},
+            {"simulated_s", row.test.outcome.simulated_s},
+            {"measures", row.test.outcome.measures},
+            {"candidates", row.candidates},
+            {"invalid", row.invalid}};
+  if (!row.test.outcome.executed()) json["error"] = row.test.outcome.error;
+  return json;
+}
+
+Json generator_json(const GeneratorResults& generator) {
+  Json json{{"name", generator.name}, {"summary", Json::object()}, {"searches", Json::array()}};
+  for (const SummaryColumn& column : summary_columns()) {
+    const MeanAndDeviation value = mean_and_deviation(generator.values(column.value));
+    json["summary"][std::string(column.name)] = {{"mean", value.mean}, {"sd", value.deviation}};
+  }
+  for (const SearchRun* run : generator.runs) {
+    Json tests = Json::array();
+    for (const TestRow& row : run->tests) tests.push_back(test_json(row));
+    json["searches"].push_back({{"repetition", run->repetition},
+                                {"seed", run->seed},
+                                {"virtual_s", run->spent_s},
+                                {"tests", std::move(tests)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const SearchExperiment& experiment,
+                    const std::vector<GeneratorResults>& generators) {
+  Json measures = Json::array();
+  for (const MeasureKind& measure : experiment.plan.model->measures()) {
+    measures.push_back(std::string(measure.name));
+  }
+  const Fitness& fitness = experiment.plan.fitness;
+  Json json{{"experiment", experiment.name},
+            {"sut", experiment.sut},
+            {"seed", experiment.plan.seed},
+            {"repetitions", experiment.plan.repetitions},
+            {"fitness",
+             {{"measure", experiment.measure},
+              {"harmless", fitness.harmless},
+              {"worst", fitness.worst},
+              {"fails_at", fitness.fails_at}}},
+            {"measures", std::move(measures)},
+            {"generators", Json::array()},
+            {"comparisons", Json::array()}};
+  for (const GeneratorResults& generator : generators) {
+    json["generators"].push_back(generator_json(generator));
+  }
+  for (const Pair& pair : pairs(generators)) {
+    json["comparisons"].push_back({{"first", pair.first->name},
+                                   {"second", pair.second->name},
+                                   {"p_failures", pair.p(&RunSummary::failures)},
+                                   {"p_diversity", pair.p(&RunSummary::diversity)}});
+  }
+  return json.dump(1) + '\n';
+}
+
+}  // namespace jaywalk::search

@@ -1,0 +1,234 @@
+#include "search/search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace jaywalk::search {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kProgressInterval{200};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What the threads share.
+class Shared {
+ public:
+  Shared(const SearchPlan& search_plan, TestLog* test_log, const SearchObserver& observer)
+      : plan(search_plan), log(test_log), observer_(observer), spent_(search_plan.searches()) {}
+
+  const SearchPlan& plan;
+  TestLog* log;
+  std::atomic<bool> stop = false;
+  std::atomic<std::size_t> next = 0;
+
+  void note(std::size_t search, const SearchRun& run, const TestRow& row, double spent) {
+    const std::scoped_lock lock(mutex_);
+    ++progress_.tests;
+    progress_.failures += row.test.failed ? 1 : 0;
+    progress_.best_fitness = std::max(progress_.best_fitness, row.test.fitness);
+    spent_[search] = spent;
+    if (row.test.outcome.executed()) return;
+    ++progress_.errors;
+    if (observer_.error) observer_.error(run.generator, run.repetition, row.test.outcome.error);
+  }
+
+  void trouble(std::string subject, std::string message) {
+    const std::scoped_lock lock(mutex_);
+    trouble_.error(std::move(subject), std::move(message));
+    stop = true;
+  }
+
+  void end_thread() {
+    const std::scoped_lock lock(mutex_);
+    ++ended_;
+    changed_.notify_all();
+  }
+
+  /// Shows progress until all threads have ended.
+  void watch(unsigned threads) {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      const bool done =
+          changed_.wait_for(lock, kProgressInterval, [&] { return ended_ == threads; });
+      SearchProgress now = progress_;
+      for (const double spent : spent_) now.spent += spent / static_cast<double>(spent_.size());
+      lock.unlock();
+      if (observer_.progress && observer_.progress(now) == Continue::no) stop = true;
+      lock.lock();
+      if (done) return;
+    }
+  }
+
+  [[nodiscard]] Diagnostics& diagnostics() { return trouble_; }
+
+ private:
+  const SearchObserver& observer_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  SearchProgress progress_;
+  std::vector<double> spent_;
+  Diagnostics trouble_;
+  unsigned ended_ = 0;
+};
+
+class Search {
+ public:
+  Search(Shared& shared, std::size_t index, SearchRun& run)
+      : shared_(shared),
+        plan_(shared.plan),
+        index_(index),
+        run_(run),
+        spec_(plan_.generators[index / plan_.repetitions]),
+        model_(plan_.model_of(spec_)),
+        sut_(model_.make()),
+        generator_(spec_.kind->make({.space = model_.space(),
+                                     .measures = model_.measures(),
+                                     .fitness = plan_.fitness,
+                                     .seed = run.seed,
+                                     .values = spec_.values})) {}
+
+  void go() {
+    while (!over()) {
+      if (shared_.stop) return;
+      const auto start = Clock::now();
+      Asking asking(model_.space(), spent());
+      TestInput input = generator_->ask(asking);
+      const double generation = seconds_since(start) + telling_s_;
+      if (const Validity validity = model_.space().check(input); !validity.valid()) {
+        shared_.trouble(subject(), fmt::format("no valid test was found: {}", validity.message));
+        return;
+      }
+      TestRow row{.candidates = asking.candidates(),
+                  .invalid = asking.invalid(),
+                  .generation_s = generation};
+      row.test.input = std::move(input);
+      if (!execute(row)) return;
+      const Budget& budget = plan_.budget;
+      const double cost = row.test.outcome.simulated_s + budget.overhead_s + budget.generation_s;
+      if (budget.virtual_s > 0 && run_.spent_s + cost > budget.virtual_s) break;
+      if (!keep(std::move(row), cost)) return;
+    }
+    run_.complete = true;
+  }
+
+ private:
+  [[nodiscard]] std::string subject() const {
+    return fmt::format("{}, repetition {}", run_.generator, run_.repetition);
+  }
+
+  [[nodiscard]] bool over() const { return spent() >= 1; }
+
+  [[nodiscard]] double spent() const {
+    const Budget& budget = plan_.budget;
+    double share = 0;
+    const auto used = [&share](double part, double whole) {
+      if (whole > 0) share = std::max(share, part / whole);
+    };
+    used(run_.spent_s, budget.virtual_s);
+    used(static_cast<double>(run_.tests.size()), static_cast<double>(budget.tests));
+    used(static_cast<double>(failures_), static_cast<double>(budget.failures));
+    return std::min(share, 1.0);
+  }
+
+  /// Executes the test unless its outcome is known; false if the search cannot go on.
+  bool execute(TestRow& row) {
+    const std::size_t number = run_.tests.size();
+    if (shared_.log != nullptr && number < shared_.log->finished(index_).size()) {
+      const TestRow& known = shared_.log->finished(index_)[number];
+      if (known.test.input != row.test.input) {
+        shared_.trouble(subject(), fmt::format("test {} is not the one in the store, which another "
+                                               "version of the program wrote",
+                                               number));
+        return false;
+      }
+      row = known;
+      return true;
+    }
+    const auto start = Clock::now();
+    row.test.outcome = sut_->run(row.test.input);
+    row.execution_s = seconds_since(start);
+    row.test.fitness = plan_.fitness.of(row.test.outcome);
+    row.test.failed = row.test.outcome.executed() && plan_.fitness.fails(row.test.fitness);
+    return true;
+  }
+
+  bool keep(TestRow row, double cost) {
+    const std::size_t number = run_.tests.size();
+    const bool known = shared_.log != nullptr && number < shared_.log->finished(index_).size();
+    if (shared_.log != nullptr && !known) {
+      if (std::string why = shared_.log->add(index_, number, row); !why.empty()) {
+        shared_.trouble(subject(), std::move(why));
+        return false;
+      }
+    }
+    run_.spent_s += cost;
+    failures_ += row.test.failed ? 1 : 0;
+    run_.tests.push_back(std::move(row));
+    shared_.note(index_, run_, run_.tests.back(), spent());
+    const auto start = Clock::now();
+    generator_->tell(run_.tests.back().test, spent());
+    telling_s_ = seconds_since(start);
+    return true;
+  }
+
+  Shared& shared_;
+  const SearchPlan& plan_;
+  std::size_t index_;
+  SearchRun& run_;
+  const GeneratorSpec& spec_;
+  const SutModel& model_;
+  std::unique_ptr<Sut> sut_;
+  std::unique_ptr<Generator> generator_;
+  std::uint64_t failures_ = 0;
+  double telling_s_ = 0;
+};
+
+void work(Shared& shared, std::vector<SearchRun>& runs) {
+  while (!shared.stop) {
+    const std::size_t index = shared.next++;
+    if (index >= runs.size()) break;
+    try {
+      Search(shared, index, runs[index]).go();
+    } catch (const std::exception& error) {
+      shared.trouble(
+          fmt::format("{}, repetition {}", runs[index].generator, runs[index].repetition),
+          error.what());
+    }
+  }
+  shared.end_thread();
+}
+
+}  // namespace
+
+SearchResults run_searches(const SearchPlan& plan, TestLog* log, const SearchObserver& observer) {
+  SearchResults results;
+  for (const GeneratorSpec& generator : plan.generators) {
+    for (std::uint32_t repetition = 0; repetition < plan.repetitions; ++repetition) {
+      results.runs.push_back({.generator = generator.name,
+                              .repetition = repetition,
+                              .seed = mix(mix_name(plan.seed, generator.name), repetition)});
+    }
+  }
+  Shared shared(plan, log, observer);
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < plan.threads; ++i) {
+      threads.emplace_back([&] { work(shared, results.runs); });
+    }
+    shared.watch(plan.threads);
+  }
+  results.trouble = std::move(shared.diagnostics());
+  results.complete = std::ranges::all_of(results.runs, &SearchRun::complete);
+  return results;
+}
+
+}  // namespace jaywalk::search

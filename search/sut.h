@@ -1,0 +1,72 @@
+#pragma once
+
+// The system under test (SUT): executes a test input and says what it measured. A row of suts.def
+// and a file of suts/ for each kind. Read test_input.h before.
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "search/test_input.h"
+
+namespace jaywalk::search {
+
+class RoadSpace;
+
+/// What came of one execution.
+struct Outcome {
+  /// Why the SUT has no result (it crashed, hung, answered nonsense); empty if it has one.
+  std::string error;
+  /// Time that passed in the simulation.
+  double simulated_s = 0;
+  /// In the order of the SUT's measures; empty if there is no result.
+  std::vector<double> measures;
+  /// Numbers whose Euclidean distance tells how differently two tests went; empty: how different
+  /// their inputs are tells it (SearchSpace::signature).
+  std::vector<double> signature;
+
+  [[nodiscard]] bool executed() const { return error.empty(); }
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+/// One number that a SUT measures of each test.
+struct MeasureKind {
+  std::string_view name;
+  std::string_view meaning;
+};
+
+/// Belongs to one search; it may keep a process or a simulation from one test to the next.
+class Sut {
+ public:
+  Sut() = default;
+  Sut(const Sut&) = delete;
+  Sut& operator=(const Sut&) = delete;
+  virtual ~Sut() = default;
+
+  /// REQUIRES: a valid input of its space.
+  [[nodiscard]] virtual Outcome run(const TestInput& input) = 0;
+};
+
+/// A SUT as an experiment describes it: immutable, shared by all searches.
+class SutModel {
+ public:
+  SutModel() = default;
+  SutModel(const SutModel&) = delete;
+  SutModel& operator=(const SutModel&) = delete;
+  virtual ~SutModel() = default;
+
+  [[nodiscard]] virtual const SearchSpace& space() const = 0;
+  [[nodiscard]] virtual std::span<const MeasureKind> measures() const = 0;
+  [[nodiscard]] virtual std::unique_ptr<Sut> make() const = 0;
+  /// The same space if it is one of roads, which have pictures and exports; else null.
+  [[nodiscard]] virtual const RoadSpace* road_space() const { return nullptr; }
+};
+
+/// The index of a measure of that name, if there is one.
+[[nodiscard]] std::optional<std::size_t> find_measure(std::span<const MeasureKind> measures,
+                                                      std::string_view name);
+
+}  // namespace jaywalk::search

@@ -1,0 +1,189 @@
+// A SUT that is a program of its own: it reads a road in one line of JSON and answers with the
+// outcome in another. Whatever it does wrong (it crashes, hangs, answers nonsense) costs the test
+// alone; it is started anew for the next one. search/README.md has the protocol,
+// scenarios/external_sut.py an example.
+
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "search/suts/process.h"
+#include "search/suts/read_road_space.h"
+#include "search/suts/suts.h"
+
+namespace jaywalk::search {
+namespace {
+
+using Json = nlohmann::json;
+
+struct ExternalSettings {
+  std::vector<std::string> command;
+  std::string folder;
+  double timeout_s = 60;
+  std::vector<std::string> measures;
+};
+
+constexpr std::size_t kShownAnswer = 80;
+
+std::string shown(const std::string& text) {
+  return text.size() <= kShownAnswer ? text : text.substr(0, kShownAnswer) + "...";
+}
+
+/// The test as one line: the points, and the map as the competition's executors want it.
+std::string request(const RoadSpace& space, const TestInput& input, std::size_t number) {
+  Json points = Json::array();
+  for (const Point& point : space.road_points(input)) {
+    points.push_back(Json::array({point.x_m, point.y_m}));
+  }
+  return Json{{"test", number},
+              {"map_size", space.settings().rules.map_m},
+              {"road_points", std::move(points)}}
+      .dump();
+}
+
+class ExternalProgram : public Sut {
+ public:
+  ExternalProgram(const RoadSpace& space, const ExternalSettings& settings)
+      : space_(space), settings_(settings) {}
+
+  Outcome run(const TestInput& input) override {
+    ++tests_;
+    if (!process_) {
+      auto started = Process::start(settings_.command, settings_.folder);
+      if (const auto* trouble = std::get_if<Process::Trouble>(&started)) {
+        return failed(trouble->what, 0);
+      }
+      process_ = std::move(std::get<std::unique_ptr<Process>>(started));
+    }
+    const std::chrono::milliseconds limit(std::lround(1000 * settings_.timeout_s));
+    Process::Line answer = process_->ask(request(space_, input, tests_), limit);
+    if (const auto* trouble = std::get_if<Process::Trouble>(&answer)) {
+      return failed(trouble->what, settings_.timeout_s);
+    }
+    return read(std::get<std::string>(answer));
+  }
+
+ private:
+  /// The program is given up; the next test starts another one.
+  Outcome failed(const std::string& what, double seconds) {
+    process_.reset();
+    return {
+        .error = fmt::format("{}, test {}: {}", fmt::join(settings_.command, " "), tests_, what),
+        .simulated_s = seconds};
+  }
+
+  Outcome nonsense(const std::string& answer, const std::string& what) {
+    return failed(
+        fmt::format("line {} of its output, '{}': {}", process_->lines(), shown(answer), what), 0);
+  }
+
+  Outcome read(const std::string& answer) {
+    const Json json = Json::parse(answer, nullptr, false);
+    if (!json.is_object()) return nonsense(answer, "expected a JSON object");
+    if (const auto error = json.find("error"); error != json.end() && error->is_string()) {
+      // The program goes on; it could not execute this test.
+      return {.error = fmt::format("{}, test {}: it says '{}'", fmt::join(settings_.command, " "),
+                                   tests_, shown(error->get<std::string>()))};
+    }
+    Outcome outcome;
+    if (const auto time = json.find("sim_time"); time != json.end()) {
+      if (!time->is_number() || !(time->get<double>() >= 0)) {
+        return nonsense(answer, "sim_time is not a number of seconds");
+      }
+      outcome.simulated_s = time->get<double>();
+    }
+    for (const std::string& measure : settings_.measures) {
+      const auto value = json.find(measure);
+      if (value == json.end()) return nonsense(answer, fmt::format("there is no '{}'", measure));
+      if (!value->is_number() || !std::isfinite(value->get<double>())) {
+        return nonsense(answer, fmt::format("'{}' is not a number", measure));
+      }
+      outcome.measures.push_back(value->get<double>());
+    }
+    return outcome;
+  }
+
+  const RoadSpace& space_;
+  const ExternalSettings& settings_;
+  std::unique_ptr<Process> process_;
+  std::size_t tests_ = 0;
+};
+
+class External : public SutModel {
+ public:
+  External(const RoadSpaceSettings& space, ExternalSettings settings)
+      : space_(space), settings_(std::move(settings)) {
+    for (const std::string& measure : settings_.measures) {
+      kinds_.push_back({measure, "as the program answers it"});
+    }
+  }
+
+  [[nodiscard]] const SearchSpace& space() const override { return space_; }
+  [[nodiscard]] std::span<const MeasureKind> measures() const override { return kinds_; }
+  [[nodiscard]] std::unique_ptr<Sut> make() const override {
+    return std::make_unique<ExternalProgram>(space_, settings_);
+  }
+  [[nodiscard]] const RoadSpace* road_space() const override { return &space_; }
+
+ private:
+  RoadSpace space_;
+  ExternalSettings settings_;
+  std::vector<MeasureKind> kinds_;
+};
+
+std::vector<std::string> read_words(const ConfigNode& node, const ConfigReader& reader,
+                                    std::string_view expected) {
+  std::vector<std::string> words;
+  if (node.kind != ConfigNode::Kind::list || node.items.empty()) {
+    reader.unexpected(node, fmt::format("a list of {}s", expected));
+    return words;
+  }
+  for (const ConfigNode& item : node.items) {
+    if (auto word = reader.text(item, fmt::format("a {}", expected))) {
+      words.push_back(std::move(*word));
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+namespace sut::external {
+
+std::shared_ptr<const SutModel> read(const SutSetup& setup) {
+  const ConfigReader& reader = setup.reader;
+  RoadSpaceSettings space;
+  ExternalSettings settings{.folder = setup.folder, .measures = {"max_oob"}};
+  const auto ignored = [](const ConfigNode&, const std::string&) {};
+  const std::vector<ConfigKey> keys{
+      {"kind", ignored},
+      {"command",
+       [&](const ConfigNode& value, const std::string&) {
+         settings.command = read_words(value, reader, "word");
+       }},
+      {"timeout_s",
+       [&](const ConfigNode& value, const std::string&) {
+         if (const auto seconds = reader.number(value, {0.01, 86400}))
+           settings.timeout_s = *seconds;
+       }},
+      {"measures",
+       [&](const ConfigNode& value, const std::string&) {
+         settings.measures = read_words(value, reader, "name");
+       }},
+      {"roads", [&](const ConfigNode& value,
+                    const std::string& path) { read_road_space(value, path, reader, space); }},
+  };
+  reader.read_map(setup.node, setup.path, keys);
+  if (setup.node.find("command") == nullptr) {
+    reader.error(setup.node.origin, "no 'command' to start the program with",
+                 "for example command: [python3, external_sut.py]");
+  }
+  return std::make_shared<External>(space, std::move(settings));
+}
+
+}  // namespace sut::external
+
+}  // namespace jaywalk::search

@@ -1,0 +1,47 @@
+#pragma once
+
+// How the SUT of an experiment is read; what each SUT's file defines, from the table. Read
+// experiment/scenario_reader.h and search/sut.h before.
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "env/number_parameter.h"
+#include "experiment/scenario_reader.h"
+#include "search/sut.h"
+
+namespace jaywalk::search {
+
+/// The keys of a SUT. Errors go to the reader's diagnostics.
+struct SutSetup {
+  const ConfigNode& node;
+  std::string path;
+  const ConfigReader& reader;
+  /// What paths are relative to; empty: the current folder.
+  std::string folder;
+};
+
+struct SutKind {
+  std::string_view name;
+  std::string_view summary;
+  /// Null after an error, at least where there is nothing to go on with.
+  std::shared_ptr<const SutModel> (*read)(const SutSetup& setup);
+};
+
+[[nodiscard]] std::span<const SutKind> sut_kinds();
+
+/// Numbers by name into `values`, which are in the order of `parameters`.
+void read_parameters(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
+                     std::span<const NumberParameter> parameters, std::vector<double>& values);
+
+namespace sut {
+#define JAYWALK_SUT(identifier, name, summary)                 \
+  namespace identifier {                                       \
+  std::shared_ptr<const SutModel> read(const SutSetup& setup); \
+  }
+#include "search/suts.def"
+#undef JAYWALK_SUT
+}  // namespace sut
+
+}  // namespace jaywalk::search

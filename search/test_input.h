@@ -1,0 +1,77 @@
+#pragma once
+
+// What a search looks for: inputs of a system under test (SUT), and the space that they come from.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "search/random.h"
+
+namespace jaywalk::search {
+
+/// How the numbers of a test input are meant.
+enum class Form {
+  /// A point of the search space: a number from -1 to 1 for each of its dimensions.
+  vector,
+  /// As many numbers as one likes, nominally from -1 to 1: what Frenetic calls a chromosome.
+  sequence,
+  /// What both are made into: x and y of one road point after the other.
+  points,
+};
+
+[[nodiscard]] std::string_view name(Form form);
+[[nodiscard]] std::optional<Form> parse_form(std::string_view text);
+
+struct TestInput {
+  Form form = Form::vector;
+  std::vector<double> values;
+
+  friend bool operator==(const TestInput&, const TestInput&) = default;
+};
+
+/// Why an input cannot be executed; valid if there is no reason.
+struct Validity {
+  std::string message;
+
+  [[nodiscard]] bool valid() const { return message.empty(); }
+};
+
+/// Which sequences make sense.
+struct SequenceBounds {
+  std::size_t least = 0;
+  std::size_t usual = 0;
+  /// Half the width of the range from which the usual length is drawn.
+  std::size_t spread = 0;
+  /// Metres that one element stands for, where it does.
+  double element_m = 1;
+};
+
+/// Immutable; used by several searches at once.
+class SearchSpace {
+ public:
+  SearchSpace() = default;
+  SearchSpace(const SearchSpace&) = delete;
+  SearchSpace& operator=(const SearchSpace&) = delete;
+  virtual ~SearchSpace() = default;
+
+  /// Of its vectors.
+  [[nodiscard]] virtual std::size_t dimension() const = 0;
+  /// None if the space has vectors alone.
+  [[nodiscard]] virtual std::optional<SequenceBounds> sequences() const = 0;
+  [[nodiscard]] virtual Validity check(const TestInput& input) const = 0;
+  /// A vector for the first tests of generators that learn; it need not be valid.
+  [[nodiscard]] virtual TestInput draw_initial(Random& random) const = 0;
+  /// The points of a road, the numbers of a scenario…: what people and other programs are shown.
+  [[nodiscard]] virtual TestInput as_points(const TestInput& input) const = 0;
+  /// Numbers whose Euclidean distance tells how different two inputs are. REQUIRES: a valid input.
+  [[nodiscard]] virtual std::vector<double> signature(const TestInput& input) const = 0;
+  /// The same where angles do not jump by a full turn.
+  [[nodiscard]] virtual std::vector<double> unwrapped_signature(const TestInput& input) const {
+    return signature(input);
+  }
+};
+
+}  // namespace jaywalk::search

@@ -1,0 +1,214 @@
+// Every gradient that the networks train by agrees with finite differences, for many random
+// networks and inputs.
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "search/learn/adversary.h"
+
+namespace jaywalk::search::learn {
+namespace {
+
+constexpr Eigen::Index kInputs = 5;
+constexpr Eigen::Index kHidden = 12;
+
+/// Compares many derivatives with differences to both sides. Where a unit changes its sign within a
+/// step, losses bend and penalties jump, so that the two sides disagree; those are left out, and
+/// counted.
+class Comparison {
+ public:
+  explicit Comparison(float step = 1e-3F) : step_(step) {}
+
+  void add(double derived, float& number, const std::function<double()>& loss) {
+    const float kept = number;
+    const double here = loss();
+    number = kept + step_;
+    const double above = (loss() - here) / static_cast<double>(step_);
+    number = kept - step_;
+    const double below = (here - loss()) / static_cast<double>(step_);
+    number = kept;
+    const double differenced = (above + below) / 2;
+    ++count_;
+    if (std::fabs(above - below) > 0.02 * (0.1 + std::fabs(differenced))) {
+      ++left_out_;
+      return;
+    }
+    error_ += (derived - differenced) * (derived - differenced);
+    size_ += differenced * differenced;
+  }
+  /// Of all together, relative to their size.
+  [[nodiscard]] double relative_error() const { return std::sqrt(error_ / size_); }
+  [[nodiscard]] double share_left_out() const { return left_out_ / count_; }
+
+ private:
+  float step_;
+  double error_ = 0;
+  double size_ = 0;
+  double count_ = 0;
+  double left_out_ = 0;
+};
+
+void compare_parameters(Network& network, const std::function<double()>& loss, Comparison& result) {
+  for (Layer* layer : network.layers()) {
+    const Matrix weights = layer->weight_gradient;
+    const Vector bias = layer->bias_gradient;
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      result.add(static_cast<double>(weights.data()[i]), layer->weights.data()[i], loss);
+    }
+    for (Eigen::Index i = 0; i < bias.size(); ++i) {
+      result.add(static_cast<double>(bias[i]), layer->bias[i], loss);
+    }
+  }
+}
+
+class Gradients : public testing::TestWithParam<int> {
+ protected:
+  Random random_{static_cast<std::uint64_t>(GetParam())};
+};
+
+TEST_P(Gradients, OfANetworksOutputAgreeWithFiniteDifferences) {
+  Network network({kInputs, kHidden, 2, 0.1F}, random_);
+  const Matrix x = noise(kInputs, 8, random_);
+  const Matrix weight = noise(2, 8, random_);
+  const auto loss = [&] {
+    Network copy = network;
+    return static_cast<double>(copy.forward(x).cwiseProduct(weight).sum());
+  };
+  network.clear_gradients();
+  network.forward(x);
+  network.backward(weight);
+  Comparison result;
+  compare_parameters(network, loss, result);
+  EXPECT_LT(result.relative_error(), 0.01);
+  EXPECT_LT(result.share_left_out(), 0.4);
+}
+
+// The penalty is a function of the gradient by the input, so its gradient by the weights is a
+// second derivative.
+TEST_P(Gradients, OfTheGradientPenaltyAgreeWithFiniteDifferences) {
+  constexpr float kWeight = 10;
+  Network critic({kInputs, kHidden, 1, 0.1F}, random_);
+  const Matrix x = noise(kInputs, 8, random_);
+  const auto loss = [&] {
+    Network copy = critic;
+    return static_cast<double>(kWeight * copy.add_gradient_penalty(x, kWeight));
+  };
+  critic.clear_gradients();
+  critic.add_gradient_penalty(x, kWeight);
+  Comparison result;
+  compare_parameters(critic, loss, result);
+  EXPECT_LT(result.relative_error(), 0.01);
+  EXPECT_LT(result.share_left_out(), 0.4);
+}
+
+// And the penalty itself is that of the gradient which backward() computes.
+TEST_P(Gradients, OfTheInputGiveThePenalty) {
+  Network critic({kInputs, kHidden, 1, 0}, random_);
+  const Matrix x = noise(kInputs, 8, random_);
+  const float penalty = critic.add_gradient_penalty(x, 1);
+  critic.forward(x);
+  const Matrix g = critic.backward(Matrix::Ones(1, 8), Network::Gradients::none);
+  const Eigen::ArrayXf norm = (g.array().square().colwise().sum() + 1e-6F).sqrt().transpose();
+  EXPECT_NEAR(penalty, (norm - 1).square().mean(), 1e-5);
+}
+
+TEST_P(Gradients, ThroughBatchNormalisationAndTanhAgreeWithFiniteDifferences) {
+  TestMaker maker({10, kHidden, kInputs, 0}, TestMaker::Normalisation::batch, random_);
+  Network critic({kInputs, kHidden, 1, 0.1F}, random_);
+  const Matrix z = noise(10, 32, random_);
+  const auto loss = [&] {
+    return static_cast<double>(critic.forward(maker.forward(z, Pass::training)).sum());
+  };
+  loss();
+  maker.backward(critic.backward(Matrix::Ones(1, 32), Network::Gradients::none));
+  Comparison result;
+  std::vector<float> scale_gradient(maker.scale_gradient().begin(), maker.scale_gradient().end());
+  compare_parameters(maker.network(), loss, result);
+  for (std::size_t i = 0; i < scale_gradient.size(); ++i) {
+    result.add(static_cast<double>(scale_gradient[i]), maker.scale()[i], loss);
+  }
+  EXPECT_LT(result.relative_error(), 0.01);
+  EXPECT_LT(result.share_left_out(), 0.4);
+}
+
+TEST_P(Gradients, OfTheAnalyzersLossAgreeWithFiniteDifferences) {
+  Analyzer analyzer({.shape = {kInputs, kHidden, 1, 0}, .regularisation = 0.01F}, random_);
+  const Matrix x = noise(kInputs, 20, random_);
+  const Matrix y = (noise(1, 20, random_).array() * 0.5F + 0.5F).matrix();
+  const auto loss = [&] { return static_cast<double>(analyzer.add_loss_gradient(x, y)); };
+  analyzer.network().clear_gradients();
+  loss();
+  Network kept = analyzer.network();
+  Comparison result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Layer& layer = *analyzer.network().layers()[k];
+    const Matrix& derived = kept.layers()[k]->weight_gradient;
+    for (Eigen::Index i = 0; i < derived.size(); ++i) {
+      result.add(static_cast<double>(derived.data()[i]), layer.weights.data()[i], loss);
+    }
+  }
+  EXPECT_LT(result.relative_error(), 0.01);
+  EXPECT_LT(result.share_left_out(), 0.4);
+}
+
+TEST_P(Gradients, OfTheAnalyzersLossByItsInputAgreeWithFiniteDifferences) {
+  Analyzer analyzer({.shape = {kInputs, kHidden, 1, 0.1F}}, random_);
+  Matrix x = noise(kInputs, 10, random_);
+  const Matrix y = Matrix::Ones(1, 10);
+  const Matrix derived = analyzer.input_gradient(x, y);
+  const auto loss = [&] { return static_cast<double>(analyzer.add_loss_gradient(x, y)); };
+  // Shares of a mean over ten tests are small beside the loss; a longer step keeps the rounding
+  // small.
+  Comparison result(1e-2F);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    result.add(static_cast<double>(derived.data()[i]), x.data()[i], loss);
+  }
+  EXPECT_LT(result.relative_error(), 0.02);
+  EXPECT_LT(result.share_left_out(), 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Gradients, testing::Range(1, 21));
+
+TEST(Training, IsReproducibleFromTheSeed) {
+  const auto train = [] {
+    Random random(5);
+    WassersteinPair pair({.dimension = kInputs}, random);
+    const Matrix real = noise(kInputs, 32, random);
+    for (int i = 0; i < 20; ++i) pair.train_critic(real, random);
+    pair.train_maker(32, random);
+    return pair.make(10, random);
+  };
+  EXPECT_EQ(train(), train());
+}
+
+TEST(Training, MovesTheAnalyzerTowardsTheFitness) {
+  Random random(5);
+  Analyzer analyzer({.shape = {kInputs, 32, 1, 0}, .adam = {.rate = 1e-2F}}, random);
+  const Matrix x = noise(kInputs, 64, random);
+  const Matrix y = (0.5F + 0.4F * x.row(0).array()).matrix();
+  const float before = analyzer.train(x, y);
+  for (int i = 0; i < 300; ++i) analyzer.train(x, y);
+  EXPECT_LT(analyzer.train(x, y), 0.1F * before);
+}
+
+TEST(Training, MovesTheWassersteinGeneratorTowardsTheTests) {
+  Random random(5);
+  WassersteinPair pair({.dimension = 2, .rate = 1e-3F}, random);
+  Matrix real(2, 32);
+  for (Eigen::Index i = 0; i < 32; ++i) {
+    real.col(i) << 0.5F + static_cast<float>(random.uniform(-0.1, 0.1)),
+        -0.5F + static_cast<float>(random.uniform(-0.1, 0.1));
+  }
+  for (int round = 0; round < 300; ++round) {
+    for (int i = 0; i < 5; ++i) pair.train_critic(real, random);
+    pair.train_maker(32, random);
+  }
+  const Matrix made = pair.make(200, random);
+  EXPECT_NEAR(made.row(0).mean(), 0.5, 0.2);
+  EXPECT_NEAR(made.row(1).mean(), -0.5, 0.2);
+}
+
+}  // namespace
+}  // namespace jaywalk::search::learn

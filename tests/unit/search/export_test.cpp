@@ -1,0 +1,106 @@
+#include <cmath>
+#include <cstdio>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "search/export/exports.h"
+#include "search/report/page.h"
+#include "tests/unit/search/toy.h"
+
+namespace jaywalk::search {
+namespace {
+
+using testing::HasSubstr;
+
+const lane::Polyline kPoints{{100, 10}, {100, 30}, {97, 50}, {100, 70}, {112, 88}};
+
+/// One <geometry> of an OpenDRIVE file.
+struct Geometry {
+  double s, x, y, heading, length;
+  double bu, cu, du, bv, cv, dv;
+
+  /// Where it ends.
+  [[nodiscard]] Point end() const {
+    const double u = bu + cu + du;
+    const double v = bv + cv + dv;
+    return {x + u * std::cos(heading) - v * std::sin(heading),
+            y + u * std::sin(heading) + v * std::cos(heading)};
+  }
+};
+
+std::vector<Geometry> geometries(const std::string& xml) {
+  std::vector<Geometry> all;
+  for (std::size_t at = 0; (at = xml.find("<geometry", at)) != std::string::npos; ++at) {
+    Geometry g{};
+    const int read = std::sscanf(
+        xml.c_str() + at,
+        "<geometry s=\"%lf\" x=\"%lf\" y=\"%lf\" hdg=\"%lf\" length=\"%lf\"> <paramPoly3 "
+        "pRange=\"normalized\" aU=\"0\" bU=\"%lf\" cU=\"%lf\" dU=\"%lf\" aV=\"0\" bV=\"%lf\" "
+        "cV=\"%lf\" dV=\"%lf\"/>",
+        &g.s, &g.x, &g.y, &g.heading, &g.length, &g.bu, &g.cu, &g.du, &g.bv, &g.cv, &g.dv);
+    EXPECT_EQ(read, 11);
+    all.push_back(g);
+  }
+  return all;
+}
+
+TEST(OpenDrive, HasTheSplineItself) {
+  const std::vector<Geometry> all = geometries(to_opendrive(kPoints, "road"));
+  ASSERT_EQ(all.size(), kPoints.size() - 1);
+  double s = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(all[i].x, kPoints[i].x_m, 1e-6);
+    EXPECT_NEAR(all[i].y, kPoints[i].y_m, 1e-6);
+    EXPECT_NEAR(all[i].end().x_m, kPoints[i + 1].x_m, 1e-6);
+    EXPECT_NEAR(all[i].end().y_m, kPoints[i + 1].y_m, 1e-6);
+    EXPECT_NEAR(all[i].bv, 0, 1e-6);  // it begins along its heading
+    EXPECT_NEAR(all[i].s, s, 1e-5);
+    EXPECT_GE(all[i].length, lane::distance(kPoints[i], kPoints[i + 1]) - 1e-6);
+    s += all[i].length;
+  }
+  EXPECT_NEAR(s, lane::length(*lane::interpolate(kPoints)), 0.02);
+}
+
+TEST(OpenDrive, GoesOnSmoothlyFromPieceToPiece) {
+  const std::vector<Geometry> all = geometries(to_opendrive(kPoints, "road"));
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const double u = all[i].bu + 2 * all[i].cu + 3 * all[i].du;
+    const double v = all[i].bv + 2 * all[i].cv + 3 * all[i].dv;
+    EXPECT_NEAR(std::remainder(all[i].heading + std::atan2(v, u) - all[i + 1].heading, 2 * M_PI), 0,
+                1e-6);
+  }
+}
+
+TEST(OpenScenario, StartsTheCarInTheRightLaneOfTheRoadFile) {
+  const std::string xml = to_openscenario(kPoints, "road.xodr", 20);
+  EXPECT_THAT(xml, HasSubstr("<LogicFile filepath=\"road.xodr\"/>"));
+  EXPECT_THAT(xml, HasSubstr("laneId=\"-1\" offset=\"0\" s=\"2.5\""));
+  EXPECT_THAT(xml, HasSubstr("revMajor=\"1\" revMinor=\"0\""));
+}
+
+TEST(CompetitionJson, HasPointsVerdictAndOutcome) {
+  TestRow row;
+  row.test = {.input = {}, .outcome = {.measures = {1}}, .fitness = 1, .failed = true};
+  const std::string json = to_competition_json(row, kPoints, 12);
+  EXPECT_THAT(json, HasSubstr("\"id\": 12"));
+  EXPECT_THAT(json, HasSubstr("\"is_valid\": true"));
+  EXPECT_THAT(json, HasSubstr("\"test_outcome\": \"FAIL\""));
+  EXPECT_THAT(json, HasSubstr("\"interpolated_points\""));
+}
+
+TEST(Page, HasTheFiguresOfASearchThatIsNotAboutRoads) {
+  SearchExperiment experiment;
+  experiment.name = "<corner>";
+  experiment.plan = corner_plan("graft", 60);
+  experiment.plan.repetitions = 2;
+  const SearchResults results = run_searches(experiment.plan, nullptr);
+  const std::string page = to_html(experiment, group(experiment, results));
+  EXPECT_THAT(page, HasSubstr("&lt;corner&gt;"));
+  EXPECT_THAT(page, HasSubstr("failing tests"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("nan")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("<corner>")));
+}
+
+}  // namespace
+}  // namespace jaywalk::search
