@@ -21,7 +21,7 @@ function(jaywalk_configure_target target)
 endfunction()
 
 # Libraries that are headers alone are needed to build a target, not to link with it once installed.
-set(JAYWALK_HEADER_LIBRARIES Boost::headers nlohmann_json::nlohmann_json)
+set(JAYWALK_HEADER_LIBRARIES Boost::headers Eigen3::Eigen nlohmann_json::nlohmann_json)
 function(jaywalk_link_privately target)
   foreach(library IN LISTS ARGN)
     if(library IN_LIST JAYWALK_HEADER_LIBRARIES)

@@ -17,6 +17,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"
 #include "interpreter/term/symbol.h"
+#include "search/experiment.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/project_agents.h"
@@ -37,7 +38,12 @@ class Checker {
   /// False: files of that kind cannot be checked.
   bool check_file(const std::string& path) {
     if (is_scenario_file(path)) {
-      check_scenario(path);
+      const auto source = read_source(path, kMaxScenarioBytes);
+      if (source.ok() && jaywalk::search::is_search(source.value())) {
+        check_search(source.value());
+      } else {
+        check_scenario(path);
+      }
     } else if (path.ends_with(".asl")) {
       check_alone(path);
     } else if (path.ends_with(".mas2j")) {
@@ -128,6 +134,11 @@ class Checker {
       }
     }
     return false;
+  }
+
+  void check_search(const SourcePtr& source) {
+    auto experiment = jaywalk::search::parse_search(source);
+    if (!experiment) diagnostics_.append(std::move(experiment.diagnostics()));
   }
 
   void check_scenario(const std::string& path) {

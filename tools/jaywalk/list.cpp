@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "env/environments.h"
+#include "env/lane/controller.h"
 #include "env/vehicle/vehicle.h"
 #include "experiment/export/exporter.h"
 #include "experiment/measures/measures.h"
@@ -15,6 +16,8 @@
 #include "experiment/signals/signals.h"
 #include "interpreter/check/check.h"
 #include "interpreter/logic/action.h"
+#include "search/generator.h"
+#include "search/suts/suts.h"
 #include "tools/jaywalk/command.h"
 
 namespace jaywalk::command::list {
@@ -145,6 +148,11 @@ constexpr std::array kKinds = {
          [] { return named_rows(vehicle_models()); }},
     Kind{"metrics", "what --metrics measures of each test", metric_text},
     Kind{"signals", "what assertions speak of", signal_text},
+    Kind{"generators", "what search can look for tests with",
+         [] { return named_rows(jaywalk::search::generators()); }},
+    Kind{"suts", "systems that search can test",
+         [] { return named_rows(jaywalk::search::sut_kinds()); }},
+    Kind{"controllers", "lane-keeping assistants", [] { return named_rows(lane::controllers()); }},
     Kind{"presets", "values that a scenario can begin with", [] { return named_rows(presets()); }},
     Kind{"commands", "what jaywalk can do", [] { return named_rows(commands()); }},
 };
@@ -155,7 +163,8 @@ CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
               "Names what there is of a kind: environments, internal-actions, functions,\n"
-              "checks, measures, metrics, signals, exporters, vehicles, presets or commands.\n",
+              "checks, measures, metrics, signals, exporters, vehicles, generators, suts,\n"
+              "controllers, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

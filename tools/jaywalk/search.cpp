@@ -1,0 +1,214 @@
+// `jaywalk search`: generators look for inputs under which a system under test fails.
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "experiment/export/write_file.h"
+#include "experiment/trimmed.h"
+#include "search/experiment.h"
+#include "search/export/exports.h"
+#include "search/report/page.h"
+#include "search/store/search_store.h"
+#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/search_progress.h"
+
+namespace jaywalk::command::search {
+namespace {
+
+namespace js = jaywalk::search;
+
+constexpr std::uint64_t kMaxThreads = 1024;
+
+std::vector<std::string> list(const Arguments& arguments, std::string_view option) {
+  std::vector<std::string> items;
+  for (const std::string& text : arguments.texts(option)) {
+    std::string_view rest = text;
+    while (true) {
+      const std::size_t comma = rest.find(',');
+      items.emplace_back(trimmed(rest.substr(0, comma)));
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+  }
+  return items;
+}
+
+std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("search",
+                      fmt::format("expected one experiment, found {}", arguments.operands().size()),
+                      "jaywalk search --help shows how to write it");
+  }
+  const auto seed = arguments.number("seed", 0, diagnostics);
+  const auto repetitions = arguments.number("repetitions", 1, diagnostics);
+  const auto threads = arguments.number("threads", 1, diagnostics);
+  if (arguments.has("resume") && !arguments.has("store")) {
+    diagnostics.error("--resume", "there is no --store to go on with");
+  }
+  if (repetitions && *repetitions > 100'000) {
+    diagnostics.error("--repetitions", fmt::format("at most 100000, found {}", *repetitions));
+  }
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  Result<js::SearchExperiment> experiment = js::read_search(
+      arguments.operands().front(),
+      {.sets = arguments.texts("set"), .generators = list(arguments, "generators")});
+  if (!experiment.ok()) {
+    console.report(experiment.diagnostics());
+    return std::nullopt;
+  }
+  js::SearchPlan& plan = experiment.value().plan;
+  if (seed) plan.seed = *seed;
+  if (repetitions) plan.repetitions = static_cast<std::uint32_t>(*repetitions);
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  plan.threads = static_cast<unsigned>(std::min(threads.value_or(cores), kMaxThreads));
+  return std::move(experiment).value();
+}
+
+js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, Console& console,
+                      bool& interrupted) {
+  constexpr int kShownErrors = 20;
+  const InterruptGuard interrupt;
+  SearchProgressLine line(console);
+  int errors = 0;
+  js::SearchObserver observer;
+  observer.progress = [&](const js::SearchProgress& now) {
+    line.show(now);
+    return interrupt.interrupted() ? js::Continue::no : js::Continue::yes;
+  };
+  observer.error = [&](const std::string& generator, std::uint32_t repetition,
+                       const std::string& error) {
+    if (++errors > kShownErrors) return;
+    line.clear();
+    console.note(fmt::format("{}, repetition {}: no result: {}", generator, repetition, error));
+    if (errors == kShownErrors) console.note("further tests without a result are only counted");
+  };
+  js::SearchResults results = js::run_searches(experiment.plan, log, observer);
+  interrupted = interrupt.interrupted();
+  return results;
+}
+
+bool write_outputs(const Arguments& arguments, const js::SearchExperiment& experiment,
+                   const std::vector<js::GeneratorResults>& generators, Console& console) {
+  struct Output {
+    std::string_view option;
+    std::function<std::string()> text;
+  };
+  const std::array outputs = {
+      Output{"csv", [&] { return js::to_csv(generators); }},
+      Output{"json", [&] { return js::to_json(experiment, generators); }},
+      Output{"report", [&] { return js::to_html(experiment, generators); }},
+  };
+  bool written = true;
+  for (const Output& output : outputs) {
+    const auto path = arguments.text(output.option);
+    if (!path) continue;
+    console.flush();  // in case it is /dev/stdout
+    if (const auto why = write_file(*path, output.text())) {
+      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+      written = false;
+    }
+  }
+  return written;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {
+      .usage = "EXPERIMENT.yaml [OPTIONS]",
+      .description =
+          "Looks for test inputs under which a system under test fails: generators are\n"
+          "asked for an input, the system executes it, the generator is told its fitness,\n"
+          "until the budget is spent. Prints a table of what each generator found, means\n"
+          "over the repetitions. The results do not depend on --threads.\n",
+      .options =
+          {
+              {"generators", "LIST",
+               "these generators: names of the experiment's or of the table,\n"
+               "separated by commas; repeatable"},
+              {"repetitions", "N", "searches of each generator"},
+              {"threads", "N", "threads (default: as many as cores)"},
+              {"set", "KEY=VALUE",
+               "another value for a key of the experiment, as a dotted path\n"
+               "(budget.tests=100); repeatable"},
+              {"seed", "N", "the seed from which all chance derives"},
+              {"csv", "FILE", "write a row for each search as CSV"},
+              {"json", "FILE", "write everything, each test with it, as JSON"},
+              {"store", "FILE.gpkg", "keep every finished test in a GeoPackage"},
+              {"resume", "", "go on with the store where an earlier process ended"},
+              {"report", "FILE.html", "write a page with tables and pictures"},
+              {"export", "FOLDER",
+               "write the failing roads as OpenDRIVE with OpenSCENARIO and as\n"
+               "the SBST competition's JSON"},
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk search scenarios/lane-keeping.yaml\n"
+          "  jaywalk search scenarios/lane-keeping.yaml --generators random,graft --repetitions 5\n"
+          "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"};
+}
+
+namespace {
+
+/// Null if no store is asked for; nothing if it cannot be opened.
+std::optional<std::unique_ptr<js::SearchStore>> open_store(const Arguments& arguments,
+                                                           const js::SearchExperiment& experiment,
+                                                           Console& console) {
+  const auto path = arguments.text("store");
+  if (!path) return std::unique_ptr<js::SearchStore>();
+  const auto mode =
+      arguments.has("resume") ? js::SearchStore::Mode::resume : js::SearchStore::Mode::create;
+  auto store = js::SearchStore::open(*path, mode, experiment);
+  if (!store.ok()) {
+    console.report(store.diagnostics());
+    return std::nullopt;
+  }
+  if (store.value()->had() > 0) {
+    console.note(fmt::format("going on after {} finished tests", store.value()->had()));
+  }
+  return std::move(store).value();
+}
+
+}  // namespace
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const std::optional<js::SearchExperiment> experiment = read_request(arguments, console);
+  if (!experiment) return ExitCode::usage;
+  const auto store = open_store(arguments, *experiment, console);
+  if (!store) return ExitCode::usage;
+  bool interrupted = false;
+  const js::SearchResults results = run(*experiment, store->get(), console, interrupted);
+  const std::vector<js::GeneratorResults> generators = js::group(*experiment, results);
+  bool well = !results.trouble.has_errors();
+  if (!well) console.report(results.trouble);
+  const auto check = [&](std::string_view what, const std::string& why) {
+    if (why.empty()) return;
+    console.error(fmt::format("cannot write {}: {}", what, why));
+    well = false;
+  };
+  if (*store) check("the store", (*store)->finish(results));
+  if (const auto folder = arguments.text("export")) {
+    check("the failing roads", js::export_failures(*folder, *experiment, results).value_or(""));
+  }
+  if (!write_outputs(arguments, *experiment, generators, console)) well = false;
+  if (!arguments.has("quiet")) console.print(js::render_table(generators));
+  if (!well) return ExitCode::failed;
+  if (results.complete || !interrupted) return ExitCode::success;
+  console.note(arguments.has("store")
+                   ? "interrupted; the table has the finished searches. The same command with "
+                     "--resume goes on"
+                   : "interrupted; the table has the finished searches. With --store, --resume "
+                     "goes on after an interruption");
+  return ExitCode::interrupted;
+}
+
+}  // namespace jaywalk::command::search
