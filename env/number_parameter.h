@@ -1,7 +1,7 @@
 #pragma once
 
-// A number by which an experiment may change a controller, a generator or the like; their tables list
-// them.
+// A number by which an experiment may change a controller, a generator or the like; their tables
+// list them.
 
 #include <string_view>
 

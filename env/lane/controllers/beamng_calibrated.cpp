@@ -35,8 +35,7 @@ enum Parameter : std::size_t {
 
 constexpr std::array kParameters = {
     NumberParameter{"feed_forward", 1.2, 0, 10, "times the curvature ahead"},
-    NumberParameter{"lateral_gain", 0.55, 0, 50,
-                        "steering per metre beside the line, times m/s"},
+    NumberParameter{"lateral_gain", 0.55, 0, 50, "steering per metre beside the line, times m/s"},
     NumberParameter{"heading_gain", 0.91, 0, 50, "steering per radian off the line's heading"},
     NumberParameter{"steering_preview_m", 4, 0, 100, "where the curvature is taken, at rest"},
     NumberParameter{"steering_preview_s", 0.37, 0, 10, "and so much farther with speed"},

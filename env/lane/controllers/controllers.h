@@ -7,7 +7,7 @@
 namespace jaywalk::lane::controller {
 #define JAYWALK_CONTROLLER(identifier, name, summary)             \
   namespace identifier {                                          \
-  std::span<const NumberParameter> parameters();              \
+  std::span<const NumberParameter> parameters();                  \
   std::unique_ptr<Controller> make(const ControllerSetup& setup); \
   }
 #include "env/lane/controllers.def"
