@@ -9,4 +9,4 @@ cross_at(5).  // tick
 
 +!stroll : tick(T) & cross_at(Start) & T >= Start <- !cross_road.
 +!stroll : not way(_) <- !set_out; !stroll.
-+!stroll              <- !walk; !stroll.
++!stroll <- !walk; !stroll.
