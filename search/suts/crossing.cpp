@@ -113,12 +113,12 @@ class CrossingRun : public Sut {
   [[nodiscard]] Outcome measured(const TrialResult& result, const TestView& view) const {
     Outcome outcome;
     outcome.simulated_s = static_cast<double>(view.ticks() - 1) * view.tick_s();
-    const auto nearest = measure(*find_metric("min_distance"), view);
+    const auto nearest = jaywalk::measured(*find_metric("min_distance"), view);
     const double distance = nearest ? nearest->value : kNone;
     outcome.measures = {result.outcome.success ? 1 : 0.9 / (1 + distance / 5),
                         result.outcome.success ? 1.0 : 0.0, naturalness(view)};
     for (const Metric& metric : metrics()) {
-      const auto value = measure(metric, view);
+      const auto value = jaywalk::measured(metric, view);
       const double missing = metric.worst == Worst::least ? kNone : 0;
       outcome.measures.push_back(value ? bounded(value->value) : missing);
     }
