@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"# nothing\n", "folder/test.yaml: error: the scenario is empty"},
         Mistake{"- a\n",
                 "folder/test.yaml:1:1: error: expected keys and values (preset, world, behaviours, "
-                "experiment), found a list"},
+                "assertions, experiment), found a list"},
         Mistake{"world: {length: 1\n", "folder/test.yaml:2:1: error: end of map flow not found"},
         Mistake{"behaviours: [a.asl]\nbehaviours: [b.asl]\n",
                 "folder/test.yaml:2:1: error: the key 'behaviours' is given twice"},
