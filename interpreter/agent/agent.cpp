@@ -16,6 +16,7 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
       program_(std::move(program)),
       symbols_(symbols),
       host_(host),
+      observer_(host.observer()),
       beliefs_(heap_, symbols),
       max_inferences_(limits.inferences),
       random_(static_cast<std::int64_t>(seed)),
@@ -59,7 +60,8 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
   for (std::size_t i = initial.size(); i > 0; --i) {
     const Program::Belief& belief = initial[i - 1];
     if (belief.rule != nullptr) {
-      beliefs_.add_rule(*belief.rule, Place::front);
+      beliefs_.add_rule(observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule),
+                        Place::front);
     } else if (!is_replaced(belief.predicate)) {
       (void)add_belief(belief.fact, Place::front, nullptr);
     }
@@ -154,6 +156,7 @@ bool Agent::disbelieve(Value literal, Intention* focus) {
 
 void Agent::add_event(Event event) {
   changed_ = true;
+  if (observer_ != nullptr) observer_->event_posted(*this, event);
   if (!circumstance_.waits.empty()) check_waits(event);
   if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
     signal_goal_state(event.kind, event.literal, "pending");

@@ -17,6 +17,7 @@
 #include "interpreter/agent/circumstance.h"
 #include "interpreter/agent/customisation.h"
 #include "interpreter/agent/host.h"
+#include "interpreter/agent/observer.h"
 #include "interpreter/agent/settings.h"
 #include "interpreter/agent/workspace.h"
 #include "interpreter/logic/machine.h"
@@ -110,6 +111,8 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] const PlanLibrary& library() const { return *library_; }
   [[nodiscard]] JavaRandom& random() { return random_; }
   [[nodiscard]] const Program& program() const { return *program_; }
+  /// Null: nobody looks.
+  [[nodiscard]] ReasoningObserver* observer() const { return observer_; }
 
   /// Believes a literal (source(self) if it has no source) and makes the event; `focus` is the
   /// intention that waits for it, or null. True: something changed.
@@ -253,6 +256,7 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] bool find_first_option(const Event& event, bool& had_candidates);
   [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
                               const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] bool solve_context(const Plan& plan, const Event& event, Value* slots);
   void add_intended_means(const Plan& plan, const Event& event,
                           const std::shared_ptr<Scope>& scope);
   void replace_finished_caller(Intention& intention, const Event& event);
@@ -358,6 +362,7 @@ class Agent final : public MachineSurroundings {
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;
   AgentHost& host_;
+  ReasoningObserver* const observer_;
   Heap heap_;
   BeliefBase beliefs_;
   std::unique_ptr<Workspace> workspace_;  // null while it is at rest

@@ -87,7 +87,14 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
   ActionError error;
   const bool completed = guarded(error, [&] {
     if (unifier.match(plan.trigger, first, event.literal, Unifier::Direction::template_first)) {
-      machine().solve_all(plan.context, first, note);
+      if (observer_ == nullptr) {
+        machine().solve_all(plan.context, first, note);
+      } else {
+        observer_->plan_relevant(*this, plan, event, {first, plan.slot_count});
+        const std::size_t before = options.size();
+        machine().solve_all(observer_->context_of(plan), first, note);
+        observer_->plan_tried(*this, plan, options.size() > before);
+      }
     }
     return true;
   });

@@ -112,9 +112,11 @@ bool Agent::find_option(const Event& event, bool& had_candidates) {
   const Relation* const selecting = beliefs_.find(predicates::select_option);
   const bool by_rules = !has_function && selecting != nullptr && selecting->has_rules();
   deliberating_ = event.intention;
+  if (observer_ != nullptr) observer_->event_selected(*this, event);
   const bool found =
       by_rules ? select_by_rules(event, had_candidates) : find_first_option(event, had_candidates);
   deliberating_ = nullptr;
+  if (!found && observer_ != nullptr) observer_->no_plan(*this, event, had_candidates);
   return found;
 }
 
@@ -163,7 +165,8 @@ bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr
   const bool applicable = guarded(error, [&] {
     return unifier.match(plan.trigger, work().frame.data(), event.literal,
                          Unifier::Direction::template_first) &&
-           machine().solve(plan.context, work().frame.data());
+           (observer_ == nullptr ? machine().solve(plan.context, work().frame.data())
+                                 : solve_context(plan, event, work().frame.data()));
   });
   if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
   if (!applicable) {
@@ -175,11 +178,20 @@ bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr
   return true;
 }
 
+// Rules RelPl and ApplPl for an observer.
+bool Agent::solve_context(const Plan& plan, const Event& event, Value* slots) {
+  observer_->plan_relevant(*this, plan, event, {slots, plan.slot_count});
+  const bool holds = machine().solve(observer_->context_of(plan), slots);
+  observer_->plan_tried(*this, plan, holds);
+  return holds;
+}
+
 // Rule AddIM: a new intention for an external event, else on top of the one that waits for it.
 void Agent::add_intended_means(const Plan& plan, const Event& event,
                                const std::shared_ptr<Scope>& scope) {
   Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
   if (event.intention != nullptr) replace_finished_caller(intention, event);
+  if (observer_ != nullptr) observer_->plan_chosen(*this, plan, event, intention);
   const std::size_t depth = intention.stack.size();
   IntendedMeans& means = intention.push(plan, work().frame);
   means.op = event.op;

@@ -39,6 +39,7 @@ void Agent::execute(Intention& intention) {
   const Step& step = means.step();
   const bool completed = guarded(error, [&] {
     machine().unifier().set_slot_names(means.plan->slot_names);
+    if (observer_ != nullptr) observer_->formula_executes(*this, intention, step);
     execute_step(intention, step);
     return true;
   });

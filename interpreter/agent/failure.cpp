@@ -93,6 +93,7 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
 
 // The current formula of the intention has failed.
 void Agent::fail(Intention& intention, const ActionError& error) {
+  if (observer_ != nullptr) observer_->formula_failed(*this, intention, error);
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
   Value code;
   std::uint32_t line = 0;

@@ -15,6 +15,7 @@ namespace jaywalk {
 
 class Agent;
 class Program;
+class ReasoningObserver;
 class ServiceDirectory;
 class WorkspacePool;
 
@@ -92,6 +93,8 @@ class AgentHost {
   [[nodiscard]] virtual Society& society() = 0;
   /// Where agents borrow what they reason with.
   [[nodiscard]] virtual WorkspacePool& workspaces() = 0;
+  /// Who looks at the agents as they reason; null: nobody.
+  [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
 };
 
 }  // namespace jaywalk

@@ -36,6 +36,7 @@
 namespace jaywalk {
 
 class Agent;
+class ReasoningObserver;
 class Trace;
 struct Customisation;
 
@@ -89,6 +90,8 @@ struct MasOptions {
   std::function<void(std::string_view line)> log;
   /// Measures the CPU time that agents spend reasoning (metric M5); off, no clock is read.
   bool measure_cpu = false;
+  /// Looks at all agents as they reason (agent/observer.h); must outlive the system. Null: nobody.
+  ReasoningObserver* observer = nullptr;
 };
 
 enum class RunEnd {

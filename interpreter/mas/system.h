@@ -45,6 +45,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void log(Agent& agent, std::string_view text) override;
   [[nodiscard]] Society& society() override { return *this; }
   [[nodiscard]] WorkspacePool& workspaces() override { return workspaces_; }
+  [[nodiscard]] ReasoningObserver* observer() override { return options_.observer; }
 
   // Society
   [[nodiscard]] std::vector<std::string> names() const override;

@@ -1,0 +1,59 @@
+#pragma once
+
+// Looks at agents as they reason: coverage and explanations are made of what an observer is told
+// (interpreter/coverage). A run without one pays a comparison with null for each plan that is tried
+// and each formula that is executed.
+//
+// Observers are told things between the steps of the reasoning cycle, on the thread that runs the
+// system. They may read the agent; they must not change it. Values are good until they return.
+
+#include <span>
+
+#include "interpreter/agent/circumstance.h"
+#include "interpreter/logic/code.h"
+
+namespace jaywalk {
+
+class Agent;
+struct ActionError;
+
+class ReasoningObserver {
+ public:
+  virtual ~ReasoningObserver() = default;
+
+  /// What is solved in place of a plan's context or used in place of a rule: the same formula,
+  /// perhaps with goals between its parts that tell the observer how far the query comes
+  /// (condition_begins, condition_holds). It must outlive the run.
+  [[nodiscard]] virtual const Goal* context_of(const Plan& plan) { return plan.context; }
+  [[nodiscard]] virtual const RuleCode& rule_for(const RuleCode& rule) { return rule; }
+
+  /// A condition of a context or rule, by the number that context_of or rule_for gave it: it is
+  /// asked, with the values of its variables; it has an answer, perhaps not its first.
+  virtual void condition_begins(Agent& /*agent*/, std::size_t /*number*/,
+                                std::span<const Value> /*variables*/) {}
+  virtual void condition_holds(Agent& /*agent*/, std::size_t /*number*/) {}
+
+  /// An event was selected (rule SelEv), and a plan is looked for.
+  virtual void event_selected(Agent& /*agent*/, const Event& /*event*/) {}
+  /// A plan's trigger has matched: it is relevant (rule RelPl), and its context is asked next.
+  virtual void plan_relevant(Agent& /*agent*/, const Plan& /*plan*/, const Event& /*event*/,
+                             std::span<const Value> /*slots*/) {}
+  /// Whether the context held (rule ApplPl).
+  virtual void plan_tried(Agent& /*agent*/, const Plan& /*plan*/, bool /*applicable*/) {}
+  /// The plan was chosen and becomes intended means (rules SelAppl and AddIM).
+  virtual void plan_chosen(Agent& /*agent*/, const Plan& /*plan*/, const Event& /*event*/,
+                           const Intention& /*intention*/) {}
+  /// No plan was chosen for the event.
+  virtual void no_plan(Agent& /*agent*/, const Event& /*event*/, bool /*had_candidates*/) {}
+  /// A formula is executed (rule ExecInt).
+  virtual void formula_executes(Agent& /*agent*/, const Intention& /*intention*/,
+                                const Step& /*step*/) {}
+  /// The intention's current formula has failed.
+  virtual void formula_failed(Agent& /*agent*/, const Intention& /*intention*/,
+                              const ActionError& /*error*/) {}
+  /// Something happened: a belief came or went, a goal was posted. Told before it is known whether
+  /// any plan is for it.
+  virtual void event_posted(Agent& /*agent*/, const Event& /*event*/) {}
+};
+
+}  // namespace jaywalk
