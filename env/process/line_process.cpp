@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,23 +24,77 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
+constexpr std::size_t kMostErrorBytes = 64 * 1024;
+constexpr std::size_t kShownErrorBytes = 200;
+/// How long a process that closed its output may take to end, so that it can be said how.
+constexpr milliseconds kLastBreath{500};
+
 int remaining_ms(steady_clock::time_point deadline) {
-  const auto left = std::chrono::duration_cast<milliseconds>(deadline - steady_clock::now());
+  const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
   return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1'000'000));
 }
 
-/// Empty when the file is ready, else what is wrong.
-std::string wait_for(int file, short events, steady_clock::time_point deadline) {
-  while (true) {
-    pollfd ready{file, events, 0};
-    const int count = poll(&ready, 1, remaining_ms(deadline));
-    if (count > 0) return {};
-    if (count == 0) return "took too long to answer";
-    if (errno != EINTR) return std::strerror(errno);
+/// Closes a file descriptor at the end of its life.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
   }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int get() const { return number_; }
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+/// posix_spawn's settings: the streams, the folder, a process group of its own.
+class SpawnSettings {
+ public:
+  SpawnSettings(int channel, int errors, const std::string& folder) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawnattr_init(&attributes_);
+    posix_spawn_file_actions_adddup2(&actions_, channel, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, channel, STDOUT_FILENO);
+    if (errors >= 0) posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+  }
+  ~SpawnSettings() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+
+  [[nodiscard]] const posix_spawn_file_actions_t* actions() const { return &actions_; }
+  [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of("\r\n ");
+  if (end == std::string::npos) return {};
+  const std::size_t line_break = text.rfind('\n', end);
+  const std::size_t begin = line_break == std::string::npos ? 0 : line_break + 1;
+  return text.substr(begin, std::min(end - begin + 1, kShownErrorBytes));
+}
+
+std::string late(milliseconds limit) {
+  return fmt::format("no answer within {} s", static_cast<double>(limit.count()) / 1000);
 }
 
 }  // namespace
+
+LineProcess::LineProcess(std::vector<std::string> command, std::string folder, Errors errors)
+    : command_(std::move(command)), folder_(std::move(folder)), errors_(errors) {}
 
 LineProcess::~LineProcess() { end(milliseconds(1000)); }
 
@@ -50,38 +105,57 @@ std::string LineProcess::start() {
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
     return std::strerror(errno);
   }
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pair[1], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, pair[1], STDOUT_FILENO);
+  Descriptor ours(pair[0]);
+  const Descriptor theirs(pair[1]);
+  std::array<int, 2> pipe{-1, -1};
+  if (errors_ == Errors::quoted && pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+    return std::strerror(errno);
+  }
+  Descriptor read_end(pipe[0]);
+  const Descriptor write_end(pipe[1]);
+
   std::vector<char*> arguments;
   for (std::string& each : command_) arguments.push_back(each.data());
   arguments.push_back(nullptr);
+  const SpawnSettings settings(theirs.get(), write_end.get(), folder_);
   pid_t process = -1;
-  const int failed =
-      posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(pair[1]);
-  if (failed != 0) {
-    close(pair[0]);
-    return fmt::format("'{}' cannot be started: {}", command_[0], std::strerror(failed));
+  const int failure = posix_spawnp(&process, arguments[0], settings.actions(),
+                                   settings.attributes(), arguments.data(), environ);
+  if (failure != 0) {
+    return fmt::format("cannot start '{}': {}", command_[0], std::strerror(failure));
   }
   process_ = process;
-  to_child_ = from_child_ = pair[0];
+  channel_ = ours.release();
+  error_pipe_ = read_end.release();
   buffer_.clear();
+  last_words_.clear();
+  lines_ = 0;
   return {};
+}
+
+/// Meanwhile the child's errors are read, so that it never waits for somebody to read them.
+LineProcess::Wait LineProcess::wait_for(short events, Deadline deadline) {
+  while (true) {
+    std::array<pollfd, 2> waits{pollfd{channel_, events, 0}, pollfd{error_pipe_, POLLIN, 0}};
+    const int count = poll(waits.data(), waits.size(), remaining_ms(deadline));
+    if (count == 0) return Wait::late;
+    if (count < 0 && errno != EINTR) return Wait::failed;
+    if (count < 0) continue;
+    if (waits[1].revents != 0) read_errors();
+    if (waits[0].revents != 0) return Wait::ready;
+  }
 }
 
 std::string LineProcess::write_all(std::string_view text, Deadline deadline) {
   while (!text.empty()) {
-    if (std::string problem = wait_for(to_child_, POLLOUT, deadline); !problem.empty()) {
-      return problem;
-    }
-    const ssize_t written = send(to_child_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const Wait wait = wait_for(POLLOUT, deadline);
+    if (wait == Wait::late) return "late";
+    if (wait == Wait::failed) return std::strerror(errno);
+    const ssize_t written = send(channel_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (written > 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
     } else if (errno != EAGAIN && errno != EINTR) {
-      return "ended without reading its question";
+      return ended();
     }
   }
   return {};
@@ -94,19 +168,20 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
     if (end_of_line != std::string::npos) {
       LineAnswer answer{buffer_.substr(0, end_of_line), {}};
       buffer_.erase(0, end_of_line + 1);
+      ++lines_;
       return answer;
     }
     searched = buffer_.size();
-    if (searched > kMaxLineBytes) return {{}, "answers a line without end"};
-    if (std::string problem = wait_for(from_child_, POLLIN, deadline); !problem.empty()) {
-      return {{}, std::move(problem)};
-    }
+    if (searched > kMaxLineBytes) return {{}, "its answer is longer than 16 MB"};
+    const Wait wait = wait_for(POLLIN, deadline);
+    if (wait == Wait::late) return {{}, "late"};
+    if (wait == Wait::failed) return {{}, std::strerror(errno)};
     std::array<char, 65536> chunk{};
-    const ssize_t count = recv(from_child_, chunk.data(), chunk.size(), 0);
+    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), 0);
     if (count > 0) {
       buffer_.append(chunk.data(), static_cast<std::size_t>(count));
     } else if (count == 0 || errno != EINTR) {
-      return {{}, "ended without an answer"};
+      return {{}, ended()};
     }
   }
 }
@@ -119,38 +194,58 @@ LineAnswer LineProcess::ask(std::string_view line, milliseconds limit) {
   LineAnswer answer;
   answer.error = write_all(fmt::format("{}\n", line), deadline);
   if (answer.error.empty()) answer = read_line(deadline);
-  if (answer.error.empty()) return answer;
-  const std::string how = end(milliseconds(0));
-  answer.error = fmt::format("'{}' {}{}", command_[0], answer.error, how);
+  if (answer.error == "late") answer.error = late(limit);
+  if (!answer.error.empty()) give_up();
   return answer;
 }
 
-std::string LineProcess::end(milliseconds patience) {
-  if (process_ < 0) return {};
-  shutdown(to_child_, SHUT_RDWR);
-  close(to_child_);
+void LineProcess::read_errors() {
+  std::array<char, 4096> chunk{};
+  while (true) {
+    const ssize_t count = read(error_pipe_, chunk.data(), chunk.size());
+    if (count < 0 && errno == EAGAIN) return;
+    if (count <= 0) break;
+    last_words_.append(chunk.data(), static_cast<std::size_t>(count));
+    if (last_words_.size() > kMostErrorBytes) {
+      last_words_.erase(0, last_words_.size() - kMostErrorBytes / 2);
+    }
+  }
+  // Closed at its other end: poll would return at once from now on.
+  close(std::exchange(error_pipe_, -1));
+}
+
+std::string LineProcess::ended() {
+  const int status = end(kLastBreath);
+  std::string what = "it closed its output before it answered";
+  if (status >= 0 && WIFSIGNALED(status)) {
+    what = fmt::format("it died of signal {}", WTERMSIG(status));
+  } else if (status >= 0 && WIFEXITED(status)) {
+    what = fmt::format("it ended with exit code {} before it answered", WEXITSTATUS(status));
+  }
+  const std::string words = last_line(last_words_);
+  return words.empty() ? what : fmt::format("{}; its last words were '{}'", what, words);
+}
+
+int LineProcess::end(milliseconds patience) {
+  if (process_ < 0) return -1;
+  shutdown(channel_, SHUT_RDWR);
+  close(std::exchange(channel_, -1));
   int status = 0;
   const Deadline deadline = steady_clock::now() + patience;
   pid_t gone = waitpid(process_, &status, WNOHANG);
   while (gone == 0 && steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(milliseconds(2));
+    std::this_thread::sleep_for(milliseconds(1));
     gone = waitpid(process_, &status, WNOHANG);
   }
+  kill(-process_, SIGKILL);
   if (gone == 0) {
-    // One that is ending by itself shall be able to say how.
-    std::this_thread::sleep_for(milliseconds(20));
-    if (waitpid(process_, &status, WNOHANG) == 0) {
-      kill(process_, SIGKILL);
-      waitpid(process_, &status, 0);
-      status = 0;
-    }
+    waitpid(process_, &status, 0);
+    status = -1;
   }
-  process_ = to_child_ = from_child_ = -1;
-  if (WIFEXITED(status) && WEXITSTATUS(status) != 0) {
-    return fmt::format(" (exit status {})", WEXITSTATUS(status));
-  }
-  if (WIFSIGNALED(status)) return fmt::format(" (killed by signal {})", WTERMSIG(status));
-  return {};
+  if (error_pipe_ >= 0) read_errors();
+  if (error_pipe_ >= 0) close(std::exchange(error_pipe_, -1));
+  process_ = -1;
+  return status;
 }
 
 }  // namespace jaywalk

@@ -1,9 +1,11 @@
 #pragma once
 
 // A child process that is asked one line and answers one line: how controllers and systems under
-// test are attached that live outside of this program. The child's standard error is left alone.
+// test are attached that live outside of this program. It gets a process group of its own, so that
+// what it started ends with it.
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +16,7 @@ namespace jaywalk {
 struct LineAnswer {
   /// Without its line break; of meaning only if `error` is empty.
   std::string line;
-  /// Why there is none: the process could not be started, ended, or took too long.
+  /// Why there is none, in words for people: "it died of signal 11".
   std::string error;
 };
 
@@ -23,8 +25,16 @@ class LineProcess {
   /// Longer answers are refused.
   static constexpr std::size_t kMaxLineBytes = std::size_t{16} << 20U;
 
-  /// Started when first asked. `command`: a program, found as the shell does, and its arguments.
-  explicit LineProcess(std::vector<std::string> command) : command_(std::move(command)) {}
+  /// What becomes of the child's standard error.
+  enum class Errors {
+    shown,   ///< it is ours
+    quoted,  ///< kept from the user; its last line is part of the error if the child ends early
+  };
+
+  /// Started when first asked. `command`: a program, found as the shell does, and its arguments;
+  /// `folder`: where it runs, empty for the current one.
+  explicit LineProcess(std::vector<std::string> command, std::string folder = {},
+                       Errors errors = Errors::shown);
   /// Ends the process: its input is closed; if it does not go within a second it is killed.
   ~LineProcess();
   LineProcess(const LineProcess&) = delete;
@@ -33,21 +43,33 @@ class LineProcess {
   /// Sends a line and waits for the answer. After an error the process is gone; the next question
   /// starts it anew.
   [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
+  /// Kills the process, as after an error: for an answer that makes no sense.
+  void give_up() { end(std::chrono::milliseconds(0)); }
+  /// Lines answered since the process was started.
+  [[nodiscard]] std::size_t lines() const { return lines_; }
 
  private:
   using Deadline = std::chrono::steady_clock::time_point;
+  enum class Wait { ready, late, failed };
 
   [[nodiscard]] std::string start();
+  [[nodiscard]] Wait wait_for(short events, Deadline deadline);
   [[nodiscard]] std::string write_all(std::string_view text, Deadline deadline);
   [[nodiscard]] LineAnswer read_line(Deadline deadline);
-  /// Ends the process and says how it ended.
-  std::string end(std::chrono::milliseconds patience);
+  void read_errors();
+  /// Waits for the process to end by itself, then kills it: the status of waitpid, -1 if killed.
+  int end(std::chrono::milliseconds patience);
+  [[nodiscard]] std::string ended();
 
   std::vector<std::string> command_;
+  std::string folder_;
+  Errors errors_;
   int process_ = -1;
-  int to_child_ = -1;
-  int from_child_ = -1;
-  std::string buffer_;  // read, but not yet answered
+  int channel_ = -1;        // its standard input and output
+  int error_pipe_ = -1;     // its standard error, if quoted
+  std::string buffer_;      // read, but not yet answered
+  std::string last_words_;  // the end of its standard error
+  std::size_t lines_ = 0;
 };
 
 }  // namespace jaywalk

@@ -48,13 +48,15 @@ nlohmann::json to_json(const VehicleView& view) {
 
 class External final : public VehicleController {
  public:
-  explicit External(const VehicleParameters& parameters) : process_(parameters.command) {}
+  explicit External(const VehicleParameters& parameters)
+      : name_(parameters.command.empty() ? "" : parameters.command.front()),
+        process_(parameters.command) {}
 
   VehicleDecision decide(const VehicleView& view) override {
     if (!failure_.empty()) return {};
     const LineAnswer answer = process_.ask(to_json(view).dump(), kLimit);
     if (!answer.error.empty()) {
-      failure_ = fmt::format("the controller {}", answer.error);
+      failure_ = fmt::format("the controller '{}': {}", name_, answer.error);
       return {};
     }
     return parse(answer.line);
@@ -74,6 +76,7 @@ class External final : public VehicleController {
     return {};
   }
 
+  std::string name_;
   LineProcess process_;
   std::string failure_;
 };

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "search/suts/process.h"
+#include "env/process/line_process.h"
 #include "search/suts/read_road_space.h"
 #include "search/suts/suts.h"
 
@@ -47,37 +47,29 @@ std::string request(const RoadSpace& space, const TestInput& input, std::size_t 
 class ExternalProgram : public Sut {
  public:
   ExternalProgram(const RoadSpace& space, const ExternalSettings& settings)
-      : space_(space), settings_(settings) {}
+      : space_(space),
+        settings_(settings),
+        process_(settings.command, settings.folder, LineProcess::Errors::quoted) {}
 
   Outcome run(const TestInput& input) override {
     ++tests_;
-    if (!process_) {
-      auto started = Process::start(settings_.command, settings_.folder);
-      if (const auto* trouble = std::get_if<Process::Trouble>(&started)) {
-        return failed(trouble->what, 0);
-      }
-      process_ = std::move(std::get<std::unique_ptr<Process>>(started));
-    }
     const std::chrono::milliseconds limit(std::lround(1000 * settings_.timeout_s));
-    Process::Line answer = process_->ask(request(space_, input, tests_), limit);
-    if (const auto* trouble = std::get_if<Process::Trouble>(&answer)) {
-      return failed(trouble->what, settings_.timeout_s);
-    }
-    return read(std::get<std::string>(answer));
+    const LineAnswer answer = process_.ask(request(space_, input, tests_), limit);
+    return answer.error.empty() ? read(answer.line) : failed(answer.error, settings_.timeout_s);
   }
 
  private:
-  /// The program is given up; the next test starts another one.
   Outcome failed(const std::string& what, double seconds) {
-    process_.reset();
     return {
         .error = fmt::format("{}, test {}: {}", fmt::join(settings_.command, " "), tests_, what),
         .simulated_s = seconds};
   }
 
+  /// The program is given up; the next test starts another one.
   Outcome nonsense(const std::string& answer, const std::string& what) {
-    return failed(
-        fmt::format("line {} of its output, '{}': {}", process_->lines(), shown(answer), what), 0);
+    const std::size_t line = process_.lines();
+    process_.give_up();
+    return failed(fmt::format("line {} of its output, '{}': {}", line, shown(answer), what), 0);
   }
 
   Outcome read(const std::string& answer) {
@@ -108,7 +100,7 @@ class ExternalProgram : public Sut {
 
   const RoadSpace& space_;
   const ExternalSettings& settings_;
-  std::unique_ptr<Process> process_;
+  LineProcess process_;
   std::size_t tests_ = 0;
 };
 

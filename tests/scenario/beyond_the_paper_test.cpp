@@ -104,7 +104,7 @@ TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
     return run_trial(*prepared, {.agents = 1}).message;
   };
   EXPECT_EQ(fails("read line; exit 4"),
-            "the controller 'sh' ended without an answer (exit status 4)");
+            "the controller 'sh': it ended with exit code 4 before it answered");
   EXPECT_EQ(fails("read line; echo hello"),
             "the controller answered 'hello', expected {\"acceleration\": <m/s^2>}");
 }
