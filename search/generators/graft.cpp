@@ -2,8 +2,9 @@
 // Each failed sequence yields that stretch; new tests graft a stretch into fresh random
 // surroundings, so that they fail again but differ from each other everywhere else. How often a
 // stretch failed again decides how often it is used (Thompson 1933 sampling of its Beta
-// distribution); tests that fail elsewhere or differently yield new stretches. Until one is known,
-// near misses are varied.
+// distribution), and a stretch that hardly ever fits on the map counts as one that passed; tests
+// that fail elsewhere or differently yield new stretches. Until one is known, near misses are
+// varied, each a limited number of times, since some cannot be made to fail.
 //
 // In spaces of vectors alone the "stretch" is a random choice of a failed vector's coordinates.
 
@@ -50,11 +51,17 @@ struct Stretch {
   double uses = 1;
 };
 
-/// How promising a test was that did not fail: those near to failing are varied until one fails.
+/// What an invalid candidate costs its stretch, in tests that passed.
+constexpr double kInvalidCost = 0.02;
+
+/// A test that did not fail: those near to failing are varied until one fails.
 struct NearMiss {
   std::vector<double> values;
   double fitness = 0;
+  int variations = 0;
 };
+constexpr int kMostVariations = 20;
+constexpr std::size_t kNearMisses = 10;
 
 class Graft : public Generator {
  public:
@@ -67,15 +74,22 @@ class Graft : public Generator {
 
   TestInput ask(Asking& asking) override {
     used_.reset();
+    parent_.reset();
     ++asked_;
     const bool explores = asked_ <= static_cast<std::size_t>(values_[kInitial]) ||
                           random_.uniform(0, 1) < values_[kExploration];
-    for (int i = 0; i < static_cast<int>(values_[kAttempts]); ++i) {
-      TestInput candidate = explores ? random_input() : stretches_.empty() ? varied() : grafted();
-      if (space_.as_points(candidate).values.empty()) continue;
-      if (asking.valid(candidate)) return candidate;
+    // Where stretches do not fit, near misses may; where those do not either, something random.
+    const int attempts = static_cast<int>(values_[kAttempts]);
+    for (int i = 0; i < attempts; ++i) {
+      const bool grafts = !explores && !stretches_.empty() && i < attempts / 2;
+      const bool varies = !explores && !grafts && i < attempts * 3 / 4;
+      TestInput candidate = grafts ? grafted() : varies ? varied() : random_input();
+      const bool fits = !space_.as_points(candidate).values.empty();
+      if (fits && asking.valid(candidate)) return candidate;
+      if (used_) stretches_[*used_].uses += kInvalidCost;
+      used_.reset();
+      parent_.reset();
     }
-    used_.reset();
     return draw_valid(asking, [&] { return space_.draw_initial(random_); });
   }
 
@@ -87,8 +101,8 @@ class Graft : public Generator {
     if (!test.outcome.executed()) return;
     if (test.failed) {
       learn(test);
-    } else if (best_.fitness < test.fitness && test.input.form == natural_form()) {
-      best_ = {test.input.values, test.fitness};
+    } else if (test.input.form == natural_form()) {
+      remember(test);
     }
   }
 
@@ -121,10 +135,27 @@ class Graft : public Generator {
     return std::clamp(value + random_.uniform(-jitter, jitter), -1.0, 1.0);
   }
 
-  /// The nearest miss with some of its values changed.
+  /// Keeps the nearest misses, the nearest first. A variation counts if it is nearer than its
+  /// parent: the surroundings of one that cannot be made to fail are soon left alone.
+  void remember(const ExecutedTest& test) {
+    if (parent_ && test.fitness <= *parent_) return;
+    const auto place = std::ranges::find_if(
+        near_misses_, [&](const NearMiss& each) { return each.fitness < test.fitness; });
+    near_misses_.insert(place, {test.input.values, test.fitness});
+    if (near_misses_.size() > kNearMisses) near_misses_.pop_back();
+  }
+
+  /// The nearest miss that was not yet varied often, with some of its values changed.
   TestInput varied() {
-    TestInput input{natural_form(), best_.values};
-    if (input.values.empty()) return random_input();
+    const auto miss = std::ranges::find_if(
+        near_misses_, [](const NearMiss& each) { return each.variations < kMostVariations; });
+    if (miss == near_misses_.end()) {
+      near_misses_.clear();
+      return random_input();
+    }
+    ++miss->variations;
+    parent_ = miss->fitness;
+    TestInput input{natural_form(), miss->values};
     const int changes = random_.between(1, 4);
     for (int i = 0; i < changes; ++i) {
       double& value = input.values[random_.below(input.values.size())];
@@ -210,7 +241,9 @@ class Graft : public Generator {
   std::span<const double> values_;
   Random random_;
   std::vector<Stretch> stretches_;
-  NearMiss best_;
+  std::vector<NearMiss> near_misses_;
+  /// Fitness of the near miss that was varied, if one was.
+  std::optional<double> parent_;
   std::optional<std::size_t> used_;
   std::size_t asked_ = 0;
 };
