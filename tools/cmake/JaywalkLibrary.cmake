@@ -13,9 +13,10 @@ function(jaywalk_configure_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                          -Wno-missing-field-initializers ${JAYWALK_FALSE_ALARMS} $<$<BOOL:${JAYWALK_WERROR}>:-Werror>)
   if(JAYWALK_SANITIZERS)
-    # -O1: instrumented code without any optimisation is too slow for the scenario tests.
+    # -O1: instrumented code without any optimisation is too slow for the scenario tests. -g1: lines
+    # are all that a finding needs, and they compile in three quarters of the time.
     target_compile_options(${target} PRIVATE -fsanitize=${JAYWALK_SANITIZERS}
-                           -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+                           -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
     target_link_options(${target} PUBLIC -fsanitize=${JAYWALK_SANITIZERS})
   endif()
 endfunction()
