@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
@@ -221,40 +221,39 @@ bool is_plan_part(Value value, Form form) {
   return value.is_structure() && value.structure()->form() == form;
 }
 
-// "now +3 s": milliseconds from now; negative: not understood.
-double parse_delay(const std::string& text) {
-  std::istringstream in(text);
-  std::string now;
-  std::string rest;
-  in >> now;
-  std::getline(in, rest);
-  if (now.starts_with("now") && now.size() > 3)
-    rest = now.substr(3) + rest;
-  else if (now != "now")
-    return -1;
-  std::istringstream amount_in(rest);
-  char plus = 0;
-  double amount = 0;
-  std::string unit;
-  if (!(amount_in >> plus)) return 0;
-  if (plus != '+' || !(amount_in >> amount)) return -1;
-  amount_in >> unit;
-  if (unit.empty() || unit.starts_with("mili") || unit == "ms" || unit.starts_with("milli")) {
-    return amount;
-  }
-  switch (unit.front()) {
-    case 's':
-      return amount * 1000;
-    case 'm':
-      return amount * 60'000;
-    case 'h':
-      return amount * 3'600'000;
-    case 'd':
-      return amount * 86'400'000;
-    default:
-      return -1;
-  }
+// "now +3 s": milliseconds from now; negative: not understood. As in Jason a unit that is none of
+// its own counts milliseconds, and a blank stands before it.
+double parse_delay(std::string_view text) {
+  const auto trimmed = [](std::string_view part) {
+    const std::size_t first = part.find_first_not_of(' ');
+    return first == part.npos ? std::string_view() : part.substr(first);
+  };
+  if (!text.starts_with("now")) return -1;
+  text = trimmed(text.substr(3));
+  if (!text.starts_with("+")) return -1;
+  text = trimmed(text.substr(1));
+  const std::string amount(text.substr(0, text.find(' ')));
+  const std::string_view unit = trimmed(text.substr(amount.size()));
+  double ms = -1;
+  const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), ms);
+  if (error != std::errc() || end != amount.data() + amount.size() || !(ms >= 0)) return -1;
+  if (unit == "s" || unit.starts_with("second")) return ms * 1000;
+  if (unit == "m" || unit.starts_with("minute")) return ms * 60'000;
+  if (unit == "h" || unit.starts_with("hour")) return ms * 3'600'000;
+  if (unit == "d" || unit.starts_with("day")) return ms * 86'400'000;
+  return ms;
 }
+
+enum class Variables : std::uint8_t { allowed, refused };
+
+// Whether the first argument can be a goal, as Jason checks it.
+bool names_goal(ActionCall& call, Variables variables) {
+  const Value goal = call.arg(0);
+  if (goal.is_variable()) return variables == Variables::allowed;
+  return !goal.is_number() && !goal.is_text() && !goal.is_list();
+}
+
+Outcome no_goal(ActionCall& call) { return call.wrong_argument(0, "a goal"); }
 
 }  // namespace
 
@@ -298,7 +297,7 @@ Outcome wait(ActionCall& call) {
 
 Outcome at(ActionCall& call) {
   const double delay = parse_delay(text_of(call.arg(0), call.symbols()));
-  if (delay < 0) return call.wrong_argument(0, "a time like \"now +3 s\"");
+  if (delay < 0) return call.fail("internal_action", "a time is written like \"now +3 s\"");
   TriggerParts trigger;
   if (!trigger_parts(call.arg(1), call.symbols(), trigger) || !is_literal(trigger.literal)) {
     return call.wrong_argument(1, "a trigger like {+!g}");
@@ -368,15 +367,18 @@ Outcome drop_intention(ActionCall& call) {
   if (call.count() == 0) {
     return call.intention() == nullptr ? Outcome::failed : drop_all(call, {call.intention()});
   }
+  if (!names_goal(call, Variables::allowed)) return no_goal(call);
   return drop_all(call, call.agent()->intentions_with(call.arg(0)));
 }
 
 Outcome drop_desire(ActionCall& call) {
+  if (!names_goal(call, Variables::allowed)) return no_goal(call);
   call.agent()->drop_goal_events(call.arg(0));
   return drop_all(call, call.agent()->intentions_with(call.arg(0)));
 }
 
 Outcome drop_event(ActionCall& call) {
+  if (!names_goal(call, Variables::allowed)) return no_goal(call);
   call.agent()->drop_goal_events(call.arg(0));
   return Outcome::succeeded;
 }
@@ -404,6 +406,7 @@ Outcome drop_all_events(ActionCall& call) {
 }
 
 Outcome drop_future_intention(ActionCall& call) {
+  if (!names_goal(call, Variables::allowed)) return no_goal(call);
   std::vector<Intention*> found;
   for (Intention* const intention : call.agent()->all_intentions()) {
     if (has_future_goal(*call.agent(), *intention, call.arg(0))) found.push_back(intention);
@@ -412,11 +415,13 @@ Outcome drop_future_intention(ActionCall& call) {
 }
 
 Outcome succeed_goal(ActionCall& call) {
+  if (!names_goal(call, Variables::refused)) return no_goal(call);
   end_goal(call, Agent::GoalEnd::succeed);
   return Outcome::succeeded;
 }
 
 Outcome fail_goal(ActionCall& call) {
+  if (!names_goal(call, Variables::refused)) return no_goal(call);
   end_goal(call, Agent::GoalEnd::fail);
   return Outcome::succeeded;
 }
@@ -442,7 +447,10 @@ Outcome done(ActionCall& call) {
 Outcome suspend(ActionCall& call) {
   Agent& agent = *call.agent();
   Intention* const own = call.intention();
-  if (call.count() == 1) agent.suspend_goal(call.arg(0));
+  if (call.count() == 1) {
+    if (!names_goal(call, Variables::refused)) return no_goal(call);
+    agent.suspend_goal(call.arg(0));
+  }
   if (own == nullptr) return call.count() == 1 ? Outcome::succeeded : Outcome::failed;
   if (call.count() == 1 && !own->also_suspended) return Outcome::succeeded;
   own->also_suspended = false;
@@ -453,6 +461,7 @@ Outcome suspend(ActionCall& call) {
 }
 
 Outcome resume(ActionCall& call) {
+  if (!names_goal(call, Variables::refused)) return no_goal(call);
   call.agent()->resume_goal(call.arg(0));
   return Outcome::succeeded;
 }

@@ -11,11 +11,16 @@
 namespace jaywalk {
 namespace {
 
-// Java's Double.toString from the shortest digits that give the number back.
+// Java's Double.toString: the shortest digits that give the number back, but at least two, which
+// makes a difference for the least numbers of all (4.9E-324).
 void append_java_double(std::string& out, double value) {
   std::array<char, 40> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::scientific);
+  char* const limit = buffer.data() + buffer.size();
+  auto end = std::to_chars(buffer.data(), limit, value, std::chars_format::scientific);
+  if (std::fpclassify(value) == FP_SUBNORMAL &&
+      std::string_view(buffer.data(), end.ptr).find('.') == std::string_view::npos) {
+    end = std::to_chars(buffer.data(), limit, value, std::chars_format::scientific, 1);
+  }
   const std::string_view text(buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data()));
   const std::size_t exponent_at = text.find('e');
   int exponent = 0;

@@ -73,6 +73,7 @@ void keep_files_in_memory(ProgramFile& file) {
 class Conformance : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Conformance, DoesAsItsCommentsSay) {
+  std::filesystem::current_path(JAYWALK_SOURCE_DIR);  // `.list_files` looks from there
   const std::string path = (kFolder / (GetParam() + ".asl")).string();
   ProgramFile file = read_program_file(path);
   keep_files_in_memory(file);

@@ -1,7 +1,9 @@
-// Every internal action and function is used by a program of this folder, outside its comments.
+// Every internal action and function is used by a program of this folder, outside its comments, and
+// actions/cases/ has its ordinary, boundary and failure case.
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -12,17 +14,25 @@
 namespace jaywalk::test {
 namespace {
 
-std::string all_programs() {
-  std::string text;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(JAYWALK_SOURCE_DIR "/tests/conformance")) {
+/// The programs of a folder and those below it, without comments, by path.
+std::map<std::string, std::string> programs_in(const std::string& folder) {
+  std::map<std::string, std::string> programs;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           JAYWALK_SOURCE_DIR "/tests/conformance" + folder)) {
     if (entry.path().extension() != ".asl") continue;
     std::ifstream file(entry.path());
+    std::string& text = programs[entry.path().string()];
     for (std::string line; std::getline(file, line);) {
       text += line.substr(0, line.find("//"));
       text += '\n';
     }
   }
+  return programs;
+}
+
+std::string all_programs() {
+  std::string text;
+  for (const auto& [path, program] : programs_in("")) text += program;
   return text;
 }
 
@@ -52,6 +62,42 @@ TEST(ConformancePrograms, UseEveryInternalActionAndFunction) {
   }
   for (const FunctionDefinition& function : standard_actions().functions()) {
     EXPECT_TRUE(uses(text, function.name)) << function.name << " has no conformance program";
+  }
+}
+
+/// The plan `+!kind("name")` up to the next one; empty if there is none.
+std::string case_of(const std::string& text, const std::string& kind, const std::string& name) {
+  const std::size_t at = text.find("+!" + kind + "(\"" + name + "\") <-");
+  if (at == std::string::npos) return {};
+  const std::size_t body = text.find("<-", at);
+  return text.substr(body, text.find("\n+!", body) - body);
+}
+
+/// What is missing of the three cases of an action or function, which are named `title` there.
+std::string missing_cases(const std::map<std::string, std::string>& programs,
+                          const std::string& title, const std::string& name) {
+  std::string missing;
+  for (const std::string kind : {"ordinary", "boundary", "failure"}) {
+    bool found = false;
+    for (const auto& [path, text] : programs) {
+      const bool asked_for = text.find("\"" + title + "\"") < text.find("+!ordinary(");
+      found = found || (asked_for && uses(case_of(text, kind, title), name));
+    }
+    if (!found) missing += (missing.empty() ? "" : ", ") + kind;
+  }
+  return missing;
+}
+
+TEST(ConformancePrograms, HaveEachActionsOrdinaryBoundaryAndFailureCase) {
+  const auto programs = programs_in("/actions/cases");
+  EXPECT_EQ(missing_cases(programs, ".none", ".none"), "ordinary, boundary, failure");
+  for (const ActionDefinition& action : standard_actions().actions()) {
+    EXPECT_EQ(missing_cases(programs, action.name, action.name), "") << action.name;
+  }
+  for (const FunctionDefinition& function : standard_actions().functions()) {
+    // `.length` and `.count` are actions, too; as functions they stand there without the dot.
+    const std::string title = function.name.substr(function.name.front() == '.' ? 1 : 0);
+    EXPECT_EQ(missing_cases(programs, title, function.name), "") << function.name;
   }
 }
 
