@@ -20,6 +20,21 @@ AssessmentVerdict stored(Verdict verdict) {
   return AssessmentVerdict::none;
 }
 
+Verdict verdict_of(AssessmentVerdict verdict) {
+  switch (verdict) {
+    case AssessmentVerdict::pass:
+      return Verdict::pass;
+    case AssessmentVerdict::fail:
+      return Verdict::fail;
+    case AssessmentVerdict::unavoidable:
+      return Verdict::unavoidable;
+    case AssessmentVerdict::none:
+    case AssessmentVerdict::vacuous:
+      break;
+  }
+  return Verdict::vacuous;
+}
+
 /// Of ascending values.
 double quantile(const std::vector<double>& values, double part) {
   const double at = part * static_cast<double>(values.size() - 1);
@@ -62,6 +77,31 @@ std::vector<Assessment> to_assessments(const Inquiry& inquiry, const TestFinding
                     .actor = value.actor});
   }
   return rows;
+}
+
+TestFindings from_assessments(std::span<const Assessment> rows,
+                              std::span<const std::string> assertions) {
+  TestFindings findings;
+  for (const std::string& id : assertions) {
+    Judgement& judgement = findings.judgements.emplace_back();
+    const auto row = std::ranges::find(rows, id, &Assessment::id);
+    if (row == rows.end()) continue;
+    judgement.verdict = verdict_of(row->verdict);
+    judgement.robustness = row->robustness;
+    judgement.tick = row->tick;
+    if (row->actor) judgement.witnesses = {*row->actor};
+  }
+  std::vector<std::optional<MetricValue>> values;
+  bool any = false;
+  for (const Metric& metric : metrics()) {
+    const auto row = std::ranges::find(rows, metric.name, &Assessment::id);
+    values.emplace_back();
+    if (row == rows.end() || !row->value) continue;
+    values.back() = {*row->value, row->tick.value_or(0), row->actor.value_or(0)};
+    any = true;
+  }
+  if (any) findings.metrics = std::move(values);
+  return findings;
 }
 
 Distribution distribution(std::vector<double> values) {
@@ -107,7 +147,10 @@ void FindingsTable::add(const TestCase& test, const TestFindings& findings) {
   Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
   std::call_once(cell.started, [&] { cell.tests.resize(tests_); });
   Row& row = cell.tests[test.number];
-  for (const Judgement& judgement : findings.judgements) row.verdicts.push_back(judgement.verdict);
+  for (const Judgement& judgement : findings.judgements) {
+    row.verdicts.push_back(judgement.verdict);
+    row.robustness.push_back(judgement.robustness);
+  }
   for (const auto& value : findings.metrics) {
     row.metrics.push_back(value ? std::optional(value->value) : std::nullopt);
   }
@@ -117,9 +160,11 @@ FindingsSummary FindingsTable::summary(std::size_t behaviour, std::uint32_t agen
   FindingsSummary result;
   result.verdicts.resize(assertions_);
   std::vector<std::vector<double>> values;
+  std::vector<std::vector<double>> robustness(assertions_);
   for (const Row& row : cells_[cell_index(behaviour, agents)].tests) {
     for (std::size_t i = 0; i < row.verdicts.size(); ++i) {
       ++result.verdicts[i].tests[static_cast<std::size_t>(row.verdicts[i])];
+      if (row.robustness[i]) robustness[i].push_back(*row.robustness[i]);
     }
     values.resize(std::max(values.size(), row.metrics.size()));
     for (std::size_t i = 0; i < row.metrics.size(); ++i) {
@@ -127,6 +172,9 @@ FindingsSummary FindingsTable::summary(std::size_t behaviour, std::uint32_t agen
     }
   }
   for (std::vector<double>& each : values) result.metrics.push_back(distribution(std::move(each)));
+  for (std::vector<double>& each : robustness) {
+    result.robustness.push_back(distribution(std::move(each)));
+  }
   return result;
 }
 

@@ -39,6 +39,11 @@ struct TestFindings {
 [[nodiscard]] std::vector<Assessment> to_assessments(const Inquiry& inquiry,
                                                      const TestFindings& findings);
 
+/// The inverse, as far as stores keep it: judgements in the order of those ids (vacuous if there is
+/// no row) and, if there is a value of any, metrics. Of the witnesses the first is kept.
+[[nodiscard]] TestFindings from_assessments(std::span<const Assessment> rows,
+                                            std::span<const std::string> assertions);
+
 /// How the values of a metric are spread over tests; those that do not exist are not counted.
 struct Distribution {
   std::uint64_t count = 0;
@@ -72,6 +77,8 @@ struct VerdictCounts {
 struct FindingsSummary {
   std::vector<VerdictCounts> verdicts;  // in the order of the assertions
   std::vector<Distribution> metrics;    // in the order of metrics(), if asked for
+  /// Of the tests that met the precondition, in the order of the assertions.
+  std::vector<Distribution> robustness;
 };
 
 /// Collects findings from several threads; what it sums up depends on the tests alone.
@@ -87,6 +94,7 @@ class FindingsTable {
  private:
   struct Row {
     std::vector<Verdict> verdicts;
+    std::vector<std::optional<double>> robustness;
     std::vector<std::optional<double>> metrics;
   };
   struct Cell {

@@ -12,7 +12,6 @@
 
 #include "experiment/measures/measures.h"
 #include "experiment/published/published.h"
-#include "experiment/report/table.h"
 
 namespace jaywalk {
 namespace {
@@ -231,20 +230,6 @@ std::string render_svg(const Comparison& comparison) {
       "<style>.title{{font-size:14px;font-weight:600}}.grid{{stroke:#ddd}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
       width, height, body);
-}
-
-std::string render_html(const Comparison& comparison) {
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-      "<title>Jaywalk: {0}</title>\n"
-      "<style>body{{font-family:system-ui,sans-serif;max-width:1040px;margin:2em auto;"
-      "padding:0 1em;color:#222}}svg{{max-width:100%;height:auto}}pre{{overflow-x:auto;"
-      "font-size:12px}}</style>\n"
-      "<h1>{0}</h1>\n<p>{1} tests for each behaviour and number of agents, seed {2}{3}.</p>\n"
-      "{4}<pre>{5}</pre>\n</html>\n",
-      escaped(comparison.scenario), comparison.tests, comparison.seed,
-      comparison.complete ? "" : ", ended before all were run", render_svg(comparison),
-      escaped(render_table(comparison)));
 }
 
 }  // namespace jaywalk

@@ -12,7 +12,4 @@ namespace jaywalk {
 /// An SVG picture that needs nothing beside it.
 [[nodiscard]] std::string render_svg(const Comparison& comparison);
 
-/// An HTML page that needs nothing beside it: the picture and the table.
-[[nodiscard]] std::string render_html(const Comparison& comparison);
-
 }  // namespace jaywalk

@@ -32,6 +32,11 @@ class ResultsReader::Impl {
     return value;
   }
 
+  [[nodiscard]] std::optional<Diagnostics> failure() const {
+    if (database_->failure()) return store_error(path_, trouble_with(*database_));
+    return std::nullopt;
+  }
+
   Result<std::shared_ptr<const PreparedScenario>> prepare() {
     if (prepared_) return prepared_;
     std::vector<SourcePtr> copies;
@@ -99,6 +104,32 @@ Result<std::vector<AgentScore>> ResultsReader::scores(std::int64_t id) const {
 
 Result<std::vector<Assessment>> ResultsReader::assessments(std::int64_t id) const {
   return impl_->checked(read_assessments(impl_->database(), id));
+}
+
+Result<std::vector<Actor>> ResultsReader::actors(std::int64_t id) const {
+  return impl_->checked(read_actors(impl_->database(), id));
+}
+
+Result<std::vector<std::string>> ResultsReader::assertion_ids() const {
+  return impl_->checked(read_assertion_ids(impl_->database()));
+}
+
+std::optional<Diagnostics> ResultsReader::for_each_place(
+    std::string_view kind,
+    const std::function<void(const TestCase& test, double x_m, double y_m)>& callback) const {
+  read_places(impl_->database(), kind, [&](std::int64_t id, double x_m, double y_m) {
+    if (const auto test = find_test(description(), id)) callback(*test, x_m, y_m);
+  });
+  return impl_->failure();
+}
+
+std::optional<Diagnostics> ResultsReader::for_each_assessed(
+    const std::function<void(const TestCase& test, const std::vector<Assessment>& assessments)>&
+        callback) const {
+  read_all_assessments(impl_->database(), [&](std::int64_t id, const auto& assessments) {
+    if (const auto test = find_test(description(), id)) callback(*test, assessments);
+  });
+  return impl_->failure();
 }
 
 Result<Recording> ResultsReader::recording(std::int64_t id) const {

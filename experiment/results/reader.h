@@ -7,6 +7,7 @@
 //   for (const StoredTest& test : store.value()->tests().value()) ...
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,21 @@ class ResultsReader {
   [[nodiscard]] Result<StoredTest> test(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<Assessment>> assessments(std::int64_t id) const;
+  /// Who took part in the test; the first is the AV.
+  [[nodiscard]] Result<std::vector<Actor>> actors(std::int64_t id) const;
+
+  /// Calls back for each event of that kind which has a place, in the order of the tests. The
+  /// error is what could not be read.
+  [[nodiscard]] std::optional<Diagnostics> for_each_place(
+      std::string_view kind,
+      const std::function<void(const TestCase& test, double x_m, double y_m)>& callback) const;
+  /// Calls back for each test that has assessments, in the order of the tests.
+  [[nodiscard]] std::optional<Diagnostics> for_each_assessed(
+      const std::function<void(const TestCase& test, const std::vector<Assessment>& assessments)>&
+          callback) const;
+  /// The ids of all assertions that any test was judged by.
+  [[nodiscard]] Result<std::vector<std::string>> assertion_ids() const;
+
   /// Everything that was seen of the test, from the store or, where that has no scenes, by running
   /// the test again. Error: it came out otherwise than stored (see rerun).
   [[nodiscard]] Result<Recording> recording(std::int64_t id) const;

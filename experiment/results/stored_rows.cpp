@@ -64,18 +64,17 @@ Statement rows_of(Database& database, std::int64_t test_id, std::string_view col
   return statement;
 }
 
-std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
-  std::vector<Actor> actors;
-  Statement row = rows_of(database, test_id, "name, kind, length_m, width_m", "actors");
-  while (row.step()) {
-    const auto kind = parse_kind(row.text(1));
-    if (!kind) damaged(database, "an actor", test_id);
-    actors.push_back({.name = row.text(0),
-                      .kind = kind.value_or(ActorKind::pedestrian),
-                      .length_m = row.real(2),
-                      .width_m = row.real(3)});
-  }
-  return actors;
+constexpr std::string_view kAssessmentColumns = "name, value, tick, actor, robustness, verdict";
+
+Assessment assessment_of(Database& database, std::int64_t test_id, const Statement& row) {
+  const auto verdict = parse_assessment_verdict(row.text(5));
+  if (!verdict) damaged(database, "a verdict", test_id);
+  return {.id = row.text(0),
+          .value = real_or_null(row, 1),
+          .tick = integer_or_null<std::uint32_t>(row, 2),
+          .actor = integer_or_null<std::uint32_t>(row, 3),
+          .robustness = real_or_null(row, 4),
+          .verdict = verdict.value_or(AssessmentVerdict::none)};
 }
 
 void read_scenes(Database& database, std::int64_t test_id, Recording& recording) {
@@ -107,6 +106,12 @@ std::vector<StoredTest> read_tests(Database& database, const ExperimentDescripti
     const auto width = static_cast<std::int64_t>(description.agents.size() * description.tests);
     first = static_cast<std::int64_t>(*filter.behaviour) * width + 1;
     last = first + width - 1;
+    const auto column = std::ranges::find(description.agents, filter.agents.value_or(0));
+    if (column != description.agents.end()) {
+      const auto tests = static_cast<std::int64_t>(description.tests);
+      first += (column - description.agents.begin()) * tests;
+      last = first + tests - 1;
+    }
   }
   std::optional<int> succeeded;
   if (filter.succeeded) succeeded = *filter.succeeded ? 1 : 0;
@@ -135,21 +140,62 @@ std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id) {
   return scores;
 }
 
+std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
+  std::vector<Actor> actors;
+  Statement row = rows_of(database, test_id, "name, kind, length_m, width_m", "actors");
+  while (row.step()) {
+    const auto kind = parse_kind(row.text(1));
+    if (!kind) damaged(database, "an actor", test_id);
+    actors.push_back({.name = row.text(0),
+                      .kind = kind.value_or(ActorKind::pedestrian),
+                      .length_m = row.real(2),
+                      .width_m = row.real(3)});
+  }
+  return actors;
+}
+
 std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id) {
   std::vector<Assessment> assessments;
-  Statement row =
-      rows_of(database, test_id, "name, value, tick, actor, robustness, verdict", "assessments");
-  while (row.step()) {
-    const auto verdict = parse_assessment_verdict(row.text(5));
-    if (!verdict) damaged(database, "a verdict", test_id);
-    assessments.push_back({.id = row.text(0),
-                           .value = real_or_null(row, 1),
-                           .tick = integer_or_null<std::uint32_t>(row, 2),
-                           .actor = integer_or_null<std::uint32_t>(row, 3),
-                           .robustness = real_or_null(row, 4),
-                           .verdict = verdict.value_or(AssessmentVerdict::none)});
-  }
+  Statement row = rows_of(database, test_id, kAssessmentColumns, "assessments");
+  while (row.step()) assessments.push_back(assessment_of(database, test_id, row));
   return assessments;
+}
+
+void read_all_assessments(
+    Database& database,
+    const std::function<void(std::int64_t test_id, const std::vector<Assessment>&)>& callback) {
+  std::vector<Assessment> assessments;
+  std::int64_t test_id = 0;
+  Statement row(database,
+                fmt::format("SELECT {}, test_id FROM assessments ORDER BY id", kAssessmentColumns));
+  while (row.step()) {
+    if (row.number(6) != test_id && !assessments.empty()) {
+      callback(test_id, assessments);
+      assessments.clear();
+    }
+    test_id = row.number(6);
+    assessments.push_back(assessment_of(database, test_id, row));
+  }
+  if (!assessments.empty()) callback(test_id, assessments);
+}
+
+std::vector<std::string> read_assertion_ids(Database& database) {
+  std::vector<std::string> ids;
+  Statement row(database, fmt::format("SELECT name FROM assessments WHERE verdict <> 'none' "
+                                      "GROUP BY name ORDER BY min(id % {}), name",
+                                      kMaxRows));
+  while (row.step()) ids.push_back(row.text(0));
+  return ids;
+}
+
+void read_places(
+    Database& database, std::string_view kind,
+    const std::function<void(std::int64_t test_id, double x_m, double y_m)>& callback) {
+  Statement row(database,
+                "SELECT test_id, x, y FROM events WHERE kind = ? AND x IS NOT NULL AND y IS NOT "
+                "NULL ORDER BY id");
+  row.bind(kind);
+  while (row.step()) callback(row.number(0), row.real(1), row.real(2));
 }
 
 Recording read_recording(Database& database, double tick_s, std::int64_t test_id) {

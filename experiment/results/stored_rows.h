@@ -2,6 +2,9 @@
 
 // Turns rows back into what they were made from. Ask the database afterwards whether all went well.
 
+#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment/results/database.h"
@@ -18,6 +21,14 @@ namespace jaywalk {
                                                   std::int64_t id);
 [[nodiscard]] std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id);
 [[nodiscard]] std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id);
+[[nodiscard]] std::vector<Actor> read_actors(Database& database, std::int64_t test_id);
+/// The names of assertions, in the order in which tests were judged by them.
+[[nodiscard]] std::vector<std::string> read_assertion_ids(Database& database);
+void read_places(Database& database, std::string_view kind,
+                 const std::function<void(std::int64_t test_id, double x_m, double y_m)>& callback);
+void read_all_assessments(
+    Database& database,
+    const std::function<void(std::int64_t test_id, const std::vector<Assessment>&)>& callback);
 /// REQUIRES: the store has scenes of the test.
 [[nodiscard]] Recording read_recording(Database& database, double tick_s, std::int64_t test_id);
 

@@ -1,6 +1,7 @@
 #include "search/store/search_store.h"
 
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
@@ -94,6 +95,25 @@ Diagnostics wrong(const std::string& path, std::string message, std::string hint
   return diagnostics;
 }
 
+constexpr std::string_view kRows =
+    "SELECT run, form, input, error, simulated_s, measures, fitness, failed, candidates, invalid, "
+    "generation_s, execution_s, signature FROM search_tests ORDER BY run, number";
+
+TestRow read_row(const Statement& rows) {
+  TestRow row;
+  row.test.input.form = parse_form(rows.text(1)).value_or(Form::vector);
+  row.test.input.values = parse_numbers(rows.text(2));
+  row.test.outcome = {rows.text(3), rows.real(4), parse_numbers(rows.text(5)),
+                      parse_numbers(rows.text(12))};
+  row.test.fitness = rows.real(6);
+  row.test.failed = rows.number(7) != 0;
+  row.candidates = rows.integer<std::uint64_t>(8);
+  row.invalid = rows.integer<std::uint64_t>(9);
+  row.generation_s = rows.real(10);
+  row.execution_s = rows.real(11);
+  return row;
+}
+
 class Store : public SearchStore {
  public:
   Store(const std::string& path, const SearchExperiment& experiment, bool exists)
@@ -116,14 +136,11 @@ class Store : public SearchStore {
             std::int64_t{plan_.repetitions}) {
       return "holds another experiment";
     }
-    Statement rows(database_,
-                   "SELECT run, form, input, error, simulated_s, measures, fitness, failed, "
-                   "candidates, invalid, generation_s, execution_s, signature FROM search_tests "
-                   "ORDER BY run, number");
+    Statement rows(database_, kRows);
     while (rows.step()) {
       const auto run = rows.integer<std::size_t>(0);
       if (run >= finished_.size()) return "is damaged";
-      finished_[run].push_back(row(rows));
+      finished_[run].push_back(read_row(rows));
       ++had_;
     }
     return {};
@@ -189,21 +206,6 @@ class Store : public SearchStore {
     database_.execute("COMMIT");
   }
 
-  static TestRow row(const Statement& rows) {
-    TestRow row;
-    row.test.input.form = parse_form(rows.text(1)).value_or(Form::vector);
-    row.test.input.values = parse_numbers(rows.text(2));
-    row.test.outcome = {rows.text(3), rows.real(4), parse_numbers(rows.text(5)),
-                        parse_numbers(rows.text(12))};
-    row.test.fitness = rows.real(6);
-    row.test.failed = rows.number(7) != 0;
-    row.candidates = rows.integer<std::uint64_t>(8);
-    row.invalid = rows.integer<std::uint64_t>(9);
-    row.generation_s = rows.real(10);
-    row.execution_s = rows.real(11);
-    return row;
-  }
-
   Database database_;
   const SearchPlan& plan_;
   std::vector<std::vector<TestRow>> finished_;
@@ -212,7 +214,69 @@ class Store : public SearchStore {
   std::unique_ptr<Statement> insert_;
 };
 
+/// The options that follow the experiment's text (experiment.cpp puts them there).
+SearchOptions options_in(std::string& origin) {
+  SearchOptions options;
+  constexpr std::string_view kSet = "--set ";
+  constexpr std::string_view kGenerators = "--generators ";
+  while (true) {
+    const std::size_t line = origin.rfind('\n');
+    if (line == std::string::npos) break;
+    const std::string_view last = std::string_view(origin).substr(line + 1);
+    if (last.starts_with(kSet)) {
+      options.sets.emplace(options.sets.begin(), last.substr(kSet.size()));
+    } else if (last.starts_with(kGenerators)) {
+      options.generators.emplace(options.generators.begin(), last.substr(kGenerators.size()));
+    } else {
+      break;
+    }
+    origin.resize(line);
+  }
+  return options;
+}
+
 }  // namespace
+
+bool is_search_store(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  Database database(path, Database::Mode::read);
+  return database.number("SELECT 1 FROM sqlite_master WHERE name = 'search_experiment'") == 1;
+}
+
+Result<StoredSearches> read_search_store(const std::string& path) {
+  Database database(path, Database::Mode::read);
+  const auto name = database.text("SELECT name FROM search_experiment");
+  auto origin = database.text("SELECT origin FROM search_experiment");
+  const auto seed = database.text("SELECT seed FROM search_experiment");
+  const auto repetitions = database.number("SELECT repetitions FROM search_experiment");
+  if (database.failure() || !name || !origin || !seed || !repetitions) {
+    return wrong(path, database.failure().value_or("is no store of searches"));
+  }
+  const SearchOptions options = options_in(*origin);
+  auto experiment = parse_search(std::make_shared<const Source>(*name, *origin), options);
+  if (!experiment) return std::move(experiment.diagnostics());
+  StoredSearches stored{.experiment = std::move(experiment).value(), .results = {}};
+  SearchPlan& plan = stored.experiment.plan;
+  plan.seed = std::strtoull(seed->c_str(), nullptr, 10);
+  plan.repetitions = static_cast<std::uint32_t>(*repetitions);
+  stored.results.complete = true;
+  Statement runs(database, "SELECT generator, repetition, complete FROM search_runs ORDER BY id");
+  while (runs.step()) {
+    stored.results.runs.push_back({.generator = runs.text(0),
+                                   .repetition = runs.integer<std::uint32_t>(1),
+                                   .complete = runs.number(2) != 0});
+    stored.results.complete = stored.results.complete && runs.number(2) != 0;
+  }
+  Statement rows(database, kRows);
+  while (rows.step()) {
+    const auto run = rows.integer<std::size_t>(0);
+    if (run >= stored.results.runs.size()) return wrong(path, "is damaged");
+    stored.results.runs[run].tests.push_back(read_row(rows));
+  }
+  if (database.failure()) return wrong(path, *database.failure());
+  return stored;
+}
 
 Result<std::unique_ptr<SearchStore>> SearchStore::open(const std::string& path, Mode mode,
                                                        const SearchExperiment& experiment) {

@@ -28,4 +28,16 @@ class SearchStore : public TestLog {
   [[nodiscard]] virtual std::size_t had() const = 0;
 };
 
+/// What a store of searches says of itself; `results` has what is finished.
+struct StoredSearches {
+  SearchExperiment experiment;
+  SearchResults results;
+};
+
+[[nodiscard]] bool is_search_store(const std::string& path);
+/// Nothing is written. The experiment is read from the text in the store; what that names (a
+/// scenario) is read from the disk. Errors: no store of searches, damaged, the experiment cannot be
+/// read.
+[[nodiscard]] Result<StoredSearches> read_search_store(const std::string& path);
+
 }  // namespace jaywalk::search

@@ -26,6 +26,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/reporting.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/shipped.h"
 #include "tools/jaywalk/store_options.h"
@@ -161,19 +162,26 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
   return diagnostics;
 }
 
+/// Who wants to know about the tests as they are run; null: nobody.
+struct Listeners {
+  FindingsTable& findings;
+  ResultsWriter* store = nullptr;
+  reporting::FactsTable* facts = nullptr;
+};
+
 /// Runs a test, finds out about it and hands it to the store, if there is one.
-Result<TestResult> run_test(const Request& request, const TestCase& test, FindingsTable& findings,
-                            ResultsWriter* store) {
+Result<TestResult> run_test(const Request& request, const TestCase& test,
+                            const Listeners& listeners) {
+  ResultsWriter* const store = listeners.store;
+  const bool recorded = store != nullptr || listeners.facts != nullptr || asks(request.inquiry);
   const TrialInput input{.behaviour = test.behaviour,
                          .agents = test.agents,
                          .seed = request.seed,
                          .test = test.number};
   const auto start = std::chrono::steady_clock::now();
   Recording recording;
-  TrialResult trial =
-      run_trial(*request.prepared, input,
-                {.record = store != nullptr || asks(request.inquiry) ? &recording : nullptr,
-                 .measure_cpu = true});
+  TrialResult trial = run_trial(*request.prepared, input,
+                                {.record = recorded ? &recording : nullptr, .measure_cpu = true});
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
@@ -186,9 +194,10 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, Findin
   std::vector<Assessment> assessments;
   if (asks(request.inquiry)) {
     const TestFindings found = assess(request.inquiry, recording, request.ground);
-    findings.add(test, found);
+    listeners.findings.add(test, found);
     if (store != nullptr) assessments = to_assessments(request.inquiry, found);
   }
+  if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
   if (store != nullptr) {
     TestRecord record = make_test_record(test, result, trial, std::move(recording));
     record.assessments = std::move(assessments);
@@ -222,17 +231,16 @@ class Selection {
 
 /// Runs what is selected; whoever looks at the progress sees nothing of the rest.
 ExperimentOutcome run_selection(const Request& request, const Selection& selection,
-                                FindingsTable& findings, ResultsWriter* store,
-                                const ProgressFunction& progress) {
+                                const Listeners& listeners, const ProgressFunction& progress) {
   std::atomic<std::uint64_t> done = 0;
   const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
     if (!selection.has(test_case)) return TestResult{};
-    auto result = run_test(request, test_case, findings, store);
+    auto result = run_test(request, test_case, listeners);
     done.fetch_add(1, std::memory_order_relaxed);
     return result;
   };
   const auto own_progress = [&](const Progress&) {
-    const bool broken = store != nullptr && store->failure();
+    const bool broken = listeners.store != nullptr && listeners.store->failure();
     const Proceed proceed = progress({.done = done, .total = selection.size()});
     return broken ? Proceed::no : proceed;
   };
@@ -306,30 +314,49 @@ std::string start_cells_csv(const Request& request) {
       start_cells(request.prepared->scenario(), agents, request.seed, request.plan.tests));
 }
 
+/// A page, and not a picture.
+bool wants_page(const Arguments& arguments) {
+  const auto report = arguments.text("report");
+  return report && !report->ends_with(".svg");
+}
+
+std::optional<std::string> report_of(const Arguments& arguments, const Request& request,
+                                     const Comparison& comparison,
+                                     const reporting::FactsTable& facts, Console& console) {
+  if (!wants_page(arguments)) return render_svg(comparison);
+  if (request.store) {
+    return stored_report(request.store->path, *arguments.text("report"), ReplayPages::none,
+                         console);
+  }
+  return unstored_report({.comparison = comparison,
+                          .description = describe_experiment(request, arguments),
+                          .prepared = request.prepared,
+                          .inquiry = request.inquiry,
+                          .facts = facts});
+}
+
 bool write_outputs(const Arguments& arguments, const Request& request, const Comparison& comparison,
-                   Console& console) {
+                   const reporting::FactsTable& facts, Console& console) {
   struct Output {
     std::string_view option;
-    std::function<std::string()> text;
+    std::function<std::optional<std::string>()> text;
   };
-  const auto report = arguments.text("report");
-  const bool picture = report && report->ends_with(".svg");
   const std::array outputs = {
       Output{"csv", [&] { return to_csv(comparison); }},
       Output{"json", [&] { return to_json(comparison); }},
       Output{"junit", [&] { return to_junit(comparison); }},
       Output{"starts", [&] { return start_cells_csv(request); }},
-      Output{"report", [&] { return picture ? render_svg(comparison) : render_html(comparison); }},
+      Output{"report", [&] { return report_of(arguments, request, comparison, facts, console); }},
   };
   bool written = true;
   for (const Output& output : outputs) {
     const auto path = arguments.text(output.option);
     if (!path) continue;
     console.flush();  // in case it is /dev/stdout
-    if (const auto why = write_file(*path, output.text())) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
-      written = false;
-    }
+    const std::optional<std::string> text = output.text();
+    const auto why = text ? write_file(*path, *text) : std::nullopt;
+    if (why) console.error(fmt::format("cannot write '{}': {}", *path, *why));
+    written = written && text && !why;
   }
   return written;
 }
@@ -429,8 +456,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   ProgressLine line(console);
   const Selection selection(*request, store.get());
   FindingsTable findings(request->inquiry, request->plan);
+  reporting::FactsTable facts(request->plan);
+  const Listeners listeners{.findings = findings,
+                            .store = store.get(),
+                            .facts = wants_page(arguments) && !store ? &facts : nullptr};
   ExperimentOutcome outcome =
-      run_selection(*request, selection, findings, store.get(), [&](const Progress& now) {
+      run_selection(*request, selection, listeners, [&](const Progress& now) {
         line.show(now);
         return interrupt.interrupted() ? Proceed::no : Proceed::yes;
       });
@@ -447,7 +478,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                      : make_comparison(*request, outcome);
   if (!comparison) return ExitCode::failed;
   add_findings(request->inquiry, findings, request->plan.behaviours, *comparison);
-  const bool written = write_outputs(arguments, *request, *comparison, console);
+  const bool written = write_outputs(arguments, *request, *comparison, facts, console);
   if (!arguments.has("quiet")) console.print(tables(*comparison));
   if (!comparison->complete) {
     console.note(interruption(*request, outcome, *comparison));

@@ -9,21 +9,6 @@
 namespace jaywalk {
 namespace {
 
-Verdict verdict_of(AssessmentVerdict stored) {
-  switch (stored) {
-    case AssessmentVerdict::pass:
-      return Verdict::pass;
-    case AssessmentVerdict::fail:
-      return Verdict::fail;
-    case AssessmentVerdict::unavoidable:
-      return Verdict::unavoidable;
-    case AssessmentVerdict::none:
-    case AssessmentVerdict::vacuous:
-      break;
-  }
-  return Verdict::vacuous;
-}
-
 /// Adds the assertions of a file to those read before.
 void read_file(const std::string& path, std::vector<Assertion>& assertions,
                Diagnostics& diagnostics) {
@@ -117,22 +102,16 @@ Result<TestFindings> stored_findings(const Inquiry& inquiry, const ResultsReader
                                      std::int64_t id, const Ground& ground) {
   auto rows = store.assessments(id);
   if (!rows) return std::move(rows.diagnostics());
-  TestFindings findings;
-  for (const Assertion& assertion : inquiry.assertions) {
-    const auto row = std::ranges::find(rows.value(), assertion.id, &Assessment::id);
-    if (row == rows.value().end()) break;
-    findings.judgements.push_back({.verdict = verdict_of(row->verdict)});
-  }
-  for (const Metric& metric : metrics()) {
-    if (!inquiry.metrics) break;
-    const auto row = std::ranges::find(rows.value(), metric.name, &Assessment::id);
-    findings.metrics.emplace_back();
-    if (row == rows.value().end() || !row->value) continue;
-    findings.metrics.back() = {*row->value, row->tick.value_or(0), row->actor.value_or(0)};
-  }
+  std::vector<std::string> ids;
+  for (const Assertion& assertion : inquiry.assertions) ids.push_back(assertion.id);
+  const bool judged = std::ranges::all_of(ids, [&](const std::string& each) {
+    return std::ranges::find(rows.value(), each, &Assessment::id) != rows.value().end();
+  });
+  TestFindings findings = from_assessments(rows.value(), ids);
+  if (!inquiry.metrics) findings.metrics.clear();
   // Every test with road users has a minimum distance.
-  const bool measured = !inquiry.metrics || findings.metrics.front().has_value();
-  if (findings.judgements.size() == inquiry.assertions.size() && measured) return findings;
+  const bool measured = !inquiry.metrics || !findings.metrics.empty();
+  if (judged && measured) return findings;
   auto recording = store.recording(id);
   if (!recording) return std::move(recording.diagnostics());
   return assess(inquiry, recording.value(), ground);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiment/export/write_file.h"
-#include "experiment/report/player.h"
+#include "experiment/report/replay_page.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/viewer.h"
@@ -27,12 +27,6 @@ std::optional<Wanted> read_wanted(const Arguments& arguments, Console& console) 
   if (!diagnostics.has_errors()) return wanted;
   console.report(diagnostics);
   return std::nullopt;
-}
-
-std::string name_of(const ResultsReader& store, const StoredTest& test) {
-  return fmt::format("{}, {} agent{}, seed {}, test {}",
-                     store.description().behaviours[test.test.behaviour].name, test.test.agents,
-                     test.test.agents == 1 ? "" : "s", store.description().seed, test.test.number);
 }
 
 /// The first stored test that is wanted: one that met the precondition, if none is named.
@@ -73,24 +67,12 @@ ExitCode play(const ResultsReader& store, const StoredTest& test, double speed, 
 
 ExitCode write_page(const ResultsReader& store, const StoredTest& test, const std::string& path,
                     Console& console) {
-  const auto prepared = store.prepared();
-  if (!prepared.ok()) {
-    console.report(prepared.diagnostics());
+  const auto page = replay_page(store, test);
+  if (!page.ok()) {
+    console.report(page.diagnostics());
     return ExitCode::failed;
   }
-  Recording recording;
-  MindRecorder minds;
-  TrialOptions options;
-  options.record = &recording;
-  options.observe = [&](const Crossing&, const Mas& mas) { minds.observe(mas); };
-  const auto result = store.rerun(test.id, options);
-  if (!result.ok()) {
-    console.report(result.diagnostics());
-    return ExitCode::failed;
-  }
-  const std::string page =
-      render_player(name_of(store, test), prepared.value()->scenario().world, recording, minds);
-  if (const auto why = write_file(path, page)) {
+  if (const auto why = write_file(path, page.value())) {
     console.error(fmt::format("cannot write '{}': {}", path, *why));
     return ExitCode::failed;
   }

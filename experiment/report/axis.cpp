@@ -1,0 +1,75 @@
+#include "experiment/report/axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "experiment/report/html.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+std::vector<double> linear_marks(double least, double most, int count) {
+  const double range = most - least;
+  const double power = std::pow(10, std::floor(std::log10(range / count)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0}) {
+    if (range / (factor * power) <= count) step = factor * power;
+  }
+  std::vector<double> marks;
+  for (double mark = std::ceil(least / step - 1e-9); mark * step <= most + 1e-9 * range; ++mark) {
+    marks.push_back(mark == 0 ? 0 : mark * step);
+  }
+  return marks;
+}
+
+/// Powers of ten, and their doubles and fivefolds where these are few.
+std::vector<double> logarithmic_marks(double least, double most, int count) {
+  const int first = static_cast<int>(std::floor(std::log10(least) + 1e-9));
+  const int last = static_cast<int>(std::ceil(std::log10(most) - 1e-9));
+  const bool few = last - first <= 2;
+  const int step = std::max(1, (last - first + count) / std::max(1, count));
+  std::vector<double> marks;
+  for (int power = first; power <= last; power += step) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      if (factor > 1 && !few) break;
+      const double mark = factor * std::pow(10, power);
+      if (mark >= least * 0.999 && mark <= most * 1.001) marks.push_back(mark);
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
+double Axis::at(double value) const {
+  const double clamped = std::clamp(value, least, most);
+  const double part = scale == Scale::linear ? (clamped - least) / (most - least)
+                                             : std::log(clamped / least) / std::log(most / least);
+  return begin + (end - begin) * part;
+}
+
+std::vector<double> Axis::marks(int count) const {
+  return scale == Scale::linear ? linear_marks(least, most, count)
+                                : logarithmic_marks(least, most, count);
+}
+
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view attributes) {
+  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"{}{}/>", x1, y1, x2, y2,
+                     attributes.empty() ? "" : " ", attributes);
+}
+
+std::string svg_text(double x, double y, std::string_view anchor, std::string_view text,
+                     std::string_view attributes) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}{}>{}</text>", x, y,
+                     anchor, attributes.empty() ? "" : " ", attributes, escaped(text));
+}
+
+std::string svg(double width, double height, std::string_view label, const std::string& content) {
+  return fmt::format(
+      "<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n{}</svg>\n", width,
+      height, escaped(label), content);
+}
+
+}  // namespace jaywalk::reporting

@@ -1,0 +1,58 @@
+#pragma once
+
+// What a report needs of the single tests, beyond their sums: which succeeded (to compare
+// behaviours test by test), how long they took, and where pedestrians met the precondition.
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "experiment/experiment.h"
+#include "experiment/recording.h"
+#include "experiment/significance.h"
+
+namespace jaywalk::reporting {
+
+/// A square of the ground: multiples of kSquare_m to the right and ahead.
+using Square = std::pair<int, int>;
+inline constexpr double kSquare_m = 0.5;
+
+/// Of one behaviour with one number of agents.
+struct CellFacts {
+  /// By the number of the test.
+  std::vector<bool> succeeded;
+  /// The ticks of all tests.
+  Counts ticks;
+  /// How many pedestrians met the precondition where.
+  std::map<Square, std::uint64_t> places;
+};
+
+/// Collects facts from several threads; what it holds depends on the tests alone.
+class FactsTable {
+ public:
+  explicit FactsTable(const ExperimentPlan& plan);
+
+  /// REQUIRES: a test of the plan, numbered from 0; each once.
+  void add(const TestCase& test, const TestResult& result);
+  /// A pedestrian of the test met the precondition there.
+  void add_place(const TestCase& test, double x_m, double y_m);
+  void add(const TestCase& test, const TestResult& result, const Recording& recording);
+
+  /// REQUIRES: nobody adds meanwhile.
+  [[nodiscard]] const CellFacts& facts(std::size_t behaviour, std::uint32_t agents) const;
+
+ private:
+  struct Cell {
+    std::mutex mutex;
+    CellFacts facts;
+  };
+  [[nodiscard]] std::size_t cell_index(std::size_t behaviour, std::uint32_t agents) const;
+
+  std::vector<std::uint32_t> agents_;
+  std::uint64_t tests_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace jaywalk::reporting

@@ -1,0 +1,121 @@
+#include "experiment/report/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "experiment/report/axis.h"
+#include "experiment/report/html.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+constexpr double kWidth = 360;
+constexpr double kHeight = 250;
+constexpr double kLeft = 48;
+constexpr double kRight = 350;
+constexpr double kTop = 10;
+constexpr double kBottom = 208;
+
+bool is_shown(double value, Scale scale) {
+  return std::isfinite(value) && (scale == Scale::linear || value > 0);
+}
+
+/// The range of everything that is shown, with the ends that the axes ask for.
+Axis vertical_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series) {
+  double least = axes.least.value_or(std::numeric_limits<double>::infinity());
+  double most = axes.most.value_or(-std::numeric_limits<double>::infinity());
+  const auto reach = [&](std::optional<double> value) {
+    if (!value || !is_shown(*value, axes.scale)) return;
+    least = std::min(least, *value);
+    most = std::max(most, *value);
+  };
+  for (const PlotSeries& each : series) {
+    for (const PlotPoint& point : each.points) reach(point.y);
+  }
+  if (!(least <= most)) {
+    least = axes.scale == Scale::linear ? 0 : 1;
+    most = least + 1;
+  }
+  if (axes.scale == Scale::logarithmic) {
+    least /= 1.2;
+    most *= 1.2;
+  } else {
+    const double room = 0.03 * (most - least);
+    if (!axes.most || most > *axes.most) most += room;
+    if (!axes.least || least < *axes.least) least -= room;
+    if (most <= least) most = least + 1;
+  }
+  return {.least = least, .most = most, .begin = kBottom, .end = kTop, .scale = axes.scale};
+}
+
+Axis horizontal_axis(const std::vector<PlotSeries>& series) {
+  double most = 2;
+  for (const PlotSeries& each : series) {
+    for (const PlotPoint& point : each.points) most = std::max(most, point.x);
+  }
+  return {.least = 1, .most = most, .begin = kLeft + 8, .end = kRight - 8};
+}
+
+std::string frame(const PlotAxes& axes, const Axis& x, const Axis& y) {
+  std::string content;
+  for (const double mark : y.marks(6)) {
+    content += svg_line(kLeft, y.at(mark), kRight, y.at(mark), "class=\"grid\"");
+    content += svg_text(kLeft - 6, y.at(mark) + 4, "end", compact(mark)) + '\n';
+  }
+  content += svg_line(kLeft, kBottom, kRight, kBottom, "class=\"axis\"");
+  std::vector<double> marks = x.marks(x.most <= 10 ? 10 : 5);
+  if (marks.empty() || marks.front() > 1) marks.insert(marks.begin(), 1);
+  for (const double mark : marks) {
+    if (mark != std::floor(mark)) continue;
+    content += svg_line(x.at(mark), kBottom, x.at(mark), kBottom + 4, "class=\"axis\"");
+    content += svg_text(x.at(mark), kBottom + 18, "middle", compact(mark)) + '\n';
+  }
+  return content + svg_text((kLeft + kRight) / 2, kBottom + 36, "middle", axes.x_title) + '\n';
+}
+
+std::string curve(const PlotSeries& series, const PlotAxes& axes, const Axis& x, const Axis& y) {
+  std::string path;
+  std::string marks;
+  for (const PlotPoint& point : series.points) {
+    if (!is_shown(point.y, axes.scale)) continue;
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.at(point.x), y.at(point.y));
+    std::string tip =
+        fmt::format("{}{}, {:.0f}: {}", series.name, series.published ? " (published)" : "",
+                    point.x, compact(point.y));
+    if (point.low && point.high && !series.published) {
+      marks += svg_line(x.at(point.x), y.at(*point.low), x.at(point.x), y.at(*point.high));
+      tip += fmt::format(" ({} to {})", compact(*point.low), compact(*point.high));
+    }
+    marks += fmt::format(
+        "<g>{}<title>{}</title></g>\n",
+        series.published
+            ? fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" class=\"spot\"/>",
+                          x.at(point.x), y.at(point.y))
+            : marker(series.number, x.at(point.x), y.at(point.y)),
+        escaped(tip));
+  }
+  if (path.empty()) return {};
+  return fmt::format("<g {}><path d=\"{}\" class=\"{}\"/>\n{}</g>\n",
+                     series_attributes(series.number), path,
+                     series.published ? "published" : "curve", marks);
+}
+
+}  // namespace
+
+std::string curves(const PlotAxes& axes, const std::vector<PlotSeries>& series) {
+  const Axis x = horizontal_axis(series);
+  const Axis y = vertical_axis(axes, series);
+  std::string content = frame(axes, x, y);
+  for (const PlotSeries& each : series) {
+    if (each.published) content += curve(each, axes, x, y);
+  }
+  for (const PlotSeries& each : series) {
+    if (!each.published) content += curve(each, axes, x, y);
+  }
+  return svg(kWidth, kHeight, axes.y_title, content);
+}
+
+}  // namespace jaywalk::reporting

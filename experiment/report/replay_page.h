@@ -1,0 +1,17 @@
+#pragma once
+
+// The page that plays a stored test. Read player.h before.
+
+#include <string>
+
+#include "experiment/results/reader.h"
+
+namespace jaywalk {
+
+/// `election, 3 agents, seed 0, test 5`.
+[[nodiscard]] std::string name_of(const ResultsReader& store, const StoredTest& test);
+
+/// Runs the test again, so that all minds can be seen. Error: it comes out otherwise than stored.
+[[nodiscard]] Result<std::string> replay_page(const ResultsReader& store, const StoredTest& test);
+
+}  // namespace jaywalk

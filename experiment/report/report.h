@@ -1,0 +1,91 @@
+#pragma once
+
+// The report: one HTML page that needs nothing beside it, a section for each row of sections.def. A
+// section is a function of ReportData in a file of sections/ that returns HTML (html.h and plot.h
+// make it), or nothing if there is nothing to say. Read comparison.h and facts.h before.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/assertions/assertion.h"
+#include "experiment/comparison.h"
+#include "experiment/report/facts.h"
+#include "experiment/results/reader.h"
+
+namespace jaywalk::reporting {
+
+/// A test that is named in the report: why, and the picture of its tracks or its page, if any.
+struct ReplayLink {
+  TestCase test;
+  /// "the first that met the precondition", …
+  std::string reason;
+  /// Everybody's way, from the store; empty if it has no scenes of it.
+  Recording recording;
+  /// Relative to the report; empty if no page was written.
+  std::string page;
+};
+
+/// A test that violates an assertion.
+struct Violation {
+  std::string assertion;
+  TestCase test;
+  double robustness = 0;
+  std::optional<std::uint32_t> tick;
+  std::string witness;
+};
+
+struct ReportData {
+  Comparison comparison;
+  ExperimentDescription description;
+  /// Of each of the comparison's summaries, in the same order.
+  std::vector<CellFacts> facts;
+  /// The world that the tests ran in.
+  std::shared_ptr<const PreparedScenario> prepared;
+  /// Those of the comparison, with all that is said of them; others are known by their ids alone.
+  std::vector<Assertion> assertions;
+  /// Each behaviour's worst of each assertion; empty without a store.
+  std::vector<Violation> violations;
+  std::vector<ReplayLink> replays;
+  /// The file it was made from; empty if there is none.
+  std::string store_path;
+  /// The store itself for what is not above (single tests, recordings); null if there is none.
+  const ResultsReader* store = nullptr;
+};
+
+/// The behaviours that the comparison has rows of, in their order: their numbers give the styles.
+[[nodiscard]] std::vector<std::string> behaviours_of(const Comparison& comparison);
+/// The numbers of agents, ascending.
+[[nodiscard]] std::vector<std::uint32_t> agents_of(const Comparison& comparison);
+/// The row; null if it is not there.
+[[nodiscard]] const Summary* find_summary(const Comparison& comparison, std::string_view behaviour,
+                                          std::uint32_t agents);
+
+struct Section {
+  /// Of the section's anchor in the page.
+  std::string_view name;
+  std::string_view title;
+  std::string (*render)(const ReportData& data);
+};
+
+[[nodiscard]] std::span<const Section> sections();
+
+[[nodiscard]] std::string render_report(const ReportData& data);
+
+/// A page of the report's looks: everything between title and end is the caller's.
+[[nodiscard]] std::string render_page(std::string_view title, const std::string& body);
+
+/// Everything that the store has: what was judged and measured, the scenes, nothing is run again.
+/// The store must outlive the data.
+[[nodiscard]] Result<ReportData> read_report_data(const ResultsReader& store);
+
+namespace section {
+#define JAYWALK_SECTION(name, title) std::string name(const ReportData& data);
+#include "experiment/report/sections.def"
+#undef JAYWALK_SECTION
+}  // namespace section
+
+}  // namespace jaywalk::reporting

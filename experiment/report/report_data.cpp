@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+#include "experiment/findings.h"
+#include "experiment/report/report.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+ExperimentPlan plan_of(const ExperimentDescription& description) {
+  ExperimentPlan plan;
+  for (const StoredBehaviour& behaviour : description.behaviours) {
+    plan.behaviours.push_back(behaviour.name);
+  }
+  plan.agents = description.agents;
+  plan.tests = description.tests;
+  return plan;
+}
+
+class DataReader {
+ public:
+  explicit DataReader(const ResultsReader& store)
+      : store_(store), plan_(plan_of(store.description())) {}
+
+  Result<ReportData> read() {
+    data_.store = &store_;
+    data_.store_path = store_.path();
+    data_.description = store_.description();
+    take(store_.comparison(), data_.comparison);
+    take(store_.prepared(), data_.prepared);
+    read_facts();
+    read_findings();
+    choose_replays();
+    if (trouble_.has_errors()) return std::move(trouble_);
+    return std::move(data_);
+  }
+
+ private:
+  template <class T>
+  bool take(Result<T> result, T& target) {
+    if (result) {
+      target = std::move(result).value();
+      return true;
+    }
+    trouble_.append(std::move(result.diagnostics()));
+    return false;
+  }
+  void note(std::optional<Diagnostics> failure) {
+    if (failure) trouble_.append(std::move(*failure));
+  }
+
+  /// The test with its number counted from the plan's first.
+  [[nodiscard]] TestCase in_plan(TestCase test) const {
+    test.number -= store_.description().first_test;
+    return test;
+  }
+  [[nodiscard]] std::size_t behaviour_index(const std::string& name) const {
+    return static_cast<std::size_t>(std::ranges::find(plan_.behaviours, name) -
+                                    plan_.behaviours.begin());
+  }
+
+  void read_facts() {
+    FactsTable table(plan_);
+    for (const Summary& summary : data_.comparison.summaries) {
+      std::vector<StoredTest> tests;
+      take(
+          store_.tests({.behaviour = behaviour_index(summary.behaviour), .agents = summary.agents}),
+          tests);
+      for (const StoredTest& test : tests) table.add(in_plan(test.test), test.result);
+    }
+    note(store_.for_each_place("precondition", [&](const TestCase& test, double x_m, double y_m) {
+      table.add_place(in_plan(test), x_m, y_m);
+    }));
+    for (const Summary& summary : data_.comparison.summaries) {
+      data_.facts.push_back(table.facts(behaviour_index(summary.behaviour), summary.agents));
+    }
+  }
+
+  void read_findings() {
+    Comparison& comparison = data_.comparison;
+    if (!take(store_.assertion_ids(), comparison.assertions) || !data_.prepared) return;
+    Inquiry inquiry;
+    inquiry.assertions.resize(comparison.assertions.size());
+    FindingsTable table(inquiry, plan_);
+    bool any = false;
+    note(store_.for_each_assessed([&](const TestCase& test, const std::vector<Assessment>& rows) {
+      any = true;
+      table.add(in_plan(test), from_assessments(rows, comparison.assertions));
+      for (const Assessment& row : rows) note_violation(test, row);
+    }));
+    if (!any) return;
+    for (const Summary& summary : comparison.summaries) {
+      comparison.findings.push_back(
+          table.summary(behaviour_index(summary.behaviour), summary.agents));
+    }
+    for (const Assertion& assertion : data_.prepared->scenario().assertions) {
+      if (std::ranges::find(comparison.assertions, assertion.id) != comparison.assertions.end()) {
+        data_.assertions.push_back(assertion);
+      }
+    }
+    name_witnesses();
+  }
+
+  /// Keeps each behaviour's worst one of each assertion, the first of equals.
+  void note_violation(const TestCase& test, const Assessment& row) {
+    if (row.verdict != AssessmentVerdict::fail) return;
+    const double robustness = row.robustness.value_or(0);
+    auto& all = candidates_[row.id];
+    const auto found = all.find(test.behaviour);
+    if (found != all.end() && found->second.violation.robustness <= robustness) return;
+    all[test.behaviour] = {.violation = {.assertion = row.id,
+                                         .test = test,
+                                         .robustness = robustness,
+                                         .tick = row.tick},
+                           .actor = row.actor};
+  }
+
+  void name_witnesses() {
+    for (const std::string& id : data_.comparison.assertions) {
+      for (auto& [behaviour, each] : candidates_[id]) {
+        std::vector<Actor> actors;
+        take(store_.actors(test_id(store_.description(), each.violation.test)), actors);
+        if (each.actor && *each.actor < actors.size()) {
+          each.violation.witness = actors[*each.actor].name;
+        }
+        data_.violations.push_back(std::move(each.violation));
+      }
+    }
+  }
+
+  void add_replay(const StoredTest& stored, std::string reason) {
+    const auto same = [&](const ReplayLink& link) {
+      return link.test.behaviour == stored.test.behaviour &&
+             link.test.agents == stored.test.agents && link.test.number == stored.test.number;
+    };
+    if (std::ranges::any_of(data_.replays, same)) return;
+    ReplayLink link{.test = stored.test, .reason = std::move(reason)};
+    if (stored.has_scenes) take(store_.recording(stored.id), link.recording);
+    data_.replays.push_back(std::move(link));
+  }
+
+  /// A test of each behaviour, and the worst of each assertion.
+  void choose_replays() {
+    const std::vector<std::uint32_t> agents = agents_of(data_.comparison);
+    if (agents.empty()) return;
+    const std::uint32_t middle = agents[(agents.size() - 1) / 2];
+    for (const std::string& behaviour : behaviours_of(data_.comparison)) {
+      std::vector<StoredTest> tests;
+      take(store_.tests({.behaviour = behaviour_index(behaviour),
+                         .agents = middle,
+                         .succeeded = true,
+                         .limit = 1}),
+           tests);
+      if (!tests.empty()) add_replay(tests.front(), "the first that met the precondition");
+    }
+    for (const std::string& assertion : data_.comparison.assertions) {
+      const auto mine = [&](const Violation& each) { return each.assertion == assertion; };
+      auto of_it = data_.violations | std::views::filter(mine);
+      const auto worst = std::ranges::min_element(of_it, {}, &Violation::robustness);
+      if (worst == of_it.end()) continue;
+      auto stored = store_.test(test_id(store_.description(), worst->test));
+      if (stored) add_replay(stored.value(), "violates " + assertion + " most");
+    }
+  }
+
+  struct Candidate {
+    Violation violation;
+    std::optional<std::uint32_t> actor;
+  };
+
+  const ResultsReader& store_;
+  ExperimentPlan plan_;
+  ReportData data_;
+  /// By assertion and behaviour.
+  std::map<std::string, std::map<std::size_t, Candidate>> candidates_;
+  Diagnostics trouble_;
+};
+
+}  // namespace
+
+Result<ReportData> read_report_data(const ResultsReader& store) { return DataReader(store).read(); }
+
+}  // namespace jaywalk::reporting

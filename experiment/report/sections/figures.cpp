@@ -1,0 +1,127 @@
+// The paper's figures, each against the number of agents, ours beside the published values, and the
+// same numbers as a table.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "experiment/measures/measures.h"
+#include "experiment/published/published.h"
+#include "experiment/report/html.h"
+#include "experiment/report/plot.h"
+#include "experiment/report/report.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+struct PaperFigure {
+  std::string_view measure;
+  std::string_view title;
+  std::string_view explanation;
+  int decimals;
+  Scale scale = Scale::linear;
+  std::optional<double> least = std::nullopt;
+  std::optional<double> most = std::nullopt;
+};
+
+constexpr std::array kFigures = {
+    PaperFigure{"accuracy", "Accuracy, %", "tests that met the precondition; bars: 95 %, Wilson", 1,
+                Scale::linear, 0, 100},
+    PaperFigure{"score", "Score", "of successful tests; bars: 95 %, Student’s t", 2},
+    PaperFigure{"combined_normalised", "Combined score", "score and accuracy, normalised", 3},
+    PaperFigure{"cpu", "CPU time, µs per test", "spent reasoning; logarithmic", 1,
+                Scale::logarithmic},
+    PaperFigure{"ticks_all", "Time to test, ticks", "mean of all tests; bars: 95 %, Student’s t", 2,
+                Scale::linear, 0},
+};
+
+std::vector<PlotSeries> series_of(const Comparison& comparison, const Measure& measure,
+                                  bool& published) {
+  std::vector<PlotSeries> all;
+  const std::vector<std::string> behaviours = behaviours_of(comparison);
+  for (std::size_t i = 0; i < behaviours.size(); ++i) {
+    PlotSeries ours{.name = behaviours[i], .number = i};
+    PlotSeries paper{.name = behaviours[i], .number = i, .published = true};
+    for (const std::uint32_t agents : agents_of(comparison)) {
+      const Summary* summary = find_summary(comparison, behaviours[i], agents);
+      if (summary == nullptr) continue;
+      const Estimate estimate = measure.estimate(*summary);
+      if (estimate.value) {
+        ours.points.push_back(
+            {static_cast<double>(agents), *estimate.value, estimate.low, estimate.high});
+      }
+      const auto figure = published_figure(measure, behaviours[i], agents);
+      if (figure && figure->value) {
+        paper.points.push_back({static_cast<double>(agents), *figure->value, {}, {}});
+      }
+    }
+    published = published || !paper.points.empty();
+    all.push_back(std::move(ours));
+    all.push_back(std::move(paper));
+  }
+  return all;
+}
+
+std::string interval(const Estimate& estimate, int decimals) {
+  if (!estimate.low || !estimate.high) return "–";
+  return fmt::format("{} to {}", decimal(estimate.low, decimals), decimal(estimate.high, decimals));
+}
+
+std::string numbers(const Comparison& comparison) {
+  Table table;
+  table.column("agents");
+  for (const PaperFigure& figure : kFigures) {
+    table.column(figure.title);
+    if (!find_measure(figure.measure)->low_column.empty()) table.column("95 % interval");
+    table.column("published");
+  }
+  for (const std::string& behaviour : behaviours_of(comparison)) {
+    table.heading(behaviour);
+    for (const std::uint32_t agents : agents_of(comparison)) {
+      const Summary* summary = find_summary(comparison, behaviour, agents);
+      if (summary == nullptr) continue;
+      std::vector<std::string> cells{std::to_string(agents)};
+      for (const PaperFigure& figure : kFigures) {
+        const Measure& measure = *find_measure(figure.measure);
+        const Estimate ours = measure.estimate(*summary);
+        cells.push_back(decimal(ours.value, figure.decimals));
+        if (!measure.low_column.empty()) cells.push_back(interval(ours, figure.decimals));
+        const auto paper = published_figure(measure, behaviour, agents);
+        cells.push_back(decimal(paper ? paper->value : std::nullopt, figure.decimals));
+      }
+      table.row(std::move(cells));
+    }
+  }
+  return table.html();
+}
+
+}  // namespace
+
+std::string section::figures(const ReportData& data) {
+  const Comparison& comparison = data.comparison;
+  if (comparison.summaries.empty()) return {};
+  std::string figures;
+  bool published = false;
+  for (const PaperFigure& each : kFigures) {
+    const Measure& measure = *find_measure(each.measure);
+    const PlotAxes axes{.x_title = "agents",
+                        .y_title = std::string(each.title),
+                        .scale = each.scale,
+                        .least = each.least,
+                        .most = each.most};
+    figures +=
+        figure(fmt::format("{}<small>{}</small>", escaped(each.title), escaped(each.explanation)),
+               curves(axes, series_of(comparison, measure, published)));
+  }
+  std::string html = legend(behaviours_of(comparison));
+  if (published) {
+    html +=
+        "<p class=\"note\">Dashed, in the same colour: the published values (Chance, "
+        "Ghobrial, Lemaignan, Pipe and Eder 2020, from the authors’ released figures). Their "
+        "CPU time is that of another program on another machine.</p>\n";
+  }
+  return html + gallery(figures) + details("The same numbers as a table", numbers(comparison));
+}
+
+}  // namespace jaywalk::reporting

@@ -1,0 +1,109 @@
+// What was run, and what came of it in a few lines.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiment/measures/measures.h"
+#include "experiment/report/html.h"
+#include "experiment/report/report.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+std::string entry(std::string_view term, const std::string& html) {
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, html);
+}
+
+std::string facts_of(const ReportData& data) {
+  const Comparison& comparison = data.comparison;
+  const std::vector<std::string> behaviours = behaviours_of(comparison);
+  std::uint64_t tests = 0;
+  for (const Summary& summary : comparison.summaries) tests += summary.tests;
+  std::string list =
+      entry("scenario", fmt::format("<code>{}</code>", escaped(comparison.scenario)));
+  if (data.description.preset) list += entry("preset", escaped(*data.description.preset));
+  for (const std::string& set : data.description.sets) {
+    list += entry("set", fmt::format("<code>{}</code>", escaped(set)));
+  }
+  list += entry("behaviours", escaped(fmt::format("{}", fmt::join(behaviours, ", "))));
+  list += entry("numbers of agents", fmt::format("{}", fmt::join(agents_of(comparison), ", ")));
+  list += entry("tests", fmt::format("{} for each behaviour and number of agents, {} in all",
+                                     grouped(comparison.tests), grouped(tests)));
+  list += entry("seed", std::to_string(comparison.seed));
+  const Shard& shard = data.description.shard;
+  if (shard.count > 1) list += entry("shard", fmt::format("{} of {}", shard.index, shard.count));
+  if (!data.store_path.empty()) {
+    list += entry("store", fmt::format("<code>{}</code>, level {}", escaped(data.store_path),
+                                       name(data.description.level)));
+  }
+  return fmt::format("<dl>\n{}</dl>\n", list);
+}
+
+/// Where a measure is best for a behaviour.
+struct Best {
+  double value = 0;
+  std::uint32_t agents = 0;
+};
+
+enum class Wanted { most, least };
+
+std::optional<Best> best_of(const Comparison& comparison, std::string_view behaviour,
+                            std::string_view measure, Wanted wanted) {
+  std::optional<Best> best;
+  for (const Summary& summary : comparison.summaries) {
+    if (summary.behaviour != behaviour) continue;
+    const auto value = find_measure(measure)->estimate(summary).value;
+    if (!value) continue;
+    const bool better =
+        !best || (wanted == Wanted::most ? *value > best->value : *value < best->value);
+    if (better) best = {*value, summary.agents};
+  }
+  return best;
+}
+
+std::string with_agents(const std::optional<Best>& best, int decimals) {
+  if (!best) return "–";
+  return fmt::format("{} <small>at {}</small>", decimal(best->value, decimals), best->agents);
+}
+
+std::string best_table(const Comparison& comparison) {
+  Table table;
+  table.column("behaviour", Align::left);
+  table.column("lines of code");
+  table.column("best accuracy, %");
+  table.column("best score");
+  table.column("best combined score");
+  table.column("fewest ticks to test");
+  table.column("least CPU time, µs");
+  for (const std::string& behaviour : behaviours_of(comparison)) {
+    const Summary* any = nullptr;
+    for (const Summary& summary : comparison.summaries) {
+      if (summary.behaviour == behaviour) any = &summary;
+    }
+    table.row({escaped(behaviour), std::to_string(any->code_lines),
+               with_agents(best_of(comparison, behaviour, "accuracy", Wanted::most), 1),
+               with_agents(best_of(comparison, behaviour, "score", Wanted::most), 2),
+               with_agents(best_of(comparison, behaviour, "combined_normalised", Wanted::most), 3),
+               with_agents(best_of(comparison, behaviour, "ticks_all", Wanted::least), 2),
+               with_agents(best_of(comparison, behaviour, "cpu", Wanted::least), 1)});
+  }
+  return table.html() +
+         "<p class=\"note\">Small print: the number of agents at which it is "
+         "reached.</p>\n";
+}
+
+}  // namespace
+
+std::string section::overview(const ReportData& data) {
+  std::string html;
+  if (!data.comparison.complete) {
+    html +=
+        "<p class=\"warn\">Not all tests were run: rows that are not finished are missing "
+        "from this page.</p>\n";
+  }
+  html += facts_of(data);
+  if (data.comparison.summaries.empty()) return html + paragraph("No row is finished yet.");
+  return html + best_table(data.comparison);
+}
+
+}  // namespace jaywalk::reporting

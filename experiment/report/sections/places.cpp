@@ -1,0 +1,99 @@
+// Where on the road pedestrians met the precondition.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "experiment/report/html.h"
+#include "experiment/report/report.h"
+#include "experiment/report/road.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+using Places = std::map<Square, std::uint64_t>;
+
+/// All numbers of agents together.
+Places places_of(const ReportData& data, const std::string& behaviour) {
+  Places all;
+  for (std::size_t row = 0; row < data.facts.size(); ++row) {
+    if (data.comparison.summaries[row].behaviour != behaviour) continue;
+    for (const auto& [square, count] : data.facts[row].places) all[square] += count;
+  }
+  return all;
+}
+
+/// Squares of the world's cells, coarser where there would be too many to see.
+double square_size(const ReportData& data) {
+  constexpr double kMostSquares = 140;
+  const CrossingParameters& world = data.prepared->scenario().world;
+  const double length_m = grid(world).cells * world.cell_m;
+  return world.cell_m * std::max(1.0, std::ceil(length_m / world.cell_m / kMostSquares));
+}
+
+Places coarsened(const Places& places, double size_m) {
+  Places coarse;
+  for (const auto& [square, count] : places) {
+    const auto index = [&](int part) {
+      return static_cast<int>(std::floor((part + 0.5) * kSquare_m / size_m));
+    };
+    coarse[{index(square.first), index(square.second)}] += count;
+  }
+  return coarse;
+}
+
+std::string heat(const Places& places, double size_m, std::uint64_t most, std::uint64_t all,
+                 const RoadPicture& road) {
+  std::string drawn;
+  for (const auto& [square, count] : places) {
+    // The root lets rare places be seen beside frequent ones.
+    const double share = std::sqrt(static_cast<double>(count) / static_cast<double>(most));
+    drawn += fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"heat\" "
+        "fill-opacity=\"{:.2f}\"><title>{:g} m along, {:g} m from the left: {} ({:.1f} "
+        "%)</title></rect>\n",
+        road.across(square.second * size_m), road.down(square.first * size_m), road.length(size_m),
+        road.breadth(size_m), std::max(0.06, share), (square.second + 0.5) * size_m,
+        (square.first + 0.5) * size_m, grouped(count),
+        100 * static_cast<double>(count) / static_cast<double>(all));
+  }
+  return drawn;
+}
+
+}  // namespace
+
+std::string section::places(const ReportData& data) {
+  if (!data.prepared || data.facts.empty()) return {};
+  const double size_m = square_size(data);
+  const Ground ground = jaywalk::ground(data.prepared->scenario().world);
+  const RoadPicture road(ground);
+  std::string figures;
+  for (const std::string& behaviour : behaviours_of(data.comparison)) {
+    const Places places = coarsened(places_of(data, behaviour), size_m);
+    std::uint64_t all = 0;
+    std::uint64_t most = 0;
+    Square hottest;
+    for (const auto& [square, count] : places) {
+      all += count;
+      if (count > most) hottest = square;
+      most = std::max(most, count);
+    }
+    const std::string said =
+        all == 0 ? "nobody met it"
+                 : fmt::format("{}; most at {:g} m along the road", plural(all, "pedestrian"),
+                               (hottest.second + 0.5) * size_m);
+    figures += figure(fmt::format("{}<small>{}</small>", escaped(behaviour), said),
+                      road.draw("where the precondition was met: " + behaviour,
+                                heat(places, size_m, most, all, road)));
+  }
+  std::string html = paragraph(fmt::format(
+      "Each square of {:g} m is the darker the more pedestrians met the precondition in it, for "
+      "all "
+      "numbers of agents together; each picture has a scale of its own, which grows as the root of "
+      "the number. The automated vehicle drives from left to right.",
+      size_m));
+  return html + fmt::format("<div class=\"gallery wide\">\n{}</div>\n", figures);
+}
+
+}  // namespace jaywalk::reporting

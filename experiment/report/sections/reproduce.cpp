@@ -1,0 +1,75 @@
+// How to get the same results again: command, seed, versions, hashes of every input.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiment/report/html.h"
+#include "experiment/report/report.h"
+
+namespace jaywalk::reporting {
+namespace {
+
+/// As a shell takes it: within quotes, if it has to be.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string compare_command(const ReportData& data) {
+  const ExperimentDescription& description = data.description;
+  std::string command = fmt::format("jaywalk compare {} --seed {} --tests {} --agents {}",
+                                    quoted(description.scenario), description.seed,
+                                    description.tests, fmt::join(description.agents, ","));
+  if (description.preset) command += " --preset " + quoted(*description.preset);
+  for (const std::string& set : description.sets) command += " --set " + quoted(set);
+  if (!description.behaviour_options.empty()) {
+    command +=
+        " --behaviours " + quoted(fmt::format("{}", fmt::join(description.behaviour_options, ",")));
+  }
+  if (description.shard.count > 1) {
+    command += fmt::format(" --shard {}/{}", description.shard.index, description.shard.count);
+  }
+  if (!data.store_path.empty()) {
+    command += fmt::format(" --store again.gpkg --store-level {}", name(description.level));
+  }
+  return command;
+}
+
+std::string inputs(const ExperimentDescription& description) {
+  Table table;
+  table.column("file", Align::left);
+  table.column("bytes");
+  table.column("SHA-256", Align::left);
+  for (const StoredInput& input : description.inputs) {
+    table.row({fmt::format("<code>{}</code>", escaped(input.path)), grouped(input.text.size()),
+               fmt::format("<code>{}</code>", escaped(input.sha256))});
+  }
+  return table.html();
+}
+
+}  // namespace
+
+std::string section::reproduce(const ReportData& data) {
+  const ExperimentDescription& description = data.description;
+  std::string html = paragraph(fmt::format(
+      "Made by jaywalk {}. Each test derives from the seed, its number and the number of agents "
+      "alone, so the command gives the same results, byte for byte but for measured times, with "
+      "any "
+      "number of threads:",
+      escaped(description.version)));
+  html += fmt::format("<pre>{}</pre>\n", escaped(compare_command(data)));
+  if (!data.store_path.empty()) {
+    html += paragraph(
+        "The store has the texts of all files, so that any of its tests runs again from it alone:");
+    html += fmt::format("<pre>jaywalk replay {0} --test N\njaywalk report {0}</pre>\n",
+                        escaped(quoted(data.store_path)));
+  }
+  html += paragraph("The files that the tests were made from:");
+  return html + inputs(description);
+}
+
+}  // namespace jaywalk::reporting
