@@ -26,8 +26,8 @@ extern "C" const char* __ubsan_default_options() { return "abort_on_error=1:prin
 namespace jaywalk::test {
 namespace {
 
-/// CPU seconds that one case may take under sanitizers: a thousand cycles, in each of which a
-/// hundred goals' conditions run into a limit, take ninety.
+/// CPU seconds that one case may take under sanitizers: conditions of a hundred goals that run into
+/// a limit in every cycle take most of them.
 constexpr double kSlowSeconds = 150;
 
 /// Processor time of this process in seconds: other work on the machine does not count.
@@ -75,7 +75,7 @@ std::string program_of(std::uint64_t number, const std::vector<std::string>& cor
 void run(const std::string& program, std::uint64_t seed) {
   MasOptions options;
   options.seed = seed;
-  options.max_cycles = 500;
+  options.max_cycles = 200;
   options.max_inferences = 20'000;
   options.max_heap_bytes = 2U << 20U;
   (void)run_agents({{"agent", program}, {"other", program}}, options);
