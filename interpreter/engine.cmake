@@ -12,6 +12,7 @@ jaywalk_add_library(engine
     logic/action.cpp
     logic/arithmetic.cpp
     logic/belief_base.cpp
+    logic/belief_update.cpp
     logic/formula_compiler.cpp
     logic/machine.cpp
     logic/machine_calls.cpp
@@ -37,6 +38,7 @@ jaywalk_add_library(engine
     agent/intention.cpp
     agent/messages.cpp
     agent/options.cpp
+    agent/perception.cpp
     agent/plan_terms.cpp
     agent/services.cpp
     agent/step_guard.cpp
@@ -57,9 +59,9 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set_target_properties(jaywalk_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   set_source_files_properties(
     term/compare.cpp term/heap.cpp term/transfer.cpp
-    logic/action.cpp logic/belief_base.cpp logic/machine.cpp logic/machine_calls.cpp
+    logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/machine.cpp logic/machine_calls.cpp
     logic/row_index.cpp logic/unifier.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
-    agent/messages.cpp mas/residents.cpp mas/system.cpp
+    agent/messages.cpp agent/perception.cpp mas/percepts.cpp mas/residents.cpp mas/system.cpp
     PROPERTIES UNITY_GROUP core)
 endif()

@@ -74,36 +74,6 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
   }
 }
 
-void Agent::update_percepts(const Percepts& percepts) {
-  if (settings_.cycles_per_look > 1) {
-    unseen_ = percepts;
-  } else {
-    believe_percepts(percepts);
-  }
-}
-
-void Agent::perceive_now() {
-  if (!unseen_) return;
-  believe_percepts(*unseen_);
-  unseen_.reset();
-}
-
-void Agent::believe_percepts(const Percepts& percepts) {
-  beliefs_.begin_percepts();
-  work().percept_changes.clear();
-  std::vector<BeliefBase::PerceptChange> added;
-  for (std::size_t i = 0; i < percepts.size(); ++i) {
-    BeliefBase::PerceptChange change;
-    if (beliefs_.perceive(percepts.predicate(i), percepts.args(i), change)) added.push_back(change);
-  }
-  beliefs_.end_percepts(work().percept_changes);
-  work().percept_changes.insert(work().percept_changes.end(), added.begin(), added.end());
-  for (const BeliefBase::PerceptChange& change : work().percept_changes) {
-    add_event({change.added ? TriggerOperator::add : TriggerOperator::remove, TriggerKind::belief,
-               change.literal, nullptr});
-  }
-}
-
 const PendingAction* Agent::take_action() {
   if (circumstance_.actions.empty()) return nullptr;
   circumstance_.acting.push_back(circumstance_.actions.front());

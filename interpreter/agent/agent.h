@@ -59,8 +59,8 @@ class Agent final : public MachineSurroundings {
   /// what it is doing (clone.cpp).
   void copy_from(const Agent& original);
 
-  /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not.
-  /// With `nrcbp` it waits for the cycle that looks.
+  /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not
+  /// (perception.cpp). With `nrcbp` it waits for the cycle that looks.
   void update_percepts(const Percepts& percepts);
   /// Looks now at what the environment has shown, whatever `nrcbp` says (`.perceive`).
   void perceive_now();
@@ -233,6 +233,9 @@ class Agent final : public MachineSurroundings {
                     std::vector<Option>& options);
 
   void believe_percepts(const Percepts& percepts);
+  void believe_changes(const Percepts& percepts);
+  void believe_percept(const Percepts& percepts, std::size_t index);
+  void announce_percepts();
 
   // Changes of belief as they are without belief revision.
   bool believe(Value literal, Place place, Intention* focus);
@@ -358,6 +361,7 @@ class Agent final : public MachineSurroundings {
   ReasoningSettings settings_;
   std::uint32_t cycles_since_look_ = 0;
   std::optional<Percepts> unseen_;  // of the next cycle that looks
+  std::uint64_t seen_looks_ = 0;    // what Percepts::looks was in the last belief update
   std::size_t seen_mail_ = 0;       // messages of the mailbox that may be handled
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;

@@ -20,7 +20,10 @@ struct Workspace {
   Machine machine;
   std::vector<Value> frame;                      // of the plan being tried
   std::vector<std::pair<Value, Value>> renamed;  // variables of a call, with their copies
-  std::vector<BeliefBase::PerceptChange> percept_changes;
+  struct PerceptChanges {
+    std::vector<BeliefBase::PerceptChange> gone;
+    std::vector<BeliefBase::PerceptChange> news;
+  } percept_changes;
   std::vector<std::unique_ptr<Intention>> spare_intentions;
 };
 

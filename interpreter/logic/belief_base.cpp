@@ -248,6 +248,7 @@ void BeliefBase::add_rule(std::unique_ptr<RuleCode> rule, Place place) {
 }
 
 void BeliefBase::erase(Relation& rel, std::int64_t seq) {
+  no_percept_any_more(rel, rel.row(seq));
   rel.erase(seq);
   with_holes_.push_back(&rel);
 }
@@ -275,7 +276,7 @@ bool BeliefBase::remove_annotations(Relation& rel, std::int64_t seq, Value annot
   }
   const Value rest = heap_.list(kept);
   if (has_source(rest)) {
-    if (!has_percept_source(rest)) row.percept_generation = 0;
+    if (!has_percept_source(rest)) no_percept_any_more(rel, row);
     row.fact = with_annotations(heap_, row.fact, rest);
     heap_.protect();
     return exact && removed > 0;
@@ -307,50 +308,6 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
     }
   }
   return false;
-}
-
-bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
-  Relation& rel = relation(predicate);
-  if (const auto known = rel.find(args)) {
-    Row& row = rel.row(*known);
-    const bool perceived = row.percept_generation != 0;
-    row.percept_generation = generation_;
-    if (perceived) return false;
-    const Value annots =
-        union_of(heap_, literal_parts(row.fact).annots, source_percept(), symbols_);
-    row.fact = with_annotations(heap_, row.fact, annots);
-    change = {with_annotations(heap_, row.fact, source_percept()), true};
-  } else {
-    const Value literal = heap_.structure(predicate, args, source_percept());
-    rel.add_front({.fact = literal,
-                   .rule = nullptr,
-                   .key = args.empty() ? 0 : argument_key(args[0]),
-                   .percept_generation = generation_});
-    change = {literal, true};
-  }
-  if (!rel.has_percepts) {
-    rel.has_percepts = true;
-    perceived_.push_back(&rel);
-  }
-  return true;
-}
-
-void BeliefBase::end_percepts(std::vector<PerceptChange>& changes) {
-  std::erase_if(perceived_, [&](Relation* rel) {
-    rel->has_percepts = false;
-    for (std::int64_t seq = rel->first_seq(); seq < rel->end_seq(); ++seq) {
-      Row& row = rel->row(seq);
-      if (row.percept_generation == 0) continue;
-      if (row.percept_generation == generation_) {
-        rel->has_percepts = true;
-        continue;
-      }
-      row.percept_generation = 0;
-      changes.push_back({with_annotations(heap_, row.fact, source_percept()), false});
-      remove_annotations(*rel, seq, source_percept(), false);
-    }
-    return !rel->has_percepts;
-  });
 }
 
 void BeliefBase::set_namespace_property(NamespaceProperty property) {

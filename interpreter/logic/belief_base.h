@@ -122,8 +122,11 @@ class Relation {
   /// The fact with the same arguments, annotations ignored.
   [[nodiscard]] std::optional<std::int64_t> find(std::span<const Value> args);
   void compact();
-  /// Some row was perceived; kept by the belief base.
+  /// Kept by belief update (belief_update.cpp): how many rows are percepts; whether the relation is
+  /// among those that have some, and since when in the order of becoming so.
+  std::size_t percepts = 0;
   bool has_percepts = false;
+  std::uint64_t perceived_since = 0;
 
   void own_rule(std::unique_ptr<RuleCode> rule) { rules_owned_.push_back(std::move(rule)); }
   template <class Visit>
@@ -217,16 +220,24 @@ class BeliefBase {
     return relations_;
   }
 
-  /// Belief update: what was perceived and is not any more goes, what is new comes.
+  // Belief update (belief_update.cpp): what was perceived and is not any more goes, what is new
+  // comes.
   struct PerceptChange {
     Value literal;
     bool added = false;
   };
-  void begin_percepts() { ++generation_; }
+  void begin_percepts();
   /// True and `change` set if it is news.
   bool perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change);
   /// Removes the percepts not seen since begin_percepts.
   void end_percepts(std::vector<PerceptChange>& changes);
+
+  /// The percepts believed are those of the last update, each perceived once. Then it is enough to
+  /// perceive those that are new and to miss those that may have gone.
+  [[nodiscard]] bool knows_percepts() const { return knows_percepts_; }
+  void miss(Predicate predicate, std::span<const Value> args);
+  /// Removes what was missed and not perceived, in the order in which end_percepts does it.
+  void end_missed(std::vector<PerceptChange>& changes);
 
   /// Closes the holes. REQUIRES: no cursor is in use.
   void compact();
@@ -246,14 +257,20 @@ class BeliefBase {
  private:
   Relation& relation(Predicate predicate);
   bool remove_annotations(Relation& relation, std::int64_t seq, Value annots, bool exact);
+  void no_percept_any_more(Relation& relation, Row& row);
+  void remove_percept(Relation& relation, std::int64_t seq, std::vector<PerceptChange>& changes);
 
   Heap& heap_;
   SymbolTable& symbols_;
   std::vector<std::unique_ptr<Relation>> relations_;
   FlatIndex<std::uint32_t> by_predicate_;  // into relations_
   std::vector<Relation*> with_holes_;
-  std::vector<Relation*> perceived_;
+  std::vector<Relation*> perceived_;  // in the order of perceived_since
+  std::uint64_t last_perceived_ = 0;
   std::uint32_t generation_ = 0;
+  bool knows_percepts_ = true;
+  std::vector<std::pair<Relation*, std::int64_t>> missed_;
+  std::size_t seen_again_ = 0;  // in this update, what had been perceived before
   std::vector<NamespaceProperty> namespace_properties_;
 };
 

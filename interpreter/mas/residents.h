@@ -17,12 +17,15 @@
 namespace jaywalk {
 
 struct Resident {
+  [[nodiscard]] bool has_body() const { return percepts != nullptr; }
+
   std::unique_ptr<Agent> agent;  // null once it has left
   /// Kept as long as the run, since terms that were sent refer to its constants.
   std::shared_ptr<const Program> program;
   Predicate name{};  // its name as an atom
   std::uint32_t number = 0;
-  bool has_body = false;   // the environment knows it
+  /// What it perceives of the environment, which knows it; null: it has no body there.
+  std::unique_ptr<Percepts> percepts;
   bool is_listed = false;  // as awake, or to be from the next round on
   bool is_asleep = false;  // it has been told so (jag_sleeping)
   bool has_mail = false;

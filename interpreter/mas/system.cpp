@@ -76,7 +76,7 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
 
 AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
   Resident& resident = settle(spec.name, spec.program);
-  resident.has_body = environment_ != nullptr;
+  if (environment_ != nullptr) resident.percepts = std::make_unique<Percepts>();
   go_on_after_idleness();
   resident.agent->set_settings(spec.settings);
   start(*resident.agent, spec);
@@ -184,7 +184,7 @@ void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t to
   timers_.add({.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token});
 }
 
-bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_body; }
+bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_body(); }
 
 void Mas::Implementation::print(Agent& agent, std::string_view text) {
   if (options_.print) options_.print(fmt::format("[{}] {}", agent.name(), text));
@@ -402,12 +402,13 @@ void Mas::Implementation::tick() {
 void Mas::Implementation::perceive() {
   perceiving_s_ = 0;
   for (Resident& resident : residents_.all()) {
-    if (!resident.has_body || resident.is_leaving) continue;
+    if (!resident.has_body() || resident.is_leaving) continue;
     const double start = options_.measure_cpu ? thread_cpu_s() : 0;
-    percepts_.clear();
-    environment_->perceive(AgentId{resident.number}, percepts_);
+    resident.percepts->begin_look();
+    environment_->perceive(AgentId{resident.number}, *resident.percepts);
+    resident.percepts->end_look();
     if (options_.measure_cpu) perceiving_s_ += thread_cpu_s() - start;
-    resident.agent->update_percepts(percepts_);
+    resident.agent->update_percepts(*resident.percepts);
     resident.agent->rest();
     if (resident.agent->is_active()) wake(resident);
   }
@@ -417,7 +418,7 @@ void Mas::Implementation::execute_actions() {
   requests_.clear();
   actors_.clear();
   for (Resident& resident : residents_.all()) {
-    if (!resident.has_body || resident.is_leaving) continue;
+    if (!resident.has_body() || resident.is_leaving) continue;
     const PendingAction* const action = resident.agent->take_action();
     if (action == nullptr) continue;
     const Value literal = action->literal;

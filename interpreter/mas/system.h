@@ -108,7 +108,6 @@ class Mas::Implementation : public AgentHost, public Society {
   RunOutcome outcome_;
   double cpu_s_ = 0;
   double perceiving_s_ = 0;
-  Percepts percepts_;
   std::vector<ActionRequest> requests_;
   std::vector<ActionResult> results_;
   std::vector<Agent*> actors_;

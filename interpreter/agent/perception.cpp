@@ -1,0 +1,64 @@
+// What the agent does with what the environment shows it: belief update (logic/belief_update.cpp)
+// and its events, first of what has gone, then of what is new.
+
+#include "interpreter/agent/agent.h"
+
+namespace jaywalk {
+
+void Agent::update_percepts(const Percepts& percepts) {
+  const bool by_changes = percepts.looks() == seen_looks_ + 1 && beliefs_.knows_percepts();
+  seen_looks_ = percepts.looks();
+  if (settings_.cycles_per_look > 1) {
+    unseen_ = percepts;
+    return;
+  }
+  if (by_changes) {
+    believe_changes(percepts);
+  } else {
+    believe_percepts(percepts);
+  }
+}
+
+void Agent::perceive_now() {
+  if (!unseen_) return;
+  believe_percepts(*unseen_);
+  unseen_.reset();
+}
+
+void Agent::believe_percepts(const Percepts& percepts) {
+  beliefs_.begin_percepts();
+  for (std::size_t i = 0; i < percepts.size(); ++i) believe_percept(percepts, i);
+  beliefs_.end_percepts(work().percept_changes.gone);
+  announce_percepts();
+}
+
+void Agent::believe_changes(const Percepts& percepts) {
+  if (percepts.news().empty() && percepts.gone_size() == 0) return;
+  beliefs_.begin_percepts();
+  for (const std::uint32_t index : percepts.news()) believe_percept(percepts, index);
+  for (std::size_t i = 0; i < percepts.gone_size(); ++i) {
+    beliefs_.miss(percepts.gone_predicate(i), percepts.gone_args(i));
+  }
+  beliefs_.end_missed(work().percept_changes.gone);
+  announce_percepts();
+}
+
+void Agent::believe_percept(const Percepts& percepts, std::size_t index) {
+  BeliefBase::PerceptChange change;
+  if (beliefs_.perceive(percepts.predicate(index), percepts.args(index), change)) {
+    work().percept_changes.news.push_back(change);
+  }
+}
+
+void Agent::announce_percepts() {
+  auto& [gone, news] = work().percept_changes;
+  for (auto* const changes : {&gone, &news}) {
+    for (const BeliefBase::PerceptChange& change : *changes) {
+      add_event({change.added ? TriggerOperator::add : TriggerOperator::remove, TriggerKind::belief,
+                 change.literal, nullptr});
+    }
+    changes->clear();
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,102 @@
+#pragma once
+
+// What one agent perceives, look by look. An environment tells all of it in every look, but most of
+// it is as it was. So what is told is compared, literal by literal and in order, with what was told
+// in the last look, two words for each argument:
+//
+//   last look:   tick(1)  at(2,5)  av(3)  grid(10,60)
+//   this look:   tick(2)  at(2,6)  av(3)  grid(10,60)       news: 0, 1    gone: tick(1), at(2,5)
+//
+// Where a predicate is another than in the last look, what is left of that is gone and what comes
+// is news, less the end that both have in common. So an environment does best to tell things in the
+// same order every time, those that come and go last.
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include "interpreter/term/value.h"
+
+namespace jaywalk {
+
+/// What one agent perceives in one look: ground literals without annotations, whose arguments are
+/// numbers and atoms. Written by the environment, read by belief update.
+class Percepts {
+ public:
+  /// REQUIRES: as many arguments as the predicate has.
+  void add(Predicate predicate, std::initializer_list<Value> args) {
+    add(predicate, std::span<const Value>(args.begin(), args.size()));
+  }
+  void add(Predicate predicate, std::span<const Value> args) {
+    if (next_ < told_before_ && entries_[next_].predicate == predicate) {
+      const Value* const known = args_.data() + next_arg_;
+      for (std::size_t i = 0; i < args.size(); ++i) {
+        if (known[i].same_as(args[i])) continue;
+        change(args);
+        break;
+      }
+      ++next_;
+      next_arg_ += args.size();
+      return;
+    }
+    add_behind(predicate, args);
+  }
+  /// Forgets everything, the last look too.
+  void clear() { *this = Percepts(); }
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] Predicate predicate(std::size_t index) const { return entries_[index].predicate; }
+  [[nodiscard]] std::span<const Value> args(std::size_t index) const {
+    return args(entries_, args_, index);
+  }
+
+  // Looks. Between begin_look and end_look the environment tells everything.
+  void begin_look();
+  void end_look();
+  /// How many looks there have been.
+  [[nodiscard]] std::uint64_t looks() const { return looks_; }
+  /// What was not told in the last look, in order, as indices; a literal may be among them that has
+  /// only changed its place.
+  [[nodiscard]] std::span<const std::uint32_t> news() const { return news_; }
+  /// What was told in the last look and in its place is not any more.
+  [[nodiscard]] std::size_t gone_size() const { return gone_.size(); }
+  [[nodiscard]] Predicate gone_predicate(std::size_t index) const { return gone_[index].predicate; }
+  [[nodiscard]] std::span<const Value> gone_args(std::size_t index) const {
+    return args(gone_, gone_args_, index);
+  }
+
+ private:
+  struct Entry {
+    Predicate predicate{};
+    std::uint32_t end = 0;  // of its arguments
+  };
+  static std::span<const Value> args(const std::vector<Entry>& entries,
+                                     const std::vector<Value>& args, std::size_t index) {
+    const std::size_t begin = index == 0 ? 0 : entries[index - 1].end;
+    return std::span(args).subspan(begin, entries[index].end - begin);
+  }
+
+  void change(std::span<const Value> args);
+  void add_behind(Predicate predicate, std::span<const Value> args);
+  void drop_rest();
+  void keep_common_end();
+  void add_gone(Predicate predicate, std::span<const Value> args);
+
+  std::vector<Entry> entries_;
+  std::vector<Value> args_;
+  std::vector<std::uint32_t> news_;
+  std::vector<Entry> gone_;
+  std::vector<Value> gone_args_;
+  std::uint64_t looks_ = 0;
+  // Within a look: the first entries are of the last one, and those before the next have been told.
+  std::size_t told_before_ = 0;
+  std::size_t next_ = 0;
+  std::size_t next_arg_ = 0;
+  // News and gone ones before the rest was dropped.
+  std::size_t news_before_ = 0;
+  std::size_t gone_before_ = 0;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,205 @@
+// What an agent perceives, look by look: what Percepts say of the last one, and that beliefs are
+// the same whether they are brought up to date by all percepts or by what has changed.
+
+#include "interpreter/mas/percepts.h"
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "interpreter/term/print.h"
+#include "tests/helpers/terms.h"
+#include "tests/unit/mas/system.h"
+
+namespace jaywalk {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A list of percepts: predicate number and argument; the predicates are p/1, q/1, ...
+using Sights = std::vector<std::pair<int, int>>;
+
+class Looks : public testing::Test {
+ protected:
+  void look(const Sights& sights) {
+    percepts.begin_look();
+    for (const auto& [name, arg] : sights) percepts.add(predicate(name), {Value::number(arg)});
+    percepts.end_look();
+  }
+  Predicate predicate(int number) {
+    return symbols.predicate(std::string(1, static_cast<char>('p' + number)), 1);
+  }
+
+  std::vector<std::string> news() {
+    std::vector<std::string> all;
+    for (const std::uint32_t i : percepts.news()) {
+      all.push_back(text(percepts.predicate(i), percepts.args(i)));
+    }
+    return all;
+  }
+  std::vector<std::string> gone() {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < percepts.gone_size(); ++i) {
+      all.push_back(text(percepts.gone_predicate(i), percepts.gone_args(i)));
+    }
+    return all;
+  }
+  std::string text(Predicate name, std::span<const Value> args) {
+    return fmt::format("{}({})", symbols.functor(name), args[0].as_number());
+  }
+
+  SymbolTable symbols;
+  Percepts percepts;
+};
+
+TEST_F(Looks, AreAllNewsTheFirstTime) {
+  look({{0, 1}, {1, 2}});
+  EXPECT_THAT(news(), ElementsAre("p(1)", "q(2)"));
+  EXPECT_THAT(gone(), IsEmpty());
+}
+
+TEST_F(Looks, SayNothingOfWhatIsAsItWas) {
+  look({{0, 1}, {1, 2}});
+  look({{0, 1}, {1, 2}});
+  EXPECT_THAT(news(), IsEmpty());
+  EXPECT_THAT(gone(), IsEmpty());
+  EXPECT_EQ(percepts.size(), 2U);
+}
+
+TEST_F(Looks, SayWhichArgumentsHaveChanged) {
+  look({{0, 1}, {1, 2}, {0, 5}});
+  look({{0, 1}, {1, 3}, {0, 5}});
+  EXPECT_THAT(news(), ElementsAre("q(3)"));
+  EXPECT_THAT(gone(), ElementsAre("q(2)"));
+}
+
+TEST_F(Looks, KeepTheEndBehindWhatComesAndGoes) {
+  look({{0, 1}, {2, 7}, {2, 8}});
+  look({{0, 2}, {1, 3}, {2, 7}, {2, 8}});
+  EXPECT_THAT(news(), ElementsAre("p(2)", "q(3)"));
+  EXPECT_THAT(gone(), ElementsAre("p(1)"));
+  look({{0, 2}, {2, 7}, {2, 8}});
+  EXPECT_THAT(news(), IsEmpty());
+  EXPECT_THAT(gone(), ElementsAre("q(3)"));
+  look({});
+  EXPECT_EQ(percepts.size(), 0U);
+  EXPECT_THAT(gone(), ElementsAre("p(2)", "r(7)", "r(8)"));
+}
+
+/// Beliefs that are brought up to date in one of the two ways.
+class Beliefs {
+ public:
+  explicit Beliefs(bool by_changes) : by_changes_(by_changes) {}
+
+  /// The changes, removals first.
+  std::vector<std::string> update(const std::vector<std::string>& literals) {
+    percepts_.begin_look();
+    for (const std::string& literal : literals) {
+      const LiteralParts parts = literal_parts(terms.term(literal));
+      percepts_.add(parts.predicate, parts.args);
+    }
+    percepts_.end_look();
+    std::vector<std::string> news;
+    std::vector<BeliefBase::PerceptChange> gone;
+    const bool known = terms.beliefs.knows_percepts();
+    terms.beliefs.begin_percepts();
+    const auto perceive = [&](std::size_t i) {
+      BeliefBase::PerceptChange change;
+      if (terms.beliefs.perceive(percepts_.predicate(i), percepts_.args(i), change)) {
+        news.push_back("+" + term_text(change.literal, terms.symbols));
+      }
+    };
+    if (by_changes_ && known) {
+      ++by_changes;
+      for (const std::uint32_t i : percepts_.news()) perceive(i);
+      for (std::size_t i = 0; i < percepts_.gone_size(); ++i) {
+        terms.beliefs.miss(percepts_.gone_predicate(i), percepts_.gone_args(i));
+      }
+      terms.beliefs.end_missed(gone);
+    } else {
+      for (std::size_t i = 0; i < percepts_.size(); ++i) perceive(i);
+      terms.beliefs.end_percepts(gone);
+    }
+    std::vector<std::string> changes;
+    for (const auto& change : gone) {
+      changes.push_back("-" + term_text(change.literal, terms.symbols));
+    }
+    changes.insert(changes.end(), news.begin(), news.end());
+    terms.beliefs.compact();
+    return changes;
+  }
+  void add(const std::string& literal) { (void)terms.beliefs.add(terms.term(literal)); }
+  void remove(const std::string& literal) {
+    (void)terms.beliefs.remove(terms.term(literal), terms.unifier());
+    terms.beliefs.compact();
+  }
+  std::vector<std::string> all() {
+    std::vector<std::string> texts;
+    for (const auto& relation : terms.beliefs.relations()) {
+      for (std::int64_t seq = relation->first_seq(); seq < relation->end_seq(); ++seq) {
+        const Row& row = relation->row(seq);
+        if (!row.is_hole()) texts.push_back(term_text(row.fact, terms.symbols));
+      }
+    }
+    return texts;
+  }
+
+  int by_changes = 0;
+
+ private:
+  test::Terms terms;
+  Percepts percepts_;
+  bool by_changes_;
+};
+
+// Lists that change a little or a lot, with literals that are told twice, and an agent that deletes
+// percepts and believes some of them by itself.
+TEST(BeliefUpdate, IsTheSameByChangesAsByAllPercepts) {
+  std::mt19937 random(7);
+  const auto below = [&](int bound) {
+    return static_cast<int>(random() % static_cast<unsigned>(bound));
+  };
+  const auto literal = [&] {
+    return fmt::format("{}({},{})", "pqr"[below(3)], below(4), below(3));
+  };
+  int by_changes = 0;
+  for (int run = 0; run < 300; ++run) {
+    Beliefs fast(true);
+    Beliefs slow(false);
+    std::vector<std::string> sights;
+    for (int tick = 0; tick < 30; ++tick) {
+      for (int change = below(4); change > 0; --change) {
+        const auto place = static_cast<std::size_t>(below(static_cast<int>(sights.size()) + 1));
+        switch (below(3)) {
+          case 0:
+            sights.insert(sights.begin() + static_cast<std::ptrdiff_t>(place), literal());
+            break;
+          case 1:
+            if (place < sights.size())
+              sights.erase(sights.begin() + static_cast<std::ptrdiff_t>(place));
+            break;
+          default:
+            if (place < sights.size()) sights[place] = literal();
+        }
+      }
+      ASSERT_EQ(fast.update(sights), slow.update(sights)) << "run " << run << ", tick " << tick;
+      if (below(8) == 0) {
+        const std::string own =
+            literal() + (below(2) == 0 ? "[source(self)]" : "[source(percept)]");
+        const bool adds = below(2) == 0;
+        for (Beliefs* const each : {&fast, &slow}) adds ? each->add(own) : each->remove(own);
+      }
+      ASSERT_EQ(fast.all(), slow.all()) << "run " << run << ", tick " << tick;
+    }
+    by_changes += fast.by_changes;
+  }
+  EXPECT_GT(by_changes, 2000);  // of 9000 updates
+}
+
+}  // namespace
+}  // namespace jaywalk
