@@ -44,8 +44,11 @@ jaywalk_add_library(engine
     agent/step_guard.cpp
     agent/waiting.cpp
     embed/interpreter.cpp
+    mas/lanes.cpp
     mas/mas.cpp
+    mas/parallel.cpp
     mas/percepts.cpp
+    mas/reach.cpp
     mas/residents.cpp
     mas/system.cpp
     term/transfer.cpp

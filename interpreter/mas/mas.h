@@ -88,6 +88,11 @@ struct MasOptions {
   std::function<void(std::string_view text)> write;
   /// Warnings and errors of the run (an intention that failed, an unknown action).
   std::function<void(std::string_view line)> log;
+  /// Threads on which agents reason beside each other; what comes of a run does not depend on it.
+  /// An observer, and functions of `customisation`, are called on the thread that runs the system.
+  std::size_t threads = 1;
+  /// With fewer active agents in a round they reason one after another.
+  std::size_t fewest_beside = 64;
   /// Measures the CPU time that agents spend reasoning (metric M5); off, no clock is read.
   bool measure_cpu = false;
   /// Looks at all agents as they reason (agent/observer.h); must outlive the system. Null: nobody.

@@ -52,6 +52,24 @@ void Residents::wake(Resident& resident) {
   woken_.push_back(resident.number);
 }
 
+std::span<const std::uint32_t> Residents::begin_round() {
+  if (!woken_.empty()) list_woken();
+  return active_;
+}
+
+void Residents::end_round() {
+  std::size_t kept = 0;
+  for (const std::uint32_t number : active_) {
+    Resident& resident = all_[number];
+    if (!resident.is_leaving && resident.agent->is_active()) {
+      active_[kept++] = number;
+    } else {
+      resident.is_listed = false;
+    }
+  }
+  active_.resize(kept);
+}
+
 void Residents::list_woken() {
   std::sort(woken_.begin(), woken_.end());
   const auto middle = static_cast<std::ptrdiff_t>(active_.size());

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -29,8 +30,10 @@ struct Resident {
   bool is_listed = false;  // as awake, or to be from the next round on
   bool is_asleep = false;  // it has been told so (jag_sleeping)
   bool has_mail = false;
-  bool is_leaving = false;   // reasons no more
-  std::uint64_t period = 0;  // for which cycles_before holds
+  bool is_leaving = false;        // reasons no more
+  bool is_near = false;           // can reason beside others (reach.h), as judged when
+  std::size_t reach_version = 0;  // there were so many programs
+  std::uint64_t period = 0;       // for which cycles_before holds
   std::uint64_t cycles_before = 0;
 };
 
@@ -66,22 +69,11 @@ class Residents {
   }
   [[nodiscard]] bool has_woken() const { return !woken_.empty(); }
   [[nodiscard]] bool has_leaving() const { return !leaving_.empty(); }
-  /// One round: `work` for each agent that has something to do, in the order of numbers.
-  template <class Work>
-  void for_each_active(Work work) {
-    if (!woken_.empty()) list_woken();
-    std::size_t kept = 0;
-    for (const std::uint32_t number : active_) {
-      Resident& resident = all_[number];
-      if (!resident.is_leaving && resident.agent->is_active()) work(resident);
-      if (!resident.is_leaving && resident.agent->is_active()) {
-        active_[kept++] = number;
-      } else {
-        resident.is_listed = false;
-      }
-    }
-    active_.resize(kept);
-  }
+  /// One round: those who may have something to do, in the order of numbers. Whoever is woken until
+  /// its end takes part in the next one.
+  [[nodiscard]] std::span<const std::uint32_t> begin_round();
+  /// Those who have nothing left to do take part no more.
+  void end_round();
 
  private:
   void list_woken();

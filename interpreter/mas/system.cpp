@@ -37,10 +37,16 @@ Mas::Implementation::Implementation(std::shared_ptr<const SymbolTable> symbols, 
     : symbols_(std::move(symbols)),
       options_(std::move(options)),
       environment_(environment),
-      services_([this](const std::string& subscriber, const std::string& provider,
-                       const std::string& service) {
-        tell_of_provider(subscriber, provider, service);
-      }) {}
+      services_(
+          [this](const std::string& subscriber, const std::string& provider,
+                 const std::string& service) { tell_of_provider(subscriber, provider, service); }) {
+  if (options_.threads < 2 || options_.observer != nullptr) return;
+  symbols_.allow_threads();
+  lanes_ = std::make_unique<Lanes>(options_.threads);
+  for (std::size_t lane = 0; lane < options_.threads; ++lane) {
+    workspaces_of_lanes_.push_back(std::make_unique<WorkspacePool>(symbols_));
+  }
+}
 
 // Agents come and go.
 
@@ -50,6 +56,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
   auto agent =
       std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
                               AgentLimits{options_.max_heap_bytes, options_.max_inferences});
+  if (lanes_ != nullptr) reaches_.add(*program, symbols_);
   Resident& resident = residents_.add(std::move(agent), std::move(program));
   resident.name = symbols_.predicate(resident.agent->name(), 0);
   residents_.wake(resident);
@@ -93,6 +100,7 @@ std::shared_ptr<const Program> Mas::Implementation::load(const ProgramRequest& r
   }
   auto program = options_.load_program(request, symbols_, error);
   if (program != nullptr) loaded_.insert(program);
+  if (program != nullptr && lanes_ != nullptr) reaches_.add(*program, symbols_);
   return program;
 }
 
@@ -143,6 +151,10 @@ void Mas::Implementation::leave(Resident& resident) {
 }
 
 void Mas::Implementation::stop(double deadline_ms, int exit_code) {
+  if (beside_ != nullptr) {
+    if (!beside_->outbox.end) beside_->outbox.end = {RunEnd::stopped, {}, exit_code};
+    return;
+  }
   outcome_.exit_code = exit_code;
   if (deadline_ms <= 0) {
     end(RunEnd::stopped);
@@ -157,7 +169,11 @@ void Mas::Implementation::stop(double deadline_ms, int exit_code) {
 }
 
 void Mas::Implementation::end(RunEnd how, std::string message) {
-  if (ended_) return;
+  if (has_ended()) return;
+  if (beside_ != nullptr) {
+    beside_->outbox.end = {how, std::move(message), outcome_.exit_code};
+    return;
+  }
   ended_ = true;
   outcome_.end = how;
   outcome_.message = std::move(message);
@@ -181,21 +197,38 @@ bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& 
 // What agents ask for.
 
 void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t token) {
-  timers_.add({.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token});
+  const Timer timer{.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token};
+  if (beside_ != nullptr) {
+    beside_->outbox.add(timer);
+  } else {
+    timers_.add(timer);
+  }
 }
 
 bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_body(); }
 
 void Mas::Implementation::print(Agent& agent, std::string_view text) {
-  if (options_.print) options_.print(fmt::format("[{}] {}", agent.name(), text));
+  if (options_.print) put_out(Outbox::Kind::print, fmt::format("[{}] {}", agent.name(), text));
 }
 
 void Mas::Implementation::write(std::string_view text) {
-  if (options_.write) options_.write(text);
+  if (options_.write) put_out(Outbox::Kind::write, std::string(text));
 }
 
 void Mas::Implementation::log(Agent& agent, std::string_view text) {
-  if (options_.log) options_.log(fmt::format("[{}] {}", agent.name(), text));
+  if (options_.log) put_out(Outbox::Kind::log, fmt::format("[{}] {}", agent.name(), text));
+}
+
+void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text) {
+  if (beside_ != nullptr) {
+    beside_->outbox.add_text(kind, text);
+  } else if (kind == Outbox::Kind::print) {
+    options_.print(text);
+  } else if (kind == Outbox::Kind::write) {
+    options_.write(text);
+  } else {
+    options_.log(text);
+  }
 }
 
 std::vector<std::string> Mas::Implementation::names() const {
@@ -217,10 +250,21 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   copy.sender = to_itself ? "self" : sender.name();
   copy.sender_atom = to_itself ? predicates::self : residents_.of(sender).name;
   copy.performative = message.performative;
-  copy.content = transfer(message.content, receiver->agent->heap());
   copy.id = message.id;
   copy.in_reply_to = message.in_reply_to;
-  post(*receiver, std::move(copy));
+  // Variables and collections are numbered by the heap that they come into, and people see the
+  // numbers. So they come into the receiver's when they are delivered, after its own of this round.
+  const bool is_plain = message.content.is_closed() && !sender.heap().has_objects();
+  if (beside_ != nullptr) {
+    Outbox& outbox = beside_->outbox;
+    copy.content = transfer(message.content, outbox.heap);
+    outbox.add(Outbox::Letter{receiver->number, std::move(copy), is_plain});
+  } else if (is_plain) {
+    copy.content = transfer(message.content, receiver->agent->heap());
+    post(*receiver, std::move(copy));
+  } else {
+    post_later(*receiver, std::move(copy), message.content);
+  }
   return true;
 }
 
@@ -246,8 +290,36 @@ void Mas::Implementation::post(Resident& receiver, Message message) {
   receivers_.push_back(receiver.number);
 }
 
+void Mas::Implementation::post_later(Resident& receiver, Message message, Value content) {
+  if (!mail_) mail_.emplace();
+  contents_.push_back(
+      {receiver.number, receiver.agent->circumstance().arriving.size(), transfer(content, *mail_)});
+  message.content = Value();
+  post(receiver, std::move(message));
+}
+
+// A content that is too large for its receiver is lost: `false` arrives.
+Value Mas::Implementation::hand_over(Value content, Agent& receiver) {
+  Value copy = Value::atom(predicates::falsity);
+  ActionError error;
+  const bool arrived = guarded(error, [&] {
+    copy = transfer(content, receiver.heap());
+    return true;
+  });
+  if (!arrived) receiver.log("a message was too large: " + error.message);
+  return copy;
+}
+
 bool Mas::Implementation::deliver_messages() {
   if (receivers_.empty()) return false;
+  for (const Content& each : contents_) {
+    Resident& receiver = residents_[each.receiver];
+    if (receiver.is_leaving) continue;
+    receiver.agent->circumstance().arriving[each.message].content =
+        hand_over(each.content, *receiver.agent);
+  }
+  contents_.clear();
+  mail_.reset();
   for (const std::uint32_t number : receivers_) {
     Resident& receiver = residents_[number];
     receiver.has_mail = false;
@@ -338,7 +410,7 @@ void Mas::Implementation::reason(Resident& resident) {
     resident.cycles_before = agent.cycles();
   }
   agent.cycle();
-  ++outcome_.cycles;
+  ++(beside_ != nullptr ? beside_->outbox.cycles : outcome_.cycles);
   if (agent.cycles() - resident.cycles_before > options_.max_cycles_per_tick) {
     end(RunEnd::looping, busy_message(agent, options_.max_cycles_per_tick));
   } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
@@ -368,9 +440,7 @@ void Mas::Implementation::reason_until_quiet() {
           fmt::format("agents exchanged messages for {} rounds in one tick", options_.max_rounds));
       return;
     }
-    residents_.for_each_active([this](Resident& resident) {
-      while (!ended_ && !resident.is_leaving && resident.agent->is_active()) reason(resident);
-    });
+    (void)round(Turn::until_idle);
     if (ended_) return;
   } while (deliver_messages());
 }
@@ -461,12 +531,7 @@ void Mas::Implementation::free_step() {
     now_ms_ = std::max(now_ms_, wall_ms());
     fire_timers();
   }
-  bool any = false;
-  residents_.for_each_active([&](Resident& resident) {
-    if (ended_) return;
-    any = true;
-    reason(resident);
-  });
+  const bool any = round(Turn::one_cycle);
   if (ended_) return;
   if (!deliver_messages() && !any) {
     pass_idle_time();

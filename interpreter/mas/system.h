@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -13,7 +15,10 @@
 
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/services.h"
+#include "interpreter/mas/lanes.h"
 #include "interpreter/mas/mas.h"
+#include "interpreter/mas/outbox.h"
+#include "interpreter/mas/reach.h"
 #include "interpreter/mas/residents.h"
 #include "interpreter/mas/timers.h"
 
@@ -44,7 +49,9 @@ class Mas::Implementation : public AgentHost, public Society {
   void write(std::string_view text) override;
   void log(Agent& agent, std::string_view text) override;
   [[nodiscard]] Society& society() override { return *this; }
-  [[nodiscard]] WorkspacePool& workspaces() override { return workspaces_; }
+  [[nodiscard]] WorkspacePool& workspaces() override {
+    return beside_ != nullptr ? beside_->workspaces : workspaces_;
+  }
   [[nodiscard]] ReasoningObserver* observer() override { return options_.observer; }
 
   // Society
@@ -76,14 +83,36 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason_until_quiet();
   void execute_actions();
   void reason(Resident& resident);
+  [[nodiscard]] bool has_ended() const {
+    return beside_ ? beside_->outbox.end.has_value() : ended_;
+  }
   void fire_timers();
   void pass_idle_time();
   void drop_stale_timers();
 
+  // Rounds, perhaps on several threads (parallel.cpp).
+  enum class Turn : std::uint8_t { one_cycle, until_idle };
+  /// Every active agent takes a turn. False: there was none.
+  bool round(Turn turn);
+  bool take_turn(Resident& resident, Turn turn);
+  std::uint64_t take_turns_beside(std::span<const std::uint32_t> numbers, Turn turn);
+  [[nodiscard]] bool can_reason_beside(Resident& resident);
+  void empty(Outbox& outbox);
+  /// Where this thread's agents reason and what they ask for goes, beside others; null: it is done
+  /// at once.
+  struct Beside {
+    WorkspacePool& workspaces;
+    Outbox& outbox;
+  };
+  static thread_local Beside* beside_;
+
+  void put_out(Outbox::Kind kind, const std::string& text);
   void wake(Resident& resident);
   void put_to_sleep(Resident& resident);
   void announce(Agent& agent, Predicate predicate, std::span<const Value> args);
   void post(Resident& receiver, Message message);
+  void post_later(Resident& receiver, Message message, Value content);
+  [[nodiscard]] static Value hand_over(Value content, Agent& receiver);
   bool deliver_messages();
   void tell_of_provider(const std::string& subscriber, const std::string& provider,
                         const std::string& service);
@@ -95,7 +124,9 @@ class Mas::Implementation : public AgentHost, public Society {
   std::unordered_set<std::shared_ptr<const Program>> loaded_;
   MasOptions options_;
   Environment* environment_;
-  WorkspacePool workspaces_{symbols_};  // outlives the agents
+  WorkspacePool workspaces_{symbols_};  // outlives the agents, as do the next
+  std::vector<std::unique_ptr<WorkspacePool>> workspaces_of_lanes_;
+  Reaches reaches_;
   Residents residents_;
   Timers timers_;
   ServiceDirectory services_;
@@ -104,6 +135,15 @@ class Mas::Implementation : public AgentHost, public Society {
   std::uint64_t period_ = 1;      // counts the ticks, or the times when all agents were idle
   std::uint64_t busy_steps_ = 0;  // since time passed
   std::vector<std::uint32_t> receivers_;  // of messages that are to be delivered
+  /// Contents that get to their receivers' heaps only when they are delivered; they are in `mail_`.
+  struct Content {
+    std::uint32_t receiver = 0;
+    std::size_t message = 0;  // among those that arrive
+    Value content;
+  };
+  std::vector<Content> contents_;
+  std::optional<Heap> mail_;
+  std::unique_ptr<Lanes> lanes_;  // null: one thread
   bool ended_ = false;
   RunOutcome outcome_;
   double cpu_s_ = 0;

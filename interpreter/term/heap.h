@@ -155,6 +155,9 @@ class Heap {
   /// Nothing allocated until now is released any more, whatever the mark.
   void protect() { floor_ = mark(); }
 
+  /// Some collection (a map, a queue, ...) has been made here and is not known to be gone.
+  [[nodiscard]] bool has_objects() const { return !objects_.empty(); }
+
   [[nodiscard]] std::size_t bytes() const { return full_bytes_ + used_in_current(); }
   void set_limit(std::size_t bytes) { limit_bytes_ = bytes; }
   [[nodiscard]] std::size_t limit() const { return limit_bytes_; }

@@ -48,23 +48,27 @@ SymbolTable::SymbolTable(std::shared_ptr<const SymbolTable> base)
       first_predicate_(static_cast<std::uint32_t>(base_->predicate_count())) {}
 
 const Symbol* SymbolTable::find(std::string_view text) const {
-  for (const SymbolTable* table = this; table != nullptr; table = table->base_.get()) {
-    const auto found = table->symbols_.find(text);
-    if (found != table->symbols_.end()) return &found->second;
+  if (base_ != nullptr) {
+    if (const Symbol* const known = base_->find(text)) return known;
   }
-  return nullptr;
+  const auto guard = lock<ReadingLock>();
+  const auto found = symbols_.find(text);
+  return found == symbols_.end() ? nullptr : &found->second;
 }
 
 const Predicate* SymbolTable::find(const Signature& signature) const {
-  for (const SymbolTable* table = this; table != nullptr; table = table->base_.get()) {
-    const auto found = table->predicates_.find(signature);
-    if (found != table->predicates_.end()) return &found->second;
+  if (base_ != nullptr) {
+    if (const Predicate* const known = base_->find(signature)) return known;
   }
-  return nullptr;
+  const auto guard = lock<ReadingLock>();
+  const auto found = predicates_.find(signature);
+  return found == predicates_.end() ? nullptr : &found->second;
 }
 
 Symbol SymbolTable::symbol(std::string_view text) {
   if (const Symbol* known = find(text)) return *known;
+  const auto guard = lock<WritingLock>();
+  if (const auto found = symbols_.find(text); found != symbols_.end()) return found->second;
   const Symbol id{static_cast<std::uint32_t>(symbol_count())};
   symbols_.emplace(texts_.emplace_back(text), id);
   return id;
@@ -74,6 +78,10 @@ Predicate SymbolTable::predicate(const Signature& signature) {
   Signature complete = signature;
   complete.dotted = is_dotted(text(signature.functor));
   if (const Predicate* known = find(complete)) return *known;
+  const auto guard = lock<WritingLock>();
+  if (const auto found = predicates_.find(complete); found != predicates_.end()) {
+    return found->second;
+  }
   const Predicate id{static_cast<std::uint32_t>(predicate_count()) |
                      (signature.ns == names::default_ns ? 0 : kForeignBit) |
                      (signature.negated ? kNegatedBit : 0)};
@@ -90,6 +98,7 @@ Predicate SymbolTable::predicate(std::string_view functor, std::uint16_t arity) 
 std::string_view SymbolTable::text(Symbol symbol) const {
   const SymbolTable* table = this;
   while (static_cast<std::uint32_t>(symbol) < table->first_symbol_) table = table->base_.get();
+  const auto guard = table->lock<ReadingLock>();
   return table->texts_[static_cast<std::uint32_t>(symbol) - table->first_symbol_];
 }
 
@@ -97,6 +106,7 @@ const Signature& SymbolTable::signature(Predicate predicate) const {
   const std::uint32_t index = static_cast<std::uint32_t>(predicate) & ~(kForeignBit | kNegatedBit);
   const SymbolTable* table = this;
   while (index < table->first_predicate_) table = table->base_.get();
+  const auto guard = table->lock<ReadingLock>();
   return table->signatures_[index - table->first_predicate_];
 }
 

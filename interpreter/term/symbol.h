@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <mutex>
+#include <shared_mutex>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -63,7 +65,8 @@ struct Signature {
 
 /// Interns texts and signatures. A table may extend another, frozen one: programs that are shared
 /// by many runs are compiled into one base table; each run adds its own names in a layer above it,
-/// so that runs on several threads never write to shared memory.
+/// so that runs on several threads never write to shared memory. Where one run has several threads,
+/// its layer is guarded by a lock; names of the base are found without it.
 class SymbolTable {
  public:
   SymbolTable();
@@ -71,6 +74,9 @@ class SymbolTable {
   explicit SymbolTable(std::shared_ptr<const SymbolTable> base);
   SymbolTable(const SymbolTable&) = delete;
   SymbolTable& operator=(const SymbolTable&) = delete;
+
+  /// From now on several threads may use the table at once.
+  void allow_threads() { has_threads_ = true; }
 
   Symbol symbol(std::string_view text);
   Predicate predicate(const Signature& signature);
@@ -94,6 +100,12 @@ class SymbolTable {
 
   const Symbol* find(std::string_view text) const;
   const Predicate* find(const Signature& signature) const;
+  using ReadingLock = std::shared_lock<std::shared_mutex>;
+  using WritingLock = std::unique_lock<std::shared_mutex>;
+  template <class Lock>
+  [[nodiscard]] Lock lock() const {
+    return has_threads_ ? Lock(mutex_) : Lock();
+  }
 
   std::shared_ptr<const SymbolTable> base_;
   std::uint32_t first_symbol_ = 0;
@@ -102,6 +114,8 @@ class SymbolTable {
   std::deque<Signature> signatures_;
   std::unordered_map<std::string_view, Symbol> symbols_;
   std::unordered_map<Signature, Predicate, SignatureHash> predicates_;
+  bool has_threads_ = false;
+  mutable std::shared_mutex mutex_;
 };
 
 }  // namespace jaywalk

@@ -103,6 +103,29 @@ TEST_P(Conformance, DoesAsItsCommentsSay) {
   }
 }
 
+// As `run_agents`, with the file's own world.
+AgentRun run_on_threads(const std::string& path, std::size_t threads) {
+  ProgramFile file = read_program_file(path);
+  keep_files_in_memory(file);
+  file.options.threads = threads;
+  file.options.fewest_beside = 1;
+  EnvironmentMaker world;
+  if (file.on_board) {
+    world = [](SymbolTable& symbols) { return std::make_unique<Board>(symbols); };
+  }
+  return run_agents(file.agents, file.options, world);
+}
+
+TEST_P(Conformance, DoesTheSameOnSeveralThreads) {
+  const std::string path = (kFolder / (GetParam() + ".asl")).string();
+  const AgentRun alone = run_on_threads(path, 1);
+  const AgentRun beside = run_on_threads(path, 3);
+  EXPECT_EQ(beside.printed, alone.printed) << path;
+  EXPECT_EQ(beside.logged, alone.logged) << path;
+  EXPECT_EQ(beside.outcome.end, alone.outcome.end) << path;
+  EXPECT_EQ(beside.outcome.cycles, alone.outcome.cycles) << path;
+}
+
 INSTANTIATE_TEST_SUITE_P(Programs, Conformance, ::testing::ValuesIn(program_names()),
                          [](const auto& program) {
                            std::string name = program.param;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 12> kForScenarios = {
     "set",   "preset", "behaviour",  "agents",  "test",  "watch",
     "speed", "store",  "assertions", "metrics", "junit", "fail-on"};
-constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "include", "map",
+constexpr std::array<std::string_view, 5> kForPrograms = {"realtime", "threads", "include", "map",
                                                           "ignore-java"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
@@ -53,6 +53,9 @@ CommandHelp help() {
               {"max-cycles", "N", "stop after so many reasoning cycles of one agent"},
               {"max-ticks", "N", "stop after so many ticks"},
               {"realtime", "", "timers follow the wall clock"},
+              {"threads", "N",
+               "so many agents reason at the same time (default 1); what they\n"
+               "do and print does not depend on it"},
               {"ignore-java", "", "run a project without its Java classes"},
               {"behaviour", "FILE",
                "of a scenario: this program (.asl) or behaviour of the\n"
@@ -69,6 +72,7 @@ CommandHelp help() {
       .examples =
           "  jaywalk run hello.asl\n"
           "  jaywalk run project.mas2j --timeout 10\n"
+          "  jaywalk run project.mas2j --threads 8\n"
           "  jaywalk run scenarios/paper.yaml --behaviour election --agents 3 --watch\n"
           "  jaywalk run scenarios/paper.yaml --behaviour mine.asl --test 7 --seed 42\n"};
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());

@@ -1,5 +1,6 @@
 #include "tools/jaywalk/run_program.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,6 +24,8 @@ namespace {
 /// Looking at the clock after every cycle would cost more than the cycle.
 constexpr std::uint64_t kStepsBetweenLooks = 4;
 
+constexpr std::uint64_t kMostThreads = 256;
+
 struct Limits {
   MasOptions mas;
   std::optional<double> timeout_s;
@@ -35,6 +38,8 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   limits.mas.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
   limits.mas.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
   limits.mas.realtime = arguments.has("realtime");
+  limits.mas.threads = static_cast<std::size_t>(
+      std::min(arguments.number("threads", 1, diagnostics).value_or(1), kMostThreads));
   limits.timeout_s = arguments.positive("timeout", diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);

@@ -1,0 +1,67 @@
+#include "interpreter/mas/lanes.h"
+
+#include <utility>
+
+namespace jaywalk {
+namespace {
+
+// How often a thread looks for work, or for the end of the others' work, before it goes to sleep.
+constexpr int kLooks = 500;
+
+// Waits until the value is no longer what it was.
+template <class T>
+void wait_for_change(const std::atomic<T>& value, T old) {
+  for (int look = 0; look < kLooks; ++look) {
+    if (value.load(std::memory_order_acquire) != old) return;
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Lanes::Lanes(std::size_t count) {
+  for (std::size_t lane = 1; lane < count; ++lane) {
+    threads_.emplace_back([this, lane] { wait_for_work(lane); });
+  }
+}
+
+Lanes::~Lanes() {
+  is_over_ = true;
+  ++call_;
+  call_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void Lanes::run(std::size_t blocks, const Work& work) {
+  work_ = &work;
+  blocks_ = blocks;
+  next_block_ = 0;
+  busy_ = threads_.size();
+  ++call_;
+  call_.notify_all();
+  take_blocks(0);
+  for (std::size_t busy = busy_; busy > 0; busy = busy_) wait_for_change(busy_, busy);
+  if (problem_) std::rethrow_exception(std::exchange(problem_, nullptr));
+}
+
+void Lanes::wait_for_work(std::size_t lane) {
+  for (std::uint32_t seen = 0;; ++seen) {
+    wait_for_change(call_, seen);
+    if (is_over_) return;
+    take_blocks(lane);
+    if (--busy_ == 0) busy_.notify_one();
+  }
+}
+
+void Lanes::take_blocks(std::size_t lane) {
+  for (std::size_t block = next_block_++; block < blocks_; block = next_block_++) {
+    try {
+      (*work_)(lane, block);
+    } catch (...) {
+      const std::lock_guard guard(problem_mutex_);
+      if (!problem_) problem_ = std::current_exception();
+    }
+  }
+}
+
+}  // namespace jaywalk

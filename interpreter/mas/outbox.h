@@ -1,0 +1,87 @@
+#pragma once
+
+// What agents that reason beside others ask of their system meanwhile: lines to write, messages,
+// timers, the end of the run. It is done afterwards, in the order in which the agents would have
+// asked one after another.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/agent/circumstance.h"
+#include "interpreter/mas/mas.h"
+#include "interpreter/mas/timers.h"
+#include "interpreter/term/heap.h"
+
+namespace jaywalk {
+
+class Outbox {
+ public:
+  enum class Kind : std::uint8_t { print, write, log, letter, timer };
+  struct Letter {
+    std::uint32_t receiver = 0;
+    /// Its content is in `heap`.
+    Message message;
+    bool is_plain = true;
+  };
+  struct End {
+    RunEnd how = RunEnd::stopped;
+    std::string message;
+    int exit_code = 0;
+  };
+
+  void add_text(Kind kind, std::string text) {
+    order_.push_back(kind);
+    texts_.push_back(std::move(text));
+  }
+  void add(Letter letter) {
+    order_.push_back(Kind::letter);
+    letters_.push_back(std::move(letter));
+  }
+  void add(const Timer& timer) {
+    order_.push_back(Kind::timer);
+    timers_.push_back(timer);
+  }
+  /// Hands everything over, in order: text(kind, text), letter(letter), timer(timer).
+  template <class OnText, class OnLetter, class OnTimer>
+  void empty(OnText text, OnLetter letter, OnTimer timer);
+
+  /// For the contents of letters.
+  Heap heap;
+  /// Cycles and turns that agents have taken.
+  std::uint64_t cycles = 0;
+  std::uint64_t turns = 0;
+  /// Somebody has ended the run; no agent reasons after that.
+  std::optional<End> end;
+
+ private:
+  std::vector<Kind> order_;
+  std::vector<std::string> texts_;
+  std::vector<Letter> letters_;
+  std::vector<Timer> timers_;
+};
+
+template <class OnText, class OnLetter, class OnTimer>
+void Outbox::empty(OnText text, OnLetter letter, OnTimer timer) {
+  std::size_t texts = 0;
+  std::size_t letters = 0;
+  std::size_t timers = 0;
+  for (const Kind kind : order_) {
+    switch (kind) {
+      case Kind::letter:
+        letter(letters_[letters++]);
+        break;
+      case Kind::timer:
+        timer(timers_[timers++]);
+        break;
+      case Kind::print:
+      case Kind::write:
+      case Kind::log:
+        text(kind, texts_[texts++]);
+        break;
+    }
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,123 @@
+// Rounds in which agents reason beside each other, on several threads, with the same result as one
+// after another.
+//
+// In a round every active agent takes a turn, in the order of numbers. Agents share nothing but the
+// system, so turns are independent as far as nobody asks it for anything. What they mostly ask can
+// wait for the end of the round: messages arrive only then anyway, timers fire later, lines are
+// written for people. So a thread takes the turns of a block of agents that stand one behind
+// another and puts what they ask for into the block's outbox; afterwards the outboxes are emptied,
+// block after block:
+//
+//   agents   0 1 2 3 | 4 5 6 7 | 8 ...         threads take blocks as they come
+//   outbox   [print, letter] | [timer] | ...   emptied from the left
+//
+// Where an agent ends the run, the turns behind it have not been taken, as it were: what they asked
+// for is dropped with their outboxes, and nobody looks at these agents any more.
+//
+// Agents whose turn others could notice within the round (reach.h) do not reason beside others.
+// They split the round: all before them have their turns, then they, then all behind them.
+//
+// Rounds of a few agents are not worth the trouble.
+
+#include <algorithm>
+
+#include "interpreter/mas/system.h"
+
+namespace jaywalk {
+namespace {
+
+/// So many blocks for each thread, so that none waits long for the last one.
+constexpr std::size_t kBlocksPerLane = 8;
+
+}  // namespace
+
+thread_local Mas::Implementation::Beside* Mas::Implementation::beside_ = nullptr;
+
+bool Mas::Implementation::can_reason_beside(Resident& resident) {
+  if (resident.reach_version != reaches_.version()) {
+    resident.reach_version = reaches_.version();
+    resident.is_near = resident.agent != nullptr && resident.agent->customisation() == nullptr &&
+                       reaches_.is_near(*resident.program);
+  }
+  return resident.is_near;
+}
+
+bool Mas::Implementation::round(Turn turn) {
+  const std::span<const std::uint32_t> active = residents_.begin_round();
+  std::uint64_t turns = 0;
+  std::size_t next = 0;
+  while (next < active.size() && !ended_) {
+    std::size_t end = next;
+    if (lanes_ != nullptr && active.size() - next >= options_.fewest_beside) {
+      while (end < active.size() && can_reason_beside(residents_[active[end]])) ++end;
+    }
+    if (end - next >= options_.fewest_beside) {
+      turns += take_turns_beside(active.subspan(next, end - next), turn);
+      next = end;
+      continue;
+    }
+    for (end = std::min(end + 1, active.size()); next < end && !ended_; ++next) {
+      turns += take_turn(residents_[active[next]], turn) ? 1 : 0;
+    }
+  }
+  residents_.end_round();
+  return turns > 0;
+}
+
+bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
+  if (resident.is_leaving || !resident.agent->is_active()) return false;
+  do {
+    reason(resident);
+  } while (turn == Turn::until_idle && !has_ended() && !resident.is_leaving &&
+           resident.agent->is_active());
+  return true;
+}
+
+std::uint64_t Mas::Implementation::take_turns_beside(std::span<const std::uint32_t> numbers,
+                                                     Turn turn) {
+  const std::size_t lanes = lanes_->count();
+  const std::size_t size = std::max<std::size_t>(1, numbers.size() / (lanes * kBlocksPerLane));
+  const std::size_t blocks = (numbers.size() + size - 1) / size;
+  std::vector<std::unique_ptr<Outbox>> outboxes(blocks);
+  lanes_->run(blocks, [&](std::size_t lane, std::size_t block) {
+    outboxes[block] = std::make_unique<Outbox>();
+    Outbox& outbox = *outboxes[block];
+    Beside beside{*workspaces_of_lanes_[lane], outbox};
+    beside_ = &beside;
+    const std::size_t first = block * size;
+    for (const std::uint32_t number :
+         numbers.subspan(first, std::min(size, numbers.size() - first))) {
+      if (outbox.end) break;
+      if (take_turn(residents_[number], turn)) ++outbox.turns;
+    }
+    beside_ = nullptr;
+  });
+  std::uint64_t turns = 0;
+  for (const auto& outbox : outboxes) {
+    empty(*outbox);
+    turns += outbox->turns;
+    if (ended_) break;
+  }
+  return turns;
+}
+
+void Mas::Implementation::empty(Outbox& outbox) {
+  outcome_.cycles += outbox.cycles;
+  outbox.empty([this](Outbox::Kind kind, const std::string& text) { put_out(kind, text); },
+               [this](Outbox::Letter& letter) {
+                 Resident& receiver = residents_[letter.receiver];
+                 const Value content = letter.message.content;
+                 if (letter.is_plain) {
+                   letter.message.content = hand_over(content, *receiver.agent);
+                   post(receiver, std::move(letter.message));
+                 } else {
+                   post_later(receiver, std::move(letter.message), content);
+                 }
+               },
+               [this](const Timer& timer) { timers_.add(timer); });
+  if (!outbox.end) return;
+  outcome_.exit_code = outbox.end->exit_code;
+  end(outbox.end->how, std::move(outbox.end->message));
+}
+
+}  // namespace jaywalk
