@@ -47,7 +47,9 @@ Outcome assert_belief(ActionCall& call, Place place) {
   }
   if (!is_literal(literal)) return call.wrong_argument(0, "a literal or a rule");
   const Value fact = call.unifier().fresh_copy(literal);
-  if (place == Place::front) {
+  const auto& customisation = agent->customisation();
+  const bool revises = customisation != nullptr && customisation->revise_beliefs;
+  if (place == Place::front || revises) {
     (void)agent->add_belief(fact, place, nullptr);
   } else if (const auto added = agent->beliefs().add(fact, place)) {
     agent->add_event({TriggerOperator::add, TriggerKind::belief, *added, nullptr, 0});

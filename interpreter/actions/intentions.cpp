@@ -14,24 +14,29 @@
 namespace jaywalk::actions {
 namespace {
 
-// One answer for each intention (or event) that has the goal.
+// One answer for each event, and each intended means of an intention, the topmost first, that has
+// the goal.
 class GoalSolutions : public Solutions {
  public:
   GoalSolutions(std::vector<Value> events, std::vector<Intention*> intentions)
       : events_(std::move(events)), intentions_(std::move(intentions)) {}
 
   bool next(ActionCall& call) override {
-    while (next_ < events_.size()) {
-      if (call.unify(0, events_[next_++])) return true;
+    while (event_ < events_.size()) {
+      if (call.unify(0, events_[event_++])) return true;
     }
-    while (next_ - events_.size() < intentions_.size()) {
-      Intention& intention = *intentions_[next_++ - events_.size()];
-      const std::size_t trail = call.unifier().mark();
-      if (call.agent()->has_goal(intention, call.applied(0)) &&
-          (call.count() < 2 || call.unify(1, Value::number(intention.id)))) {
-        return true;
+    for (; intention_ < intentions_.size(); ++intention_, means_ = 0) {
+      const Intention& intention = *intentions_[intention_];
+      while (means_ < intention.stack.size()) {
+        const IntendedMeans& means = intention.stack[intention.stack.size() - ++means_];
+        const std::size_t trail = call.unifier().mark();
+        if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
+            call.unify(0, means.trigger) &&
+            (call.count() < 2 || call.unify(1, Value::number(intention.id)))) {
+          return true;
+        }
+        call.unifier().undo(trail);
       }
-      call.unifier().undo(trail);
     }
     return false;
   }
@@ -39,7 +44,9 @@ class GoalSolutions : public Solutions {
  private:
   std::vector<Value> events_;
   std::vector<Intention*> intentions_;
-  std::size_t next_ = 0;
+  std::size_t event_ = 0;
+  std::size_t intention_ = 0;
+  std::size_t means_ = 0;  // of the current intention, that have been looked at
 };
 
 bool is_suspended(const Intention& intention) {

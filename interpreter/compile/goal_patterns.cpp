@@ -81,8 +81,10 @@ class Expansion {
     if (name == "smc") result += fmt::format("+{} <- .fail_goal({}).\n", a[1], g);
     if (name == "rc") result += fmt::format("-{} <- .succeed_goal({}).\n", a[1], g);
     if (name == "omc") {
+      // As in Jason, whose first plan is never applicable: `.intend` gives intentions' numbers.
       result += fmt::format(
-          "+{0} <- .fail_goal({1}).\n+{1} <- .drop_intention({1}).\n"
+          "+{0} : .intend({1},intention(_,[_,im(_,{{+!G}},_,_)|_])) <- .fail_goal(G).\n"
+          "+{0} <- .drop_intention({1}).\n"
           "-{2} <- .succeed_goal({1}).\n",
           a[1], g, a[2]);
     }

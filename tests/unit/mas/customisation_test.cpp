@@ -114,11 +114,13 @@ TEST(Customisation, RefusesBeliefs) {
     const std::string belief = text(revision.literal(), revision.agent());
     if (!belief.starts_with("secret")) revision.accept();
   }};
-  EXPECT_THAT(printed_with(functions,
-                           "secret(0). known(0). !s. "
-                           "+!s <- +secret(1); +known(1); .findall(X, secret(X), S); "
-                           ".findall(X, known(X), K); .print(S, K)."),
-              ElementsAre("[ann] [][1,0]"));
+  EXPECT_THAT(
+      printed_with(functions,
+                   "secret(0). known(0). !s. "
+                   "+!s <- +secret(1); +known(1); .asserta(secret(2)); .assertz(secret(3)); "
+                   ".assertz(known(2)); .findall(X, secret(X), S); "
+                   ".findall(X, known(X), K); .print(S, K)."),
+      ElementsAre("[ann] [][1,0,2]"));
 }
 
 TEST(Customisation, ChangesOtherBeliefsToo) {
