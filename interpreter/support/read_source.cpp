@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/diagnostics.h"
+#include "interpreter/support/read_program.h"
 
 namespace jaywalk {
 namespace {
@@ -55,6 +56,18 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
+// The text with U+FFFD for each byte that is not part of a character.
+std::string with_replacements(std::string_view text) {
+  constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+  std::string replaced;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    replaced += length == 0 ? kReplacement : text.substr(at, length);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return replaced;
+}
+
 // Reads at most one byte more than `max_bytes`; works for pipes, too, whose size nobody knows.
 std::string read_at_most(std::istream& stream, std::size_t max_bytes) {
   std::string text;
@@ -66,9 +79,7 @@ std::string read_at_most(std::istream& stream, std::size_t max_bytes) {
   return text;
 }
 
-}  // namespace
-
-Result<SourcePtr> read_source(const std::string& path, std::size_t max_bytes) {
+Result<std::string> read_bytes(const std::string& path, std::size_t max_bytes) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return failure(path, "no such file");
@@ -85,17 +96,47 @@ Result<SourcePtr> read_source(const std::string& path, std::size_t max_bytes) {
   if (text.size() > max_bytes) {
     return failure(path, fmt::format("larger than {} bytes", max_bytes));
   }
-  if (const std::optional<std::size_t> bad = first_bad_byte(text)) {
-    const auto value = static_cast<unsigned>(static_cast<unsigned char>(text[*bad]));
-    return failure(
-        path,
-        fmt::format(
-            "not UTF-8 text: unexpected byte 0x{:02X} at offset {} (line {})", value, *bad,
-            1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*bad), '\n')),
-        "save the file in the encoding UTF-8");
-  }
+  return text;
+}
+
+// What is wrong with a byte, and its line.
+std::string encoding_problem(std::string_view text, std::size_t bad) {
+  const auto value = static_cast<unsigned>(static_cast<unsigned char>(text[bad]));
+  return fmt::format(
+      "not UTF-8 text: unexpected byte 0x{:02X} at offset {} (line {})", value, bad,
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n'));
+}
+
+constexpr std::string_view kSaveAsUtf8 = "save the file in the encoding UTF-8";
+
+SourcePtr as_source(const std::string& path, std::string text) {
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
-  return SourcePtr(std::make_shared<const Source>(path, std::move(text)));
+  return std::make_shared<const Source>(path, std::move(text));
+}
+
+}  // namespace
+
+Result<SourcePtr> read_source(const std::string& path, std::size_t max_bytes) {
+  Result<std::string> text = read_bytes(path, max_bytes);
+  if (!text) return std::move(text.diagnostics());
+  if (const std::optional<std::size_t> bad = first_bad_byte(text.value())) {
+    return failure(path, encoding_problem(text.value(), *bad), std::string(kSaveAsUtf8));
+  }
+  return as_source(path, std::move(text).value());
+}
+
+Result<SourcePtr> read_any_encoding(const std::string& path, Diagnostics& diagnostics) {
+  Result<std::string> text = read_bytes(path, std::size_t{64} << 20U);
+  if (!text) return std::move(text.diagnostics());
+  const std::optional<std::size_t> bad = first_bad_byte(text.value());
+  if (!bad) return as_source(path, std::move(text).value());
+  diagnostics.add({.severity = Severity::warning,
+                   .message = encoding_problem(text.value(), *bad),
+                   .where = {},
+                   .hint = std::string(kSaveAsUtf8),
+                   .code = "encoding",
+                   .subject = path});
+  return as_source(path, with_replacements(text.value()));
 }
 
 }  // namespace jaywalk

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/read_program.h"
 #include "interpreter/syntax/parser.h"
 
 namespace jaywalk {
@@ -17,6 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMissingInclude = "missing-include";
+
+// In any encoding. What cannot be read for another reason says so.
+Result<SourcePtr> read_program(const std::string& path, const SourceFiles& files,
+                               Diagnostics& diagnostics) {
+  Result<SourcePtr> source = files.read(path);
+  return source || !files.has(path) ? source : read_any_encoding(path, diagnostics);
+}
 
 class Loader {
  public:
@@ -67,7 +75,7 @@ class Loader {
     const SourceSpan where = {file.source, args.front()->span};
     const std::optional<std::string> path = find(name, where);
     if (!path || !may_include(*path, where)) return;
-    Result<SourcePtr> source = include_path_.files.read(*path);
+    Result<SourcePtr> source = read_program(*path, include_path_.files, diagnostics_);
     if (!source) {
       diagnostics_.error(where, fmt::format("cannot include {}: {}", *path,
                                             source.diagnostics().items().front().message));
@@ -163,7 +171,7 @@ const std::string* IncludePath::given_text(std::string_view path) const {
 
 SourceTree load_agent(const std::string& path, const IncludePath& include_path,
                       Diagnostics& diagnostics) {
-  Result<SourcePtr> source = include_path.files.read(path);
+  Result<SourcePtr> source = read_program(path, include_path.files, diagnostics);
   if (source) return load_agent(source.value(), include_path, diagnostics);
   diagnostics.append(std::move(source.diagnostics()));
   return load_agent(std::make_shared<const Source>(path, ""), include_path, diagnostics);

@@ -97,6 +97,19 @@ TEST_F(Load, WarnsOfMissingIncludesAndGoesOn) {
   EXPECT_EQ(tree.main().components.size(), 2U);
 }
 
+TEST_F(Load, ReadsOtherEncodingsWithAWarning) {
+  write("a.asl", "// Jos\xE9\nname(\"Jos\xE9\").");
+  const std::string path = write("main.asl", "{ include(\"a.asl\") } p('\xFF').");
+  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  EXPECT_FALSE(diagnostics_.has_errors());
+  ASSERT_EQ(diagnostics_.warning_count(), 2U);
+  EXPECT_EQ(diagnostics_.items().front().code, "encoding");
+  EXPECT_EQ(diagnostics_.items().front().message,
+            "not UTF-8 text: unexpected byte 0xFF at offset 24 (line 1)");
+  ASSERT_EQ(tree.files.size(), 2U);
+  EXPECT_EQ(tree.files.back()->components.front().literal->args.front()->text, "Jos\uFFFD");
+}
+
 TEST_F(Load, RefusesFilesThatIncludeThemselves) {
   const std::string path = write("main.asl", "{ include(\"a.asl\") }");
   write("a.asl", "{ include(\"main.asl\") } { include(\"main.asl\") }");

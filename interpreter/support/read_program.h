@@ -1,0 +1,16 @@
+#pragma once
+
+// Programs in other encodings than UTF-8, of which there are many: Jason reads them all the same.
+
+#include <string>
+
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+/// As read_source(), but what is not UTF-8 is read as U+FFFD, which may stand in comments, strings
+/// and quoted atoms; a warning tells of the first such byte.
+[[nodiscard]] Result<SourcePtr> read_any_encoding(const std::string& path,
+                                                  Diagnostics& diagnostics);
+
+}  // namespace jaywalk
