@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "tools/jaywalk/shipped.h"
+
 namespace jaywalk {
 
 bool is_scenario_file(const std::string& path) {
@@ -9,6 +11,10 @@ bool is_scenario_file(const std::string& path) {
 }
 
 ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours) {
+  // Programs may be installed ones, as scenarios may.
+  for (std::string& behaviour : behaviours) {
+    if (behaviour.ends_with(".asl")) behaviour = located(behaviour);
+  }
   return {.preset = arguments.text("preset"),
           .sets = arguments.texts("set"),
           .behaviours = std::move(behaviours)};
