@@ -211,6 +211,7 @@ class Agent final : public MachineSurroundings {
   // MachineSurroundings
   void log(std::string_view text) override { host_.log(*this, text); }
   double draw() override { return random_.next_double(); }
+  bool interrupted() override { return observer_ != nullptr && observer_->interrupted(); }
   double clock_ms() override { return kEpochMs + std::floor(host_.now_ms()); }
 
   /// The literal as told by `sender`: its own sources become annotations of the new one.

@@ -21,6 +21,9 @@ class ReasoningObserver {
  public:
   virtual ~ReasoningObserver() = default;
 
+  /// Whether the query that is under way is to end as if it had hit a limit. Asked now and then.
+  [[nodiscard]] virtual bool interrupted() { return false; }
+
   /// What is solved in place of a plan's context or used in place of a rule: the same formula,
   /// perhaps with goals between its parts that tell the observer how far the query comes
   /// (condition_begins, condition_holds). It must outlive the run.

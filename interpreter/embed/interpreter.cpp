@@ -153,11 +153,10 @@ AgentId Interpreter::add_agent(const std::string& name, std::shared_ptr<const Pr
 RunOutcome Interpreter::run() { return mas_->run(); }
 bool Interpreter::step() { return mas_->step(); }
 
-Result<std::vector<Answer>> Interpreter::ask(AgentId agent, const std::string& query,
-                                             std::size_t most) {
+Diagnostics Interpreter::ask(AgentId agent, const std::string& query,
+                             const std::function<bool(const Answer&)>& answer) {
   Text text("query", query, parse_term);
   if (!text.is_good()) return std::move(text.diagnostics());
-  std::vector<Answer> answers;
   std::string problem;
   const bool completed = mas_->intervene(
       agent,
@@ -168,14 +167,22 @@ Result<std::vector<Answer>> Interpreter::ask(AgentId agent, const std::string& q
           text.error("expected a formula, as in a plan's context");
           return;
         }
-        asked.machine().solve_all_terms(formula, [&] {
-          answers.push_back(answer_of(variables, asked));
-          return most == 0 || answers.size() < most;
-        });
+        asked.machine().solve_all_terms(formula,
+                                        [&] { return answer(answer_of(variables, asked)); });
       },
       problem);
   if (!completed) text.error(std::move(problem));
-  if (text.diagnostics().has_errors()) return std::move(text.diagnostics());
+  return std::move(text.diagnostics());
+}
+
+Result<std::vector<Answer>> Interpreter::ask(AgentId agent, const std::string& query,
+                                             std::size_t most) {
+  std::vector<Answer> answers;
+  Diagnostics found = ask(agent, query, [&](const Answer& answer) {
+    answers.push_back(answer);
+    return most == 0 || answers.size() < most;
+  });
+  if (found.has_errors()) return found;
   return answers;
 }
 

@@ -96,6 +96,9 @@ class Interpreter {
   /// The first `most` answers to a formula of a plan's context (0: all): "age(X, N) & N > 18".
   [[nodiscard]] Result<std::vector<Answer>> ask(AgentId agent, const std::string& query,
                                                 std::size_t most = 0);
+  /// Each answer in turn, as it is found; `answer` returns false to stop.
+  [[nodiscard]] Diagnostics ask(AgentId agent, const std::string& query,
+                                const std::function<bool(const Answer&)>& answer);
   /// Adds a belief, as the agent's own formula `+b` would: "speed(13)[source(radar)]".
   [[nodiscard]] Diagnostics believe(AgentId agent, const std::string& belief);
   /// Removes the first belief that unifies, as `-b` would: "speed(_)[source(radar)]".

@@ -383,6 +383,9 @@ void Machine::check_limits() {
   if (unifier_.mark() * sizeof(Value*) > heap().limit()) {
     throw QueryLimit{"a query binds too many variables for the memory allowed"};
   }
+  if (surroundings_ != nullptr && surroundings_->interrupted()) {
+    throw QueryLimit{"the query was interrupted"};
+  }
   next_check_ = std::min(inferences_ + kChecked, query_start_ + max_inferences_ + 1);
 }
 

@@ -74,6 +74,8 @@ class MachineSurroundings {
   virtual double draw() = 0;
   /// `system.time`: milliseconds since 1970.
   virtual double clock_ms() = 0;
+  /// Whether the query that is under way is to end as if it had hit a limit. Asked now and then.
+  [[nodiscard]] virtual bool interrupted() { return false; }
 };
 
 /// A function that is a query, `register_function("my.f", Arity, "pred")`.

@@ -3,10 +3,9 @@
 #include "interpreter/check/check.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,12 +13,11 @@
 
 #include "env/environments.h"
 #include "experiment/trial.h"
-#include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"
-#include "interpreter/term/symbol.h"
 #include "search/experiment.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/include_path.h"
+#include "tools/jaywalk/program_check.h"
 #include "tools/jaywalk/project_agents.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/shipped.h"
@@ -27,8 +25,6 @@
 
 namespace jaywalk::command::check {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Checks files, each program once however many scenarios and projects name it.
 class Checker {
@@ -69,31 +65,18 @@ class Checker {
     return loaded;
   }
 
-  /// `complete` turns what is known of the environment into what is known of the agent.
-  template <class Complete>
   void check_program(LoadedProgram program, const EnvironmentKind* environment,
-                     Complete&& complete) {
-    Diagnostics found = std::move(program.found);
-    if (!found.has_errors()) {
-      SymbolTable symbols;
-      (void)compile(program.tree, symbols, found);
-    }
-    if (!found.has_errors()) {
-      Vocabulary vocabulary = vocabulary_for(environment);
-      complete(vocabulary);
-      jaywalk::check_program(program.tree, vocabulary, found);
-    }
-    diagnostics_.append(std::move(found));
+                     const std::function<void(Vocabulary&)>& complete) {
+    check_loaded(program.tree, environment, complete, program.found);
+    diagnostics_.append(std::move(program.found));
   }
 
   /// A program by itself, for the environment that it seems to be written for.
   void check_alone(const std::string& path) {
     if (!checked_.insert(path).second) return;
     LoadedProgram program = load({.path = path, .text = {}, .include_path = include_path_});
-    const EnvironmentKind* const environment = environment_of(program.tree);
-    check_program(std::move(program), environment, [&path](Vocabulary& vocabulary) {
-      vocabulary.may_be_alone = !lies_in_project(path);
-    });
+    jaywalk::check_alone(program.tree, path, program.found);
+    diagnostics_.append(std::move(program.found));
   }
 
   void check_project(const std::string& path) {
@@ -119,21 +102,6 @@ class Checker {
         vocabulary.named_by_others = named;
       });
     }
-  }
-
-  /// Whether a project, of Jason or JaCaMo, lies in the program's folder or above it.
-  static bool lies_in_project(const std::string& path) {
-    constexpr int kFolders = 4;
-    std::error_code failure;
-    fs::path folder = fs::absolute(path, failure).parent_path();
-    for (int i = 0; i < kFolders && !failure; ++i, folder = folder.parent_path()) {
-      for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-           entry.increment(failure)) {
-        const std::string extension = entry->path().extension().string();
-        if (extension == ".mas2j" || extension == ".jcm") return true;
-      }
-    }
-    return false;
   }
 
   void check_search(const SourcePtr& source) {

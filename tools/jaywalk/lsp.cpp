@@ -1,0 +1,51 @@
+// `jaywalk lsp`: what editors ask about programs, on standard input and output.
+
+#include <iostream>
+
+#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/include_path.h"
+#include "tools/jaywalk/lsp_frames.h"
+#include "tools/jaywalk/lsp_server.h"
+
+namespace jaywalk::command::lsp {
+
+CommandHelp help() {
+  CommandHelp help{
+      .usage = "[OPTIONS]",
+      .description =
+          "A language server for programs (.asl) and projects (.mas2j), to be started by an\n"
+          "editor: it speaks the Language Server Protocol on standard input and output.\n"
+          "Diagnostics are those of `jaywalk check`, with their codes; there are hover,\n"
+          "completion, definitions, references, renaming, an outline and formatting. The\n"
+          "README says how editors attach it.\n",
+      .options = {{"stdio", "", "accepted; there is no other way"}},
+      .examples =
+          "  jaywalk lsp\n"
+          "  jaywalk lsp --include agents/common\n"};
+  help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
+  return help;
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto include_path = read_include_path(arguments, console);
+  if (!include_path) return ExitCode::usage;
+  if (!arguments.operands().empty()) {
+    console.error("expected no file", "editors send what is to be looked at");
+    return ExitCode::usage;
+  }
+  jaywalk::lsp::Server server(*include_path, [](std::string_view message) {
+    jaywalk::lsp::write_frame(std::cout, message);
+  });
+  while (!server.has_exited()) {
+    const auto frame = jaywalk::lsp::read_frame(std::cin);
+    if (!frame || !std::cout) break;
+    if (frame->is_broken) {
+      server.receive_broken();
+    } else {
+      server.receive(frame->content);
+    }
+  }
+  return server.was_shut_down() ? ExitCode::success : ExitCode::failed;
+}
+
+}  // namespace jaywalk::command::lsp

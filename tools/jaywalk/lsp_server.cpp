@@ -1,0 +1,382 @@
+#include "tools/jaywalk/lsp_server.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "interpreter/syntax/formatter.h"
+
+namespace jaywalk::lsp {
+namespace {
+
+using Json = nlohmann::json;
+using What = Use::What;
+
+// Codes of JSON-RPC and of the protocol.
+constexpr int kParseError = -32700;
+constexpr int kInvalidRequest = -32600;
+constexpr int kMethodNotFound = -32601;
+constexpr int kInvalidParameters = -32602;
+constexpr int kNotInitialised = -32002;
+
+// Kinds of completions and symbols, of diagnostics' severities.
+constexpr int kFunction = 3;
+constexpr int kVariable = 6;
+constexpr int kMethod = 2;
+constexpr int kEvent = 23;
+constexpr int kSymbolMethod = 6;
+constexpr int kSymbolFunction = 12;
+constexpr int kSymbolConstant = 14;
+constexpr int kSymbolNamespace = 3;
+constexpr int kSymbolEvent = 24;
+
+// Parts of a message that may be anything: what is not there or of another kind is empty.
+const Json& part(const Json& json, const char* name) {
+  static const Json kNothing;
+  if (!json.is_object()) return kNothing;
+  const auto found = json.find(name);
+  return found == json.end() ? kNothing : *found;
+}
+
+std::string text_of(const Json& json) { return json.is_string() ? json.get<std::string>() : ""; }
+
+std::uint32_t number_of(const Json& json) {
+  constexpr double kMost = 4e9;
+  const double number = json.is_number() ? json.get<double>() : 0;
+  return number > 0 && number < kMost ? static_cast<std::uint32_t>(number) : 0;
+}
+
+Position position_of(const Json& json) {
+  return {number_of(part(json, "line")), number_of(part(json, "character"))};
+}
+
+std::string document_uri(const Json& parameters) {
+  return text_of(part(part(parameters, "textDocument"), "uri"));
+}
+
+Json to_json(Position position) { return {{"line", position.line}, {"character", position.unit}}; }
+
+Json to_json(const Range& range) {
+  return {{"start", to_json(range.begin)}, {"end", to_json(range.end)}};
+}
+
+Json to_json(const Place& place, const Document& document) {
+  const bool own = place.path == document.source()->name();
+  return {{"uri", own ? document.uri() : uri_of_path(place.path)}, {"range", to_json(place.range)}};
+}
+
+Json to_json(const std::vector<Place>& places, const Document& document) {
+  Json json = Json::array();
+  for (const Place& place : places) json.push_back(to_json(place, document));
+  return json;
+}
+
+Json to_json(const Diagnostic& diagnostic, const Document& document) {
+  constexpr int kError = 1;
+  constexpr int kWarning = 2;
+  constexpr int kInformation = 3;
+  const int severity = diagnostic.severity == Severity::error     ? kError
+                       : diagnostic.severity == Severity::warning ? kWarning
+                                                                  : kInformation;
+  std::string message = diagnostic.message;
+  if (!diagnostic.hint.empty()) message += "\n" + diagnostic.hint;
+  Json json = {{"range", to_json(document.places().range(diagnostic.where.span))},
+               {"severity", severity},
+               {"source", "jaywalk"},
+               {"message", message}};
+  if (!diagnostic.code.empty()) json["code"] = diagnostic.code;
+  return json;
+}
+
+int completion_kind(What what) {
+  switch (what) {
+    case What::goal:
+      return kEvent;
+    case What::belief:
+      return kVariable;
+    case What::action:
+      return kMethod;
+    case What::internal_action:
+      return kFunction;
+  }
+  return kVariable;
+}
+
+Json completion_items(const Document& document, Position at) {
+  Range written;
+  Json items = Json::array();
+  for (const Completion& completion : document.completions(at, written)) {
+    items.push_back({{"label", completion.label},
+                     {"kind", completion_kind(completion.what)},
+                     {"detail", completion.detail},
+                     {"textEdit", {{"range", to_json(written)}, {"newText", completion.label}}}});
+  }
+  return items;
+}
+
+// What begins a component, on one line.
+std::string first_words(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  text = text.substr(0, text.find('\n'));
+  while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
+  if (text.size() <= kMost) return std::string(text);
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
+Json symbol(const Document& document, std::string name, int kind, Span span, Span selection) {
+  if (selection.begin < span.begin || selection.end > span.end) selection = span;
+  if (name.empty()) name = "?";
+  return {{"name", std::move(name)},
+          {"kind", kind},
+          {"range", to_json(document.places().range(span))},
+          {"selectionRange", to_json(document.places().range(selection))}};
+}
+
+Json plan_symbol(const Document& document, const ast::Plan& plan) {
+  const Span head{plan.trigger.span.begin, plan.trigger.literal->span.end};
+  Json json = symbol(document, first_words(document.source()->text(head)), kSymbolMethod, plan.span,
+                     plan.trigger.literal->span);
+  if (plan.context != nullptr) {
+    json["detail"] = first_words(document.source()->text(plan.context->span));
+  }
+  Json children = Json::array();
+  for (const ast::Plan* const subplan : plan.subplans) {
+    children.push_back(plan_symbol(document, *subplan));
+  }
+  if (!children.empty()) json["children"] = std::move(children);
+  return json;
+}
+
+Json symbols(const Document& document, std::span<const ast::Component> components) {
+  Json all = Json::array();
+  for (const ast::Component& component : components) {
+    if (component.kind == ast::ComponentKind::plan) {
+      if (component.plan != nullptr) all.push_back(plan_symbol(document, *component.plan));
+      continue;
+    }
+    const Span literal = component.literal->span;
+    std::string name = first_words(document.source()->text(literal));
+    int kind = component.body == nullptr ? kSymbolConstant : kSymbolFunction;
+    if (component.kind == ast::ComponentKind::goal) {
+      kind = kSymbolEvent;
+      name = "!" + name;
+    } else if (component.kind == ast::ComponentKind::directive) {
+      kind = kSymbolNamespace;
+    }
+    Json json = symbol(document, std::move(name), kind, component.span, literal);
+    if (!component.inner.empty()) json["children"] = symbols(document, component.inner);
+    all.push_back(std::move(json));
+  }
+  return all;
+}
+
+Json formatting(const Document& document) {
+  Json edits = Json::array();
+  if (!document.is_program()) return edits;
+  const auto formatted = format_agent(document.source());
+  const std::string_view text = document.source()->text();
+  if (!formatted || formatted.value() == text) return edits;
+  const Span whole{0, static_cast<std::uint32_t>(text.size())};
+  edits.push_back(
+      {{"range", to_json(document.places().range(whole))}, {"newText", formatted.value()}});
+  return edits;
+}
+
+Json renaming(const Document& document, Position at, const std::string& name,
+              std::string& problem) {
+  if (!is_good_name(name)) {
+    problem = fmt::format("'{}' cannot be the name of a goal or belief", name);
+    return nullptr;
+  }
+  const auto places = document.occurrences(at);
+  if (places.empty()) {
+    problem = "there is no goal or belief to be renamed";
+    return nullptr;
+  }
+  Json changes = Json::object();
+  for (const Place& place : places) {
+    const Json where = to_json(place, document);
+    changes[where["uri"].get<std::string>()].push_back(
+        {{"range", where["range"]}, {"newText", name}});
+  }
+  return {{"changes", std::move(changes)}};
+}
+
+Json capabilities() {
+  return {{"capabilities",
+           {{"textDocumentSync", {{"openClose", true}, {"change", 2}}},
+            {"positionEncoding", "utf-16"},
+            {"hoverProvider", true},
+            {"completionProvider", {{"triggerCharacters", {".", "!", "{"}}}},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"documentSymbolProvider", true},
+            {"documentFormattingProvider", true}}},
+          {"serverInfo", {{"name", "jaywalk"}}}};
+}
+
+}  // namespace
+
+void Server::send(const Json& message) {
+  send_(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Server::respond(const Json& id, Json result) {
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+}
+
+void Server::respond_error(const Json& id, int code, std::string_view message) {
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
+}
+
+void Server::receive_broken() {
+  respond_error(nullptr, kParseError, "expected a header Content-Length and as much text");
+}
+
+void Server::receive(std::string_view message) {
+  const Json json = Json::parse(message, nullptr, false);
+  if (json.is_discarded()) {
+    respond_error(nullptr, kParseError, "the message is not JSON");
+    return;
+  }
+  const std::string method = text_of(part(json, "method"));
+  const Json& id = part(json, "id");
+  const bool is_request = id.is_string() || id.is_number();
+  if (method.empty()) {
+    // Answers to requests of ours would come here; there are none.
+    const bool is_answer = json.is_object() && (json.contains("result") || json.contains("error"));
+    if (!is_answer) respond_error(is_request ? id : Json(), kInvalidRequest, "no method is named");
+  } else if (is_request) {
+    request(id, method, part(json, "params"));
+  } else {
+    notification(method, part(json, "params"));
+  }
+}
+
+void Server::request(const Json& id, const std::string& method, const Json& parameters) {
+  if (method == "initialize") {
+    initialised_ = true;
+    respond(id, capabilities());
+  } else if (!initialised_) {
+    respond_error(id, kNotInitialised, "the first request must be initialize");
+  } else if (shut_down_) {
+    respond_error(id, kInvalidRequest, "the server has been shut down");
+  } else if (method == "shutdown") {
+    shut_down_ = true;
+    respond(id, nullptr);
+  } else {
+    std::string problem;
+    Json answer = answer_of(method, parameters, problem);
+    if (answer.is_discarded()) {
+      respond_error(id, kMethodNotFound, fmt::format("there is no method '{}'", method));
+    } else if (!problem.empty()) {
+      respond_error(id, kInvalidParameters, problem);
+    } else {
+      respond(id, std::move(answer));
+    }
+  }
+}
+
+// A discarded value: there is no such method.
+nlohmann::json Server::answer_of(const std::string& method, const Json& parameters,
+                                 std::string& problem) {
+  constexpr std::string_view kAboutDocuments = "textDocument/";
+  if (!method.starts_with(kAboutDocuments)) return Json(Json::value_t::discarded);
+  const std::string what = method.substr(kAboutDocuments.size());
+  const auto found = documents_.find(document_uri(parameters));
+  const Position at = position_of(part(parameters, "position"));
+  const bool known = what == "hover" || what == "completion" || what == "definition" ||
+                     what == "references" || what == "prepareRename" || what == "rename" ||
+                     what == "documentSymbol" || what == "formatting";
+  if (!known) return Json(Json::value_t::discarded);
+  if (found == documents_.end()) {
+    problem = "the document is not open";
+    return nullptr;
+  }
+  const Document& document = found->second;
+  if (what == "hover") {
+    const auto hover = document.hover(at);
+    if (!hover) return nullptr;
+    return {{"contents", {{"kind", "markdown"}, {"value", hover->first}}},
+            {"range", to_json(hover->second)}};
+  }
+  if (what == "completion") return completion_items(document, at);
+  if (what == "definition") return to_json(document.definitions(at), document);
+  if (what == "references") {
+    const Json& declarations = part(part(parameters, "context"), "includeDeclaration");
+    return to_json(document.references(at, !declarations.is_boolean() || declarations.get<bool>()),
+                   document);
+  }
+  if (what == "prepareRename") {
+    const auto place = document.renamable(at);
+    return place ? to_json(place->range) : Json(nullptr);
+  }
+  if (what == "rename") {
+    return renaming(document, at, text_of(part(parameters, "newName")), problem);
+  }
+  if (what == "documentSymbol") return symbols(document, document.components());
+  return formatting(document);
+}
+
+void Server::notification(const std::string& method, const Json& parameters) {
+  if (method == "exit") {
+    exited_ = true;
+  } else if (!initialised_ || shut_down_) {
+    return;
+  } else if (method == "textDocument/didOpen") {
+    open(document_uri(parameters), text_of(part(part(parameters, "textDocument"), "text")));
+  } else if (method == "textDocument/didChange") {
+    change(parameters);
+  } else if (method == "textDocument/didClose") {
+    const std::string uri = document_uri(parameters);
+    if (documents_.erase(uri) == 0) return;
+    send({{"jsonrpc", "2.0"},
+          {"method", "textDocument/publishDiagnostics"},
+          {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}});
+  }
+}
+
+void Server::open(const std::string& uri, std::string text) {
+  if (uri.empty()) return;
+  documents_.erase(uri);
+  const auto opened = documents_.try_emplace(uri, uri, std::move(text), include_path_).first;
+  publish(opened->second);
+}
+
+void Server::change(const Json& parameters) {
+  const std::string uri = document_uri(parameters);
+  const auto found = documents_.find(uri);
+  const Json& changes = part(parameters, "contentChanges");
+  if (found == documents_.end() || !changes.is_array()) return;
+  std::string text(found->second.source()->text());
+  for (const Json& each : changes) {
+    const std::string changed = text_of(part(each, "text"));
+    const Json& range = part(each, "range");
+    if (!range.is_object()) {
+      text = changed;
+      continue;
+    }
+    const TextPlaces places(text);
+    const std::uint32_t begin = places.offset(position_of(part(range, "start")));
+    const std::uint32_t end = places.offset(position_of(part(range, "end")));
+    if (begin > end) continue;
+    text.replace(begin, end - begin, changed);
+  }
+  open(uri, std::move(text));
+}
+
+void Server::publish(const Document& document) {
+  Json diagnostics = Json::array();
+  for (const Diagnostic& diagnostic : document.diagnostics()) {
+    diagnostics.push_back(to_json(diagnostic, document));
+  }
+  send({{"jsonrpc", "2.0"},
+        {"method", "textDocument/publishDiagnostics"},
+        {"params", {{"uri", document.uri()}, {"diagnostics", std::move(diagnostics)}}}});
+}
+
+}  // namespace jaywalk::lsp

@@ -1,0 +1,33 @@
+#pragma once
+
+// What is typed at the prompt of `jaywalk repl`: a command `:word argument`, a query `?- formula.`,
+// or a clause of AgentSpeak, over any number of lines.
+
+#include <string>
+#include <string_view>
+
+namespace jaywalk {
+
+struct ReplInput {
+  enum class Kind {
+    nothing,  // blanks and comments
+    command,  // word: "load"; text: its argument
+    query,    // text: the formula
+    add,      // `+b(1).`: text is the literal, as in those that follow
+    remove,   // `-b(1).`
+    goal,     // `!g.`
+    program,  // beliefs, rules, plans, directives: text is all of it
+  };
+  Kind kind = Kind::nothing;
+  std::string word;
+  std::string text;
+};
+
+/// Whether the lines so far are a whole input: a command, nothing, or up to a full stop outside of
+/// brackets. What can become none by going on is whole, too: it is an error.
+[[nodiscard]] bool is_whole_input(std::string_view text);
+
+/// Kinds of clauses are told apart by parsing; what does not parse is a program, whose errors tell.
+[[nodiscard]] ReplInput read_input(const std::string& text);
+
+}  // namespace jaywalk
