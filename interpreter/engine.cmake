@@ -30,6 +30,7 @@ jaywalk_add_library(engine
     agent/agent.cpp
     agent/bindings.cpp
     agent/clone.cpp
+    agent/context.cpp
     agent/customisation.cpp
     agent/cycle.cpp
     agent/execute.cpp
@@ -42,6 +43,7 @@ jaywalk_add_library(engine
     agent/plan_terms.cpp
     agent/services.cpp
     agent/step_guard.cpp
+    agent/stride.cpp
     agent/waiting.cpp
     embed/interpreter.cpp
     mas/lanes.cpp
@@ -65,6 +67,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/machine.cpp logic/machine_calls.cpp
     logic/row_index.cpp logic/unifier.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
-    agent/messages.cpp agent/perception.cpp mas/percepts.cpp mas/residents.cpp mas/system.cpp
+    agent/context.cpp agent/messages.cpp agent/perception.cpp agent/stride.cpp
+    mas/percepts.cpp mas/residents.cpp mas/system.cpp
     PROPERTIES UNITY_GROUP core)
 endif()

@@ -64,8 +64,9 @@ class Agent final : public MachineSurroundings {
   void update_percepts(const Percepts& percepts);
   /// Looks now at what the environment has shown, whatever `nrcbp` says (`.perceive`).
   void perceive_now();
-  /// One reasoning cycle.
-  void cycle();
+  /// Reasons for at least one cycle and `most` at most, as long as it has something to do and has
+  /// not asked anything of its host. The result is how many cycles that were.
+  std::uint64_t reason(std::uint64_t most);
   /// Does something with the agent from outside, between two cycles. False: a limit stopped it, and
   /// `problem` says which.
   [[nodiscard]] bool intervene(const std::function<void()>& work, std::string& problem);
@@ -244,7 +245,32 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] Value with_own_source(Value literal);
   void prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope);
 
+  // Several cycles in one go (stride.cpp).
+  [[nodiscard]] bool reasons_plainly() const;
+  [[nodiscard]] bool is_alone(std::uint64_t last) const;
+  void stride(std::uint64_t last);
+  void plain_cycle(std::uint64_t last);
+  void plain_steps(Intention& intention, std::uint64_t last);
+  /// What has become of a formula. `ready`: it is done, and the intention is not in the queue;
+  /// `called`: its goal has a means, and the next cycle has come to ExecInt; `elsewhere`: it and
+  /// its cycle are done; `not_yet`: nothing has happened, it is for execute().
+  enum class Executed : std::uint8_t { ready, called, elsewhere, not_yet };
+  Executed execute_plainly(Intention& intention, std::uint64_t last);
+  Executed ask(Intention& intention, const Step& step);
+  Executed call(Intention& intention, const Step& step);
+  Executed change_belief(Intention& intention, const Step& step);
+  [[nodiscard]] bool forget_one(Predicate predicate);
+  Executed take_up(Intention& intention, const Event& event);
+  [[nodiscard]] Structure* literal_for_event(Intention& intention, Value term, bool& is_open);
+  void rename_in_call(Intention& intention, Structure& made);
+  [[nodiscard]] const Plan* choose_plain_plan(const Event& event, bool& had_candidates);
+  [[nodiscard]] bool try_plain_plan(const Plan& plan, Value literal);
+  [[nodiscard]] bool matches(const Plan& plan, Value literal, Value* frame);
+  void push_plain_means(Intention& intention, const Plan& plan, const Event& event);
+
   // The reasoning cycle (cycle.cpp).
+  void cycle();
+  void abandon_cycle(const ActionError& error);
   void sense();
   void process_message();
   [[nodiscard]] bool answer_arrived(const Message& message);
@@ -293,6 +319,7 @@ class Agent final : public MachineSurroundings {
   void execute_internal_action(Intention& intention, const Goal& goal);
   void execute_achieve(Intention& intention, Value term, Step::Kind kind);
   void execute_test(Intention& intention, const Step& step);
+  void fail_test(Intention& intention, const Step& step);
   void execute_belief(Intention& intention, Value term, Step::Kind kind);
   void execute_replace(Intention& intention, Value literal);
   void execute_variable(Intention& intention, const Step& step);
@@ -317,6 +344,7 @@ class Agent final : public MachineSurroundings {
 
   // Failure (failure.cpp).
   void fail(Intention& intention, const ActionError& error);
+  void fail_at_limit(Intention& intention, const ActionError& error);
   void fail_event(const Event& event, const ActionError& error);
   struct OpenGoal {
     TriggerKind kind = TriggerKind::achieve;

@@ -26,13 +26,15 @@ void Agent::cycle() {
     act();
     return true;
   });
-  if (!completed) {
-    log(error->message);
-    if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
-    executing_ = nullptr;
-    deliberating_ = nullptr;
-  }
+  if (!completed) abandon_cycle(*error);
   tidy_up();
+}
+
+void Agent::abandon_cycle(const ActionError& error) {
+  log(error.message);
+  if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
+  executing_ = nullptr;
+  deliberating_ = nullptr;
 }
 
 bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
@@ -375,9 +377,20 @@ void Agent::return_values(Intention& intention) {
   if (caller.returns == 0) return;
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
-  const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
+  Value* const frame = intention.frame(caller);
+  Value* const pairs = frame + caller.plan->slot_count;
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
     const Value returned = deref(pairs[i + 1]);
+    if (pairs[i].is_slot()) {
+      // The caller's variable has not been made yet (stride.cpp).
+      Value& slot = frame[pairs[i].slot_index()];
+      if (slot.is_unset() && returned.is_closed() && !Unifier::is_of_other_namespace(returned)) {
+        unifier.set_slot(&slot, returned);
+        continue;
+      }
+      if (slot.is_unset()) slot = heap_.variable(caller.plan->slot_names[pairs[i].slot_index()]);
+      pairs[i] = slot;
+    }
     if (returned.is_variable()) {
       // Still open; if two of them have become one, so do the caller's.
       for (std::size_t j = 0; j < i; j += 2) {

@@ -43,11 +43,13 @@ void Agent::execute(Intention& intention) {
     execute_step(intention, step);
     return true;
   });
-  if (!completed) {
-    machine().unifier().undo(0);
-    const MemoryReserve reserve(heap_);
-    fail(intention, *error);
-  }
+  if (!completed) fail_at_limit(intention, *error);
+}
+
+void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
+  machine().unifier().undo(0);
+  const MemoryReserve reserve(heap_);
+  fail(intention, error);
 }
 
 void Agent::execute_step(Intention& intention, const Step& step) {
@@ -162,7 +164,7 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
 // Behind the frame stands what a call is to bring back: each variable with its copy.
 void Agent::note_returns(Intention& intention) {
   IntendedMeans& means = intention.top();
-  intention.values.resize(means.frame + means.plan->slot_count);
+  intention.values.cut(means.frame + means.plan->slot_count);
   for (const auto& [own, copy] : work().renamed) {
     intention.values.push_back(own);
     intention.values.push_back(copy);
@@ -226,6 +228,12 @@ void Agent::execute_test(Intention& intention, const Step& step) {
     go_on(intention);
     return;
   }
+  fail_test(intention, step);
+}
+
+// A test that no belief and no rule answers: the plans for it are asked.
+void Agent::fail_test(Intention& intention, const Step& step) {
+  const std::size_t trail = machine().unifier().mark();
   const Value term = machine().unifier().instantiate(step.term, intention.frame(intention.top()));
   record_bindings(intention, trail);
   if (is_literal(term)) {

@@ -78,6 +78,10 @@ class AgentHost {
  public:
   virtual ~AgentHost() = default;
 
+  /// An agent that reasons has asked for something that concerns others: a message, a new agent,
+  /// the end of the run. So it stops at the end of its cycle.
+  [[nodiscard]] static bool has_business() { return has_business_; }
+
   [[nodiscard]] virtual double now_ms() const = 0;
   /// Calls Agent::timer_fired(token) at that time.
   virtual void set_timer(Agent& agent, double at_ms, std::uint64_t token) = 0;
@@ -95,6 +99,10 @@ class AgentHost {
   [[nodiscard]] virtual WorkspacePool& workspaces() = 0;
   /// Who looks at the agents as they reason; null: nobody.
   [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
+
+ protected:
+  // Of the agent that reasons on this thread, since it began.
+  static inline thread_local bool has_business_ = false;
 };
 
 }  // namespace jaywalk

@@ -1,5 +1,7 @@
 #include "interpreter/agent/intention.h"
 
+#include <algorithm>
+
 namespace jaywalk {
 
 IntendedMeans& Intention::push(const Plan& plan, std::span<const Value> slots) {
@@ -7,14 +9,14 @@ IntendedMeans& Intention::push(const Plan& plan, std::span<const Value> slots) {
   means.plan = &plan;
   means.cursor.body = plan.code.entry;
   means.frame = values.size();
-  values.insert(values.end(), slots.begin(), slots.end());
+  std::copy(slots.begin(), slots.end(), values.extend(slots.size()));
   if (plan.atomic) ++atomic_means;
   return means;
 }
 
 void Intention::pop() {
   if (stack.back().plan->atomic) --atomic_means;
-  values.resize(stack.back().frame);
+  values.cut(stack.back().frame);
   stack.pop_back();
 }
 
@@ -24,7 +26,7 @@ void Intention::finish() {
   values.clear();
   if (values.capacity() > kMostKept) {
     stack.shrink_to_fit();
-    values.shrink_to_fit();
+    values.release();
   }
   reason.clear();
   also_suspended = false;
@@ -43,7 +45,7 @@ void Intention::leave_finished_bodies(IntendedMeans& means) {
 
 void Intention::advance() {
   IntendedMeans& means = stack.back();
-  values.resize(means.frame + means.plan->slot_count);  // an open call's returns are done with
+  values.cut(means.frame + means.plan->slot_count);  // an open call's returns are done with
   means.returns = 0;
   ++means.cursor.index;
   leave_finished_bodies(means);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/agent/value_stack.h"
 #include "interpreter/program/plan.h"
 #include "interpreter/support/sparse_stack.h"
 
@@ -141,7 +142,7 @@ class Intention {
   /// An event of it may be in the event queue.
   bool has_event = false;
   std::vector<IntendedMeans> stack;
-  std::vector<Value> values;
+  ValueStack values;
   std::uint32_t atomic_means = 0;
   std::shared_ptr<Fork> fork;
 };

@@ -152,15 +152,16 @@ class Unifier {
     return std::span(trail_).subspan(mark);
   }
 
+  /// A variable of no namespace does not take literals of others.
+  [[nodiscard]] static bool is_of_other_namespace(Value value) {
+    if (value.is_atom()) return is_foreign(value.atom_id());
+    return value.is_structure() && is_foreign(value.structure()->predicate());
+  }
+
   [[nodiscard]] Heap& heap() { return *heap_; }
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
 
  private:
-  // A variable of no namespace does not take literals of others.
-  static bool is_of_other_namespace(Value value) {
-    if (value.is_atom()) return is_foreign(value.atom_id());
-    return value.is_structure() && is_foreign(value.structure()->predicate());
-  }
   Value build_term(Value term, Value* slots);
   void rename_arguments(std::span<Value> args, std::vector<std::pair<Value, Value>>* renamed);
   bool evaluate_term(Value term, Value* slots, double& result);

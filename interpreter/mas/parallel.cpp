@@ -67,7 +67,7 @@ bool Mas::Implementation::round(Turn turn) {
 bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
   if (resident.is_leaving || !resident.agent->is_active()) return false;
   do {
-    reason(resident);
+    reason(resident, turn == Turn::one_cycle ? 1 : UINT64_MAX);
   } while (turn == Turn::until_idle && !has_ended() && !resident.is_leaving &&
            resident.agent->is_active());
   return true;

@@ -60,6 +60,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
   Resident& resident = residents_.add(std::move(agent), std::move(program));
   resident.name = symbols_.predicate(resident.agent->name(), 0);
   residents_.wake(resident);
+  has_business_ = true;
   return resident;
 }
 
@@ -146,11 +147,13 @@ bool Mas::Implementation::kill(std::string_view name, double deadline_ms) {
 }
 
 void Mas::Implementation::leave(Resident& resident) {
+  has_business_ = true;
   services_.forget(resident.agent->name());
   residents_.remove(resident);
 }
 
 void Mas::Implementation::stop(double deadline_ms, int exit_code) {
+  has_business_ = true;
   if (beside_ != nullptr) {
     if (!beside_->outbox.end) beside_->outbox.end = {RunEnd::stopped, {}, exit_code};
     return;
@@ -169,6 +172,7 @@ void Mas::Implementation::stop(double deadline_ms, int exit_code) {
 }
 
 void Mas::Implementation::end(RunEnd how, std::string message) {
+  has_business_ = true;
   if (has_ended()) return;
   if (beside_ != nullptr) {
     beside_->outbox.end = {how, std::move(message), outcome_.exit_code};
@@ -242,6 +246,7 @@ std::vector<std::string> Mas::Implementation::names() const {
 // Messages.
 
 bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
+  has_business_ = true;
   Resident* const receiver =
       message.receiver == "self" ? &residents_.of(sender) : residents_.find(message.receiver);
   if (receiver == nullptr) return false;
@@ -284,6 +289,7 @@ void Mas::Implementation::tell_of_provider(const std::string& subscriber,
 }
 
 void Mas::Implementation::post(Resident& receiver, Message message) {
+  has_business_ = true;
   receiver.agent->circumstance().arriving.push_back(std::move(message));
   if (receiver.has_mail) return;
   receiver.has_mail = true;
@@ -376,17 +382,19 @@ bool Mas::Implementation::stride() {
 
 // Free steps, as long as no other agent takes part and no time passes.
 void Mas::Implementation::reason_alone(Resident& resident) {
-  constexpr int kLongestStride = 64;  // cycles; then the caller may look at the clock
-  int left = kLongestStride;
+  constexpr std::uint64_t kLongestStride = 64;  // cycles; then the caller may look at the clock
+  const std::uint64_t end = outcome_.cycles + kLongestStride;
   do {
-    reason(resident);
+    const std::uint64_t start = outcome_.cycles;
+    reason(resident, std::min(end - start, kStepsPerMs - busy_steps_));
     if (ended_) return;
     deliver_messages();
-    if (++busy_steps_ >= kStepsPerMs) {
+    busy_steps_ += outcome_.cycles - start;
+    if (busy_steps_ >= kStepsPerMs) {
       pass_busy_ms();
       return;
     }
-  } while (--left > 0 && !residents_.has_woken() && !resident.is_leaving &&
+  } while (outcome_.cycles < end && !residents_.has_woken() && !resident.is_leaving &&
            resident.agent->is_active());
 }
 
@@ -402,15 +410,23 @@ double Mas::Implementation::wall_ms() const {
   return passed.count();
 }
 
-// One cycle of an agent that has something to do.
-void Mas::Implementation::reason(Resident& resident) {
+// Cycles of an agent that has something to do: `most` at most, and none after one in which it has
+// asked anything of others.
+void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
   Agent& agent = *resident.agent;
   if (resident.period != period_) {
     resident.period = period_;
     resident.cycles_before = agent.cycles();
   }
-  agent.cycle();
-  ++(beside_ != nullptr ? beside_->outbox.cycles : outcome_.cycles);
+  most =
+      std::min(most - 1, options_.max_cycles_per_tick - (agent.cycles() - resident.cycles_before)) +
+      1;
+  if (options_.max_cycles > agent.cycles()) {
+    most = std::min(most, options_.max_cycles - agent.cycles());
+  }
+  has_business_ = false;
+  const std::uint64_t taken = agent.reason(most);
+  (beside_ != nullptr ? beside_->outbox.cycles : outcome_.cycles) += taken;
   if (agent.cycles() - resident.cycles_before > options_.max_cycles_per_tick) {
     end(RunEnd::looping, busy_message(agent, options_.max_cycles_per_tick));
   } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {

@@ -82,7 +82,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void perceive();
   void reason_until_quiet();
   void execute_actions();
-  void reason(Resident& resident);
+  void reason(Resident& resident, std::uint64_t most);
   [[nodiscard]] bool has_ended() const {
     return beside_ ? beside_->outbox.end.has_value() : ended_;
   }

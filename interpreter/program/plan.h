@@ -107,6 +107,7 @@ struct Plan {
   Value trigger;  // the literal or variable; a template
   /// argument_key of the trigger's first argument; 0: it may match any, or there is none.
   std::uint64_t first_key = 0;
+  Value first_argument;  // the same if it is a number or atom; else unset
   const Goal* context = nullptr;
   const Goal* goal_condition = nullptr;
   bool has_goal_condition = false;
@@ -136,6 +137,8 @@ class PlanList {
  public:
   void add(const Plan& plan);
   [[nodiscard]] const std::vector<const Plan*>& plans() const { return plans_; }
+  /// There is no index: it is as well to look at all of them.
+  [[nodiscard]] bool is_short() const { return plans_.size() <= kUnindexedPlans; }
 
   /// Calls `is_it(plan)` for the plans that may match a first argument with this argument_key (0:
   /// any plan), in order, until it returns true; false if it never does.

@@ -240,7 +240,10 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
     plan->key =
         trigger_key(trigger.op, trigger.kind, literal_parts(trigger.literal).predicate, symbols);
     const std::span<const Value> args = literal_parts(trigger.literal).args;
-    if (!args.empty()) plan->first_key = argument_key(args.front());
+    if (!args.empty()) {
+      plan->first_key = argument_key(args.front());
+      if (args.front().is_number() || args.front().is_atom()) plan->first_argument = args.front();
+    }
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);

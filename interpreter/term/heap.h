@@ -121,6 +121,20 @@ class Heap {
   /// Values of all kinds. The flag `closed` is derived from the parts.
   [[nodiscard]] Value structure(Predicate predicate, std::span<const Value> args,
                                 Value annots = Value::empty_list(), Form form = Form::literal);
+  /// A literal whose arguments the caller fills in at once; annotations are closed. `literal_of`
+  /// makes a Value of it, and is told whether all arguments are closed.
+  [[nodiscard]] Structure* blank_literal(Predicate predicate, std::size_t arity, Value annots) {
+    auto* const made = reinterpret_cast<Structure*>(allocate(2 + arity));
+    made->predicate_id = static_cast<std::uint32_t>(predicate);
+    made->arity = static_cast<std::uint16_t>(arity);
+    made->info = static_cast<std::uint16_t>(Form::literal) | Structure::kAnnotated;
+    made->cells()[0] = annots;
+    return made;
+  }
+  [[nodiscard]] Value literal_of(const Structure* made, bool closed) const {
+    return Value::reference(Value::Kind::structure, made,
+                            (closed ? Value::kClosed : 0) | static_flag_);
+  }
   [[nodiscard]] Value pair(Value head, Value tail) {
     auto* const made = reinterpret_cast<Pair*>(allocate(2));
     made->head = head;
@@ -137,6 +151,8 @@ class Heap {
     made->serial = next_serial_++;
     return Value::reference(Value::Kind::variable, made, 0);
   }
+  /// A variable's number is given to none.
+  void skip_variable() { ++next_serial_; }
   [[nodiscard]] Value object(std::unique_ptr<Object> object);
 
   /// A place to which the heap can be cut back when nothing made since is needed.

@@ -1,0 +1,60 @@
+#pragma once
+
+// Arithmetic over a frame with the usual operands in line: `N-1`, `X + V`.
+
+#include "interpreter/logic/unifier.h"
+
+namespace jaywalk {
+
+/// A number, or a slot with one.
+[[nodiscard]] inline bool is_known_number(Value term, const Value* frame, double& number) {
+  if (term.is_slot()) term = deref(frame[term.slot_index()]);
+  if (!term.is_number()) return false;
+  number = term.as_number();
+  return true;
+}
+
+/// The value of an expression over such operands; false, without a warning, if it has none or is
+/// something else. The depth of calls is that of the program's text.
+[[nodiscard]] bool evaluate_nested(Value expression, const Value* frame, double& number);
+[[nodiscard]] inline bool evaluate_known(Value expression, const Value* frame, double& number) {
+  if (!is_form(expression, Form::expression)) return false;
+  const Structure& s = *expression.structure();
+  double a = 0;
+  double b = 0;
+  if (s.arity == 2 && is_known_number(s.arg(0), frame, a) && is_known_number(s.arg(1), frame, b)) {
+    switch (s.predicate()) {
+      case predicates::add:
+        number = a + b;
+        return true;
+      case predicates::subtract:
+        number = a - b;
+        return true;
+      case predicates::multiply:
+        number = a * b;
+        return true;
+      default:
+        break;
+    }
+  }
+  return evaluate_nested(expression, frame, number);
+}
+
+/// The value of an operand that is a constant, bound to something closed, or a number to be
+/// computed; false: it is something else.
+[[nodiscard]] inline bool known_operand(Value term, const Value* frame, Value& value) {
+  if (term.is_slot()) {
+    value = deref(frame[term.slot_index()]);
+    return value.is_closed() && !value.is_unset();
+  }
+  if (term.is_closed()) {
+    value = term;
+    return true;
+  }
+  double number = 0;
+  if (!evaluate_known(term, frame, number)) return false;
+  value = Value::number(number);
+  return true;
+}
+
+}  // namespace jaywalk
