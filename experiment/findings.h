@@ -23,6 +23,8 @@ namespace jaywalk {
 struct Inquiry {
   std::vector<Assertion> assertions;
   bool metrics = false;
+  /// The files that take the place of the scenario's own assertions.
+  std::vector<SourcePtr> files;
 };
 
 struct TestFindings {

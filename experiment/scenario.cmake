@@ -1,10 +1,14 @@
 # The scenario and the trial: what a comparison runs. Included by CMakeLists.txt beside it.
 target_sources(jaywalk_experiment PRIVATE
   code_lines.cpp
+  program_copies.cpp
   scenario.cpp
+  scenario_actors.cpp
+  scenario_av.cpp
   scenario_parameters.cpp
   scenario_presets.cpp
   scenario_reader.cpp
+  scenario_road.cpp
   scenario_schema.cpp
   scenario_world.cpp
   scenario_yaml.cpp

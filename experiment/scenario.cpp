@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/program_copies.h"
 #include "experiment/scenario_schema.h"
 
 namespace jaywalk {
@@ -150,11 +151,23 @@ class ScenarioBuilder {
     }
     check_behaviours();
     if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
+    if (!world.av.vehicle.command.empty() && !diagnostics_.has_errors()) read_programs();
     if (draft_.assertions_file) {
       read_assertions();
     } else if (!draft_.judged.empty()) {
       report(diagnostics_, draft_.judged.front().second, "assertions to judge, but no file of them",
              "name it under 'assertions.file'");
+    }
+  }
+
+  void read_programs() {
+    Scenario& scenario = draft_.scenario;
+    auto programs =
+        keep_programs(scenario.world.av.vehicle.command, options_.files, scenario.sources);
+    if (programs.ok()) {
+      scenario.programs = std::move(programs).value();
+    } else {
+      diagnostics_.append(std::move(programs.diagnostics()));
     }
   }
 

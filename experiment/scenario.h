@@ -5,6 +5,7 @@
 // then each `--set`; the last one counts. Trials run a scenario that was prepared; see trial.h.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,8 @@
 #include "interpreter/support/source_files.h"
 
 namespace jaywalk {
+
+class ProgramCopies;
 
 /// Where a value was given: a place in a file, or an option (`--set world.length=80`).
 struct ValueOrigin {
@@ -89,6 +92,8 @@ struct Scenario {
   /// the programs are.
   std::vector<SourcePtr> sources;
   SourceFiles files;
+  /// Copies of the AV's external controller that its command names; null if there are none.
+  std::shared_ptr<const ProgramCopies> programs;
 };
 
 struct ScenarioOptions {

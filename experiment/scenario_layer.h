@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "experiment/scenario_reader.h"
 #include "experiment/scenario_schema.h"
 
@@ -43,6 +45,12 @@ class LayerPart {
       if (const auto value = reader_.integer(node, range)) target = static_cast<T>(*value);
     };
   }
+  KeyReader optional_number(std::optional<double>& target, NumberRange range) {
+    return [this, &target, range](const ConfigNode& node, const std::string& path) {
+      draft_.origins[path] = node.origin;
+      if (const auto value = reader_.number(node, range)) target = *value;
+    };
+  }
   KeyReader interval(Interval& target, IntegerRange range) {
     return [this, &target, range](const ConfigNode& node, const std::string& path) {
       draft_.origins[path] = node.origin;
@@ -60,14 +68,43 @@ class LayerPart {
     };
   }
 
+  // Each item of a list, which takes the place of what was there.
+  template <class Item>
+  void read_list(const ConfigNode& node, const std::string& path, std::string_view expected,
+                 std::vector<Item>& target, std::function<void(const ConfigNode&, Item&)> read) {
+    draft_.origins[path] = node.origin;
+    if (node.kind != ConfigNode::Kind::list || node.items.size() > kMaxItems) {
+      reader_.unexpected(node, expected);
+      return;
+    }
+    target.clear();
+    for (const ConfigNode& item : node.items) read(item, target.emplace_back());
+  }
+
+  void require(const ConfigNode& node, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) {
+      if (node.kind == ConfigNode::Kind::map && node.find(key) == nullptr) {
+        reader_.error(node.origin, fmt::format("the key '{}' is missing", key));
+      }
+    }
+  }
+
+  [[nodiscard]] CrossingParameters& world() { return draft_.scenario.world; }
+
+  // As many items as a list may have.
+  static constexpr std::size_t kMaxItems = 1000;
+
   const std::string& folder_;
   ScenarioDraft& draft_;
   ConfigReader reader_;
 };
 
-/// Reads the key `world` of a layer.
-void read_world(const ConfigNode& node, const std::string& path, const std::string& folder,
-                ScenarioDraft& draft, Diagnostics& diagnostics);
+/// Reads the value of a key into the draft.
+using PartReader = void(const ConfigNode& node, const std::string& path, const std::string& folder,
+                        ScenarioDraft& draft, Diagnostics& diagnostics);
+
+/// The key `world` of a layer, and those of its keys that are read in files of their own.
+PartReader read_world, read_bands, read_map, read_crosswalks, read_obstacles, read_actors, read_av;
 
 /// Reads `{radius: 15, odds: [1, 11]}`; a name that is there already is given its new values.
 void read_parameters(const ConfigNode& node, const ConfigReader& reader,

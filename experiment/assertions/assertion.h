@@ -13,6 +13,7 @@
 
 #include "experiment/assertions/expression.h"
 #include "experiment/signals/signals.h"
+#include "interpreter/support/source_files.h"
 
 namespace jaywalk {
 
@@ -70,6 +71,24 @@ struct Judgement {
 /// Parses what a file holds. All mistakes are reported, with their places.
 [[nodiscard]] Result<std::vector<Assertion>> parse_assertions(const SourcePtr& source);
 [[nodiscard]] Result<std::vector<Assertion>> read_assertions(const std::string& path);
+
+/// Assertions of several files, and their texts.
+struct AssertionFiles {
+  std::vector<Assertion> assertions;
+  std::vector<SourcePtr> sources;
+};
+
+enum class SameId {
+  /// Two files with one id are a mistake.
+  refused,
+  /// The later file's assertion takes the place of the earlier one's.
+  replaced,
+};
+
+/// All files in their order, from the disk or from copies. All mistakes are reported.
+[[nodiscard]] Result<AssertionFiles> read_assertion_files(const std::vector<std::string>& paths,
+                                                          const SourceFiles& files = {},
+                                                          SameId same_id = SameId::refused);
 
 /// The names that expressions know: the rows of signals.def.
 [[nodiscard]] const stl::Vocabulary& signal_vocabulary();

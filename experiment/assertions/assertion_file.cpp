@@ -216,4 +216,31 @@ Result<std::vector<Assertion>> read_assertions(const std::string& path) {
   return parse_assertions(source.value());
 }
 
+Result<AssertionFiles> read_assertion_files(const std::vector<std::string>& paths,
+                                            const SourceFiles& files, SameId same_id) {
+  AssertionFiles all;
+  Diagnostics diagnostics;
+  for (const std::string& path : paths) {
+    auto source = files.read(path, kMaxScenarioBytes);
+    auto more = source ? parse_assertions(source.value()) : std::move(source.diagnostics());
+    if (!more) {
+      diagnostics.append(std::move(more.diagnostics()));
+      continue;
+    }
+    all.sources.push_back(source.value());
+    for (Assertion& assertion : more.value()) {
+      const auto earlier = std::ranges::find(all.assertions, assertion.id, &Assertion::id);
+      if (earlier == all.assertions.end()) {
+        all.assertions.push_back(std::move(assertion));
+      } else if (same_id == SameId::replaced) {
+        *earlier = std::move(assertion);
+      } else {
+        diagnostics.error(path, fmt::format("a second assertion with the id '{}'", assertion.id));
+      }
+    }
+  }
+  if (diagnostics.has_errors()) return diagnostics;
+  return all;
+}
+
 }  // namespace jaywalk

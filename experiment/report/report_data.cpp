@@ -2,7 +2,6 @@
 #include <ranges>
 #include <utility>
 
-#include "experiment/findings.h"
 #include "experiment/report/report.h"
 
 namespace jaywalk::reporting {
@@ -30,7 +29,7 @@ class DataReader {
     take(store_.comparison(), data_.comparison);
     take(store_.prepared(), data_.prepared);
     read_facts();
-    read_findings();
+    read_violations();
     choose_replays();
     if (trouble_.has_errors()) return std::move(trouble_);
     return std::move(data_);
@@ -77,25 +76,16 @@ class DataReader {
     }
   }
 
-  void read_findings() {
-    Comparison& comparison = data_.comparison;
-    if (!take(store_.assertion_ids(), comparison.assertions) || !data_.prepared) return;
-    Inquiry inquiry;
-    inquiry.assertions.resize(comparison.assertions.size());
-    FindingsTable table(inquiry, plan_);
-    bool any = false;
+  void read_violations() {
+    if (data_.comparison.assertions.empty() || !data_.prepared) return;
     note(store_.for_each_assessed([&](const TestCase& test, const std::vector<Assessment>& rows) {
-      any = true;
-      table.add(in_plan(test), from_assessments(rows, comparison.assertions));
       for (const Assessment& row : rows) note_violation(test, row);
     }));
-    if (!any) return;
-    for (const Summary& summary : comparison.summaries) {
-      comparison.findings.push_back(
-          table.summary(behaviour_index(summary.behaviour), summary.agents));
-    }
+    // Those of files, if there are any, take the place of the scenario's.
+    take(store_.assertions(), data_.assertions);
     for (const Assertion& assertion : data_.prepared->scenario().assertions) {
-      if (std::ranges::find(comparison.assertions, assertion.id) != comparison.assertions.end()) {
+      if (std::ranges::find(data_.assertions, assertion.id, &Assertion::id) ==
+          data_.assertions.end()) {
         data_.assertions.push_back(assertion);
       }
     }

@@ -19,6 +19,12 @@ class AssessmentWriter::Impl {
     database_->execute("BEGIN");
   }
 
+  void note_judging(std::span<const SourcePtr> files, bool metrics) {
+    const ExperimentDescription before = description_;
+    add_judging(description_, files, metrics);
+    write_judging(*database_, before, description_);
+  }
+
   void replace(std::int64_t test_id, const std::vector<Assessment>& assessments) {
     std::vector<Assessment> all = read_assessments(*database_, test_id);
     std::erase_if(all, [&](const Assessment& old) {
@@ -55,6 +61,10 @@ Result<std::unique_ptr<AssessmentWriter>> AssessmentWriter::open(const std::stri
   if (!database) return std::move(database.diagnostics());
   return std::unique_ptr<AssessmentWriter>(new AssessmentWriter(
       std::make_unique<Impl>(std::move(database).value(), std::move(seen.value().description))));
+}
+
+void AssessmentWriter::note_judging(std::span<const SourcePtr> files, bool metrics) {
+  impl_->note_judging(files, metrics);
 }
 
 void AssessmentWriter::replace(std::int64_t test_id, const std::vector<Assessment>& assessments) {

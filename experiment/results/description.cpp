@@ -60,6 +60,15 @@ std::string options_of(const ExperimentDescription& description) {
   return text.empty() ? "none" : text.substr(0, text.size() - 1);
 }
 
+/// As the command line would have it.
+std::string judging_of(const ExperimentDescription& description) {
+  std::string text = description.metrics ? "--metrics " : "";
+  for (const std::string& file : description.assertion_files) {
+    text += fmt::format("--assertions {} ", file);
+  }
+  return text.empty() ? "none" : text.substr(0, text.size() - 1);
+}
+
 std::string difference_of_inputs(const ExperimentDescription& left,
                                  const ExperimentDescription& right) {
   if (left.inputs.size() != right.inputs.size()) {
@@ -117,6 +126,23 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
   return description;
 }
 
+void add_judging(ExperimentDescription& description, std::span<const SourcePtr> files,
+                 bool metrics) {
+  description.metrics = description.metrics || metrics;
+  for (const SourcePtr& file : files) {
+    StoredInput input{
+        .path = file->name(), .text = std::string(file->text()), .sha256 = sha256(file->text())};
+    auto same = std::ranges::find(description.inputs, input.path, &StoredInput::path);
+    if (same != description.inputs.end() && same->sha256 != input.sha256) {
+      input.path += '@' + input.sha256.substr(0, 8);
+      same = std::ranges::find(description.inputs, input.path, &StoredInput::path);
+    }
+    std::erase(description.assertion_files, input.path);  // the latest counts
+    description.assertion_files.push_back(input.path);
+    if (same == description.inputs.end()) description.inputs.push_back(std::move(input));
+  }
+}
+
 std::int64_t test_id(const ExperimentDescription& description, const TestCase& test) {
   const auto agents = std::ranges::find(description.agents, test.agents);
   assert(agents != description.agents.end() && "a test of the plan");
@@ -163,6 +189,7 @@ std::string difference(const ExperimentDescription& left, const ExperimentDescri
       Fact{"the numbers of agents", list(left.agents), list(right.agents)},
       Fact{"the behaviours", names_of(left.behaviours), names_of(right.behaviours)},
       Fact{"the scenario's options", options_of(left), options_of(right)},
+      Fact{"the assertions and metrics", judging_of(left), judging_of(right)},
   };
   for (const Fact& fact : facts) {
     if (fact.left != fact.right) {

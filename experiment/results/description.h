@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,9 @@ struct ExperimentDescription {
   std::optional<std::string> preset;
   std::vector<std::string> sets;
   std::vector<std::string> behaviour_options;
+  /// The files of `--assertions`, by their names among the inputs, and whether tests were measured.
+  std::vector<std::string> assertion_files;
+  bool metrics = false;
   /// The plan: behaviours x agents x tests, numbered from `first_test`.
   std::vector<StoredBehaviour> behaviours;
   std::vector<std::uint32_t> agents;
@@ -78,6 +82,11 @@ struct ExperimentDescription {
 [[nodiscard]] ExperimentDescription describe(const PreparedScenario& prepared,
                                              const ScenarioOptions& options,
                                              const ExperimentPlan& plan, std::uint64_t seed);
+
+/// Takes note that its tests are judged by the assertions of these files, and whether they are
+/// measured. Of two files of one name with different texts the second gets another name.
+void add_judging(ExperimentDescription& description, std::span<const SourcePtr> files,
+                 bool metrics);
 
 /// The number under which a store keeps a test, from 1 in the order of the plan. Shards and the
 /// whole run agree on it. REQUIRES: a test of the plan.

@@ -1,5 +1,6 @@
 #include "experiment/results/reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,17 +38,22 @@ class ResultsReader::Impl {
     return std::nullopt;
   }
 
-  Result<std::shared_ptr<const PreparedScenario>> prepare() {
-    if (prepared_) return prepared_;
+  /// The inputs, as they were.
+  [[nodiscard]] SourceFiles copies() const {
     std::vector<SourcePtr> copies;
     for (const StoredInput& input : description_.inputs) {
       copies.push_back(std::make_shared<const Source>(input.path, input.text));
     }
+    return SourceFiles(copies);
+  }
+
+  Result<std::shared_ptr<const PreparedScenario>> prepare() {
+    if (prepared_) return prepared_;
     auto scenario =
         read_scenario(description_.scenario, {.preset = description_.preset,
                                               .sets = description_.sets,
                                               .behaviours = description_.behaviour_options,
-                                              .files = SourceFiles(copies)});
+                                              .files = copies()});
     if (!scenario) return std::move(scenario.diagnostics());
     Diagnostics warnings;  // were shown when the tests ran
     auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
@@ -148,6 +154,18 @@ Result<std::shared_ptr<const PreparedScenario>> ResultsReader::prepared() const 
   return impl_->prepare();
 }
 
+Result<std::vector<Assertion>> ResultsReader::assertions() const {
+  if (description().assertion_files.empty()) {
+    auto scenario = prepared();
+    if (!scenario) return std::move(scenario.diagnostics());
+    return scenario.value()->scenario().assertions;
+  }
+  auto files =
+      read_assertion_files(description().assertion_files, impl_->copies(), SameId::replaced);
+  if (!files) return std::move(files.diagnostics());
+  return std::move(files).value().assertions;
+}
+
 Result<TrialInput> ResultsReader::input(std::int64_t id) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
@@ -179,6 +197,32 @@ Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& op
       fmt::format("jaywalk {} stored it, this is {}", description().version, JAYWALK_VERSION));
 }
 
+std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) const {
+  auto ids = assertion_ids();
+  if (!ids) return std::move(ids.diagnostics());
+  ExperimentPlan plan{.agents = description().agents, .tests = description().tests};
+  for (const StoredBehaviour& behaviour : description().behaviours) {
+    plan.behaviours.push_back(behaviour.name);
+  }
+  Inquiry inquiry;
+  inquiry.assertions.resize(ids.value().size());
+  FindingsTable table(inquiry, plan);
+  bool any = false;
+  auto failure = for_each_assessed([&](TestCase test, const std::vector<Assessment>& rows) {
+    any = true;
+    test.number -= description().first_test;
+    table.add(test, from_assessments(rows, ids.value()));
+  });
+  if (failure || !any) return failure;
+  comparison.assertions = std::move(ids).value();
+  for (const Summary& summary : comparison.summaries) {
+    const auto behaviour = std::ranges::find(plan.behaviours, summary.behaviour);
+    comparison.findings.push_back(table.summary(
+        static_cast<std::size_t>(behaviour - plan.behaviours.begin()), summary.agents));
+  }
+  return std::nullopt;
+}
+
 Result<Comparison> ResultsReader::comparison() const {
   const ExperimentDescription& plan = description();
   Comparison comparison{.scenario = plan.scenario,
@@ -199,6 +243,7 @@ Result<Comparison> ResultsReader::comparison() const {
       comparison.summaries.push_back(std::move(summary));
     }
   }
+  if (auto failure = add_findings(comparison)) return std::move(*failure);
   return comparison;
 }
 

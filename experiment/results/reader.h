@@ -81,17 +81,22 @@ class ResultsReader {
   /// The scenario as it was, made ready to run from the texts in the store, not from files; made
   /// once, then kept.
   [[nodiscard]] Result<std::shared_ptr<const PreparedScenario>> prepared() const;
+  /// What its tests are judged by, as it was: the assertions of the files of `--assertions`, or
+  /// else the scenario's.
+  [[nodiscard]] Result<std::vector<Assertion>> assertions() const;
   /// What to run for a test: `run_trial(*prepared, input)` repeats it.
   [[nodiscard]] Result<TrialInput> input(std::int64_t id) const;
   /// Runs a test again, with what the caller wants to see of it. Error: its outcome is not the
   /// stored one, as when another version of the program wrote the store.
   [[nodiscard]] Result<TrialResult> rerun(std::int64_t id, const TrialOptions& options = {}) const;
 
-  /// What the tests come to: rows whose tests (those of the shard) are all there.
+  /// What the tests come to: rows whose tests (those of the shard) are all there, with what
+  /// assertions and metrics say of them, if the store has that.
   [[nodiscard]] Result<Comparison> comparison() const;
 
  private:
   class Impl;
+  [[nodiscard]] std::optional<Diagnostics> add_findings(Comparison& comparison) const;
   explicit ResultsReader(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

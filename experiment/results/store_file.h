@@ -31,6 +31,9 @@ struct OpenStore {
                                       std::string hint = {});
 
 void write_description(Database& database, const ExperimentDescription& description);
+/// What add_judging() made of the description in the store.
+void write_judging(Database& database, const ExperimentDescription& before,
+                   const ExperimentDescription& now);
 /// Errors: what is there cannot be read, or makes no sense.
 [[nodiscard]] Result<ExperimentDescription> read_description(Database& database,
                                                              const std::string& path);

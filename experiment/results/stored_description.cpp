@@ -1,5 +1,6 @@
 // How an experiment's description is kept in a store's tables.
 
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,17 @@
 namespace jaywalk {
 namespace {
 
+void write_judging(Database& database, const ExperimentDescription& description) {
+  Statement option(database, "INSERT INTO options (name, value) VALUES (?, ?)");
+  for (const std::string& file : description.assertion_files) option.run("assertions", file);
+  if (description.metrics) option.run("metrics", "");
+}
+
+void write_inputs(Database& database, std::span<const StoredInput> inputs) {
+  Statement input(database, "INSERT INTO inputs (path, sha256, text) VALUES (?, ?, ?)");
+  for (const StoredInput& each : inputs) input.run(each.path, each.sha256, each.text);
+}
+
 void write_options(Database& database, const ExperimentDescription& description) {
   Statement option(database, "INSERT INTO options (name, value) VALUES (?, ?)");
   if (description.preset) option.run("preset", *description.preset);
@@ -17,6 +29,7 @@ void write_options(Database& database, const ExperimentDescription& description)
   for (const std::string& behaviour : description.behaviour_options) {
     option.run("behaviour", behaviour);
   }
+  write_judging(database, description);
 }
 
 void write_plan(Database& database, const ExperimentDescription& description) {
@@ -37,6 +50,8 @@ void read_options(Database& database, ExperimentDescription& description) {
     if (option == "preset") description.preset = row.text(1);
     if (option == "set") description.sets.push_back(row.text(1));
     if (option == "behaviour") description.behaviour_options.push_back(row.text(1));
+    if (option == "assertions") description.assertion_files.push_back(row.text(1));
+    if (option == "metrics") description.metrics = true;
   }
 }
 
@@ -85,8 +100,14 @@ void write_description(Database& database, const ExperimentDescription& descript
            anchored(&Anchor::northing_m), anchored(&Anchor::bearing_deg));
   write_options(database, description);
   write_plan(database, description);
-  Statement input(database, "INSERT INTO inputs (path, sha256, text) VALUES (?, ?, ?)");
-  for (const StoredInput& each : description.inputs) input.run(each.path, each.sha256, each.text);
+  write_inputs(database, description.inputs);
+}
+
+void write_judging(Database& database, const ExperimentDescription& before,
+                   const ExperimentDescription& now) {
+  database.execute("DELETE FROM options WHERE name IN ('assertions', 'metrics')");
+  write_judging(database, now);
+  write_inputs(database, std::span(now.inputs).subspan(before.inputs.size()));
 }
 
 Result<ExperimentDescription> read_description(Database& database, const std::string& path) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "experiment/results/description.h"
@@ -60,6 +61,9 @@ class AssessmentWriter {
   AssessmentWriter(const AssessmentWriter&) = delete;
   AssessmentWriter& operator=(const AssessmentWriter&) = delete;
 
+  /// Takes note of the files whose assertions the tests are judged by, and whether they are
+  /// measured.
+  void note_judging(std::span<const SourcePtr> files, bool metrics);
   /// Assessments of the test with other ids stay.
   void replace(std::int64_t test_id, const std::vector<Assessment>& assessments);
   /// Commits all of it, or says why nothing was written.

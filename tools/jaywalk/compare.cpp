@@ -120,7 +120,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
     request.plan.behaviours.push_back(behaviour.name);
   }
-  auto inquiry = read_inquiry(arguments, request.prepared->scenario(), console);
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
   if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
   request.inquiry = std::move(*inquiry);
   request.ground = ground(request.prepared->scenario().world);
@@ -250,41 +250,19 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
 }
 
 ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
-  return describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)),
-                  request.plan, request.seed);
-}
-
-/// What the store's tests of earlier runs were found to be.
-bool add_earlier_findings(const Request& request, const ResultsReader& store,
-                          const ResultsWriter& writer, FindingsTable& findings, Console& console) {
-  if (!asks(request.inquiry) || writer.had() == 0) return true;
-  const auto tests = store.tests();
-  if (!tests) {
-    console.report(tests.diagnostics());
-    return false;
-  }
-  for (const StoredTest& stored : tests.value()) {
-    if (!writer.had(stored.test)) continue;
-    const auto found = stored_findings(request.inquiry, store, stored.id, request.ground);
-    if (!found) {
-      console.report(found.diagnostics());
-      return false;
-    }
-    findings.add(stored.test, found.value());
-  }
-  return true;
+  ExperimentDescription description =
+      describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)),
+               request.plan, request.seed);
+  add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  return description;
 }
 
 /// Summed up from the store, which may have had tests before; nothing after reporting why not.
-std::optional<Comparison> stored_comparison(const Request& request, const ResultsWriter& writer,
-                                            FindingsTable& findings, Console& console) {
+std::optional<Comparison> stored_comparison(const Request& request, Console& console) {
   const std::string& path = request.store->path;
   auto store = ResultsReader::open(path);
   if (!store) {
     console.report(store.diagnostics());
-    return std::nullopt;
-  }
-  if (!add_earlier_findings(request, *store.value(), writer, findings, console)) {
     return std::nullopt;
   }
   auto comparison = store.value()->comparison();
@@ -474,10 +452,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!kept) return ExitCode::failed;
 
   std::optional<Comparison> comparison =
-      request->store ? stored_comparison(*request, *store, findings, console)
-                     : make_comparison(*request, outcome);
+      request->store ? stored_comparison(*request, console) : make_comparison(*request, outcome);
   if (!comparison) return ExitCode::failed;
-  add_findings(request->inquiry, findings, request->plan.behaviours, *comparison);
+  if (!store) add_findings(request->inquiry, findings, request->plan.behaviours, *comparison);
   const bool written = write_outputs(arguments, *request, *comparison, facts, console);
   if (!arguments.has("quiet")) console.print(tables(*comparison));
   if (!comparison->complete) {

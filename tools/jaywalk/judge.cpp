@@ -51,7 +51,12 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     return std::nullopt;
   }
   request.prepared = std::move(prepared).value();
-  auto inquiry = read_inquiry(arguments, request.prepared->scenario(), console);
+  const auto stored = request.store->assertions();
+  if (!stored) {
+    console.report(stored.diagnostics());
+    return std::nullopt;
+  }
+  auto inquiry = read_inquiry(arguments, stored.value(), console);
   if (!inquiry) return std::nullopt;
   request.inquiry = std::move(*inquiry);
   if (!asks(request.inquiry)) {
@@ -123,12 +128,14 @@ Outcome judge_all(const Request& request, bool keep, FindingsTable& table, Conso
 }
 
 /// Puts the findings into the store, which nobody reads any more.
-bool write_assessments(const std::string& path, const Outcome& outcome, Console& console) {
+bool write_assessments(const std::string& path, const Inquiry& inquiry, const Outcome& outcome,
+                       Console& console) {
   auto writer = AssessmentWriter::open(path);
   if (!writer) {
     console.report(writer.diagnostics());
     return false;
   }
+  writer.value()->note_judging(inquiry.files, inquiry.metrics);
   for (const auto& [id, rows] : outcome.assessments) writer.value()->replace(id, rows);
   if (const auto why = writer.value()->finish()) {
     console.error(fmt::format("cannot write '{}': {}", path, *why));
@@ -165,7 +172,8 @@ CommandHelp help() {
       .description =
           "Judges the tests of a store by assertions, after the fact, with the verdicts that\n"
           "compare --assertions gives. Tests whose positions the store does not have are run\n"
-          "again from their seeds. Without --assertions those of the stored scenario count.\n",
+          "again from their seeds. Without --assertions those count by which the store's tests\n"
+          "were judged, as they were then, or else the stored scenario's.\n",
       .options =
           {
               {"test", "N", "tell all about the test of this number in the store"},
@@ -209,7 +217,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   add_findings(request->inquiry, table, plan.behaviours, comparison.value());
   request->store.reset();
 
-  bool written = !keep || write_assessments(arguments.operands().front(), outcome, console);
+  bool written =
+      !keep || write_assessments(arguments.operands().front(), request->inquiry, outcome, console);
   written = write_outputs(arguments, comparison.value(), console) && written;
   if (!arguments.has("quiet")) {
     console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()));

@@ -7,35 +7,19 @@
 #include <fmt/format.h>
 
 namespace jaywalk {
-namespace {
 
-/// Adds the assertions of a file to those read before.
-void read_file(const std::string& path, std::vector<Assertion>& assertions,
-               Diagnostics& diagnostics) {
-  auto more = read_assertions(path);
-  if (!more) {
-    diagnostics.append(std::move(more.diagnostics()));
-    return;
-  }
-  for (Assertion& assertion : more.value()) {
-    if (std::ranges::find(assertions, assertion.id, &Assertion::id) != assertions.end()) {
-      diagnostics.error(path, fmt::format("a second assertion with the id '{}'", assertion.id));
-      continue;
-    }
-    assertions.push_back(std::move(assertion));
-  }
-}
-
-}  // namespace
-
-std::optional<Inquiry> read_inquiry(const Arguments& arguments, const Scenario& scenario,
-                                    Console& console) {
+std::optional<Inquiry> read_inquiry(const Arguments& arguments,
+                                    const std::vector<Assertion>& otherwise, Console& console) {
   Inquiry inquiry{.metrics = arguments.has("metrics")};
   Diagnostics diagnostics;
-  for (const std::string& path : arguments.texts("assertions")) {
-    read_file(path, inquiry.assertions, diagnostics);
+  auto named = read_assertion_files(arguments.texts("assertions"));
+  if (!named) {
+    diagnostics.append(std::move(named.diagnostics()));
+  } else {
+    inquiry.assertions = std::move(named.value().assertions);
+    inquiry.files = std::move(named.value().sources);
   }
-  if (!arguments.has("assertions")) inquiry.assertions = scenario.assertions;
+  if (!arguments.has("assertions")) inquiry.assertions = otherwise;
   if (arguments.has("junit") && inquiry.assertions.empty() && !diagnostics.has_errors()) {
     diagnostics.error("--junit", "there are no assertions to judge",
                       "--assertions names a file of them");
@@ -87,6 +71,8 @@ bool report_failures(const std::vector<FailureCondition>& conditions, const Comp
 
 void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
                   const std::vector<std::string>& behaviours, Comparison& comparison) {
+  comparison.assertions.clear();
+  comparison.findings.clear();
   if (!asks(inquiry)) return;
   for (const Assertion& assertion : inquiry.assertions) {
     comparison.assertions.push_back(assertion.id);
@@ -96,25 +82,6 @@ void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
     comparison.findings.push_back(
         findings.summary(static_cast<std::size_t>(behaviour), summary.agents));
   }
-}
-
-Result<TestFindings> stored_findings(const Inquiry& inquiry, const ResultsReader& store,
-                                     std::int64_t id, const Ground& ground) {
-  auto rows = store.assessments(id);
-  if (!rows) return std::move(rows.diagnostics());
-  std::vector<std::string> ids;
-  for (const Assertion& assertion : inquiry.assertions) ids.push_back(assertion.id);
-  const bool judged = std::ranges::all_of(ids, [&](const std::string& each) {
-    return std::ranges::find(rows.value(), each, &Assessment::id) != rows.value().end();
-  });
-  TestFindings findings = from_assessments(rows.value(), ids);
-  if (!inquiry.metrics) findings.metrics.clear();
-  // Every test with road users has a minimum distance.
-  const bool measured = !inquiry.metrics || !findings.metrics.empty();
-  if (judged && measured) return findings;
-  auto recording = store.recording(id);
-  if (!recording) return std::move(recording.diagnostics());
-  return assess(inquiry, recording.value(), ground);
 }
 
 }  // namespace jaywalk

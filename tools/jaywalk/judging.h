@@ -26,9 +26,11 @@ inline constexpr std::array kJudgingOptions = {
     OptionSpec{"junit", "FILE", "write the verdicts as JUnit XML"},
 };
 
-/// The assertions of the options, or else the scenario's; nothing after reporting what is wrong.
+/// The assertions of the options, or else those others (the scenario's); nothing after reporting
+/// what is wrong.
 [[nodiscard]] std::optional<Inquiry> read_inquiry(const Arguments& arguments,
-                                                  const Scenario& scenario, Console& console);
+                                                  const std::vector<Assertion>& otherwise,
+                                                  Console& console);
 
 [[nodiscard]] inline bool asks(const Inquiry& inquiry) {
   return inquiry.metrics || !inquiry.assertions.empty();
@@ -45,13 +47,9 @@ inline constexpr std::array kJudgingOptions = {
 [[nodiscard]] bool report_failures(const std::vector<FailureCondition>& conditions,
                                    const Comparison& comparison, Console& console);
 
-/// Puts what was found out beside the summaries. `behaviours` are those of the table's plan.
+/// Puts what was found out beside the summaries, in place of what was there. `behaviours` are those
+/// of the table's plan.
 void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
                   const std::vector<std::string>& behaviours, Comparison& comparison);
-
-/// What a store says of a test, as far as it was asked before; else by looking at the test again.
-[[nodiscard]] Result<TestFindings> stored_findings(const Inquiry& inquiry,
-                                                   const ResultsReader& store, std::int64_t id,
-                                                   const Ground& ground);
 
 }  // namespace jaywalk

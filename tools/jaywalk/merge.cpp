@@ -11,6 +11,7 @@
 #include "experiment/export/json.h"
 #include "experiment/export/write_file.h"
 #include "experiment/report/table.h"
+#include "experiment/report/verdict_table.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
 
@@ -36,6 +37,14 @@ bool write_outputs(const Arguments& arguments, const Comparison& comparison, Con
   return written;
 }
 
+std::string tables(const Comparison& comparison) {
+  std::string text = render_table(comparison);
+  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison)}) {
+    if (!more.empty()) text += '\n' + more;
+  }
+  return text;
+}
+
 /// What the store comes to, shown and written as `compare` does.
 ExitCode show(const std::string& path, const Arguments& arguments, Console& console) {
   auto store = ResultsReader::open(path);
@@ -49,7 +58,7 @@ ExitCode show(const std::string& path, const Arguments& arguments, Console& cons
     return ExitCode::failed;
   }
   const bool written = write_outputs(arguments, comparison.value(), console);
-  if (!arguments.has("quiet")) console.print(render_table(comparison.value()));
+  if (!arguments.has("quiet")) console.print(tables(comparison.value()));
   return written ? ExitCode::success : ExitCode::failed;
 }
 

@@ -72,7 +72,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
     console.error(why);
     return std::nullopt;
   }
-  auto inquiry = read_inquiry(arguments, request.prepared->scenario(), console);
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
   if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
   request.inquiry = std::move(*inquiry);
   return request;
@@ -94,6 +94,7 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
   ExperimentDescription description =
       describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)), plan,
                request.input.seed);
+  add_judging(description, request.inquiry.files, request.inquiry.metrics);
   // The first behaviour is the one that runs; the others are no part of the plan.
   description.behaviours.resize(1);
   description.first_test = request.input.test;

@@ -30,6 +30,10 @@ std::string compare_command(const ReportData& data) {
     command +=
         " --behaviours " + quoted(fmt::format("{}", fmt::join(description.behaviour_options, ",")));
   }
+  for (const std::string& file : description.assertion_files) {
+    command += " --assertions " + quoted(file);
+  }
+  if (description.metrics) command += " --metrics";
   if (description.shard.count > 1) {
     command += fmt::format(" --shard {}/{}", description.shard.index, description.shard.count);
   }

@@ -1,0 +1,73 @@
+#include "experiment/program_copies.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+Diagnostics cannot_write(const std::string& path) {
+  Diagnostics diagnostics;
+  diagnostics.error(path, "cannot write the kept copy of a program to start it");
+  return diagnostics;
+}
+
+bool is_as_it_was(const Source& kept) {
+  std::error_code error;
+  if (!fs::is_regular_file(kept.name(), error)) return false;
+  const auto now = read_source(kept.name());
+  return now.ok() && now.value()->text() == kept.text();
+}
+
+}  // namespace
+
+ProgramCopies::ProgramCopies() {
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "jaywalk-programs-XXXXXX").string();
+  if (!error && ::mkdtemp(name.data()) != nullptr) folder_ = name;
+}
+
+ProgramCopies::~ProgramCopies() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+Result<std::string> ProgramCopies::add(const Source& program) {
+  // The file keeps its name, by which an interpreter may know what it is; a folder each.
+  const fs::path path = folder_ / std::to_string(count_++) / fs::path(program.name()).filename();
+  std::error_code error;
+  if (folder_.empty() || !fs::create_directory(path.parent_path(), error)) {
+    return cannot_write(program.name());
+  }
+  std::ofstream file(path, std::ios::binary);
+  file << program.text();
+  file.close();
+  fs::permissions(path, fs::perms::owner_all, error);
+  if (!file || error) return cannot_write(program.name());
+  return path.string();
+}
+
+Result<std::shared_ptr<const ProgramCopies>> keep_programs(std::vector<std::string>& command,
+                                                           const SourceFiles& files,
+                                                           std::vector<SourcePtr>& sources) {
+  std::shared_ptr<ProgramCopies> copies;
+  for (std::string& word : command) {
+    if (!files.has(word)) continue;
+    const auto program = files.read(word);
+    if (!program.ok()) continue;  // no text, as the interpreter itself
+    sources.push_back(program.value());
+    if (is_as_it_was(*program.value())) continue;
+    if (!copies) copies = std::make_shared<ProgramCopies>();
+    auto copy = copies->add(*program.value());
+    if (!copy) return std::move(copy.diagnostics());
+    word = std::move(copy).value();
+  }
+  return std::shared_ptr<const ProgramCopies>(std::move(copies));
+}
+
+}  // namespace jaywalk

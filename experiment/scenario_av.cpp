@@ -1,0 +1,106 @@
+// The automated vehicle: its body, its speed and how it drives.
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario_layer.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr IntegerRange kCells{1, 100'000};
+constexpr IntegerRange kCellsFromAnywhere{-100'000, 100'000};
+constexpr IntegerRange kRows{0, 999};
+constexpr NumberRange kMetresFar{0, 1e6};
+constexpr NumberRange kStandoff{0, 100};
+constexpr NumberRange kWindow{0, 3600};
+constexpr NumberRange kSpeed{0.01, 10'000};
+constexpr NumberRange kAcceleration{0.01, 100};
+
+class AvReader : LayerPart {
+ public:
+  AvReader(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
+      : LayerPart(folder, draft, diagnostics) {}
+
+  void read_av(const ConfigNode& node, const std::string& path) {
+    AvParameters& av = world().av;
+    if (node.find("speed") != nullptr && node.find("speed_mps") != nullptr) {
+      reader_.error(node.origin, "give either 'speed' or 'speed_mps'");
+    }
+    read_keys(node, path,
+              {
+                  {"length", integer(av.length, kCells)},
+                  {"rows", interval(av.rows, kRows)},
+                  {"start", integer(av.start, kCellsFromAnywhere)},
+                  {"stopping_distance", integer(av.stopping_distance, {0, kCells.most})},
+                  {"model", [&](const ConfigNode& value,
+                                const std::string& key) { read_model(value, key); }},
+                  {"reaction", optional_number(av.vehicle.reaction_s, kWindow)},
+                  {"deceleration", optional_number(av.vehicle.deceleration_mps2, kAcceleration)},
+                  {"acceleration", number(av.vehicle.acceleration_mps2, kAcceleration)},
+                  {"range", number(av.vehicle.range_m, kMetresFar)},
+                  {"standoff", number(av.vehicle.standoff_m, kStandoff)},
+                  {"period", number(av.vehicle.period_s, kWindow)},
+                  {"command", [&](const ConfigNode& value,
+                                  const std::string& key) { read_command(value, key); }},
+                  {"speed",
+                   [&](const ConfigNode& value, const std::string&) {
+                     if (const auto speed = reader_.number(value, kSpeed)) {
+                       av.speed = *speed;
+                       draft_.speed_mps.reset();
+                     }
+                   }},
+                  {"speed_mps",
+                   [&](const ConfigNode& value, const std::string&) {
+                     if (const auto speed = reader_.number(value, kSpeed)) {
+                       draft_.speed_mps = *speed;
+                     }
+                   }},
+              });
+  }
+
+ private:
+  void read_model(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    const std::optional<std::string> name = reader_.text(node, "how the AV drives");
+    if (!name) return;
+    if (find_vehicle_model(*name) != nullptr) {
+      world().av.vehicle.model = *name;
+      return;
+    }
+    std::vector<std::string> names;
+    for (const VehicleModel& model : vehicle_models()) names.emplace_back(model.name);
+    reader_.error(node.origin, fmt::format("unknown model '{}' of the AV", *name),
+                  did_you_mean(*name, names));
+  }
+
+  // A program and its arguments. One that is a file beside the scenario is found there.
+  void read_command(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    std::vector<std::string> command;
+    if (node.kind == ConfigNode::Kind::list && !node.items.empty()) {
+      for (const ConfigNode& item : node.items) {
+        const auto word = reader_.text(item, "a word of a command");
+        if (!word) return;
+        const std::string beside = path_in(folder_, *word);
+        std::error_code ignored;
+        const bool found =
+            draft_.scenario.files.has(beside) || std::filesystem::is_regular_file(beside, ignored);
+        command.push_back(found ? beside : *word);
+      }
+      world().av.vehicle.command = std::move(command);
+    } else {
+      reader_.unexpected(node, "a program and its arguments as [python3, controller.py]");
+    }
+  }
+};
+
+}  // namespace
+
+void read_av(const ConfigNode& node, const std::string& path, const std::string& folder,
+             ScenarioDraft& draft, Diagnostics& diagnostics) {
+  AvReader(folder, draft, diagnostics).read_av(node, path);
+}
+
+}  // namespace jaywalk
