@@ -66,9 +66,9 @@ class WorldReader : LayerPart {
   }
 
   // A key that is read in a file of its own.
-  KeyReader part(PartReader* read) {
-    return [this, read](const ConfigNode& node, const std::string& path) {
-      read(node, path, folder_, draft_, diagnostics_);
+  KeyReader part(PartReader* reader) {
+    return [this, reader](const ConfigNode& node, const std::string& path) {
+      reader(node, path, folder_, draft_, diagnostics_);
     };
   }
 

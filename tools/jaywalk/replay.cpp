@@ -7,6 +7,8 @@
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/viewer.h"
+#include "tools/picture/gif.h"
+#include "tools/picture/test_picture.h"
 
 namespace jaywalk::command::replay {
 namespace {
@@ -15,6 +17,7 @@ struct Wanted {
   std::optional<std::uint64_t> test;
   std::optional<std::uint64_t> agents;
   std::optional<std::string> behaviour;
+  std::optional<std::uint64_t> tick;
   double speed = 2;
 };
 
@@ -23,7 +26,11 @@ std::optional<Wanted> read_wanted(const Arguments& arguments, Console& console) 
   Wanted wanted{.test = arguments.number("test", 0, diagnostics),
                 .agents = arguments.number("agents", 1, diagnostics),
                 .behaviour = arguments.text("behaviour"),
+                .tick = arguments.number("tick", 0, diagnostics),
                 .speed = arguments.positive("speed", diagnostics).value_or(2)};
+  if (wanted.tick && !arguments.has("png")) {
+    diagnostics.error("--tick", "has no meaning without --png");
+  }
   if (!diagnostics.has_errors()) return wanted;
   console.report(diagnostics);
   return std::nullopt;
@@ -79,6 +86,61 @@ ExitCode write_page(const ResultsReader& store, const StoredTest& test, const st
   return ExitCode::success;
 }
 
+bool write(const std::string& path, std::string_view bytes, Console& console) {
+  const auto why = bytes.empty() ? std::optional<std::string>("there is no memory for the picture")
+                                 : write_file(path, bytes);
+  if (why) console.error(fmt::format("cannot write '{}': {}", path, *why));
+  return !why;
+}
+
+/// The tick that is wanted, or else that of the first event, or the last.
+std::optional<std::size_t> tick_of(const Recording& recording, const Wanted& wanted,
+                                   Console& console) {
+  const std::size_t last = recording.scenes() - 1;
+  if (!wanted.tick) return recording.events().empty() ? last : recording.events()[0].tick;
+  if (*wanted.tick <= last) return *wanted.tick;
+  console.error(fmt::format("the test has no tick {}", *wanted.tick),
+                fmt::format("its last is {}", last));
+  return std::nullopt;
+}
+
+std::string movie(const picture::TestPicture& picture, const Recording& recording, double speed) {
+  // A test of many short ticks is shown in fewer frames.
+  constexpr std::size_t kMostFrames = 600;
+  const std::size_t last = recording.scenes() - 1;
+  const std::size_t step = last / kMostFrames + 1;
+  const std::size_t frames = last / step + 1;
+  return picture::to_gif(
+      {.frames = static_cast<int>(frames),
+       .frame =
+           [&](int frame) { return picture.draw(static_cast<std::size_t>(frame) * step).image(); },
+       .frame_s = static_cast<double>(step) / speed});
+}
+
+ExitCode write_pictures(const ResultsReader& store, const StoredTest& test, const Wanted& wanted,
+                        const Arguments& arguments, Console& console) {
+  const auto prepared = store.prepared();
+  const auto recording = store.recording(test.id);
+  for (const Diagnostics* wrong : {prepared.ok() ? nullptr : &prepared.diagnostics(),
+                                   recording.ok() ? nullptr : &recording.diagnostics()}) {
+    if (wrong == nullptr) continue;
+    console.report(*wrong);
+    return ExitCode::failed;
+  }
+  const auto tick = tick_of(recording.value(), wanted, console);
+  if (!tick) return ExitCode::usage;
+  const picture::TestPicture picture(name_of(store, test), prepared.value()->scenario().world,
+                                     recording.value());
+  bool written = true;
+  if (const auto path = arguments.text("png")) {
+    written = write(*path, picture.draw(*tick).png(), console);
+  }
+  if (const auto path = arguments.text("gif")) {
+    written = write(*path, movie(picture, recording.value(), wanted.speed), console) && written;
+  }
+  return written ? ExitCode::success : ExitCode::failed;
+}
+
 }  // namespace
 
 CommandHelp help() {
@@ -92,12 +154,16 @@ CommandHelp help() {
                   {"test", "N", "the test's number (default: the first that met the precondition)"},
                   {"agents", "N", "with this number of agents"},
                   {"behaviour", "NAME", "of this behaviour"},
-                  {"speed", "N", "ticks per second in the terminal (default 2)"},
+                  {"speed", "N", "ticks per second in the terminal and in a GIF (default 2)"},
                   {"html", "FILE", "write the player's page instead"},
+                  {"png", "FILE", "write a picture instead"},
+                  {"tick", "T", "of this tick (default: when the first thing happens)"},
+                  {"gif", "FILE", "write a moving picture instead"},
               },
           .examples =
               "  jaywalk replay runs.gpkg --test 7\n"
-              "  jaywalk replay runs.gpkg --behaviour election --agents 5 --html replay.html\n"};
+              "  jaywalk replay runs.gpkg --behaviour election --agents 5 --html replay.html\n"
+              "  jaywalk replay runs.gpkg --test 7 --png moment.png --gif test.gif\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
@@ -116,9 +182,15 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const auto test = find_test(*store.value(), *wanted, console);
   if (!test) return ExitCode::usage;
+  ExitCode code = ExitCode::success;
   if (const auto page = arguments.text("html")) {
-    return write_page(*store.value(), *test, *page, console);
+    code = write_page(*store.value(), *test, *page, console);
   }
+  if (arguments.has("png") || arguments.has("gif")) {
+    const ExitCode drawn = write_pictures(*store.value(), *test, *wanted, arguments, console);
+    return code == ExitCode::success ? drawn : code;
+  }
+  if (arguments.has("html")) return code;
   return play(*store.value(), *test, wanted->speed, console);
 }
 

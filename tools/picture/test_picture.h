@@ -1,0 +1,40 @@
+#pragma once
+
+// A recorded test as pictures: the road from left to right, everybody on it at one tick, and the
+// way that each has come. A long road is shown in part, around the AV.
+
+#include <string>
+
+#include "env/crossing/parameters.h"
+#include "experiment/recording.h"
+#include "tools/picture/canvas.h"
+
+namespace jaywalk::picture {
+
+class TestPicture {
+ public:
+  /// All must outlive it. `title` stands above.
+  TestPicture(std::string title, const CrossingParameters& world, const Recording& recording);
+
+  /// REQUIRES: a tick that the recording has.
+  [[nodiscard]] Canvas draw(std::size_t tick) const;
+
+ private:
+  void draw_ground(Canvas& canvas, double left_m) const;
+  void draw_actor(Canvas& canvas, std::size_t actor, std::size_t tick, double left_m) const;
+  void draw_scale(Canvas& canvas, double left_m) const;
+  [[nodiscard]] std::string happened(std::size_t tick) const;
+  /// Where the shown part begins.
+  [[nodiscard]] double left_at(std::size_t tick) const;
+  [[nodiscard]] Place place(double x_m, double y_m, double left_m) const;
+
+  std::string title_;
+  const CrossingParameters& world_;
+  const Recording& recording_;
+  double length_m_ = 0;
+  double breadth_m_ = 0;
+  double shown_m_ = 0;
+  double scale_ = 1;
+};
+
+}  // namespace jaywalk::picture
