@@ -225,10 +225,11 @@ class Writer {
   }
 
   // Time to the place where the pedestrian stands: the vehicle need not be on its way to hit it
-  // yet.
+  // yet. 1.0 demands alongRoute; later versions still take it.
   [[nodiscard]] std::string ttc_below(std::size_t actor, std::string_view seconds) const {
     return by_av(fmt::format("the AV comes to {}", entity(actor)),
                  fmt::format("<TimeToCollisionCondition value=\"{}\" freespace=\"true\" "
+                             "alongRoute=\"false\" "
                              "rule=\"lessThan\"><TimeToCollisionConditionTarget><EntityRef "
                              "entityRef=\"{}\"/></TimeToCollisionConditionTarget>"
                              "</TimeToCollisionCondition>",
