@@ -132,7 +132,8 @@ int campaign(const Options& options, const std::vector<std::string>& corpus) {
     const double took = cpu_seconds() - before;
     longest = std::max(longest, took);
     if (took > kSlowSeconds) {
-      std::printf("fuzz: case %llu took %.1f s of CPU\n", static_cast<unsigned long long>(number), took);
+      std::printf("fuzz: case %llu took %.1f s of CPU\n", static_cast<unsigned long long>(number),
+                  took);
       return 1;
     }
   }
