@@ -53,7 +53,7 @@ class Table {
   std::string rows_;
 };
 
-/// Shown when the reader asks for it; printed always.
+/// Shown, and printed, when the reader has unfolded it.
 [[nodiscard]] std::string details(std::string_view summary, const std::string& content);
 [[nodiscard]] std::string paragraph(std::string_view text);
 /// A picture with its caption.

@@ -87,13 +87,12 @@ std::string section::places(const ReportData& data) {
                       road.draw("where the precondition was met: " + behaviour,
                                 heat(places, size_m, most, all, road)));
   }
-  std::string html = paragraph(fmt::format(
-      "Each square of {:g} m is the darker the more pedestrians met the precondition in it, for "
-      "all "
-      "numbers of agents together; each picture has a scale of its own, which grows as the root of "
-      "the number. The automated vehicle drives from left to right.",
-      size_m));
-  return html + fmt::format("<div class=\"gallery wide\">\n{}</div>\n", figures);
+  const std::string explanation = fmt::format(
+      "The more pedestrians met the precondition in a square of {:g} m, the stronger its colour, "
+      "for all numbers of agents together; each picture has a scale of its own, which grows as the "
+      "root of the number. The automated vehicle drives from left to right.",
+      size_m);
+  return paragraph(explanation) + fmt::format("<div class=\"gallery wide\">\n{}</div>\n", figures);
 }
 
 }  // namespace jaywalk::reporting
