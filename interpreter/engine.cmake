@@ -13,9 +13,15 @@ jaywalk_add_library(engine
     logic/arithmetic.cpp
     logic/belief_base.cpp
     logic/belief_update.cpp
+    logic/fact_index.cpp
     logic/formula_compiler.cpp
+    logic/frame_stack.cpp
+    logic/head_code.cpp
     logic/machine.cpp
+    logic/machine_annotated.cpp
     logic/machine_calls.cpp
+    logic/machine_rules.cpp
+    logic/machine_tests.cpp
     logic/row_index.cpp
     logic/unifier.cpp
     logic/univ.cpp
@@ -64,8 +70,9 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set_target_properties(jaywalk_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   set_source_files_properties(
     term/compare.cpp term/heap.cpp term/transfer.cpp
-    logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/machine.cpp logic/machine_calls.cpp
-    logic/row_index.cpp logic/unifier.cpp
+    logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/fact_index.cpp
+    logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
+    logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp logic/unifier.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
     agent/context.cpp agent/messages.cpp agent/perception.cpp agent/stride.cpp
     mas/percepts.cpp mas/residents.cpp mas/system.cpp

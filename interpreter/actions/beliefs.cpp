@@ -83,7 +83,7 @@ Outcome abolish(ActionCall& call) {
         is_literal(pattern) ? literal_parts(pattern).args : std::span<const Value>{};
     Relation::Cursor cursor = relation->open(args);
     std::int64_t seq = 0;
-    while (const Row* row = relation->advance(cursor, seq)) {
+    while (const Row* row = relation->advance(cursor, seq, args.data())) {
       if (row->fact.is_unset()) continue;
       const std::size_t trail = unifier.mark();
       // A variable stands for any belief, of whatever namespace.

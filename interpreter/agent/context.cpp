@@ -169,7 +169,7 @@ Context::Verdict Context::long_query(const Goal& goal, Relation& relation) {
   Relation::Cursor cursor = relation.open(std::span(wanted).first(args.size()));
   const std::size_t mark = count_;
   std::int64_t seq = 0;
-  while (const Row* const row = relation.advance(cursor, seq)) {
+  while (const Row* const row = relation.advance(cursor, seq, nullptr)) {
     if (++rows_ > kMostRows) return Verdict::open;
     const Verdict verdict = match(*row, goal, cursor.has_more());
     if (verdict != Verdict::fails) return verdict;

@@ -7,15 +7,16 @@
 namespace jaywalk {
 namespace {
 
-// 0 if the arguments are not ground.
-std::uint64_t hash_args(std::span<const Value> args) {
+// Not 0. What is not ground counts as one and the same.
+Relation::Hash hash_args(std::span<const Value> args) {
   std::uint64_t hash = 0x9E3779B9;
   for (const Value arg : args) {
-    const std::uint64_t part = hash_term(arg);
-    if (part == 0) return 0;
-    hash = mix_key(hash * 31 + part);
+    const Value value = deref(arg);
+    const bool is_simple = value.is_number() || value.is_atom();
+    hash = (hash ^ hash >> 29U) + (is_simple ? argument_key(value) : hash_term(value));
+    hash *= 0x9E3779B97F4A7C15U;
   }
-  return hash | 1U;
+  return mix_key(hash);
 }
 
 bool equal_args(std::span<const Value> a, std::span<const Value> b) {
@@ -36,7 +37,7 @@ bool has_percept_source(Value annots) {
 
 }  // namespace
 
-std::uint64_t argument_key_of_cell(Value argument) {
+std::uint32_t argument_key_of_cell(Value argument) {
   if (argument.is_text()) return mix_key(std::hash<std::string_view>{}(argument.text()->view()));
   if (!is_form(argument, Form::literal)) return 0;
   // An atom with annotations still unifies with the bare atom.
@@ -45,24 +46,11 @@ std::uint64_t argument_key_of_cell(Value argument) {
   return mix_key(s.arity == 0 ? id << 3U | 2U : id << 3U | 4U);
 }
 
-Relation::Cursor Relation::open(std::span<const Value> args) {
-  Cursor cursor;
-  if (!args.empty()) {
-    cursor.key = argument_key(args[0]);
-    if (rows_.size() > kUnindexedRows) {
-      open_indexed(cursor, args);
-      if (cursor.index != nullptr) return cursor;
-    }
-  }
-  cursor.seq = next_unindexed(end_seq(), cursor.key);
-  return cursor;
-}
-
 // By the bound argument that fewest rows share.
 void Relation::open_indexed(Cursor& cursor, std::span<const Value> args) {
   std::size_t best = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < args.size(); ++i) {
-    const std::uint64_t key = i == 0 ? cursor.key : argument_key(args[i]);
+    const std::uint32_t key = i == 0 ? cursor.key : argument_key(args[i]);
     if (key == 0) continue;
     RowIndex& index = index_of(i);
     const std::size_t count = index.count(key) + index.count(0);
@@ -89,7 +77,7 @@ void Relation::move_on_indexed(Cursor& cursor) const {
 
 // The next row of a key below `seq` (kNone: the newest) that is no hole. The holes on the way are
 // taken out of the chain, so that each is met once.
-std::int64_t Relation::older(RowIndex& index, std::uint64_t key, std::int64_t seq) const {
+std::int64_t Relation::older(RowIndex& index, std::uint32_t key, std::int64_t seq) const {
   const std::int64_t next = seq == RowIndex::kNone ? index.newest(key) : index.older(seq);
   std::int64_t found = next;
   while (found >= first_seq_ && row(found).is_hole()) found = index.older(found);
@@ -98,15 +86,14 @@ std::int64_t Relation::older(RowIndex& index, std::uint64_t key, std::int64_t se
   return found;
 }
 
-std::uint64_t Relation::fact_key(const Row& r) const {
-  return r.fact.is_unset() ? RowIndex::kHoleKey : hash_args(literal_parts(r.fact).args);
-}
-
-RowIndex& Relation::facts() {
+FactIndex& Relation::facts() {
   if (indexes_ == nullptr) indexes_ = std::make_unique<Indexes>();
   if (indexes_->facts == nullptr) {
-    indexes_->facts = std::make_unique<RowIndex>(first_seq_);
-    for (const Row& r : rows_) indexes_->facts->add_newest(fact_key(r));
+    indexes_->facts = std::make_unique<FactIndex>(first_seq_);
+    for (std::int64_t seq = first_seq_; seq < end_seq(); ++seq) {
+      const Value fact = row(seq).fact;
+      if (!fact.is_unset()) indexes_->facts->add(hash_args(literal_parts(fact).args), seq);
+    }
   }
   return *indexes_->facts;
 }
@@ -125,27 +112,37 @@ RowIndex& Relation::index_of(std::size_t argument) {
   return *arguments[argument];
 }
 
-void Relation::insert_in_indexes(const Row& r, bool at_back) {
-  const auto insert = [at_back](RowIndex& index, std::uint64_t key) {
-    at_back ? index.add_oldest(key) : index.add_newest(key);
-  };
-  if (indexes_->facts != nullptr) insert(*indexes_->facts, fact_key(r));
+void Relation::insert_in_indexes(const Row& r, std::int64_t seq, End end, Hash hash) {
+  if (indexes_->facts != nullptr && !r.fact.is_unset()) {
+    indexes_->facts->add(hash != 0 ? hash : hash_args(literal_parts(r.fact).args), seq);
+  }
   for (std::size_t i = 0; i < indexes_->arguments.size(); ++i) {
-    if (indexes_->arguments[i] == nullptr) continue;
-    insert(*indexes_->arguments[i], argument_key(r.literal().structure()->arg(i)));
+    RowIndex* const index = indexes_->arguments[i].get();
+    if (index == nullptr) continue;
+    const std::uint32_t key = argument_key(r.literal().structure()->arg(i));
+    end == End::oldest ? index->add_oldest(key) : index->add_newest(key);
   }
 }
 
-std::int64_t Relation::add_front(Row added) {
+void Relation::make_candidates() {
+  for (std::int64_t seq = end_seq() - 1; seq >= first_seq_; --seq) {
+    const Row& r = row(seq);
+    candidates_.push_back({r.key, r.rule->head_code.has_tests(), r.rule});
+  }
+}
+
+std::int64_t Relation::add_front(Row added, Hash hash) {
   if (added.rule != nullptr) ++rules_;
-  if (indexes_ != nullptr) insert_in_indexes(added, false);
+  candidates_.clear();
+  if (indexes_ != nullptr) insert_in_indexes(added, end_seq(), End::newest, hash);
   rows_.push_back(added);
   return end_seq() - 1;
 }
 
-std::int64_t Relation::add_back(Row added) {
+std::int64_t Relation::add_back(Row added, Hash hash) {
   if (added.rule != nullptr) ++rules_;
-  if (indexes_ != nullptr) insert_in_indexes(added, true);
+  candidates_.clear();
+  if (indexes_ != nullptr) insert_in_indexes(added, first_seq_ - 1, End::oldest, hash);
   rows_.push_front(added);
   --first_seq_;
   return first_seq_;
@@ -153,15 +150,21 @@ std::int64_t Relation::add_back(Row added) {
 
 void Relation::erase(std::int64_t seq) {
   Row& r = row(seq);
-  if (indexes_ != nullptr) indexes_->visit([seq](RowIndex& index) { index.erase(seq); });
+  if (indexes_ != nullptr) {
+    indexes_->visit_arguments([seq](RowIndex& index) { index.erase(seq); });
+    if (indexes_->facts != nullptr && !r.fact.is_unset()) {
+      indexes_->facts->erase(hash_args(literal_parts(r.fact).args), seq);
+    }
+  }
   if (r.rule != nullptr) --rules_;
+  candidates_.clear();
   r = Row{};
   ++holes_;
 }
 
-std::optional<std::int64_t> Relation::find(std::span<const Value> args) {
+std::optional<std::int64_t> Relation::find(std::span<const Value> args, Hash& hash) {
   if (args.empty() || rows_.size() <= kUnindexedRows) {
-    const std::uint64_t key = args.empty() ? 0 : argument_key(args[0]);
+    const std::uint32_t key = args.empty() ? 0 : argument_key(args[0]);
     for (std::int64_t seq = end_seq() - 1; seq >= first_seq_; --seq) {
       const Row& r = row(seq);
       if (r.fact.is_unset() || (key != 0 && r.key != key)) continue;
@@ -169,13 +172,12 @@ std::optional<std::int64_t> Relation::find(std::span<const Value> args) {
     }
     return std::nullopt;
   }
-  RowIndex& index = facts();
-  const std::uint64_t key = hash_args(args);
-  std::int64_t seq = older(index, key, RowIndex::kNone);
-  while (seq != RowIndex::kNone && !equal_args(args, literal_parts(row(seq).fact).args)) {
-    seq = older(index, key, seq);
-  }
-  return seq == RowIndex::kNone ? std::nullopt : std::optional(seq);
+  FactIndex& index = facts();
+  hash = hash_args(args);
+  const std::int64_t seq = index.find(hash, [&](std::int64_t candidate) {
+    return equal_args(args, literal_parts(row(candidate).fact).args);
+  });
+  return seq == FactIndex::kNone ? std::nullopt : std::optional(seq);
 }
 
 void Relation::compact() {
@@ -186,7 +188,9 @@ void Relation::compact() {
     --holes_;
   }
   while (!rows_.empty() && rows_.back().is_hole()) {
-    if (indexes_ != nullptr) indexes_->visit([](RowIndex& index) { index.drop_newest(); });
+    if (indexes_ != nullptr) {
+      indexes_->visit_arguments([](RowIndex& index) { index.drop_newest(); });
+    }
     rows_.pop_back();
     --holes_;
   }
@@ -208,10 +212,11 @@ Relation& BeliefBase::relation(Predicate predicate) {
 std::optional<Value> BeliefBase::add(Value literal, Place place) {
   const LiteralParts parts = literal_parts(literal);
   Relation& rel = relation(parts.predicate);
-  const std::optional<std::int64_t> known = rel.find(parts.args);
+  Relation::Hash hash = 0;
+  const std::optional<std::int64_t> known = rel.find(parts.args, hash);
   if (!known) {
     const Row row{.fact = literal, .key = parts.args.empty() ? 0 : argument_key(parts.args[0])};
-    place == Place::front ? rel.add_front(row) : rel.add_back(row);
+    place == Place::front ? rel.add_front(row, hash) : rel.add_back(row, hash);
     heap_.protect();
     return literal;
   }
@@ -295,7 +300,7 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
   if (is_ground(literal)) return false;
   Relation::Cursor cursor = rel->open(parts.args);
   std::int64_t seq = 0;
-  while (const Row* row = rel->advance(cursor, seq)) {
+  while (const Row* row = rel->advance(cursor, seq, parts.args.data())) {
     if (row->rule != nullptr) {
       ScratchSlots slots(unifier, row->rule->slot_count);
       const Value head = unifier.instantiate(row->rule->head, slots.data());

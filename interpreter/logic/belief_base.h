@@ -8,8 +8,8 @@
 //
 // New beliefs are asked first, so a query walks the rows from the last to the first. Removed rows
 // leave holes, which are closed when no query runs (compact). Relations with more than a few rows
-// get hash indexes, each built when first needed: one over whole facts (to add and remove), one for
-// each argument that is bound in some query.
+// get hash indexes, each built when first needed: one over whole facts (fact_index.h, to add and
+// remove), one for each argument that is bound in some query (row_index.h).
 
 #include <bit>
 #include <cstdint>
@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "interpreter/logic/code.h"
+#include "interpreter/logic/fact_index.h"
 #include "interpreter/logic/row_index.h"
 #include "interpreter/logic/unifier.h"
 #include "interpreter/support/flat_index.h"
@@ -27,34 +28,25 @@
 namespace jaywalk {
 
 /// A number that equal bound arguments share; 0 for arguments that can only be unified.
-[[nodiscard]] inline std::uint64_t argument_key(Value argument);
+[[nodiscard]] inline std::uint32_t argument_key(Value argument);
 
 /// Keys are odd, or 0; 3 and 5 are those of lists.
-[[nodiscard]] constexpr std::uint64_t mix_key(std::uint64_t word) {
+[[nodiscard]] constexpr std::uint32_t mix_key(std::uint64_t word) {
   word = (word ^ word >> 31U) * 0x9E3779B97F4A7C15U;
-  return (word ^ word >> 29U) | 1U;
+  return static_cast<std::uint32_t>(word >> 32U) | 1U;
 }
-[[nodiscard]] std::uint64_t argument_key_of_cell(Value argument);  // a text, structure or object
+[[nodiscard]] std::uint32_t argument_key_of_cell(Value argument);  // a text, structure or object
 
-std::uint64_t argument_key(Value argument) {
+std::uint32_t argument_key(Value argument) {
   argument = deref(argument);
-  switch (argument.kind()) {
-    case Value::Kind::number:
-      return mix_key(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
-    case Value::Kind::atom:
-      return mix_key(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
-    case Value::Kind::pair:
-      return 3;
-    case Value::Kind::special:
-      return argument.is_empty_list() ? 5 : 0;
-    case Value::Kind::variable:
-      return 0;
-    case Value::Kind::text:
-    case Value::Kind::structure:
-    case Value::Kind::object:
-      return argument_key_of_cell(argument);
+  if (argument.is_pair()) return 3;
+  if (argument.is_number()) {
+    return mix_key(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
   }
-  return 0;
+  if (argument.is_atom()) return mix_key(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
+  if (argument.is_variable()) return 0;
+  if (argument.is_empty_list()) return 5;
+  return argument_key_of_cell(argument);
 }
 
 struct Row {
@@ -62,7 +54,7 @@ struct Row {
   Value fact;
   const RuleCode* rule = nullptr;
   /// argument_key of the first argument.
-  std::uint64_t key = 0;
+  std::uint32_t key = 0;
   /// The belief update that last saw this percept.
   std::uint32_t percept_generation = 0;
 
@@ -99,28 +91,64 @@ class Relation {
    private:
     friend class Relation;
     std::int64_t seq = RowIndex::kNone;   // the candidate whose turn it is
-    std::uint64_t key = 0;                // of the first argument; with an index, of its argument
+    std::uint32_t key = 0;                // of the first argument; with an index, of its argument
     RowIndex* index = nullptr;            // null: all rows are looked at
     std::int64_t same = RowIndex::kNone;  // with an index: the next row of that key,
     std::int64_t wild = RowIndex::kNone;  // and the next of those that may match any key
   };
-  [[nodiscard]] Cursor open(std::span<const Value> args);
-  /// The candidate whose turn it is, or null at the end. `seq` receives its place.
-  [[nodiscard]] const Row* advance(Cursor& cursor, std::int64_t& seq) {
+  [[nodiscard]] [[gnu::always_inline]] inline Cursor open(std::span<const Value> args);
+  /// The candidate whose turn it is, or null at the end. `seq` receives its place. Rules that
+  /// cannot match the arguments (null: any) are no candidates.
+  [[nodiscard]] [[gnu::always_inline]] const Row* advance(Cursor& cursor, std::int64_t& seq,
+                                                          const Value* args) const {
     while (cursor.seq != RowIndex::kNone) {
       seq = cursor.seq;
-      move_on(cursor);
+      move_on(cursor, args);
       const Row& candidate = row(seq);
       if (!candidate.is_hole()) return &candidate;
     }
     return nullptr;
   }
 
-  std::int64_t add_front(Row row);  // asked first
-  std::int64_t add_back(Row row);   // asked last
+  /// A rule, as a query sees it at first: key of the first argument (0: any), and whether others
+  /// have to be looked at.
+  struct Candidate {
+    std::uint32_t key = 0;
+    bool has_tests = false;
+    const RuleCode* rule = nullptr;
+
+    [[nodiscard]] bool has_key(std::uint32_t wanted) const {
+      return key == wanted || key == 0 || wanted == 0;
+    }
+    [[nodiscard]] bool may_match(std::uint32_t wanted, const Value* args) const {
+      return has_key(wanted) && (!has_tests || !rule->head_code.rejects(args));
+    }
+  };
+  /// All rows, newest first, if they are a few rules and nothing else; else none.
+  [[nodiscard]] std::span<const Candidate> candidates() {
+    if (rules_ != rows_.size() || rules_ > kUnindexedRows) return {};
+    if (candidates_.empty()) make_candidates();
+    return candidates_;
+  }
+  /// A cursor whose next candidate is a rule.
+  [[nodiscard]] static Cursor cursor_at(std::int64_t seq, std::uint32_t key) {
+    Cursor cursor;
+    cursor.seq = seq;
+    cursor.key = key;
+    return cursor;
+  }
+
+  /// What find() has learned of arguments, for who adds them: their hash, or 0.
+  using Hash = std::uint32_t;
+  std::int64_t add_front(Row row, Hash hash = 0);  // asked first
+  std::int64_t add_back(Row row, Hash hash = 0);   // asked last
   void erase(std::int64_t seq);
   /// The fact with the same arguments, annotations ignored.
-  [[nodiscard]] std::optional<std::int64_t> find(std::span<const Value> args);
+  [[nodiscard]] std::optional<std::int64_t> find(std::span<const Value> args, Hash& hash);
+  [[nodiscard]] std::optional<std::int64_t> find(std::span<const Value> args) {
+    Hash hash = 0;
+    return find(args, hash);
+  }
   void compact();
   /// Kept by belief update (belief_update.cpp): how many rows are percepts; whether the relation is
   /// among those that have some, and since when in the order of becoming so.
@@ -138,11 +166,10 @@ class Relation {
  private:
   static constexpr std::size_t kUnindexedRows = 8;
   struct Indexes {
-    std::unique_ptr<RowIndex> facts;  // by hash_args; rules are holes in it
+    std::unique_ptr<FactIndex> facts;
     std::vector<std::unique_ptr<RowIndex>> arguments;
     template <class Visit>
-    void visit(Visit visit_index) {
-      if (facts != nullptr) visit_index(*facts);
+    void visit_arguments(Visit visit_index) {
       for (const auto& index : arguments) {
         if (index != nullptr) visit_index(*index);
       }
@@ -150,37 +177,57 @@ class Relation {
   };
 
   void open_indexed(Cursor& cursor, std::span<const Value> args);
-  void move_on(Cursor& cursor) const {
+  [[gnu::always_inline]] void move_on(Cursor& cursor, const Value* args) const {
     if (cursor.index == nullptr) {
-      cursor.seq = next_unindexed(cursor.seq, cursor.key);
+      cursor.seq = next_unindexed(cursor.seq, cursor.key, args);
     } else {
       move_on_indexed(cursor);
     }
   }
   // The next candidate below a row.
-  [[nodiscard]] std::int64_t next_unindexed(std::int64_t seq, std::uint64_t key) const {
+  [[nodiscard]] [[gnu::always_inline]] std::int64_t next_unindexed(std::int64_t seq,
+                                                                   std::uint32_t key,
+                                                                   const Value* args) const {
     while (--seq >= first_seq_) {
       const Row& candidate = row(seq);
       if (candidate.key != 0 && key != 0 && candidate.key != key) continue;
-      if (!candidate.is_hole()) return seq;
+      if (candidate.rule != nullptr ? args == nullptr || !candidate.rule->head_code.rejects(args)
+                                    : !candidate.fact.is_unset()) {
+        return seq;
+      }
     }
     return RowIndex::kNone;
   }
   void move_on_indexed(Cursor& cursor) const;
-  [[nodiscard]] std::int64_t older(RowIndex& index, std::uint64_t key, std::int64_t seq) const;
-  [[nodiscard]] std::uint64_t fact_key(const Row& row) const;
-  [[nodiscard]] RowIndex& facts();
+  [[nodiscard]] std::int64_t older(RowIndex& index, std::uint32_t key, std::int64_t seq) const;
+  void make_candidates();
+  [[nodiscard]] FactIndex& facts();
   [[nodiscard]] RowIndex& index_of(std::size_t argument);
-  void insert_in_indexes(const Row& row, bool at_back);
+  enum class End { newest, oldest };
+  void insert_in_indexes(const Row& row, std::int64_t seq, End end, Hash hash);
 
   Predicate predicate_;
   std::uint32_t rules_ = 0;
   Ring<Row> rows_;
   std::int64_t first_seq_ = 0;
   std::size_t holes_ = 0;
+  std::vector<Candidate> candidates_;  // empty: not made yet
   std::vector<std::unique_ptr<RuleCode>> rules_owned_;
   std::unique_ptr<Indexes> indexes_;
 };
+
+Relation::Cursor Relation::open(std::span<const Value> args) {
+  Cursor cursor;
+  if (!args.empty()) {
+    cursor.key = argument_key(args[0]);
+    if (rows_.size() > kUnindexedRows) {
+      open_indexed(cursor, args);
+      if (cursor.index != nullptr) return cursor;
+    }
+  }
+  cursor.seq = next_unindexed(end_seq(), cursor.key, args.data());
+  return cursor;
+}
 
 enum class Place { front, back };
 

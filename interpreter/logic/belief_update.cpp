@@ -30,7 +30,8 @@ void BeliefBase::begin_percepts() {
 
 bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
   Relation& rel = relation(predicate);
-  if (const auto known = rel.find(args)) {
+  Relation::Hash hash = 0;
+  if (const auto known = rel.find(args, hash)) {
     Row& row = rel.row(*known);
     if (row.percept_generation == generation_) knows_percepts_ = false;  // twice
     const bool perceived = row.percept_generation != 0;
@@ -48,7 +49,8 @@ bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, Perc
     rel.add_front({.fact = literal,
                    .rule = nullptr,
                    .key = args.empty() ? 0 : argument_key(args[0]),
-                   .percept_generation = generation_});
+                   .percept_generation = generation_},
+                  hash);
     change = {literal, true};
   }
   ++rel.percepts;

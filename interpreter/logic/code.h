@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "interpreter/logic/head_code.h"
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
 
@@ -62,6 +63,7 @@ struct FormulaCode {
 /// A rule: head and body share a frame. `source` is the rule as a term, for programs as data.
 struct RuleCode {
   Value head;
+  HeadCode head_code;
   FormulaCode body;
   std::uint32_t slot_count = 0;
   std::vector<Symbol> slot_names;
@@ -71,6 +73,7 @@ struct RuleCode {
   void visit_terms(Visit&& visit) {
     visit(head);
     visit(source);
+    head_code.visit_terms(visit);
     body.visit_terms(visit);
   }
 };

@@ -131,6 +131,9 @@ std::unique_ptr<RuleCode> make_rule(Value head, Value body, std::vector<Symbol> 
   rule->body.entry = is_true ? entry : compiler.compile(body, entry);
   rule->slot_count = static_cast<std::uint32_t>(slot_names.size());
   rule->slot_names = std::move(slot_names);
+  std::vector<Value> terms;
+  for (const Goal& goal : rule->body.goals) terms.push_back(goal.term);
+  rule->head_code = HeadCode(head, terms, rule->slot_names);
   return rule;
 }
 

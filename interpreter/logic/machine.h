@@ -4,13 +4,22 @@
 // of a program becomes a recursion of ours. A small machine in the manner of Warren's:
 //
 //   environment   the frame of a rule (its slots), the goal to go on with afterwards and whose
-//   frame
-//                 that goal uses; frames lie on a stack and are reused by the last call of a rule
+//                 frame that goal uses; frames lie on a stack and go with the last goal of a rule,
+//                 unless a choice point may need them again
 //   choice point  where to go on when a goal fails: another row, the other side of a disjunction,
 //                 the next solution of an internal action; it remembers how long the trail, the
 //                 frame stack and the heap were
 //
-// A row that is the last that can match leaves no choice point, so loops run in constant space.
+// A row that is the last that can match leaves no choice point (head_code.h looks ahead), so loops
+// run in constant space. What is bound is written on the trail only as far as some choice point, or
+// who asked, may want it undone: neither slots of a frame that is newer than the latest choice
+// point nor variables that are.
+//
+//   machine.cpp            the loop, choice points, frames
+//   machine_rules.cpp      queries over facts and rules
+//   machine_annotated.cpp  queries with annotations, and variables as queries
+//   machine_tests.cpp      comparison and unification
+//   machine_calls.cpp      internal actions and functions
 
 #include <algorithm>
 #include <cstdint>
@@ -22,6 +31,7 @@
 #include "interpreter/logic/action.h"
 #include "interpreter/logic/belief_base.h"
 #include "interpreter/logic/code.h"
+#include "interpreter/logic/frame_stack.h"
 #include "interpreter/logic/unifier.h"
 
 namespace jaywalk {
@@ -30,38 +40,6 @@ namespace jaywalk {
 /// executes a step, which fails.
 struct QueryLimit {
   std::string message;
-};
-
-/// Memory for frames: chunks that never move, cut back as a stack.
-class FrameStack {
- public:
-  struct Mark {
-    std::uint32_t chunk = 0;
-    std::uint32_t used = 0;
-  };
-  [[nodiscard]] std::uint64_t* allocate(std::size_t words) {
-    if (chunk_ >= chunks_.size() || used_ + words > sizes_[chunk_]) next_chunk(words);
-    std::uint64_t* const block = chunks_[chunk_].get() + used_;
-    used_ += static_cast<std::uint32_t>(words);
-    return block;
-  }
-  [[nodiscard]] Mark mark() const { return {chunk_, used_}; }
-  void release(Mark mark) {
-    chunk_ = mark.chunk;
-    used_ = mark.used;
-  }
-  /// Roughly how much is in use.
-  [[nodiscard]] std::size_t words() const { return std::size_t{chunk_} * kChunkWords + used_; }
-  [[nodiscard]] bool contains(const void* address) const;
-
- private:
-  static constexpr std::size_t kChunkWords = 4096;
-  void next_chunk(std::size_t words);
-
-  std::vector<std::unique_ptr<std::uint64_t[]>> chunks_;
-  std::vector<std::size_t> sizes_;
-  std::uint32_t chunk_ = 0;
-  std::uint32_t used_ = 0;
 };
 
 /// What a machine's queries know of the world around their agent.
@@ -142,13 +120,14 @@ class Machine : public FunctionCaller {
     Environment* parent;
     const Goal* continuation;
     Value* slots;
-    std::span<const Symbol> names;
-    FrameStack::Mark start;
-    std::uint32_t choice_points;  // when the frame was made
+    const Symbol* names;
     std::uint32_t slot_count;
-    std::uint32_t slots_recorded;  // when the frame was made
-    std::size_t trail;             // when the frame was made
+    std::uint32_t choice_points;   // when the frame was made
+    std::uint32_t slots_recorded;  // by the unifier, then
+    std::size_t trail;             // then
   };
+  /// Of the frame of who asks: choice points or not, its bindings are recorded.
+  static constexpr std::uint32_t kOutside = 0xFFFF'FFFFU;
   struct AnnotatedQuery {
     Relation* relation;
     Relation::Cursor cursor;
@@ -159,51 +138,97 @@ class Machine : public FunctionCaller {
   struct ChoicePoint {
     enum class Kind : std::uint8_t { rows, annotated, alternative, negation, solutions };
     Kind kind;
+    std::uint32_t young;  // the first variable that is newer
     const Goal* goal;
     Environment* environment;
     std::size_t trail;
     FrameStack::Mark frames;
     Heap::Mark heap;
-    // rows: the arguments stand below `frames`
-    Relation* relation = nullptr;
+    // rows; the arguments begin where the frames do without them
+    const Relation* relation = nullptr;
     Relation::Cursor cursor;
-    std::span<const Value> args;
-    FrameStack::Mark below_args;
+    Value* args = nullptr;
     std::unique_ptr<AnnotatedQuery> annotated;
-    // solutions
-    std::unique_ptr<ActionCall> call;
+    std::unique_ptr<ActionCall> call;  // solutions
   };
 
   bool run(std::size_t base);
   bool fail(std::size_t base);
-  bool step();
+  bool step(const Goal& goal);
   bool retry();
+  ChoicePoint& push(ChoicePoint::Kind kind, const Goal& goal);
+  void pop();
+  void cut(std::size_t kept);
+  void restore(const ChoicePoint& choice);
+  bool finish_negation(const Goal& done);
+  void leave_frame();
+  void give_up(const Environment& frame);
+  void use_frame(const Environment& frame);
+  std::uint64_t* allocate_frame(std::size_t words) {
+    if (!frames_.has_room(words)) check_frames();
+    return frames_.allocate(words);
+  }
+  void check_frames();
+  // Its slots are still to be cleared.
+  Environment* make_environment(Environment* parent, const Goal* continuation,
+                                std::span<const Symbol> names) {
+    static_assert(sizeof(Environment) % sizeof(std::uint64_t) == 0);
+    constexpr std::size_t kWords = sizeof(Environment) / sizeof(std::uint64_t);
+    std::uint64_t* const block = allocate_frame(kWords + names.size());
+    return new (block) Environment{.parent = parent,
+                                   .continuation = continuation,
+                                   .slots = reinterpret_cast<Value*>(block + kWords),
+                                   .names = names.data(),
+                                   .slot_count = static_cast<std::uint32_t>(names.size()),
+                                   .choice_points = choice_count_,
+                                   .slots_recorded = unifier_.slots_recorded(),
+                                   .trail = unifier_.mark()};
+  }
+
   bool query(const Goal& goal);
-  bool slow_query(const Goal& goal, Value literal);
-  bool try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal);
-  void push_rows(Relation& relation, const Relation::Cursor& cursor, const Goal& goal);
+  std::span<const Value> make_arguments(std::span<const Value> terms);
+  bool try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal,
+                std::span<const Value> args);
+  bool try_rules(Relation& relation, std::span<const Relation::Candidate> candidates,
+                 const Goal& goal, std::span<const Value> args);
+  bool choose_rule(Relation& relation, const Goal& goal, std::span<const Value> args,
+                   std::uint32_t key);
+  void push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
+                 std::span<const Value> args);
   bool retry_rows();
-  static constexpr std::size_t kNextRow = static_cast<std::size_t>(-1);
-  bool try_annotated(AnnotatedQuery query, const Goal& goal);
+  bool enter_last_row(const Row& row);
   bool unify_fact(Value fact, std::span<const Value> args);
+  bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
+    return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)
+                                      : enter_framed(rule, goal, args);
+  }
+  bool enter_framed(const RuleCode& rule, const Goal& goal, const Value* args);
+  bool match_bodiless(const RuleCode& rule, const Goal& goal, const Value* args);
+  bool match_head(const RuleCode& rule, Value* slots, const Value* args);
+  bool match_pair(const HeadStep* step, Value* slots, Value value);
+  bool match_deep_pair(const HeadStep* step, Value* slots, Value value);
+  bool match_part(const HeadStep& step, Value* slots, Value value);
+  bool match_constant(const HeadStep& step, Value* slots, Value value);
+  bool match_again(Value value, Value known);
+  Value make_part(const HeadStep& step, Value* slots);
+
+  static constexpr std::size_t kNextRow = static_cast<std::size_t>(-1);
+  bool slow_query(const Goal& goal, Value literal);
+  bool try_annotated(AnnotatedQuery query, const Goal& goal);
   bool unify_subset(Value literal, Value fact, std::size_t combination, bool& exhausted);
-  bool enter_rule(const RuleCode& rule, const Goal& goal, std::span<const Value> args);
   bool variable_goal(const Goal& goal);
   [[nodiscard]] std::vector<Relation*> relations_for(Value pattern) const;
   bool any_belief(const Goal& goal, Value pattern);
   bool enter_term(Value formula, const Goal& goal);
-  bool next_solution();
+
   bool unify(const Goal& goal, Value* slots);
   bool compare(const Goal& goal, Value* slots);
+  bool compare_values(const Goal& goal, Value left, Value right);
   enum class Tests { hold, fail, undecided };
   Tests test_in_place(const Goal*& goal, Value* slots);
   bool univ(const Goal& goal);
   bool action(const Goal& goal);
-  bool finish_negation(const Goal& done);
-  ChoicePoint& push(ChoicePoint::Kind kind, const Goal& goal);
-  void restore(const ChoicePoint& choice);
-  Environment* make_environment(Environment* parent, const Goal* continuation,
-                                std::span<const Symbol> names, std::size_t slot_count);
+  bool next_solution();
   void count_inference() {
     if (++inferences_ >= next_check_) check_limits();
   }
@@ -232,8 +257,10 @@ class Machine : public FunctionCaller {
   Environment* environment_ = nullptr;
   Environment* root_ = nullptr;
   std::vector<ChoicePoint> choices_;
+  std::uint32_t choice_count_ = 0;
   FrameStack frames_;
-  std::vector<Value> registers_;
+  std::vector<Value> registers_;                   // the arguments of a query
+  std::uint32_t run_young_ = Unifier::kNoneYoung;  // the first variable made since who asked asked
   std::vector<std::unique_ptr<FormulaCode>> temporary_;
   std::uint64_t inferences_ = 0;
   std::uint64_t query_start_ = 0;

@@ -43,6 +43,21 @@ bool Machine::action(const Goal& goal) {
   return false;
 }
 
+bool Machine::next_solution() {
+  ChoicePoint& choice = choices_.back();
+  const Goal& goal = *choice.goal;
+  // The action may run queries of its own, which use the stack above this choice point.
+  std::unique_ptr<ActionCall> call = std::move(choice.call);
+  const bool found = call->solutions->next(*call);
+  choices_.back().call = std::move(call);
+  if (!found) {
+    pop();
+    return false;
+  }
+  goal_ = goal.next;
+  return true;
+}
+
 Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, ActionError& error) {
   if (goal.action == nullptr) {
     error.id = "unknown_internal_action";

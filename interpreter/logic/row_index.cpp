@@ -4,7 +4,7 @@
 
 namespace jaywalk {
 
-const RowIndex::Entry* RowIndex::find(std::uint64_t key) const {
+const RowIndex::Entry* RowIndex::find(std::uint32_t key) const {
   if (table_.empty()) return nullptr;
   for (std::size_t i = place(key);; i = (i + 1) & (table_.size() - 1)) {
     if (table_[i].key == key) return &table_[i];
@@ -12,9 +12,9 @@ const RowIndex::Entry* RowIndex::find(std::uint64_t key) const {
   }
 }
 
-RowIndex::Entry& RowIndex::entry(std::uint64_t key) {
+RowIndex::Entry& RowIndex::entry(std::uint32_t key) {
   if (Entry* const known = find(key)) return *known;
-  if (2 * (taken_ + 1) > table_.size()) grow();
+  if (3 * (taken_ + 1) > 2 * table_.size()) grow();
   std::size_t i = place(key);
   while (table_[i].key != kFree) i = (i + 1) & (table_.size() - 1);
   ++taken_;
@@ -27,7 +27,7 @@ void RowIndex::grow() {
   const auto live = static_cast<std::size_t>(
       std::count_if(table_.begin(), table_.end(), [](const Entry& e) { return e.count > 0; }));
   std::size_t size = 8;
-  while (size < 4 * (live + 1)) size *= 2;
+  while (size < 2 * (live + 1)) size *= 2;
   std::vector<Entry> old(size);
   old.swap(table_);
   taken_ = live;
@@ -39,7 +39,7 @@ void RowIndex::grow() {
   }
 }
 
-void RowIndex::add_newest(std::uint64_t key) {
+void RowIndex::add_newest(std::uint32_t key) {
   const std::int64_t seq = first_ + static_cast<std::int64_t>(links_.size());
   if (key == kHoleKey) {
     links_.push_back({});
@@ -47,21 +47,22 @@ void RowIndex::add_newest(std::uint64_t key) {
   }
   Entry& chain = entry(key);
   links_.push_back({key, chain.newest});
-  chain.newest = seq;
-  if (chain.oldest == kNone) chain.oldest = seq;
+  chain.newest = row_of(seq);
+  if (chain.oldest == kNoRow) chain.oldest = chain.newest;
   ++chain.count;
 }
 
-void RowIndex::add_oldest(std::uint64_t key) {
+void RowIndex::add_oldest(std::uint32_t key) {
   Entry& chain = entry(key);
+  const std::int32_t row = row_of(first_ - 1);
   if (chain.count == 0) {
-    chain.newest = first_ - 1;
+    chain.newest = row;
   } else {
-    link(chain.oldest).older = first_ - 1;
+    link(seq_of(chain.oldest)).older = row;
   }
-  links_.push_front({key, kNone});
+  links_.push_front({key, kNoRow});
   --first_;
-  chain.oldest = first_;
+  chain.oldest = row;
   ++chain.count;
 }
 
@@ -74,21 +75,21 @@ void RowIndex::drop_newest() {
   const std::int64_t seq = first_ + static_cast<std::int64_t>(links_.size()) - 1;
   const Link& last = link(seq);
   Entry* const chain = find(last.key);
-  if (chain != nullptr && chain->newest == seq) {
+  if (chain != nullptr && chain->newest == row_of(seq)) {
     chain->newest = last.older;
-    if (chain->oldest == seq) chain->oldest = kNone;
+    if (chain->oldest == row_of(seq)) chain->oldest = kNoRow;
   }
   links_.pop_back();
 }
 
-void RowIndex::skip(std::uint64_t key, std::int64_t newer, std::int64_t older) {
+void RowIndex::skip(std::uint32_t key, std::int64_t newer, std::int64_t older) {
   Entry* const chain = find(key);
   if (newer != kNone) {
-    link(newer).older = older;
+    link(newer).older = row_of(older);
   } else if (chain != nullptr) {
-    chain->newest = older;
+    chain->newest = row_of(older);
   }
-  if (older == kNone && chain != nullptr) chain->oldest = newer;
+  if (older == kNone && chain != nullptr) chain->oldest = row_of(newer);
 }
 
 }  // namespace jaywalk

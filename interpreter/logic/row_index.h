@@ -9,6 +9,8 @@
 // A row that is erased becomes a hole: it stays in its chain, since a walk may stand on it, until
 // `skip` takes it out or it is the newest row and its place is given up. So adding, removing and
 // finding the next row all take constant time, and there is one block of memory for all chains.
+// Rows are counted in 32 bits from the first row that the index knew: eight bytes for a row and
+// sixteen for a key.
 
 #include <cstdint>
 #include <vector>
@@ -21,66 +23,75 @@ class RowIndex {
  public:
   static constexpr std::int64_t kNone = INT64_MIN;
   /// For rows that no walk is to find.
-  static constexpr std::uint64_t kHoleKey = 4;
+  static constexpr std::uint32_t kHoleKey = 4;
 
-  explicit RowIndex(std::int64_t first_seq) : first_(first_seq) {}
+  explicit RowIndex(std::int64_t first_seq) : first_(first_seq), origin_(first_seq) {}
 
   /// The newest row with a key, perhaps a hole; kNone if there is none.
-  [[nodiscard]] std::int64_t newest(std::uint64_t key) const {
+  [[nodiscard]] std::int64_t newest(std::uint32_t key) const {
     const Entry* const entry = find(key);
-    return entry == nullptr ? kNone : entry->newest;
+    return entry == nullptr ? kNone : seq_of(entry->newest);
   }
   /// The next older row in the chain of a row.
-  [[nodiscard]] std::int64_t older(std::int64_t seq) const { return link(seq).older; }
+  [[nodiscard]] std::int64_t older(std::int64_t seq) const { return seq_of(link(seq).older); }
   /// How many rows a key has.
-  [[nodiscard]] std::size_t count(std::uint64_t key) const {
+  [[nodiscard]] std::size_t count(std::uint32_t key) const {
     const Entry* const entry = find(key);
     return entry == nullptr ? 0 : entry->count;
   }
 
   /// A row behind the newest, or before the oldest, of all.
-  void add_newest(std::uint64_t key);
-  void add_oldest(std::uint64_t key);
+  void add_newest(std::uint32_t key);
+  void add_oldest(std::uint32_t key);
   /// The row has become a hole.
   void erase(std::int64_t seq);
   /// The newest of all rows is a hole whose place is given up.
   void drop_newest();
   /// The holes between a row and an older one (or kNone) are left out of the chain; `newer` kNone:
   /// the older one becomes the newest.
-  void skip(std::uint64_t key, std::int64_t newer, std::int64_t older);
+  void skip(std::uint32_t key, std::int64_t newer, std::int64_t older);
 
  private:
+  static constexpr std::int32_t kNoRow = INT32_MIN;
   struct Link {
-    std::uint64_t key = kHoleKey;
-    std::int64_t older = kNone;
+    std::uint32_t key = kHoleKey;
+    std::int32_t older = kNoRow;
   };
   struct Entry {
-    std::uint64_t key = kFree;
-    std::int64_t newest = kNone;
-    std::int64_t oldest = kNone;
-    std::size_t count = 0;
+    std::uint32_t key = kFree;
+    std::int32_t newest = kNoRow;
+    std::int32_t oldest = kNoRow;
+    std::uint32_t count = 0;
   };
-  static constexpr std::uint64_t kFree = 6;  // no key, as kHoleKey: those are odd, or 0
+  static constexpr std::uint32_t kFree = 6;  // no key, as kHoleKey: those are odd, or 0
 
+  [[nodiscard]] std::int64_t seq_of(std::int32_t row) const {
+    return row == kNoRow ? kNone : origin_ + row;
+  }
+  [[nodiscard]] std::int32_t row_of(std::int64_t seq) const {
+    return seq == kNone ? kNoRow : static_cast<std::int32_t>(seq - origin_);
+  }
   [[nodiscard]] const Link& link(std::int64_t seq) const {
     return links_[static_cast<std::size_t>(seq - first_)];
   }
   [[nodiscard]] Link& link(std::int64_t seq) {
     return links_[static_cast<std::size_t>(seq - first_)];
   }
-  [[nodiscard]] std::size_t place(std::uint64_t key) const {
-    return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15U >> 32U) & (table_.size() - 1);
+  [[nodiscard]] std::size_t place(std::uint32_t key) const {
+    return static_cast<std::size_t>(std::uint64_t{key} * 0x9E3779B97F4A7C15U >> 32U) &
+           (table_.size() - 1);
   }
-  [[nodiscard]] const Entry* find(std::uint64_t key) const;
-  [[nodiscard]] Entry* find(std::uint64_t key) {
+  [[nodiscard]] const Entry* find(std::uint32_t key) const;
+  [[nodiscard]] Entry* find(std::uint32_t key) {
     return const_cast<Entry*>(static_cast<const RowIndex*>(this)->find(key));
   }
-  Entry& entry(std::uint64_t key);
+  Entry& entry(std::uint32_t key);
   void grow();
 
   std::int64_t first_;  // the row of the first link
+  std::int64_t origin_;
   Ring<Link> links_;
-  std::vector<Entry> table_;  // a power of two places, at most half of them taken
+  std::vector<Entry> table_;  // a power of two places, at most two thirds of them taken
   std::size_t taken_ = 0;
 };
 

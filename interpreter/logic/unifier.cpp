@@ -378,6 +378,8 @@ Value Unifier::instantiate(Value term, Value* slots) {
 Value Unifier::build_term(Value term, Value* slots) {
   if (term.is_variable()) return deref(term);
   if (term.is_slot()) return instantiate(term, slots);
+  double number = 0;
+  if (is_number(term, slots, number)) return Value::number(number);
   if (term.is_pair()) {
     const Value head = build(term.pair()->head, slots);
     return heap().pair(head, build(term.pair()->tail, slots));
@@ -563,6 +565,37 @@ Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
   const std::array<Value, 2> args{value, ns};
   return heap().structure(s.predicate(), std::span(args).first(ns.is_unset() ? 1 : 2),
                           sorted_set(heap(), annots, symbols_), Form::decorated);
+}
+
+// Sums and products of numbers; deeper terms are left to evaluate().
+bool Unifier::is_sum(const Structure& s, const Value* slots, double& result, int depth) {
+  constexpr int kDeep = 16;
+  if (s.form() != Form::expression || s.arity != 2 || depth > kDeep) return false;
+  double operands[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    Value operand = s.arg(i);
+    if (operand.is_slot()) operand = slots[operand.slot_index()];
+    operand = deref(operand);
+    if (operand.is_number()) {
+      operands[i] = operand.as_number();
+    } else if (!operand.is_structure() ||
+               !is_sum(*operand.structure(), slots, operands[i], depth + 1)) {
+      return false;
+    }
+  }
+  switch (s.predicate()) {
+    case predicates::add:
+      result = operands[0] + operands[1];
+      return true;
+    case predicates::subtract:
+      result = operands[0] - operands[1];
+      return true;
+    case predicates::multiply:
+      result = operands[0] * operands[1];
+      return true;
+    default:
+      return false;
+  }
 }
 
 bool Unifier::evaluate_term(Value term, Value* slots, double& result) {

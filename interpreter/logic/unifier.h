@@ -79,6 +79,7 @@ class Unifier {
     }
     return build_term(term, slots);
   }
+  [[nodiscard]] Value build_term(Value term, Value* slots);  // the rest of build
   /// A literal for an event: instantiated, its open variables renamed, with these annotations.
   /// Appends each variable with its copy to `renamed` (unless null). Unset if the literal has
   /// arguments that are more than constants, variables, numbers and ground terms: then nothing but
@@ -107,10 +108,30 @@ class Unifier {
     return evaluate_term(term, slots, result);
   }
 
+  /// Whether a term is a number, or plain arithmetic on numbers: the usual case, which has no
+  /// effect and needs no more than a look. False: it may still be one.
+  [[nodiscard]] static bool is_number(Value term, const Value* slots, double& result) {
+    if (term.is_slot()) term = deref(slots[term.slot_index()]);
+    if (term.is_number()) {
+      result = term.as_number();
+      return true;
+    }
+    return term.is_structure() && is_sum(*term.structure(), slots, result, 0);
+  }
+
   void bind(Variable* variable, Value value) {
     variable->value = value;
     trail_.push_back(&variable->value);
   }
+  /// The same for who goes back to no place before the young variables were made (set_young): those
+  /// are out of reach then, and need not be undone.
+  void bind_young(Variable* variable, Value value) {
+    variable->value = value;
+    if (variable->serial < young_) trail_.push_back(&variable->value);
+  }
+  [[nodiscard]] std::uint32_t young() const { return young_; }
+  void set_young(std::uint32_t first_serial) { young_ = first_serial; }
+  static constexpr std::uint32_t kNoneYoung = 0xFFFF'FFFFU;
   void set_slot(Value* slot, Value value) {
     *slot = value;
     const auto offset = reinterpret_cast<std::uintptr_t>(slot) - fresh_begin_;
@@ -162,7 +183,7 @@ class Unifier {
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
 
  private:
-  Value build_term(Value term, Value* slots);
+  static bool is_sum(const Structure& expression, const Value* slots, double& result, int depth);
   void rename_arguments(std::span<Value> args, std::vector<std::pair<Value, Value>>* renamed);
   bool evaluate_term(Value term, Value* slots, double& result);
   Value instantiate_structure(const Structure& structure, Value* slots);
@@ -187,6 +208,7 @@ class Unifier {
   std::uintptr_t fresh_begin_ = 0;
   std::size_t fresh_bytes_ = 0;
   std::uint32_t slots_recorded_ = 0;
+  std::uint32_t young_ = kNoneYoung;
 };
 
 /// Slots for a template that is instantiated aside, without a place in any frame. When they go,

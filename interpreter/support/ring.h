@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -73,13 +74,13 @@ class Ring {
   }
   void push_front(T value) {
     make_room();
-    first_ = place(slots_.size() - 1);
+    first_ = static_cast<std::uint32_t>(place(slots_.size() - 1));
     ++size_;
     slots_[first_] = std::move(value);
   }
   void pop_front() {
     slots_[first_] = T{};  // lets go of what it owned
-    first_ = place(1);
+    first_ = static_cast<std::uint32_t>(place(1));
     --size_;
   }
   void pop_back() {
@@ -104,7 +105,7 @@ class Ring {
   void cut(iterator from) {
     const auto left = static_cast<std::size_t>(from - begin());
     for (std::size_t i = left; i < size_; ++i) (*this)[i] = T{};
-    size_ = left;
+    size_ = static_cast<std::uint32_t>(left);
   }
 
   [[nodiscard]] iterator begin() { return {*this, 0}; }
@@ -114,20 +115,20 @@ class Ring {
 
  private:
   // The number of slots is a power of two.
-  [[nodiscard]] std::size_t place(std::size_t index) const {
-    return (first_ + index) & (slots_.size() - 1);
-  }
+  [[nodiscard]] std::size_t place(std::size_t index) const { return (first_ + index) & mask_; }
   void make_room() {
     if (size_ < slots_.size()) return;
     std::vector<T> wider(std::max<std::size_t>(4, 2 * slots_.size()));
     std::move(begin(), end(), wider.begin());
     slots_ = std::move(wider);
     first_ = 0;
+    mask_ = static_cast<std::uint32_t>(slots_.size() - 1);
   }
 
   std::vector<T> slots_;
-  std::size_t first_ = 0;
-  std::size_t size_ = 0;
+  std::uint32_t first_ = 0;
+  std::uint32_t size_ = 0;
+  std::uint32_t mask_ = 0;
 };
 
 /// As std::erase_if and std::erase for the standard containers.

@@ -135,25 +135,38 @@ class Heap {
     return Value::reference(Value::Kind::structure, made,
                             (closed ? Value::kClosed : 0) | static_flag_);
   }
-  [[nodiscard]] Value pair(Value head, Value tail) {
+  [[nodiscard]] [[gnu::always_inline]] Value pair(Value head, Value tail) {
     auto* const made = reinterpret_cast<Pair*>(allocate(2));
     made->head = head;
     made->tail = tail;
     const bool closed = head.is_closed() && tail.is_closed();
     return Value::reference(Value::Kind::pair, made, (closed ? Value::kClosed : 0) | static_flag_);
   }
+  /// A pair one of whose parts is not closed.
+  [[nodiscard]] [[gnu::always_inline]] Value open_pair(Value head, Value tail) {
+    auto* const made = reinterpret_cast<Pair*>(allocate(2));
+    made->head = head;
+    made->tail = tail;
+    return Value::reference(Value::Kind::pair, made, static_flag_);
+  }
   [[nodiscard]] Value list(std::span<const Value> elements, Value tail = Value::empty_list());
   [[nodiscard]] Value text(std::string_view bytes);
-  [[nodiscard]] Value variable(Symbol name = names::unnamed) {
+  [[nodiscard]] [[gnu::always_inline]] Value variable(Symbol name = names::unnamed) {
     auto* const made = reinterpret_cast<Variable*>(allocate(2));
     made->value = Value();
     made->name_id = static_cast<std::uint32_t>(name);
-    made->serial = next_serial_++;
+    made->serial = static_cast<std::uint32_t>(next_serial_++);
     return Value::reference(Value::Kind::variable, made, 0);
   }
   /// A variable's number is given to none.
   void skip_variable() { ++next_serial_; }
   [[nodiscard]] Value object(std::unique_ptr<Object> object);
+  /// Variables with this serial or a greater one are made from now on; after four thousand million
+  /// variables none is known to be.
+  [[nodiscard]] std::uint32_t first_young() const {
+    constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
+    return next_serial_ < kNone ? static_cast<std::uint32_t>(next_serial_) : kNone;
+  }
 
   /// A place to which the heap can be cut back when nothing made since is needed.
   struct Mark {
@@ -235,7 +248,7 @@ class Heap {
   std::size_t limit_bytes_ = std::size_t{1} << 30U;
   std::size_t collect_at_ = 64 * 1024;
   std::uint64_t static_flag_ = 0;
-  std::uint32_t next_serial_ = 1;
+  std::uint64_t next_serial_ = 1;
   std::uint64_t next_object_ = 1;
   std::vector<std::unique_ptr<Object>> objects_;
 };

@@ -1,0 +1,311 @@
+// Queries over facts and rules: the arguments are made, the candidates among the rows are tried one
+// after another, and a rule's head is matched with the arguments step by step (head_code.h).
+
+#include <algorithm>
+
+#include "interpreter/logic/machine.h"
+
+namespace jaywalk {
+namespace {
+
+void clear(const RuleCode& rule, Value* slots) {
+  for (std::uint32_t i = rule.head_code.first_to_clear(); i < rule.slot_count; ++i) {
+    slots[i] = Value();
+  }
+}
+
+// A value that a variable of a head may take.
+bool may_be_taken(Value value) { return !Unifier::is_of_other_namespace(value); }
+
+}  // namespace
+
+[[gnu::always_inline]] inline bool Machine::match_part(const HeadStep& step, Value* slots,
+                                                       Value value) {
+  switch (step.kind) {
+    case HeadStep::Kind::any:
+      return may_be_taken(value);
+    case HeadStep::Kind::first:
+      slots[step.slot] = value;
+      return may_be_taken(value);
+    case HeadStep::Kind::again:
+      return match_again(value, deref(slots[step.slot]));
+    case HeadStep::Kind::constant:
+      return value.same_as(step.term) || match_constant(step, slots, value);
+    case HeadStep::Kind::pair:
+    case HeadStep::Kind::term:
+      break;
+  }
+  return unifier_.match(step.term, slots, value, Unifier::Direction::value_first);
+}
+
+bool Machine::match_constant(const HeadStep& step, Value* slots, Value value) {
+  if (value.is_variable()) {
+    unifier_.bind_young(value.variable(), step.term);
+    return true;
+  }
+  if (value.is_pair() || value.is_atom()) return false;
+  return unifier_.match(step.term, slots, value, Unifier::Direction::value_first);
+}
+
+bool Machine::match_again(Value value, Value known) {
+  if (value.same_as(known)) return true;
+  if (value.is_variable() && (known.is_pair() || known.is_number() || known.is_empty_list())) {
+    unifier_.bind_young(value.variable(), known);
+    return true;
+  }
+  return unifier_.unify_no_undo(value, known);
+}
+
+[[gnu::always_inline]] inline Value Machine::make_part(const HeadStep& step, Value* slots) {
+  switch (step.kind) {
+    case HeadStep::Kind::any:
+      return heap().variable(unifier_.slot_names()[step.slot]);
+    case HeadStep::Kind::first:
+      return slots[step.slot] = heap().variable(unifier_.slot_names()[step.slot]);
+    case HeadStep::Kind::again:
+      return deref(slots[step.slot]);
+    case HeadStep::Kind::constant:
+      return step.term;
+    case HeadStep::Kind::pair:
+    case HeadStep::Kind::term:
+      break;
+  }
+  return unifier_.build(step.term, slots);
+}
+
+// The list is taken apart, or made for a variable.
+[[gnu::always_inline]] inline bool Machine::match_pair(const HeadStep* step, Value* slots,
+                                                       Value value) {
+  if (value.is_pair()) {
+    const Pair& pair = *value.pair();
+    return match_part(step[1], slots, deref(pair.head)) &&
+           match_part(step[2], slots, deref(pair.tail));
+  }
+  if (!value.is_variable()) return match_deep_pair(step, slots, value);
+  const Value head = make_part(step[1], slots);
+  const Value tail = make_part(step[2], slots);
+  const bool has_fresh =
+      step[2].kind == HeadStep::Kind::first || step[2].kind == HeadStep::Kind::any;
+  unifier_.bind_young(value.variable(),
+                      has_fresh ? heap().open_pair(head, tail) : heap().pair(head, tail));
+  return true;
+}
+
+// A function may still make a list of it.
+bool Machine::match_deep_pair(const HeadStep* step, Value* slots, Value value) {
+  for (const HeadStep& part : {step[1], step[2]}) {
+    if (part.kind == HeadStep::Kind::first) slots[part.slot] = Value();
+  }
+  return unifier_.match(step->term, slots, value, Unifier::Direction::value_first);
+}
+
+[[gnu::always_inline]] inline bool Machine::match_head(const RuleCode& rule, Value* slots,
+                                                       const Value* args) {
+  const std::vector<HeadStep>& steps = rule.head_code.steps();
+  const HeadStep* const end = steps.data() + steps.size();
+  for (const HeadStep* step = steps.data(); step != end; ++step) {
+    const Value value = deref(args[step->argument]);
+    if (step->kind == HeadStep::Kind::pair) {
+      if (!match_pair(step, slots, value)) return false;
+      step += 2;
+    } else if (!match_part(*step, slots, value)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The rules of a relation without facts, newest first. If the first argument leaves only one, that
+// one is entered; else the others are looked at.
+[[gnu::always_inline]] inline bool Machine::try_rules(
+    Relation& relation, std::span<const Relation::Candidate> candidates, const Goal& goal,
+    std::span<const Value> args) {
+  const Relation::Candidate* const end = candidates.data() + candidates.size();
+  const std::uint32_t key = args.empty() ? 0 : argument_key(args[0]);
+  const Relation::Candidate* first = candidates.data();
+  while (!first->has_key(key)) {
+    if (++first == end) return false;
+  }
+  for (const Relation::Candidate* next = first + 1; next != end; ++next) {
+    if (next->has_key(key)) return choose_rule(relation, goal, args, key);
+  }
+  return enter_rule(*first->rule, goal, args.data());
+}
+
+bool Machine::choose_rule(Relation& relation, const Goal& goal, std::span<const Value> args,
+                          std::uint32_t key) {
+  const std::span<const Relation::Candidate> candidates = relation.candidates();
+  const auto may_match = [&](const Relation::Candidate& candidate) {
+    return candidate.may_match(key, args.data());
+  };
+  const auto first = std::find_if(candidates.begin(), candidates.end(), may_match);
+  if (first == candidates.end()) return false;
+  const auto next = std::find_if(first + 1, candidates.end(), may_match);
+  if (next != candidates.end()) {
+    const std::int64_t seq = relation.end_seq() - 1 - (next - candidates.begin());
+    push_rows(relation, Relation::cursor_at(seq, key), goal, args);
+  }
+  return enter_rule(*first->rule, goal, args.data());
+}
+
+// The candidates of a cursor. The last of them needs no choice point: if it fails, so does the
+// query. A fact that matches not needs none either.
+bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal,
+                       std::span<const Value> args) {
+  std::int64_t seq = 0;
+  while (const Row* const row = relation.advance(cursor, seq, args.data())) {
+    const bool is_last = !cursor.has_more();
+    if (row->rule != nullptr) {
+      if (!is_last) push_rows(relation, cursor, goal, args);
+      return enter_rule(*row->rule, goal, args.data());
+    }
+    const std::size_t trail = unifier_.mark();
+    const Heap::Mark top = heap().mark();
+    if (unify_fact(row->fact, args)) {
+      if (!is_last) {
+        push_rows(relation, cursor, goal, args);
+        choices_.back().trail = trail;
+        choices_.back().heap = top;
+      }
+      goal_ = goal.next;
+      return true;
+    }
+    unifier_.undo(trail);
+    heap().release(top);
+  }
+  return false;
+}
+
+// Variables are handed over as they are; a query within an argument has other registers.
+[[gnu::always_inline]] inline std::span<const Value> Machine::make_arguments(
+    std::span<const Value> terms) {
+  if (registers_.size() < terms.size()) registers_.resize(terms.size());
+  Value* const registers = registers_.data();
+  Value* const slots = environment_->slots;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    Value made = terms[i];
+    if (made.is_slot()) {
+      const Value value = slots[made.slot_index()];
+      made = value.is_unset() ? unifier_.build_term(made, slots) : value;
+    } else if (!made.is_closed()) {
+      made = unifier_.build_term(made, slots);
+    }
+    registers[i] = made;
+  }
+  return {registers, terms.size()};
+}
+
+bool Machine::query(const Goal& goal) {
+  Relation* const relation = beliefs_->find(goal.predicate);
+  if (relation == nullptr) return false;
+  const std::span<const Value> args = make_arguments(goal.args());
+  const std::span<const Relation::Candidate> candidates = relation->candidates();
+  if (!candidates.empty()) return try_rules(*relation, candidates, goal, args);
+  Relation::Cursor cursor = relation->open(args);
+  return try_rows(*relation, cursor, goal, args);
+}
+
+// A choice point for what is left of a cursor.
+void Machine::push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
+                        std::span<const Value> args) {
+  auto* const saved = reinterpret_cast<Value*>(allocate_frame(args.size()));
+  std::copy(args.begin(), args.end(), saved);
+  ChoicePoint& choice = push(ChoicePoint::Kind::rows, goal);
+  choice.relation = &relation;
+  choice.cursor = cursor;
+  choice.args = saved;
+}
+
+// The choice point stays as long as it has candidates left.
+bool Machine::retry_rows() {
+  ChoicePoint& choice = choices_.back();
+  const Relation& relation = *choice.relation;
+  const Goal& goal = *choice.goal;
+  const std::span<const Value> args(choice.args, goal.args().size());
+  std::int64_t seq = 0;
+  while (const Row* const row = relation.advance(choices_.back().cursor, seq, args.data())) {
+    if (!choices_.back().cursor.has_more()) return enter_last_row(*row);
+    if (row->rule != nullptr) {
+      if (enter_rule(*row->rule, goal, args.data())) return true;
+    } else if (unify_fact(row->fact, args)) {
+      goal_ = goal.next;
+      return true;
+    }
+    restore(choices_.back());
+  }
+  frames_.release(reinterpret_cast<FrameStack::Mark>(choices_.back().args));
+  pop();
+  return false;
+}
+
+// Without the choice point, and in its place.
+bool Machine::enter_last_row(const Row& row) {
+  const ChoicePoint& choice = choices_.back();
+  const Goal& goal = *choice.goal;
+  const std::size_t count = goal.args().size();
+  if (registers_.size() < count) registers_.resize(count);
+  std::copy_n(choice.args, count, registers_.begin());
+  frames_.release(reinterpret_cast<FrameStack::Mark>(choice.args));
+  pop();
+  if (row.rule != nullptr) return enter_rule(*row.rule, goal, registers_.data());
+  goal_ = goal.next;
+  return unify_fact(row.fact, {registers_.data(), count});
+}
+
+bool Machine::unify_fact(Value fact, std::span<const Value> args) {
+  if (args.empty()) return true;
+  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
+  const Structure& s = *fact.structure();
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    const Value arg = deref(args[i]);
+    const Value other = deref(s.arg(i));  // a variable of the fact may be known by now
+    if (arg.same_as(other)) continue;
+    if (arg.is_variable()) {
+      unifier_.bind(arg.variable(), other);
+    } else if (!unifier_.unify_no_undo(arg, other)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The last goal of a rule takes the place of the rule's frame.
+bool Machine::enter_framed(const RuleCode& rule, const Goal& goal, const Value* args) {
+  Environment* parent = environment_;
+  const Goal* continuation = goal.next;
+  if (continuation == nullptr && parent != root_) {
+    const Environment& caller = *parent;
+    continuation = caller.continuation;
+    parent = caller.parent;
+    give_up(caller);
+  }
+  Environment* const made =
+      make_environment(parent, continuation, {rule.slot_names.data(), rule.slot_count});
+  clear(rule, made->slots);
+  unifier_.set_slot_names({rule.slot_names.data(), rule.slot_count});
+  unifier_.begin_fresh_frame({made->slots, rule.slot_count});
+  if (!match_head(rule, made->slots, args)) return false;
+  environment_ = made;
+  goal_ = rule.body.entry;
+  return true;
+}
+
+// The slots of a rule without a body are needed while its head is matched, and no longer.
+bool Machine::match_bodiless(const RuleCode& rule, const Goal& goal, const Value* args) {
+  const FrameStack::Mark start = frames_.mark();
+  const std::size_t trail = unifier_.mark();
+  const std::uint32_t recorded = unifier_.slots_recorded();
+  auto* const slots = reinterpret_cast<Value*>(allocate_frame(rule.slot_count));
+  clear(rule, slots);
+  unifier_.set_slot_names({rule.slot_names.data(), rule.slot_count});
+  unifier_.begin_fresh_frame({slots, rule.slot_count});
+  const bool matches = match_head(rule, slots, args);
+  if (unifier_.slots_recorded() != recorded) unifier_.forget(trail, {slots, rule.slot_count});
+  frames_.release(start);
+  if (!matches) return false;
+  use_frame(*environment_);
+  goal_ = goal.next;
+  return true;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,119 @@
+// Goals that hold or not, and leave no choice: comparison and unification.
+
+#include "interpreter/logic/machine.h"
+#include "interpreter/logic/univ.h"
+#include "interpreter/term/compare.h"
+
+namespace jaywalk {
+namespace {
+
+bool holds(Predicate relation, double a, double b) {
+  switch (relation) {
+    case predicates::less:
+      return a < b;
+    case predicates::less_equal:
+      return a <= b;
+    case predicates::greater:
+      return a > b;
+    case predicates::greater_equal:
+      return a >= b;
+    case predicates::equal:
+      return a == b;
+    default:
+      return a != b;
+  }
+}
+
+}  // namespace
+
+// The comparisons and unifications with which many contexts begin, or of which they consist, leave
+// no choice: they need neither frame nor choice point. `goal` becomes the first that needs them.
+Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
+  if (nesting_ == 0) start_query();
+  for (; goal != nullptr; goal = goal->next) {
+    bool holds = true;
+    switch (goal->kind) {
+      case Goal::Kind::compare:
+        holds = compare(*goal, slots);
+        break;
+      case Goal::Kind::unify:
+        holds = unify(*goal, slots);
+        break;
+      case Goal::Kind::truth:
+        break;
+      default:
+        return Tests::undecided;
+    }
+    count_inference();
+    if (!holds) return Tests::fail;
+  }
+  return Tests::hold;
+}
+
+bool Machine::unify(const Goal& goal, Value* slots) {
+  const Value left = goal.args()[0];
+  const Value right = unifier_.build(goal.args()[1], slots);
+  const bool foreign = (right.is_atom() && is_foreign(right.atom_id())) ||
+                       (right.is_structure() && is_foreign(right.structure()->predicate()));
+  if (left.is_slot() && slots[left.slot_index()].is_unset() && !foreign) {
+    unifier_.set_slot(slots + left.slot_index(), right);
+    return true;
+  }
+  return unifier_.unify_no_undo(unifier_.build(left, slots), right);
+}
+
+bool Machine::compare(const Goal& goal, Value* slots) {
+  const Value* const sides = goal.term.structure()->args();
+  double a = 0;
+  double b = 0;
+  if (Unifier::is_number(sides[0], slots, a) && Unifier::is_number(sides[1], slots, b) && a == a &&
+      b == b) {
+    return holds(goal.predicate, a, b);
+  }
+  const Value left = unifier_.build(sides[0], slots);
+  return compare_values(goal, left, unifier_.build(sides[1], slots));
+}
+
+// Not a number is compared as a term.
+bool Machine::compare_values(const Goal& goal, Value left, Value right) {
+  if (left.is_number() && right.is_number()) {
+    const double a = left.as_number();
+    const double b = right.as_number();
+    if (a == a && b == b) return holds(goal.predicate, a, b);
+  }
+  if (left.is_variable() && right.is_variable() && left.same_as(right)) {
+    // Unbound variables that have been unified are still two: Jason compares their names.
+    const bool one = goal.args()[0].same_as(goal.args()[1]);
+    if (goal.predicate == predicates::equal) return one;
+    if (goal.predicate == predicates::not_equal) return !one;
+  }
+  const Value a = unifier_.apply(left);
+  const Value b = unifier_.apply(right);
+  switch (goal.predicate) {
+    case predicates::equal:
+      return equal_terms(a, b);
+    case predicates::not_equal:
+      return !equal_terms(a, b);
+    default:
+      break;
+  }
+  const int order = compare_terms(a, b, symbols_);
+  switch (goal.predicate) {
+    case predicates::less:
+      return order < 0;
+    case predicates::less_equal:
+      return order <= 0;
+    case predicates::greater:
+      return order > 0;
+    default:
+      return order >= 0;
+  }
+}
+
+bool Machine::univ(const Goal& goal) {
+  const Value left = unifier_.instantiate(goal.args()[0], environment_->slots);
+  const Value right = unifier_.instantiate(goal.args()[1], environment_->slots);
+  return unify_univ(unifier_, left, right);
+}
+
+}  // namespace jaywalk
