@@ -21,39 +21,7 @@
 #include "interpreter/logic/arithmetic.h"
 
 namespace jaywalk {
-Context::Verdict Context::prove(const Goal* goal) {
-  const std::size_t mark = count_;
-  for (; goal != nullptr; goal = goal->next) {
-    if (goal->kind == Goal::Kind::negation_done) break;
-    const bool is_query = goal->kind == Goal::Kind::query;
-    const Verdict verdict = is_query ? query(*goal) : test(*goal);
-    if (verdict == Verdict::holds) {
-      if (is_query) break;  // and so does the rest
-      continue;
-    }
-    if (verdict == Verdict::open && choices_ == 0 && machine_.solve(goal, frame_)) break;
-    undo(mark);
-    return choices_ == 0 ? Verdict::fails : verdict;
-  }
-  return Verdict::holds;
-}
-
-Context::Verdict Context::test(const Goal& goal) {
-  switch (goal.kind) {
-    case Goal::Kind::compare:
-      return compare(goal);
-    case Goal::Kind::unify:
-      return unify(goal);
-    case Goal::Kind::negation:
-      return negation(goal);
-    case Goal::Kind::truth:
-      return Verdict::holds;
-    default:
-      return Verdict::open;
-  }
-}
-
-Context::Verdict Context::compare(const Goal& goal) {
+[[gnu::always_inline]] inline Context::Verdict Context::compare(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value left;
   Value right;
@@ -121,6 +89,38 @@ Context::Verdict Context::unify(const Goal& goal) {
   return equal ? Verdict::holds : Verdict::fails;
 }
 
+[[gnu::always_inline]] inline Context::Verdict Context::test(const Goal& goal) {
+  switch (goal.kind) {
+    case Goal::Kind::compare:
+      return compare(goal);
+    case Goal::Kind::unify:
+      return unify(goal);
+    case Goal::Kind::negation:
+      return negation(goal);
+    case Goal::Kind::truth:
+      return Verdict::holds;
+    default:
+      return Verdict::open;
+  }
+}
+
+Context::Verdict Context::prove(const Goal* goal) {
+  const std::size_t mark = count_;
+  for (; goal != nullptr; goal = goal->next) {
+    if (goal->kind == Goal::Kind::negation_done) break;
+    const bool is_query = goal->kind == Goal::Kind::query;
+    const Verdict verdict = is_query ? query(*goal) : test(*goal);
+    if (verdict == Verdict::holds) {
+      if (is_query) break;  // and so does the rest
+      continue;
+    }
+    if (verdict == Verdict::open && choices_ == 0 && machine_.solve(goal, frame_)) break;
+    undo(mark);
+    return choices_ == 0 ? Verdict::fails : verdict;
+  }
+  return Verdict::holds;
+}
+
 // Within it nothing is left to the machine: that would prove what follows the negation, too.
 Context::Verdict Context::negation(const Goal& goal) {
   const std::size_t mark = count_;
@@ -146,8 +146,9 @@ Context::Verdict Context::query(const Goal& goal) {
     const Row& row = relation->row(seq);
     if (row.is_hole()) continue;
     const Verdict verdict = match(row, goal, seq > first);
-    if (verdict != Verdict::fails) return verdict;
+    if (verdict == Verdict::holds) return verdict;
     undo(mark);
+    if (verdict == Verdict::open) return verdict;
   }
   return Verdict::fails;
 }
@@ -172,8 +173,9 @@ Context::Verdict Context::long_query(const Goal& goal, Relation& relation) {
   while (const Row* const row = relation.advance(cursor, seq, nullptr)) {
     if (++rows_ > kMostRows) return Verdict::open;
     const Verdict verdict = match(*row, goal, cursor.has_more());
-    if (verdict != Verdict::fails) return verdict;
+    if (verdict == Verdict::holds) return verdict;
     undo(mark);
+    if (verdict == Verdict::open) return verdict;
   }
   return Verdict::fails;
 }

@@ -7,7 +7,8 @@
 namespace jaywalk {
 
 /// A number, or a slot with one.
-[[nodiscard]] inline bool is_known_number(Value term, const Value* frame, double& number) {
+[[nodiscard, gnu::always_inline]] inline bool is_known_number(Value term, const Value* frame,
+                                                              double& number) {
   if (term.is_slot()) term = deref(frame[term.slot_index()]);
   if (!term.is_number()) return false;
   number = term.as_number();
@@ -17,7 +18,8 @@ namespace jaywalk {
 /// The value of an expression over such operands; false, without a warning, if it has none or is
 /// something else. The depth of calls is that of the program's text.
 [[nodiscard]] bool evaluate_nested(Value expression, const Value* frame, double& number);
-[[nodiscard]] inline bool evaluate_known(Value expression, const Value* frame, double& number) {
+[[nodiscard, gnu::always_inline]] inline bool evaluate_known(Value expression, const Value* frame,
+                                                             double& number) {
   if (!is_form(expression, Form::expression)) return false;
   const Structure& s = *expression.structure();
   double a = 0;
@@ -42,7 +44,8 @@ namespace jaywalk {
 
 /// The value of an operand that is a constant, bound to something closed, or a number to be
 /// computed; false: it is something else.
-[[nodiscard]] inline bool known_operand(Value term, const Value* frame, Value& value) {
+[[nodiscard, gnu::always_inline]] inline bool known_operand(Value term, const Value* frame,
+                                                            Value& value) {
   if (term.is_slot()) {
     value = deref(frame[term.slot_index()]);
     return value.is_closed() && !value.is_unset();

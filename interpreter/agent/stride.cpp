@@ -81,7 +81,7 @@ bool Agent::reasons_plainly() const {
 }
 
 // The next cycle may begin, and only the intention that runs can be meant by it.
-bool Agent::is_alone(std::uint64_t last) const {
+inline bool Agent::is_alone(std::uint64_t last) const {
   const Circumstance& c = circumstance_;
   return c.events.empty() && c.running.empty() && c.mailbox.empty() && cycles_ < last &&
          !heap_.wants_collection() && !host_.has_business();
@@ -409,63 +409,10 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
   means.returns = intention.values.size() - first;
 }
 
-// Rules RelPl, ApplPl, SelAppl: the first plan that is relevant and applicable; the values of its
-// frame stand in the workspace then.
-const Plan* Agent::choose_plain_plan(const Event& event, bool& had_candidates) {
-  const Value literal = event.literal;
-  const Predicate predicate = predicate_of(literal);
-  const TriggerKey key =
-      is_negated(predicate) ? key_of(event) : TriggerKey{event.op, event.kind, predicate};
-  const PlanList& list = library_->list(key);
-  had_candidates = !list.plans().empty();
-  if (!had_candidates) return nullptr;
-  deliberating_ = event.intention;
-  const Value first = literal.is_structure() && literal.structure()->arity > 0
-                          ? deref(literal.structure()->arg(0))
-                          : Value();
-  const Plan* chosen = nullptr;
-  const auto is_chosen = [&](const Plan& plan) {
-    if (differ(plan.first_argument, first) || !try_plain_plan(plan, literal)) return false;
-    chosen = &plan;
-    return true;
-  };
-  if (list.is_short()) {
-    for (const Plan* const plan : list.plans()) {
-      if (is_chosen(*plan)) break;
-    }
-  } else {
-    (void)list.find(argument_key(first), is_chosen);
-  }
-  deliberating_ = nullptr;
-  return chosen;
-}
-
-bool Agent::try_plain_plan(const Plan& plan, Value literal) {
-  std::vector<Value>& scratch = work().frame;
-  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
-  Value* const frame = scratch.data();
-  for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
-  Unifier& unifier = machine().unifier();
-  unifier.set_slot_names(plan.slot_names);
-  const std::size_t trail = unifier.mark();
-  std::unique_ptr<ActionError> error;
-  const bool applicable = guarded(error, [&] {
-    return matches(plan, literal, frame) &&
-           (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
-  });
-  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
-  if (applicable) {
-    unifier.commit(trail);
-  } else {
-    unifier.undo(trail);
-  }
-  return applicable;
-}
-
 // The same as Unifier::match with the trigger first, into an empty frame.
-bool Agent::matches(const Plan& plan, Value literal, Value* frame) {
+[[gnu::always_inline]] inline bool Agent::matches(const Plan& plan, Value literal, Value* frame) {
   const Value trigger = plan.trigger;
-  if (trigger.is_atom()) return predicate_of(literal) == trigger.atom_id();
+  if (trigger.is_atom() && is_literal(literal)) return predicate_of(literal) == trigger.atom_id();
   Unifier& unifier = machine().unifier();
   if (!is_form(trigger, Form::literal) || trigger.structure()->is_annotated() ||
       !is_form(literal, Form::literal)) {
@@ -488,6 +435,53 @@ bool Agent::matches(const Plan& plan, Value literal, Value* frame) {
     }
   }
   return true;
+}
+
+[[gnu::always_inline]] inline bool Agent::try_plain_plan(const Plan& plan, Value literal) {
+  std::vector<Value>& scratch = work().frame;
+  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
+  Value* const frame = scratch.data();
+  for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
+  Unifier& unifier = machine().unifier();
+  unifier.set_slot_names(plan.slot_names);
+  const std::size_t trail = unifier.mark();
+  std::unique_ptr<ActionError> error;
+  const bool applicable = guarded(error, [&] {
+    return matches(plan, literal, frame) &&
+           (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
+  });
+  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
+  if (applicable) {
+    unifier.commit(trail);
+  } else {
+    unifier.undo(trail);
+  }
+  return applicable;
+}
+
+// Rules RelPl, ApplPl, SelAppl: the first plan that is relevant and applicable; the values of its
+// frame stand in the workspace then.
+const Plan* Agent::choose_plain_plan(const Event& event, bool& had_candidates) {
+  const Value literal = event.literal;
+  const Predicate predicate = is_literal(literal) ? predicate_of(literal) : predicates::truth;
+  const TriggerKey key =
+      is_negated(predicate) ? key_of(event) : TriggerKey{event.op, event.kind, predicate};
+  const PlanList& list = library_->list(key);
+  had_candidates = !list.plans().empty();
+  if (!had_candidates) return nullptr;
+  deliberating_ = event.intention;
+  const Value first = literal.is_structure() && literal.structure()->arity > 0
+                          ? deref(literal.structure()->arg(0))
+                          : Value();
+  const Plan* chosen = nullptr;
+  const auto is_chosen = [&](const Plan& plan) {
+    if (differ(plan.first_argument, first) || !try_plain_plan(plan, literal)) return false;
+    chosen = &plan;
+    return true;
+  };
+  (void)list.find(list.is_short() ? 0 : argument_key(first), is_chosen);
+  deliberating_ = nullptr;
+  return chosen;
 }
 
 // Rule AddIM for a plan that needs no more than a frame.
