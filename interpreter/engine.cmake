@@ -27,6 +27,7 @@ jaywalk_add_library(engine
     logic/univ.cpp
     program/plan.cpp
     program/plan_compiler.cpp
+    program/solitary.cpp
     compile/compiler.cpp
     compile/goal_patterns.cpp
     compile/kqml_plans.cpp
@@ -52,6 +53,7 @@ jaywalk_add_library(engine
     agent/stride.cpp
     agent/waiting.cpp
     embed/interpreter.cpp
+    mas/ahead.cpp
     mas/lanes.cpp
     mas/mas.cpp
     mas/parallel.cpp

@@ -53,6 +53,7 @@ Mas::Implementation::Implementation(std::shared_ptr<const SymbolTable> symbols, 
 Resident& Mas::Implementation::settle(const std::string& name,
                                       std::shared_ptr<const Program> program) {
   const std::uint64_t seed = mix_seed(options_.seed ^ mix_seed(residents_.size()));
+  look_whether_solitary(*program);
   auto agent =
       std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
                               AgentLimits{options_.max_heap_bytes, options_.max_inferences});
@@ -84,6 +85,7 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
 
 AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
   Resident& resident = settle(spec.name, spec.program);
+  if (spec.customisation != nullptr) all_keep_to_themselves_ = false;
   if (environment_ != nullptr) resident.percepts = std::make_unique<Percepts>();
   go_on_after_idleness();
   resident.agent->set_settings(spec.settings);
@@ -192,6 +194,7 @@ bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& 
                                     std::string& problem) {
   Resident& resident = residents_[static_cast<std::uint32_t>(id)];
   Agent& agent = *resident.agent;
+  all_keep_to_themselves_ = false;  // it may get other plans
   const bool completed = agent.intervene([&] { work(agent); }, problem);
   go_on_after_idleness();
   if (agent.is_active()) wake(resident);
@@ -220,7 +223,13 @@ void Mas::Implementation::write(std::string_view text) {
 }
 
 void Mas::Implementation::log(Agent& agent, std::string_view text) {
-  if (options_.log) put_out(Outbox::Kind::log, fmt::format("[{}] {}", agent.name(), text));
+  if (!options_.log) return;
+  std::string line = fmt::format("[{}] {}", agent.name(), text);
+  if (&agent == ahead_) {
+    held_log_.push_back({agent.cycles() - ahead_since_, std::move(line)});
+  } else {
+    put_out(Outbox::Kind::log, line);
+  }
 }
 
 void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text) {
@@ -365,7 +374,7 @@ void Mas::Implementation::wake(Resident& resident) {
 
 bool Mas::Implementation::step() {
   if (ended_) return false;
-  environment_ != nullptr ? tick() : free_step();
+  environment_ != nullptr ? tick() : free_step(1);
   if (residents_.has_leaving()) residents_.bury();
   return !ended_;
 }
@@ -374,8 +383,12 @@ bool Mas::Implementation::stride() {
   if (ended_) return false;
   Resident* const lone =
       environment_ == nullptr && !options_.realtime ? residents_.lone_active() : nullptr;
-  if (lone == nullptr || lone->is_leaving || !lone->agent->is_active()) return step();
-  reason_alone(*lone);
+  if (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
+    reason_alone(*lone);
+  } else {
+    constexpr std::uint64_t kMostAtOnce = 32;
+    environment_ != nullptr ? tick() : free_step(kMostAtOnce);
+  }
   if (residents_.has_leaving()) residents_.bury();
   return !ended_;
 }
@@ -390,6 +403,7 @@ void Mas::Implementation::reason_alone(Resident& resident) {
     if (ended_) return;
     deliver_messages();
     busy_steps_ += outcome_.cycles - start;
+    steps_ += outcome_.cycles - start;
     if (busy_steps_ >= kStepsPerMs) {
       pass_busy_ms();
       return;
@@ -541,18 +555,24 @@ void Mas::Implementation::fire_timers() {
   }
 }
 
-// Without an environment: one cycle of every active agent; time passes when all are idle.
-void Mas::Implementation::free_step() {
+// Without an environment: one cycle of every active agent; time passes when all are idle. Agents of
+// which none can tell when another reasons do several steps at once, each all of its cycles in a
+// row.
+void Mas::Implementation::free_step(std::uint64_t most) {
   if (options_.realtime) {
     now_ms_ = std::max(now_ms_, wall_ms());
     fire_timers();
   }
-  const bool any = round(Turn::one_cycle);
+  const std::uint64_t steps = can_run_ahead(most)
+                                  ? run_ahead(std::min(most, kStepsPerMs - busy_steps_))
+                                  : (round(Turn::one_cycle) ? 1 : 0);
+  steps_ += steps;
   if (ended_) return;
-  if (!deliver_messages() && !any) {
+  if (!deliver_messages() && steps == 0) {
     pass_idle_time();
-  } else if (!options_.realtime && ++busy_steps_ >= kStepsPerMs) {
-    pass_busy_ms();
+  } else if (!options_.realtime) {
+    busy_steps_ += std::max<std::uint64_t>(steps, 1);
+    if (busy_steps_ >= kStepsPerMs) pass_busy_ms();
   }
 }
 

@@ -76,7 +76,14 @@ class Mas::Implementation : public AgentHost, public Society {
 
   // One step of the run.
   void tick();
-  void free_step();
+  void free_step(std::uint64_t most);
+
+  // Several steps at once (ahead.cpp).
+  void look_whether_solitary(const Program& program);
+  [[nodiscard]] bool can_run_ahead(std::uint64_t most) const;
+  std::uint64_t run_ahead(std::uint64_t most);
+  void write_held_log();
+
   void reason_alone(Resident& resident);
   void pass_busy_ms();
   void perceive();
@@ -134,6 +141,7 @@ class Mas::Implementation : public AgentHost, public Society {
   double now_ms_ = 0;
   std::uint64_t period_ = 1;      // counts the ticks, or the times when all agents were idle
   std::uint64_t busy_steps_ = 0;  // since time passed
+  std::uint64_t steps_ = 0;       // ever; no agent has reasoned for more cycles
   std::vector<std::uint32_t> receivers_;  // of messages that are to be delivered
   /// Contents that get to their receivers' heaps only when they are delivered; they are in `mail_`.
   struct Content {
@@ -147,6 +155,17 @@ class Mas::Implementation : public AgentHost, public Society {
   bool ended_ = false;
   RunOutcome outcome_;
   double cpu_s_ = 0;
+  // Agents of which none can tell when another reasons (program/solitary.h).
+  bool all_keep_to_themselves_ = true;
+  const Program* known_solitary_ = nullptr;  // the last program that was looked at
+  // What they log while each of them reasons for several steps in a row, by step.
+  struct HeldLine {
+    std::uint64_t step;
+    std::string text;
+  };
+  std::vector<HeldLine> held_log_;
+  const Agent* ahead_ = nullptr;   // the one that does; null: nobody
+  std::uint64_t ahead_since_ = 0;  // its cycles before
   double perceiving_s_ = 0;
   std::vector<ActionRequest> requests_;
   std::vector<ActionResult> results_;
