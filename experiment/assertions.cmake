@@ -17,8 +17,11 @@ target_sources(jaywalk_experiment PRIVATE
   metrics/min_pret.cpp
   metrics/min_ttb.cpp
   metrics/min_ttc.cpp
+  metrics/naturalness.cpp
   metrics/time_exposed.cpp
   metrics/time_in_road.cpp
+  report/explanation_json.cpp
+  report/situation_table.cpp
   report/verdict_table.cpp
   signals/boxes.cpp
   signals/careful_driver.cpp
@@ -26,4 +29,7 @@ target_sources(jaywalk_experiment PRIVATE
   signals/motion.cpp
   signals/nearness.cpp
   signals/places.cpp
-  signals/signals.cpp)
+  signals/signals.cpp
+  situations/items.cpp
+  situations/situation_table.cpp
+  situations/situations.cpp)

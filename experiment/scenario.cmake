@@ -1,6 +1,8 @@
 # The scenario and the trial: what a comparison runs. Included by CMakeLists.txt beside it.
 target_sources(jaywalk_experiment PRIVATE
   code_lines.cpp
+  feedback.cpp
+  plan_coverage.cpp
   program_copies.cpp
   scenario.cpp
   scenario_actors.cpp

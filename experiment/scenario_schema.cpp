@@ -14,6 +14,7 @@ namespace {
 
 // What a scenario may ask for; generous, but safe to multiply.
 constexpr IntegerRange kTests{1, 1'000'000'000};
+constexpr IntegerRange kGenerations{0, 1'000'000'000};
 constexpr IntegerRange kSeeds{0, INT64_MAX};
 constexpr std::uint32_t kMaxAgents = 10'000;
 
@@ -188,6 +189,7 @@ class LayerReader : LayerPart {
                   {"tests", integer(experiment.tests, kTests)},
                   {"agents", method(&LayerReader::read_agent_numbers)},
                   {"seed", integer(experiment.seed, kSeeds)},
+                  {"feedback", integer(experiment.feedback, kGenerations)},
               });
   }
 

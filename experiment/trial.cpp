@@ -8,6 +8,7 @@
 
 #include "env/crossing/spawn.h"
 #include "env/grid/random.h"
+#include "experiment/feedback.h"
 
 namespace jaywalk {
 namespace {
@@ -30,7 +31,18 @@ void set_own_parameters(const PreparedBehaviour& behaviour, std::uint32_t number
   }
 }
 
+std::vector<Parameter> beliefs(const std::vector<CoveredBin>& feedback, SymbolTable& symbols) {
+  std::vector<Parameter> parameters;
+  for (const CoveredBin& each : feedback) {
+    parameters.push_back({symbols.predicate("covered", 3),
+                          {Value::atom(symbols.predicate(each.item, 0)), Value::number(each.bin),
+                           Value::number(static_cast<double>(each.times))}});
+  }
+  return parameters;
+}
+
 void add_agents(const PreparedScenario& prepared, const TrialInput& input, Mas& mas) {
+  const std::vector<Parameter> feedback = beliefs(input.feedback, mas.symbols());
   const PreparedBehaviour& behaviour = prepared.behaviours()[input.behaviour];
   for (std::uint32_t number = 1; number <= input.agents; ++number) {
     const auto own = behaviour.team.find(number);
@@ -38,6 +50,7 @@ void add_agents(const PreparedScenario& prepared, const TrialInput& input, Mas& 
                    own == behaviour.team.end() ? behaviour.program : own->second,
                    behaviour.parameters};
     set_own_parameters(behaviour, number, spec);
+    spec.parameters.insert(spec.parameters.end(), feedback.begin(), feedback.end());
     mas.add_agent(spec);
   }
   for (const PreparedBehaviour& actor : prepared.actors()) {
@@ -50,7 +63,11 @@ std::string describe(const RunOutcome& outcome) {
   return outcome.end == RunEnd::stopped ? "an agent stopped the system" : "the run was cut short";
 }
 
-void record_events(const Crossing& crossing, Recording& recording) {
+void record_events(const Crossing& crossing, const TrialInput& input, Recording& recording) {
+  if (!input.feedback.empty()) {
+    recording.add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(input.feedback)});
+  }
   for (const std::size_t pedestrian : crossing.result().hit_by) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(crossing.result().ticks),
                                 .actor = static_cast<std::uint32_t>(pedestrian + 1),
@@ -133,6 +150,7 @@ TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
   mas_options.print = options.print;
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;
+  mas_options.observer = options.observer;
   Mas mas(prepared.symbols(), std::move(mas_options), &crossing);
   add_agents(prepared, input, mas);
 
@@ -141,7 +159,7 @@ TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
     *options.record = Recording(prepared.scenario().world.tick_s, crossing.actors());
   }
   run_to_the_end(mas, crossing, options, result);
-  if (options.record != nullptr) record_events(crossing, *options.record);
+  if (options.record != nullptr) record_events(crossing, input, *options.record);
   result.outcome = crossing.result();
   result.cycles = mas.outcome().cycles;
   result.cpu_s = mas.reasoning_cpu_s();

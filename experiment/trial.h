@@ -63,6 +63,16 @@ class PreparedScenario {
   std::vector<SourcePtr> inputs_;
 };
 
+/// How often earlier tests have covered a bin of a situation item (situations/situations.h).
+struct CoveredBin {
+  std::string item;
+  /// From 1.
+  std::uint32_t bin = 0;
+  std::uint64_t times = 0;
+
+  friend bool operator==(const CoveredBin&, const CoveredBin&) = default;
+};
+
 struct TrialInput {
   /// Index into the prepared scenario's behaviours.
   std::size_t behaviour = 0;
@@ -70,6 +80,8 @@ struct TrialInput {
   /// The experiment's seed and the test's number, from 0.
   std::uint64_t seed = 0;
   std::uint64_t test = 0;
+  /// What the pedestrians are told of earlier tests: the beliefs covered(Item, Bin, Times).
+  std::vector<CoveredBin> feedback;
 };
 
 /// Looks at a trial as it runs: called before the first tick and after each.
@@ -78,8 +90,11 @@ using TrialObserver = std::function<void(const Crossing& crossing, const Mas& ma
 struct TrialOptions {
   TrialObserver observe;
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
-  /// the first in the zone, and `collision`, of whoever the AV touched. Null: nothing is recorded.
+  /// the first in the zone, `collision`, of whoever the AV touched, and `feedback`, what the
+  /// pedestrians were told of earlier tests. Null: nothing is recorded.
   Recording* record = nullptr;
+  /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
+  ReasoningObserver* observer = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the trial is given up.

@@ -52,7 +52,18 @@ jaywalk_add_library(engine
     agent/step_guard.cpp
     agent/stride.cpp
     agent/waiting.cpp
+    coverage/coverage.cpp
+    coverage/html.cpp
+    coverage/lcov.cpp
+    coverage/lines.cpp
+    coverage/probe_texts.cpp
+    coverage/probes.cpp
+    coverage/source_coverage.cpp
+    coverage/text.cpp
     embed/interpreter.cpp
+    explain/explanation.cpp
+    explain/near_misses.cpp
+    explain/text.cpp
     mas/ahead.cpp
     mas/lanes.cpp
     mas/mas.cpp

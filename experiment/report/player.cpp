@@ -1,11 +1,14 @@
 #include "experiment/report/player.h"
 
 #include <cmath>
+#include <filesystem>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "env/crossing/layout.h"
 #include "experiment/report/player.html.h"
+#include "interpreter/agent/agent.h"
 
 namespace jaywalk {
 namespace {
@@ -86,7 +89,8 @@ json to_json(const MindRecorder& recorder) {
   for (const auto& tick : recorder.minds()) {
     json agents = json::array();
     for (const MindRecorder::Mind& mind : tick) {
-      agents.push_back({{"intentions", mind.intentions}, {"beliefs", mind.beliefs}});
+      agents.push_back(
+          {{"intentions", mind.intentions}, {"beliefs", mind.beliefs}, {"plans", mind.plans}});
     }
     result.push_back(std::move(agents));
   }
@@ -121,7 +125,17 @@ void MindRecorder::observe(const Mas& mas) {
     if (!mas.is_alive(id)) continue;
     mind.intentions = intern(mas.describe_intentions(id));
     mind.beliefs = intern(mas.describe_beliefs(id));
+    mind.plans = intern(chosen_[static_cast<std::uint32_t>(i)]);
   }
+  chosen_.clear();
+}
+
+void MindRecorder::plan_chosen(Agent& agent, const Plan& plan, const Event& event,
+                               const Intention&) {
+  if (plan.is_standard) return;
+  chosen_[agent.number()].push_back(
+      fmt::format("{}: {}:{}", agent.trigger_text(event),
+                  std::filesystem::path(plan.file).filename().string(), plan.line));
 }
 
 std::string render_player(const std::string& title, const CrossingParameters& parameters,

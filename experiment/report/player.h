@@ -9,20 +9,26 @@
 
 #include "env/crossing/crossing.h"
 #include "experiment/recording.h"
+#include "interpreter/agent/observer.h"
 #include "interpreter/mas/mas.h"
 
 namespace jaywalk {
 
-/// What the agents had in mind, tick by tick. Give its `observe` to a trial.
-class MindRecorder {
+/// What the agents had in mind, tick by tick, and which plans they took. Give it to a trial as
+/// observer, and its `observe`.
+class MindRecorder : public ReasoningObserver {
  public:
   struct Mind {
     /// Indices into texts().
     std::vector<std::size_t> intentions;
     std::vector<std::size_t> beliefs;
+    /// The plans chosen in the tick, each with the event that it was chosen for.
+    std::vector<std::size_t> plans;
   };
 
   void observe(const Mas& mas);
+  void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
+                   const Intention& intention) override;
 
   /// For each tick, each agent's.
   [[nodiscard]] const std::vector<std::vector<Mind>>& minds() const { return minds_; }
@@ -34,6 +40,8 @@ class MindRecorder {
   std::map<std::string, std::size_t> numbers_;
   std::vector<std::string> texts_;
   std::vector<std::vector<Mind>> minds_;
+  std::map<std::uint32_t, std::vector<std::string>>
+      chosen_;  // by the agents' numbers, in this tick
 };
 
 /// The page of one test. `title` is shown above it.

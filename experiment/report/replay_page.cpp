@@ -19,6 +19,7 @@ Result<std::string> replay_page(const ResultsReader& store, const StoredTest& te
   MindRecorder minds;
   TrialOptions options;
   options.record = &recording;
+  options.observer = &minds;
   options.observe = [&](const Crossing&, const Mas& mas) { minds.observe(mas); };
   auto result = store.rerun(test.id, options);
   if (!result) return std::move(result.diagnostics());

@@ -19,5 +19,6 @@ target_sources(jaywalk_experiment PRIVATE
   report/sections/replays.cpp
   report/sections/reproduce.cpp
   report/sections/significance.cpp
+  report/sections/situations.cpp
   report/sections/verdicts.cpp
   significance.cpp)

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/feedback.h"
 #include "experiment/results/schema.h"
 #include "experiment/results/store_file.h"
 #include "experiment/results/stored_rows.h"
@@ -170,10 +171,15 @@ Result<TrialInput> ResultsReader::input(std::int64_t id) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
   const TestCase& wanted = stored.value().test;
+  const auto told = impl_->checked(read_feedback(impl_->database(), id));
+  if (!told) return told.diagnostics();
+  auto feedback = parse_feedback(told.value());
+  if (!feedback) return store_error(path(), fmt::format("test {} has a damaged event", id));
   return TrialInput{.behaviour = wanted.behaviour,
                     .agents = wanted.agents,
                     .seed = description().seed,
-                    .test = wanted.number};
+                    .test = wanted.number,
+                    .feedback = std::move(*feedback)};
 }
 
 Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& options) const {

@@ -15,7 +15,8 @@ target_sources(jaywalk_experiment PRIVATE
   results/stored_description.cpp
   results/stored_rows.cpp
   results/test_record.cpp
-  results/writer.cpp)
+  results/writer.cpp
+  stored_coverage.cpp)
 set_property(SOURCE results/description.cpp results/reader.cpp
              APPEND PROPERTY COMPILE_DEFINITIONS JAYWALK_VERSION="${PROJECT_VERSION}")
 target_link_libraries(jaywalk_experiment PRIVATE SQLite::SQLite3 OpenSSL::Crypto)

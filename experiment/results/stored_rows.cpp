@@ -198,6 +198,15 @@ void read_places(
   while (row.step()) callback(row.number(0), row.real(1), row.real(2));
 }
 
+std::string read_feedback(Database& database, std::int64_t test_id) {
+  Statement row = rows_of(database, test_id, "kind, text", "events");
+  std::string text;
+  while (row.step()) {
+    if (row.text(0) == "feedback") text = row.text(1);
+  }
+  return text;
+}
+
 Recording read_recording(Database& database, double tick_s, std::int64_t test_id) {
   Recording recording(tick_s, read_actors(database, test_id));
   if (recording.actors().empty()) {

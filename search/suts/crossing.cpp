@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "env/ground.h"
 #include "experiment/assertions/assertion.h"
 #include "experiment/metrics/metrics.h"
+#include "experiment/metrics/naturalness.h"
 #include "experiment/scenario_schema.h"
 #include "experiment/trial.h"
 #include "search/suts/crossing_space.h"
@@ -43,17 +42,9 @@ double naturalness(const TestView& view) {
   double steps = 0;
   double natural = 0;
   for (const ActorIndex actor : view.road_users()) {
-    const auto in_road = view.values(SignalId::in_road, actor);
     for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
-      const ActorState& before = view.state(actor, tick - 1);
-      const ActorState& now = view.state(actor, tick);
-      const double turn =
-          std::fabs(std::remainder(now.heading_rad - before.heading_rad, 2 * std::numbers::pi));
-      const bool turns_back =
-          before.speed_mps > 0 && now.speed_mps > 0 && turn > 0.75 * std::numbers::pi;
-      const bool loiters = now.speed_mps == 0 && in_road[tick] != 0;
       steps += 1;
-      if (!turns_back && !loiters) natural += 1;
+      if (is_natural_step(view, actor, tick)) natural += 1;
     }
   }
   return steps > 0 ? natural / steps : 1;

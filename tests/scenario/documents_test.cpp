@@ -1,5 +1,9 @@
 // What is written about worlds and scenarios agrees with what they are.
 
+#include <filesystem>
+#include <regex>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "env/environments.h"
@@ -62,6 +66,29 @@ TEST(Documents, BeginWithAScenarioThatWorks) {
   const auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
   ASSERT_TRUE(prepared.ok()) << prepared.diagnostics().render();
   EXPECT_TRUE(warnings.empty()) << warnings.render();
+}
+
+// Rows `| F2 | what | [file.yaml](file.yaml) | `Suite.Name` |`.
+TEST(Documents, NameScenariosAndTestsThatExistForEachRequirement) {
+  const std::string readme = text_of("scenarios/README.md");
+  std::string tests;
+  for (const auto& file : std::filesystem::directory_iterator(project_file("tests/scenario"))) {
+    if (file.path().extension() == ".cpp") {
+      tests += text_of("tests/scenario/" + file.path().filename().string());
+    }
+  }
+  const std::regex row(R"(\| (F\d+) \|.*\]\((\S+\.yaml)\) \| `(\w+)\.(\w+)` \|)");
+  std::set<std::string> found;
+  for (std::sregex_iterator each(readme.begin(), readme.end(), row), end; each != end; ++each) {
+    const std::smatch& match = *each;
+    found.insert(match[1]);
+    EXPECT_TRUE(read_scenario(project_file("scenarios/" + match[2].str())).ok()) << match[0];
+    EXPECT_NE(tests.find("TEST(" + match[3].str() + ", " + match[4].str() + ")"), std::string::npos)
+        << match[0];
+  }
+  const std::set<std::string> wanted{"F1",  "F2",  "F3",  "F4",  "F5",  "F6",  "F9",  "F10",
+                                     "F12", "F14", "F15", "F16", "F17", "F18", "F22", "F23"};
+  EXPECT_EQ(found, wanted);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <thread>
 
@@ -14,8 +15,11 @@
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"
 #include "experiment/export/write_file.h"
+#include "experiment/feedback.h"
 #include "experiment/number_list.h"
+#include "experiment/plan_coverage.h"
 #include "experiment/report/chart.h"
+#include "experiment/report/situation_table.h"
 #include "experiment/report/table.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/results/reader.h"
@@ -23,6 +27,7 @@
 #include "experiment/trimmed.h"
 #include "experiment/verdict.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/progress_line.h"
@@ -45,6 +50,22 @@ struct Request {
   std::optional<StoreOptions> store;
   Inquiry inquiry;
   Ground ground;
+  /// Null: nobody asks for it.
+  std::unique_ptr<PlanCoverage> coverage;
+  bool situations = false;
+};
+
+/// What is collected while tests run, beside their results.
+struct Collected {
+  explicit Collected(const Request& request)
+      : findings(request.inquiry, request.plan), situations(request.plan) {
+    const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
+    if (generation > 0) feedback.emplace(request.plan, generation, situations);
+  }
+
+  FindingsTable findings;
+  SituationTable situations;
+  std::optional<CoverageFeedback> feedback;
 };
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -90,6 +111,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   }
   options.conditions = read_conditions(arguments, diagnostics);
   options.store = read_store_options(arguments, diagnostics);
+  check_coverage_options(arguments, diagnostics);
   return options;
 }
 
@@ -124,6 +146,10 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
   request.inquiry = std::move(*inquiry);
   request.ground = ground(request.prepared->scenario().world);
+  if (arguments.has("coverage")) {
+    request.coverage = std::make_unique<PlanCoverage>(*request.prepared);
+  }
+  request.situations = arguments.has("situations") || defaults.feedback > 0;
   return request;
 }
 
@@ -138,6 +164,11 @@ Diagnostics excesses(const Request& request) {
     if (agents > kMaxAgents) {
       diagnostics.error("--agents", fmt::format("at most {}, found {}", kMaxAgents, agents));
     }
+  }
+  const bool is_part = request.store && request.store->shard.count > 1;
+  if (is_part && request.prepared->scenario().experiment.feedback > 0) {
+    diagnostics.error("--shard", "the tests of a part need what the other parts' tests cover",
+                      "experiment.feedback=0 runs them without that");
   }
   return diagnostics;
 }
@@ -164,7 +195,7 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
 
 /// Who wants to know about the tests as they are run; null: nobody.
 struct Listeners {
-  FindingsTable& findings;
+  Collected& collected;
   ResultsWriter* store = nullptr;
   reporting::FactsTable* facts = nullptr;
 };
@@ -173,15 +204,24 @@ struct Listeners {
 Result<TestResult> run_test(const Request& request, const TestCase& test,
                             const Listeners& listeners) {
   ResultsWriter* const store = listeners.store;
-  const bool recorded = store != nullptr || listeners.facts != nullptr || asks(request.inquiry);
-  const TrialInput input{.behaviour = test.behaviour,
-                         .agents = test.agents,
-                         .seed = request.seed,
-                         .test = test.number};
+  const bool recorded =
+      store != nullptr || listeners.facts != nullptr || asks(request.inquiry) || request.situations;
+  TrialInput input{.behaviour = test.behaviour,
+                   .agents = test.agents,
+                   .seed = request.seed,
+                   .test = test.number};
+  std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
+  if (feedback) {
+    auto told = feedback->wait_for(test);
+    if (!told) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
+    input.feedback = std::move(*told);
+  }
   const auto start = std::chrono::steady_clock::now();
   Recording recording;
-  TrialResult trial = run_trial(*request.prepared, input,
-                                {.record = recorded ? &recording : nullptr, .measure_cpu = true});
+  TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = true};
+  std::optional<PlanCoverage::Borrowed> observer;
+  if (request.coverage != nullptr) options.observer = observer.emplace(*request.coverage).get();
+  TrialResult trial = run_trial(*request.prepared, input, options);
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
@@ -194,10 +234,14 @@ Result<TestResult> run_test(const Request& request, const TestCase& test,
   std::vector<Assessment> assessments;
   if (asks(request.inquiry)) {
     const TestFindings found = assess(request.inquiry, recording, request.ground);
-    listeners.findings.add(test, found);
+    listeners.collected.findings.add(test, found);
     if (store != nullptr) assessments = to_assessments(request.inquiry, found);
   }
   if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
+  if (request.situations) {
+    listeners.collected.situations.add(test, covered_bins(recording, request.ground));
+    if (feedback) feedback->finished(test);
+  }
   if (store != nullptr) {
     TestRecord record = make_test_record(test, result, trial, std::move(recording));
     record.assessments = std::move(assessments);
@@ -232,17 +276,21 @@ class Selection {
 /// Runs what is selected; whoever looks at the progress sees nothing of the rest.
 ExperimentOutcome run_selection(const Request& request, const Selection& selection,
                                 const Listeners& listeners, const ProgressFunction& progress) {
+  std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   std::atomic<std::uint64_t> done = 0;
   const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
     if (!selection.has(test_case)) return TestResult{};
     auto result = run_test(request, test_case, listeners);
+    if (!result && feedback) feedback->give_up();
     done.fetch_add(1, std::memory_order_relaxed);
     return result;
   };
   const auto own_progress = [&](const Progress&) {
     const bool broken = listeners.store != nullptr && listeners.store->failure();
-    const Proceed proceed = progress({.done = done, .total = selection.size()});
-    return broken ? Proceed::no : proceed;
+    Proceed proceed = progress({.done = done, .total = selection.size()});
+    if (broken) proceed = Proceed::no;
+    if (proceed == Proceed::no && feedback) feedback->give_up();
+    return proceed;
   };
   ExperimentOutcome outcome = run_experiment(request.plan, test, own_progress);
   outcome.progress = {.done = done, .total = selection.size()};
@@ -255,6 +303,44 @@ ExperimentDescription describe_experiment(const Request& request, const Argument
                request.plan, request.seed);
   add_judging(description, request.inquiry.files, request.inquiry.metrics);
   return description;
+}
+
+/// What the tests that a store to be continued has have covered, so that later ones can be told.
+bool add_earlier_situations(const Request& request, Collected& collected, Console& console) {
+  if (!request.situations || !request.store || !request.store->resume) return true;
+  std::error_code ignored;
+  if (!std::filesystem::exists(request.store->path, ignored)) return true;
+  const auto store = ResultsReader::open(request.store->path);
+  const auto tests =
+      store.ok() ? store.value()->tests() : Result<std::vector<StoredTest>>(store.diagnostics());
+  if (!tests.ok()) {
+    console.report(tests.diagnostics());
+    return false;
+  }
+  for (const StoredTest& stored : tests.value()) {
+    if (stored.result.succeeded) {
+      const auto recording = store.value()->recording(stored.id);
+      if (!recording.ok()) {
+        console.report(recording.diagnostics());
+        return false;
+      }
+      collected.situations.add(stored.test, covered_bins(recording.value(), request.ground));
+    }
+    if (collected.feedback) collected.feedback->finished(stored.test);
+  }
+  return true;
+}
+
+std::vector<SituationRow> situation_rows(const Request& request, const Comparison& comparison,
+                                         const SituationTable& table) {
+  std::vector<SituationRow> rows;
+  for (const Summary& summary : comparison.summaries) {
+    const auto place = std::ranges::find(request.plan.behaviours, summary.behaviour);
+    const auto behaviour = static_cast<std::size_t>(place - request.plan.behaviours.begin());
+    rows.push_back({summary.behaviour, summary.agents,
+                    table.coverage(behaviour, summary.agents, request.plan.tests)});
+  }
+  return rows;
 }
 
 /// Summed up from the store, which may have had tests before; nothing after reporting why not.
@@ -393,6 +479,8 @@ CommandHelp help() {
                "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
                "== !=), as accuracy<40, or of an assertion ID.fail>0 (also\n"
                "pass, vacuous, unavoidable, exercised_pct); repeatable"},
+              {"situations", "", "print which situations the tests covered"},
+              kCoverageOption,
               {"quiet", "", "print no table"},
           },
       .examples =
@@ -423,6 +511,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::usage;
   }
 
+  Collected collected(*request);
+  FindingsTable& findings = collected.findings;
+  if (!add_earlier_situations(*request, collected, console)) return ExitCode::usage;
   // Whoever sees that there is a store may end us, and what is finished is kept.
   const InterruptGuard interrupt;
   std::unique_ptr<ResultsWriter> store;
@@ -433,9 +524,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
 
   ProgressLine line(console);
   const Selection selection(*request, store.get());
-  FindingsTable findings(request->inquiry, request->plan);
   reporting::FactsTable facts(request->plan);
-  const Listeners listeners{.findings = findings,
+  const Listeners listeners{.collected = collected,
                             .store = store.get(),
                             .facts = wants_page(arguments) && !store ? &facts : nullptr};
   ExperimentOutcome outcome =
@@ -445,7 +535,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       });
   line.clear();
   const bool kept = !store || finish_store(*store, request->store->path, console);
-  if (outcome.failed_test) {
+  if (outcome.failed_test && !interrupt.interrupted()) {
     console.report(outcome.failure);
     return ExitCode::failed;
   }
@@ -455,8 +545,16 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       request->store ? stored_comparison(*request, console) : make_comparison(*request, outcome);
   if (!comparison) return ExitCode::failed;
   if (!store) add_findings(request->inquiry, findings, request->plan.behaviours, *comparison);
-  const bool written = write_outputs(arguments, *request, *comparison, facts, console);
-  if (!arguments.has("quiet")) console.print(tables(*comparison));
+  bool written = write_outputs(arguments, *request, *comparison, facts, console);
+  if (request->coverage != nullptr) {
+    written = write_coverage(arguments, request->coverage->total(), console) && written;
+  }
+  const bool quiet = arguments.has("quiet");
+  if (!quiet) console.print(tables(*comparison));
+  if (arguments.has("situations")) {
+    const auto rows = situation_rows(*request, *comparison, collected.situations);
+    console.print((quiet ? "" : "\n") + situation_text(rows));
+  }
   if (!comparison->complete) {
     console.note(interruption(*request, outcome, *comparison));
     return ExitCode::interrupted;

@@ -6,6 +6,7 @@
 #include "experiment/report/replay_page.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/stored_test.h"
 #include "tools/jaywalk/viewer.h"
 #include "tools/picture/gif.h"
 #include "tools/picture/test_picture.h"
@@ -14,47 +15,19 @@ namespace jaywalk::command::replay {
 namespace {
 
 struct Wanted {
-  std::optional<std::uint64_t> test;
-  std::optional<std::uint64_t> agents;
-  std::optional<std::string> behaviour;
   std::optional<std::uint64_t> tick;
   double speed = 2;
 };
 
 std::optional<Wanted> read_wanted(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  Wanted wanted{.test = arguments.number("test", 0, diagnostics),
-                .agents = arguments.number("agents", 1, diagnostics),
-                .behaviour = arguments.text("behaviour"),
-                .tick = arguments.number("tick", 0, diagnostics),
+  Wanted wanted{.tick = arguments.number("tick", 0, diagnostics),
                 .speed = arguments.positive("speed", diagnostics).value_or(2)};
   if (wanted.tick && !arguments.has("png")) {
     diagnostics.error("--tick", "has no meaning without --png");
   }
   if (!diagnostics.has_errors()) return wanted;
   console.report(diagnostics);
-  return std::nullopt;
-}
-
-/// The first stored test that is wanted: one that met the precondition, if none is named.
-std::optional<StoredTest> find_test(const ResultsReader& store, const Wanted& wanted,
-                                    Console& console) {
-  TestFilter filter;
-  if (!wanted.test) filter.succeeded = true;
-  const auto tests = store.tests(filter);
-  if (!tests.ok()) {
-    console.report(tests.diagnostics());
-    return std::nullopt;
-  }
-  for (const StoredTest& each : tests.value()) {
-    const std::string& behaviour = store.description().behaviours[each.test.behaviour].name;
-    if (wanted.test.value_or(each.test.number) == each.test.number &&
-        wanted.agents.value_or(each.test.agents) == each.test.agents &&
-        wanted.behaviour.value_or(behaviour) == behaviour) {
-      return each;
-    }
-  }
-  console.error("the store has no such test", "without --test, one that met the precondition");
   return std::nullopt;
 }
 
@@ -151,9 +124,9 @@ CommandHelp help() {
               "the store has of it, so that everything can be seen, whatever was stored.\n",
           .options =
               {
-                  {"test", "N", "the test's number (default: the first that met the precondition)"},
-                  {"agents", "N", "with this number of agents"},
-                  {"behaviour", "NAME", "of this behaviour"},
+                  kStoredTestOptions[0],
+                  kStoredTestOptions[1],
+                  kStoredTestOptions[2],
                   {"speed", "N", "ticks per second in the terminal and in a GIF (default 2)"},
                   {"html", "FILE", "write the player's page instead"},
                   {"png", "FILE", "write a picture instead"},
@@ -167,31 +140,20 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  const auto& operands = arguments.operands();
-  if (operands.size() != 1) {
-    console.error(fmt::format("expected one store, found {}", operands.size()),
-                  "jaywalk replay --help shows how to write it");
-    return ExitCode::usage;
-  }
   const auto wanted = read_wanted(arguments, console);
   if (!wanted) return ExitCode::usage;
-  const auto store = ResultsReader::open(operands[0]);
-  if (!store.ok()) {
-    console.report(store.diagnostics());
-    return ExitCode::usage;
-  }
-  const auto test = find_test(*store.value(), *wanted, console);
+  const auto store = open_results(arguments, "replay", console);
+  if (!store) return ExitCode::usage;
+  const auto test = find_stored_test(*store, arguments, console);
   if (!test) return ExitCode::usage;
   ExitCode code = ExitCode::success;
-  if (const auto page = arguments.text("html")) {
-    code = write_page(*store.value(), *test, *page, console);
-  }
+  if (const auto page = arguments.text("html")) code = write_page(*store, *test, *page, console);
   if (arguments.has("png") || arguments.has("gif")) {
-    const ExitCode drawn = write_pictures(*store.value(), *test, *wanted, arguments, console);
+    const ExitCode drawn = write_pictures(*store, *test, *wanted, arguments, console);
     return code == ExitCode::success ? drawn : code;
   }
   if (arguments.has("html")) return code;
-  return play(*store.value(), *test, wanted->speed, console);
+  return play(*store, *test, wanted->speed, console);
 }
 
 }  // namespace jaywalk::command::replay

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/run_program.h"
@@ -64,6 +65,7 @@ CommandHelp help() {
               {"test", "N", "of a scenario: which test, from 0"},
               {"watch", "", "of a scenario: draw the test tick by tick"},
               {"speed", "X", "of --watch: ticks a second (default 2)"},
+              kCoverageOption,
               {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)"},
               {"fail-on", "EXPR",
                "of a scenario: exit with 1 if the test meets it, as\n"

@@ -13,6 +13,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
+#include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/program_loader.h"
@@ -41,6 +42,7 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   limits.mas.threads = static_cast<std::size_t>(
       std::min(arguments.number("threads", 1, diagnostics).value_or(1), kMostThreads));
   limits.timeout_s = arguments.positive("timeout", diagnostics);
+  check_coverage_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
     return std::nullopt;
@@ -110,7 +112,7 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Sy
 
 /// `folder` is the one of the program or project.
 ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::string& folder,
-                     const Limits& limits, Console& console) {
+                     const Limits& limits, const Arguments& arguments, Console& console) {
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
   const std::vector<AgentSpec> agents = compile_all(sources, *symbols, diagnostics);
@@ -128,9 +130,19 @@ ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::strin
     if (problem) error = *problem;
     return !problem;
   };
+  Probes probes(symbols, Probes::Detail::counts);
+  std::optional<CoverageObserver> observer;
+  if (arguments.has("coverage")) {
+    for (const AgentSpec& agent : agents) probes.add(agent.program);
+    options.observer = &observer.emplace(probes);
+  }
   Mas mas(symbols, std::move(options), nullptr);
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
   const ExitCode code = run_to_end(mas, limits, console);
+  if (observer &&
+      !write_coverage(arguments, locate_in_files(probes, observer->counts()), console)) {
+    return ExitCode::failed;
+  }
   // As in Jason, the agents of a project whose programs are in order run without the others.
   return code == ExitCode::success && diagnostics.has_errors() ? ExitCode::usage : code;
 }
@@ -149,7 +161,7 @@ ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Con
   const ProgramSource source{.path = path,
                              .include_path = *include_path,
                              .agents = {std::filesystem::path(path).stem().string()}};
-  return run_sources({source}, folder_of(path), *limits, console);
+  return run_sources({source}, folder_of(path), *limits, arguments, console);
 }
 
 ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
@@ -161,7 +173,7 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   const auto sources = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
   if (!sources) return ExitCode::usage;
-  return run_sources(*sources, folder_of(path), *limits, console);
+  return run_sources(*sources, folder_of(path), *limits, arguments, console);
 }
 
 }  // namespace jaywalk

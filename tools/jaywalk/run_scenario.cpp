@@ -13,8 +13,10 @@
 
 #include "experiment/export/junit.h"
 #include "experiment/export/write_file.h"
+#include "experiment/plan_coverage.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/trial.h"
+#include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/scenario_options.h"
@@ -59,6 +61,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
     diagnostics.error("--agents", fmt::format("at most {}", kMaxAgents));
   }
   request.conditions = read_conditions(arguments, diagnostics);
+  check_coverage_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
     return std::nullopt;
@@ -181,7 +184,13 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     if (!store) return ExitCode::usage;
   }
   if (store || asks(request->inquiry)) options.record = &recording;
+  std::optional<PlanCoverage> coverage;
+  std::optional<PlanCoverage::Borrowed> observer;
+  if (arguments.has("coverage")) {
+    options.observer = observer.emplace(coverage.emplace(*request->prepared)).get();
+  }
   const TrialResult result = run_trial(*request->prepared, request->input, options);
+  observer.reset();
   if (interrupt.interrupted()) {
     console.note("interrupted");
     return ExitCode::interrupted;
@@ -208,6 +217,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     console.note(fmt::format("{}: {}", title_of(*request), outcome));
     if (!found.empty()) console.note(found);
   }
+  if (coverage && !write_coverage(arguments, coverage->total(), console)) return ExitCode::failed;
   return conclude(*request, arguments, result, findings, console);
 }
 

@@ -19,6 +19,7 @@
 
 #include "experiment/export/write_file.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/progress_line.h"
@@ -54,6 +55,8 @@ std::optional<Options> read_options(const Arguments& arguments, Console& console
   options.threads = static_cast<unsigned>(
       std::min(kMaxThreads, arguments.number("threads", 1, diagnostics).value_or(cores)));
   options.filter = arguments.text("filter").value_or("");
+  options.limits.coverage = arguments.has("coverage");
+  check_coverage_options(arguments, diagnostics);
   if (!diagnostics.has_errors()) return options;
   console.report(diagnostics);
   return std::nullopt;
@@ -236,6 +239,7 @@ CommandHelp help() {
           {
               {"filter", "TEXT", "only tests whose 'file: name' contains the text"},
               {"junit", "FILE", "write the results as JUnit XML"},
+              kCoverageOption,
               {"threads", "N", "run so many tests at a time (default: all cores)"},
               {"seed", "N", "of the agents' random numbers (default 0)"},
               {"max-cycles", "N", "reasoning cycles of an agent in a test (default 1000000)"},
@@ -275,6 +279,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::interrupted;
   }
   const ExitCode code = print_reports(tests, *reports, console);
+  if (options->limits.coverage) {
+    SourceCoverage coverage;
+    for (const UnitTestReport& report : *reports) coverage.add(report.coverage);
+    if (!write_coverage(arguments, coverage, console)) return ExitCode::failed;
+  }
   if (const auto file = arguments.text("junit")) {
     if (const auto problem = write_file(*file, junit_xml(tests, *reports))) {
       console.error(fmt::format("{}: {}", *file, *problem));

@@ -15,6 +15,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/term/print.h"
+#include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/program_loader.h"
 #include "tools/jaywalk/unit_test_goals.h"
 
@@ -193,11 +194,19 @@ class TestRun {
       return std::move(report_);
     }
     names_.emplace(*symbols);
-    Mas mas(symbols, options(), nullptr);
+    Probes probes(symbols, Probes::Detail::counts);
+    std::optional<CoverageObserver> observer;
+    MasOptions mas_options = options();
+    if (limits_.coverage) {
+      probes.add(program);
+      mas_options.observer = &observer.emplace(probes);
+    }
+    Mas mas(symbols, std::move(mas_options), nullptr);
     const AgentId agent = mas.add_agent(
         {.name = fs::path(test_.file).stem().string(), .program = program, .parameters = {}});
     const std::string problem = run_to_end(mas, agent);
     report_.seconds = mas.now_ms() / 1000;
+    if (observer) report_.coverage = locate_in_files(probes, observer->counts());
     const Places places(tree);
     if (mas.is_alive(agent)) judge(mas, agent, problem, places);
     if (!mas.is_alive(agent)) break_off("the test's agent has been ended", test_.where);

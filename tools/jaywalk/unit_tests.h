@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/coverage/source_coverage.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"
 
@@ -34,6 +35,8 @@ struct UnitTestLimits {
   std::uint64_t max_cycles = 1'000'000;
   /// Seconds of the wall clock.
   double timeout_s = 60;
+  /// What of the program is used is counted.
+  bool coverage = false;
 };
 
 struct UnitTestReport {
@@ -57,6 +60,8 @@ struct UnitTestReport {
   std::vector<std::string> output;
   /// Virtual seconds.
   double seconds = 0;
+  /// If it was asked for.
+  SourceCoverage coverage;
 
   [[nodiscard]] bool is_failure() const {
     return verdict == Verdict::failed || verdict == Verdict::broken;

@@ -1,0 +1,124 @@
+#pragma once
+
+// Where to look at a program as it runs: its plans, the conditions of which contexts and rules
+// consist, the formulas of bodies, each with a number. Contexts and rules are compiled anew with
+// goals around every condition that tell the observer (agent/observer.h) that it is asked and that
+// it holds; they mean what they meant. The programs themselves are left as they are.
+//
+//   Probes probes(symbols, Probes::Detail::counts);
+//   probes.add(program);
+//   CoverageObserver observer(probes);      // one for each thread
+//   MasOptions{.observer = &observer};
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/agent/observer.h"
+#include "interpreter/program/program.h"
+
+namespace jaywalk {
+
+/// Who hears probes: gives agents the contexts and rules that have them.
+class ProbeObserver : public ReasoningObserver {
+ public:
+  /// A condition, by its number, is asked, with the values of its variables. What is returned names
+  /// this asking; of a context it is of no meaning.
+  virtual std::size_t condition_asked(Agent& agent, std::size_t number,
+                                      std::span<const Value> variables) = 0;
+  /// The condition has an answer, perhaps not its first; 0: to its latest asking.
+  virtual void condition_answered(Agent& agent, std::size_t number, std::size_t asking) = 0;
+};
+
+/// A condition, which is no conjunction, disjunction or negation itself.
+struct ProbedCondition {
+  /// The numbers of its variables among the slots of the plan or rule.
+  std::vector<std::uint32_t> slots;
+  /// The names of all slots of the plan or rule.
+  std::span<const Symbol> slot_names;
+  /// It stands within an odd number of negations: the formula wants it to fail.
+  bool negated = false;
+  /// What it asks of the beliefs; empty if it is no literal.
+  std::optional<Predicate> asks;
+};
+
+struct ProbedPlan {
+  const Plan* plan = nullptr;
+  /// Null: it has no context.
+  const Goal* context = nullptr;
+  std::size_t first_condition = 0;
+  std::size_t conditions = 0;
+  std::size_t first_formula = 0;
+  std::size_t formulas = 0;
+  /// The plans of another program begin here.
+  bool first_plan_of_program = false;
+};
+
+struct ProbedRule {
+  const RuleCode* rule = nullptr;
+  std::unique_ptr<RuleCode> probed;
+  Predicate predicate{};
+  SourceSpan where;
+  std::size_t first_condition = 0;
+  std::size_t conditions = 0;
+};
+
+class Probes {
+ public:
+  enum class Detail {
+    counts,    // the observer is told which condition
+    bindings,  // and what its variables are bound to
+  };
+
+  /// `symbols` is the table into which the programs were compiled.
+  Probes(const std::shared_ptr<const SymbolTable>& symbols, Detail detail);
+  Probes(const Probes&) = delete;
+  Probes& operator=(const Probes&) = delete;
+  ~Probes();
+
+  /// Adds a program; nothing happens if it is known. The plans that every agent has, for messages,
+  /// are left out. REQUIRES: no run that uses these probes is under way on another thread.
+  void add(const std::shared_ptr<const Program>& program);
+
+  [[nodiscard]] const std::vector<ProbedPlan>& plans() const { return plans_; }
+  [[nodiscard]] const std::vector<ProbedRule>& rules() const { return rules_; }
+  [[nodiscard]] const std::vector<ProbedCondition>& conditions() const { return conditions_; }
+  [[nodiscard]] const std::vector<const Step*>& formulas() const { return formulas_; }
+
+  /// Indices; kNone for what was made at run time or is no part of the programs.
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  [[nodiscard]] std::size_t find(const Plan& plan) const { return look_up(plan_index_, &plan); }
+  [[nodiscard]] std::size_t find(const RuleCode& rule) const { return look_up(rule_index_, &rule); }
+  [[nodiscard]] std::size_t find(const Step& step) const { return look_up(step_index_, &step); }
+
+ private:
+  class Rewriter;
+  template <class Index, class Key>
+  static std::size_t look_up(const Index& index, Key key) {
+    const auto found = index.find(key);
+    return found == index.end() ? kNone : found->second;
+  }
+  void add_plan(const Plan& plan, const ActionRegistry& actions);
+  void add_rule(const Program::Belief& belief, const ActionRegistry& actions);
+  void add_formulas(const Body& body);
+  const ActionRegistry& with_probes(const ActionRegistry& actions);
+
+  SymbolTable symbols_;  // the probes' own names, above those of the programs
+  Detail detail_;
+  Heap heap_;
+  std::vector<std::shared_ptr<const Program>> programs_;
+  std::unordered_map<const ActionRegistry*, ActionRegistry> registries_;
+  std::vector<std::unique_ptr<FormulaCode>> contexts_;
+  std::vector<ProbedPlan> plans_;
+  std::vector<ProbedRule> rules_;
+  std::vector<ProbedCondition> conditions_;
+  std::vector<const Step*> formulas_;
+  std::unordered_map<const Plan*, std::size_t> plan_index_;
+  std::unordered_map<const RuleCode*, std::size_t> rule_index_;
+  std::unordered_map<const Step*, std::size_t> step_index_;
+};
+
+}  // namespace jaywalk

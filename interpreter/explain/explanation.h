@@ -1,0 +1,133 @@
+#pragma once
+
+// Why an agent did something, or did not: each of its deliberations with the plans that were
+// relevant, those that were applicable, how far the contexts of the others came and with which
+// bindings, what was chosen, and where the beliefs came from that were asked for. Recorded while
+// the agents run (agent/observer.h), from probes that tell bindings.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/agent/observer.h"
+#include "interpreter/coverage/source_coverage.h"
+
+namespace jaywalk {
+
+/// A condition of a context, or of a rule that the context asked.
+struct AskedCondition {
+  /// Of the probes.
+  std::size_t number = 0;
+  std::string text;
+  /// The formula wants it to fail: it is within `not`.
+  bool negated = false;
+  bool held = false;
+  /// The values that its variables had, by their names.
+  std::vector<std::pair<std::string, std::string>> bindings;
+  /// A condition of a rule, not of the context; and the rule's head.
+  bool in_rule = false;
+  std::string rule;
+  /// Why it has no answer, if that can be told: "nothing is believed about near/2".
+  std::string hint;
+
+  [[nodiscard]] bool is_fine() const { return held != negated; }
+};
+
+struct TriedPlan {
+  enum class State {
+    not_matching,    // the trigger does not match the event
+    not_applicable,  // its context does not hold
+    applicable,      // but another one was chosen
+    chosen,
+    not_tried,  // a plan before it was chosen
+  };
+  std::string trigger;
+  /// "file:line".
+  std::string where;
+  State state = State::not_matching;
+  /// Those that were asked, in order; of a very long query not all conditions of rules.
+  std::vector<AskedCondition> asked;
+  /// The place in `asked` of the condition on which the context failed; its size if that cannot be
+  /// told.
+  std::size_t failed = 0;
+};
+
+struct AskedBelief {
+  std::string literal;
+  /// "perceived in tick 3", "told by p2 in tick 1", ...
+  std::string origin;
+};
+
+struct Deliberation {
+  std::string agent;
+  /// From 1; 0: before the first.
+  std::uint32_t tick = 0;
+  /// "+!cross[source(self)]".
+  std::string event;
+  std::vector<TriedPlan> plans;
+  std::vector<AskedBelief> beliefs;
+  /// Of an event that has no plan: a plan that the programmer may have meant.
+  std::string hint;
+
+  /// Null: nothing was chosen.
+  [[nodiscard]] const TriedPlan* chosen() const;
+};
+
+class ExplainingObserver : public ProbeObserver {
+ public:
+  /// Of which agent, and in which tick; empty: any. REQUIRES: probes with Detail::bindings.
+  struct Wanted {
+    std::optional<std::string> agent;
+    std::optional<std::uint32_t> tick;
+  };
+  ExplainingObserver(const Probes& probes, const ProbeTexts& texts, Wanted wanted);
+
+  /// To be called before each tick.
+  void set_tick(std::uint32_t tick) { tick_ = tick; }
+  [[nodiscard]] const std::vector<Deliberation>& deliberations() const { return deliberations_; }
+
+  [[nodiscard]] const Goal* context_of(const Plan& plan) override;
+  [[nodiscard]] const RuleCode& rule_for(const RuleCode& rule) override;
+  std::size_t condition_asked(Agent& agent, std::size_t number,
+                              std::span<const Value> variables) override;
+  void condition_answered(Agent& agent, std::size_t number, std::size_t asking) override;
+  void event_selected(Agent& agent, const Event& event) override;
+  void plan_relevant(Agent& agent, const Plan& plan, const Event& event,
+                     std::span<const Value> slots) override;
+  void plan_tried(Agent& agent, const Plan& plan, bool applicable) override;
+  void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
+                   const Intention& intention) override;
+  void no_plan(Agent& agent, const Event& event, bool had_candidates) override;
+  void event_posted(Agent& agent, const Event& event) override;
+
+ private:
+  [[nodiscard]] bool is_wanted(const Agent& agent) const;
+  void add_candidates(Agent& agent, const Event& event);
+  void add_beliefs(Agent& agent);
+  void find_failure(TriedPlan& plan) const;
+  [[nodiscard]] std::size_t rule_of(std::size_t condition) const;
+  [[nodiscard]] std::string origin_of(const Agent& agent, Value fact) const;
+  TriedPlan& entry(const Plan& plan);
+
+  const Probes& probes_;
+  const ProbeTexts& texts_;
+  Wanted wanted_;
+  std::uint32_t tick_ = 0;
+  std::vector<Deliberation> deliberations_;
+  // The deliberation under way.
+  bool recording_ = false;
+  std::vector<const Plan*> plans_;  // those of the deliberation's entries
+  std::size_t current_ = 0;         // the entry being tried
+  std::size_t in_rules_ = 0;        // conditions of rules that it has asked
+  bool trying_ = false;
+  // When and how beliefs came: by agent and literal.
+  std::map<std::pair<std::string, std::string>, std::string> origins_;
+};
+
+/// For people: a paragraph for each deliberation.
+[[nodiscard]] std::string explanation_text(std::span<const Deliberation> deliberations);
+
+}  // namespace jaywalk

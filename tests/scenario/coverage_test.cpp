@@ -1,0 +1,146 @@
+// What tests cover: the agents' programs, situations, and feedback of these to later tests (F2).
+
+#include <gtest/gtest.h>
+
+#include "experiment/feedback.h"
+#include "experiment/plan_coverage.h"
+#include "experiment/situations/situations.h"
+#include "scenarios.h"
+
+namespace jaywalk {
+namespace {
+
+using testing_scenario::behaviour;
+using testing_scenario::paper;
+using testing_scenario::project_file;
+
+std::shared_ptr<const PreparedScenario> scenario(const std::string& name) {
+  auto read = read_scenario(project_file("scenarios/" + name + ".yaml"));
+  EXPECT_TRUE(read.ok()) << read.diagnostics().render();
+  Diagnostics warnings;
+  auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
+  EXPECT_TRUE(prepared.ok()) << prepared.diagnostics().render();
+  return prepared.value();
+}
+
+TEST(AnObserver, ChangesNoTest) {
+  const auto prepared = paper();
+  PlanCoverage coverage(*prepared);
+  for (std::size_t each = 0; each < prepared->behaviours().size(); ++each) {
+    for (std::uint64_t test = 0; test < 10; ++test) {
+      const TrialInput input{.behaviour = each, .agents = 4, .test = test};
+      Recording alone;
+      Recording observed;
+      const TrialResult first = run_trial(*prepared, input, {.record = &alone});
+      const PlanCoverage::Borrowed observer(coverage);
+      const TrialResult second =
+          run_trial(*prepared, input, {.record = &observed, .observer = observer.get()});
+      EXPECT_EQ(alone, observed) << prepared->behaviours()[each].name << ", test " << test;
+      EXPECT_EQ(first.cycles, second.cycles);
+    }
+  }
+}
+
+std::string plan_coverage_on(unsigned threads) {
+  const auto prepared = paper();
+  PlanCoverage coverage(*prepared);
+  const ExperimentPlan plan{
+      .behaviours = {"proximity", "election"}, .agents = {1, 3}, .tests = 60, .threads = threads};
+  const auto test = [&](const TestCase& each) -> Result<TestResult> {
+    const PlanCoverage::Borrowed observer(coverage);
+    const std::size_t index = behaviour(*prepared, plan.behaviours[each.behaviour]);
+    (void)run_trial(*prepared, {.behaviour = index, .agents = each.agents, .test = each.number},
+                    {.observer = observer.get()});
+    return TestResult{};
+  };
+  (void)run_experiment(plan, test, [](const Progress&) { return Proceed::yes; });
+  return coverage_text(coverage.total());
+}
+
+TEST(PlanCoverageOfAnExperiment, DoesNotDependOnThreads) {
+  const std::string one = plan_coverage_on(1);
+  EXPECT_NE(one.find("election.asl"), std::string::npos);
+  EXPECT_EQ(one, plan_coverage_on(4));
+}
+
+TEST(PlanCoverageOfAnExperiment, SeesWhatABehaviourNeverDoes) {
+  const std::string listing = plan_coverage_on(2);
+  // The radius itself is near only where the scenario says so.
+  EXPECT_NE(listing.find("^ never true: radius_limit(inclusive)"), std::string::npos) << listing;
+}
+
+struct FeedbackRun {
+  std::uint64_t covered = 0;
+  std::vector<std::vector<std::uint64_t>> counts;
+  int successes = 0;
+};
+
+/// 1000 tests of scenarios/coverage_feedback.yaml; a generation of 0: without feedback.
+FeedbackRun feedback_run(std::uint64_t generation, unsigned threads, std::uint64_t tests = 1000) {
+  const auto prepared = scenario("coverage_feedback");
+  const Ground on = ground(prepared->scenario().world);
+  const ExperimentPlan plan{
+      .behaviours = {"coverage_directed"}, .agents = {1}, .tests = tests, .threads = threads};
+  SituationTable table(plan);
+  std::optional<CoverageFeedback> feedback;
+  if (generation > 0) feedback.emplace(plan, generation, table);
+  std::atomic<int> successes = 0;
+  const auto test = [&](const TestCase& each) -> Result<TestResult> {
+    TrialInput input{.behaviour = behaviour(*prepared, "coverage_directed"),
+                     .agents = each.agents,
+                     .test = each.number};
+    if (feedback) input.feedback = *feedback->wait_for(each);
+    Recording recording;
+    const TrialResult result = run_trial(*prepared, input, {.record = &recording});
+    successes += result.outcome.success ? 1 : 0;
+    table.add(each, covered_bins(recording, on));
+    if (feedback) feedback->finished(each);
+    return TestResult{};
+  };
+  (void)run_experiment(plan, test, [](const Progress&) { return Proceed::yes; });
+  const SituationCoverage coverage = table.coverage(0, 1, tests);
+  return {coverage.covered(), coverage.counts(), successes};
+}
+
+TEST(CoverageFeedbackToAgents, CoversMoreBinsInAThousandTests) {  // F2
+  const FeedbackRun with = feedback_run(20, 2);
+  const FeedbackRun without = feedback_run(0, 2);
+  EXPECT_GE(with.covered, without.covered + 10);
+  EXPECT_GT(with.successes, 950) << "and hardly any test is spent in vain";
+}
+
+TEST(CoverageFeedbackToAgents, DoesNotDependOnThreads) {
+  const FeedbackRun one = feedback_run(7, 1, 200);
+  EXPECT_EQ(one.counts, feedback_run(7, 4, 200).counts);
+  EXPECT_NE(one.counts, feedback_run(50, 4, 200).counts) << "but on the generations";
+}
+
+TEST(CoverageFeedbackToAgents, DoesNotConcernTheFirstGeneration) {
+  const ExperimentPlan plan{.behaviours = {"a"}, .agents = {1}, .tests = 10};
+  SituationTable table(plan);
+  CoverageFeedback feedback(plan, 4, table);
+  const auto told = feedback.wait_for({.behaviour = 0, .agents = 1, .number = 3});
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(told->empty());
+}
+
+TEST(CoverageFeedbackToAgents, EndsWaitingWhenItIsGivenUp) {
+  const ExperimentPlan plan{.behaviours = {"a"}, .agents = {1}, .tests = 10};
+  SituationTable table(plan);
+  CoverageFeedback feedback(plan, 4, table);
+  feedback.give_up();
+  EXPECT_FALSE(feedback.wait_for({.behaviour = 0, .agents = 1, .number = 5}));
+}
+
+TEST(FeedbackTexts, AreReadAsTheyAreWritten) {
+  const std::vector<CoveredBin> feedback{{"entry_ttc", 3, 17}, {"start_side", 1, 40}};
+  EXPECT_EQ(feedback_text(feedback), "entry_ttc 3 17; start_side 1 40");
+  EXPECT_EQ(parse_feedback(feedback_text(feedback)), feedback);
+  EXPECT_EQ(parse_feedback(""), std::vector<CoveredBin>{});
+  for (const char* const wrong : {"x", "x 1", "x 1 2;", "x 1 2 3", " 1 2", "x y 2"}) {
+    EXPECT_FALSE(parse_feedback(wrong)) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace jaywalk

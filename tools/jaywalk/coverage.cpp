@@ -1,0 +1,135 @@
+// `jaywalk coverage`: what a store's tests have covered.
+
+#include <algorithm>
+#include <functional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "experiment/export/write_file.h"
+#include "experiment/stored_coverage.h"
+#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/coverage_options.h"
+#include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/stored_test.h"
+
+namespace jaywalk::command::coverage {
+namespace {
+
+constexpr std::uint64_t kMaxThreads = 1024;
+
+struct Options {
+  CoverageWanted wanted;
+  unsigned threads = 1;
+};
+
+std::optional<Options> read_options(const Arguments& arguments, const ResultsReader& store,
+                                    Console& console) {
+  Diagnostics diagnostics;
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  Options options;
+  options.threads = static_cast<unsigned>(
+      std::min(kMaxThreads, arguments.number("threads", 1, diagnostics).value_or(cores)));
+  options.wanted.behaviour = arguments.text("behaviour");
+  const auto agents = arguments.number("agents", 1, diagnostics);
+  if (agents) {
+    const auto& known = store.description().agents;
+    if (std::ranges::find(known, *agents) == known.end()) {
+      diagnostics.error("--agents", fmt::format("the store has no tests with {} agents", *agents));
+    }
+    options.wanted.agents = static_cast<std::uint32_t>(*agents);
+  }
+  std::vector<std::string> names;
+  for (const auto& behaviour : store.description().behaviours) names.push_back(behaviour.name);
+  if (options.wanted.behaviour &&
+      std::ranges::find(names, *options.wanted.behaviour) == names.end()) {
+    diagnostics.error("--behaviour",
+                      fmt::format("the store has no behaviour '{}'", *options.wanted.behaviour),
+                      did_you_mean(*options.wanted.behaviour, names));
+  }
+  check_coverage_options(arguments, diagnostics);
+  if (!diagnostics.has_errors()) return options;
+  console.report(diagnostics);
+  return std::nullopt;
+}
+
+bool write_situations(const Arguments& arguments, const std::vector<SituationRow>& rows,
+                      Console& console) {
+  bool written = true;
+  const auto write = [&](std::string_view option,
+                         std::string (*text)(const std::vector<SituationRow>&)) {
+    const auto path = arguments.text(option);
+    if (!path) return;
+    if (const auto why = write_file(*path, text(rows))) {
+      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+      written = false;
+    }
+  };
+  write("csv", situation_csv);
+  write("json", situation_json);
+  return written;
+}
+
+template <class Value>
+ExitCode report_failure(const Result<Value>& result, const InterruptGuard& interrupt,
+                        Console& console) {
+  if (interrupt.interrupted()) {
+    console.note("interrupted");
+    return ExitCode::interrupted;
+  }
+  console.report(result.diagnostics());
+  return ExitCode::failed;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {.usage = "STORE [OPTIONS]",
+          .description =
+              "Tells which situations the tests of a store have covered: in bins of where the\n"
+              "pedestrian who met the precondition first started, where and when it did, how\n"
+              "long before a collision, and so on, with the holes and how coverage grew from\n"
+              "test to test. With --coverage the tests are run again to see which plans,\n"
+              "conditions and formulas of the agents' programs they used.\n",
+          .options =
+              {
+                  {"behaviour", "NAME", "of this behaviour's tests"},
+                  {"agents", "N", "of the tests with this number of agents"},
+                  {"csv", "FILE", "write the situations as CSV"},
+                  {"json", "FILE", "write the situations as JSON, with their growth"},
+                  kCoverageOption,
+                  {"threads", "N", "threads for --coverage (default: as many as cores)"},
+                  {"quiet", "", "print no table"},
+              },
+          .examples =
+              "  jaywalk coverage runs.gpkg\n"
+              "  jaywalk coverage runs.gpkg --behaviour election --coverage election.html\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto store = open_results(arguments, "coverage", console);
+  if (!store) return ExitCode::usage;
+  const auto options = read_options(arguments, *store, console);
+  if (!options) return ExitCode::usage;
+  const InterruptGuard interrupt;
+  ProgressLine line(console);
+  const auto progress = [&](const Progress& now) {
+    line.show(now);
+    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
+  };
+  const auto rows = stored_situations(*store, options->wanted, progress);
+  line.clear();
+  if (!rows.ok()) return report_failure(rows, interrupt, console);
+  if (!arguments.has("quiet")) console.print(situation_text(rows.value()));
+  bool written = write_situations(arguments, rows.value(), console);
+  if (arguments.has("coverage")) {
+    const auto plans = stored_plan_coverage(*store, options->wanted, options->threads, progress);
+    line.clear();
+    if (!plans.ok()) return report_failure(plans, interrupt, console);
+    written = write_coverage(arguments, plans.value(), console) && written;
+  }
+  return written ? ExitCode::success : ExitCode::failed;
+}
+
+}  // namespace jaywalk::command::coverage

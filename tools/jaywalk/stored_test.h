@@ -1,0 +1,32 @@
+#pragma once
+
+// Which test of a store is meant: the options that `replay` and `explain` share.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "experiment/results/reader.h"
+#include "tools/jaywalk/arguments.h"
+#include "tools/jaywalk/console.h"
+
+namespace jaywalk {
+
+inline constexpr std::array kStoredTestOptions = {
+    OptionSpec{"test", "N", "the test's number (default: the first that met the precondition)"},
+    OptionSpec{"agents", "N", "with this number of agents"},
+    OptionSpec{"behaviour", "NAME", "of this behaviour"},
+};
+
+/// The store named by the only operand; null after reporting what is wrong.
+[[nodiscard]] std::unique_ptr<ResultsReader> open_results(const Arguments& arguments,
+                                                          std::string_view command,
+                                                          Console& console);
+
+/// The first stored test that the options allow: one that met the precondition, if none is named.
+/// Nothing after reporting that there is none.
+[[nodiscard]] std::optional<StoredTest> find_stored_test(const ResultsReader& store,
+                                                         const Arguments& arguments,
+                                                         Console& console);
+
+}  // namespace jaywalk
