@@ -1,6 +1,7 @@
 # What `cmake --install` puts where, all below one prefix that may be moved:
 #
 #   bin/jaywalk                 the command; it finds what it ships with beside itself
+#   bin/jaywalk-draw            what the command becomes to draw pictures
 #   include/jaywalk/            the public headers, under the same names as in the project
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
@@ -12,13 +13,13 @@ set(JAYWALK_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/jaywalk)
 set(JAYWALK_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/jaywalk)
 set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
 
-# The command's own library is nobody else's.
+# The command's own libraries are nobody else's.
 get_property(libraries GLOBAL PROPERTY JAYWALK_LIBRARIES)
-list(REMOVE_ITEM libraries jaywalk_command)
+list(REMOVE_ITEM libraries jaywalk_command jaywalk_picture)
 install(TARGETS ${libraries} EXPORT jaywalk-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${JAYWALK_INCLUDE_DIR})
 install(EXPORT jaywalk-targets NAMESPACE jaywalk:: DESTINATION ${JAYWALK_PACKAGE_DIR})
-install(TARGETS jaywalk RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS jaywalk jaywalk-draw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/jaywalk-config.cmake.in
                               ${PROJECT_BINARY_DIR}/jaywalk-config.cmake

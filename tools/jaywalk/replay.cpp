@@ -6,23 +6,17 @@
 #include "experiment/report/replay_page.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/replay_pictures.h"
 #include "tools/jaywalk/stored_test.h"
 #include "tools/jaywalk/viewer.h"
-#include "tools/picture/gif.h"
-#include "tools/picture/test_picture.h"
 
 namespace jaywalk::command::replay {
 namespace {
 
-struct Wanted {
-  std::optional<std::uint64_t> tick;
-  double speed = 2;
-};
-
-std::optional<Wanted> read_wanted(const Arguments& arguments, Console& console) {
+std::optional<ReplayWishes> read_wishes(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  Wanted wanted{.tick = arguments.number("tick", 0, diagnostics),
-                .speed = arguments.positive("speed", diagnostics).value_or(2)};
+  ReplayWishes wanted{.tick = arguments.number("tick", 0, diagnostics),
+                      .speed = arguments.positive("speed", diagnostics).value_or(2)};
   if (wanted.tick && !arguments.has("png")) {
     diagnostics.error("--tick", "has no meaning without --png");
   }
@@ -59,61 +53,6 @@ ExitCode write_page(const ResultsReader& store, const StoredTest& test, const st
   return ExitCode::success;
 }
 
-bool write(const std::string& path, std::string_view bytes, Console& console) {
-  const auto why = bytes.empty() ? std::optional<std::string>("there is no memory for the picture")
-                                 : write_file(path, bytes);
-  if (why) console.error(fmt::format("cannot write '{}': {}", path, *why));
-  return !why;
-}
-
-/// The tick that is wanted, or else that of the first event, or the last.
-std::optional<std::size_t> tick_of(const Recording& recording, const Wanted& wanted,
-                                   Console& console) {
-  const std::size_t last = recording.scenes() - 1;
-  if (!wanted.tick) return recording.events().empty() ? last : recording.events()[0].tick;
-  if (*wanted.tick <= last) return *wanted.tick;
-  console.error(fmt::format("the test has no tick {}", *wanted.tick),
-                fmt::format("its last is {}", last));
-  return std::nullopt;
-}
-
-std::string movie(const picture::TestPicture& picture, const Recording& recording, double speed) {
-  // A test of many short ticks is shown in fewer frames.
-  constexpr std::size_t kMostFrames = 600;
-  const std::size_t last = recording.scenes() - 1;
-  const std::size_t step = last / kMostFrames + 1;
-  const std::size_t frames = last / step + 1;
-  return picture::to_gif(
-      {.frames = static_cast<int>(frames),
-       .frame =
-           [&](int frame) { return picture.draw(static_cast<std::size_t>(frame) * step).image(); },
-       .frame_s = static_cast<double>(step) / speed});
-}
-
-ExitCode write_pictures(const ResultsReader& store, const StoredTest& test, const Wanted& wanted,
-                        const Arguments& arguments, Console& console) {
-  const auto prepared = store.prepared();
-  const auto recording = store.recording(test.id);
-  for (const Diagnostics* wrong : {prepared.ok() ? nullptr : &prepared.diagnostics(),
-                                   recording.ok() ? nullptr : &recording.diagnostics()}) {
-    if (wrong == nullptr) continue;
-    console.report(*wrong);
-    return ExitCode::failed;
-  }
-  const auto tick = tick_of(recording.value(), wanted, console);
-  if (!tick) return ExitCode::usage;
-  const picture::TestPicture picture(name_of(store, test), prepared.value()->scenario().world,
-                                     recording.value());
-  bool written = true;
-  if (const auto path = arguments.text("png")) {
-    written = write(*path, picture.draw(*tick).png(), console);
-  }
-  if (const auto path = arguments.text("gif")) {
-    written = write(*path, movie(picture, recording.value(), wanted.speed), console) && written;
-  }
-  return written ? ExitCode::success : ExitCode::failed;
-}
-
 }  // namespace
 
 CommandHelp help() {
@@ -140,19 +79,17 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  const auto wanted = read_wanted(arguments, console);
+  const auto wanted = read_wishes(arguments, console);
   if (!wanted) return ExitCode::usage;
   const auto store = open_results(arguments, "replay", console);
   if (!store) return ExitCode::usage;
   const auto test = find_stored_test(*store, arguments, console);
   if (!test) return ExitCode::usage;
-  ExitCode code = ExitCode::success;
-  if (const auto page = arguments.text("html")) code = write_page(*store, *test, *page, console);
   if (arguments.has("png") || arguments.has("gif")) {
     const ExitCode drawn = write_pictures(*store, *test, *wanted, arguments, console);
-    return code == ExitCode::success ? drawn : code;
+    if (drawn != ExitCode::success || !arguments.has("html")) return drawn;
   }
-  if (arguments.has("html")) return code;
+  if (const auto page = arguments.text("html")) return write_page(*store, *test, *page, console);
   return play(*store, *test, wanted->speed, console);
 }
 
