@@ -94,7 +94,7 @@ TEST_F(Looks, KeepTheEndBehindWhatComesAndGoes) {
 /// Beliefs that are brought up to date in one of the two ways.
 class Beliefs {
  public:
-  explicit Beliefs(bool by_changes) : by_changes_(by_changes) {}
+  explicit Beliefs(bool changes_alone) : by_changes_(changes_alone) {}
 
   /// The changes, removals first.
   std::vector<std::string> update(const std::vector<std::string>& literals) {
