@@ -1,8 +1,8 @@
 // What is written about worlds and scenarios agrees with what they are.
 
 #include <filesystem>
-#include <regex>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -68,6 +68,15 @@ TEST(Documents, BeginWithAScenarioThatWorks) {
   EXPECT_TRUE(warnings.empty()) << warnings.render();
 }
 
+/// What stands between two marks, from the last place of the first one; empty if nothing does.
+std::string between(const std::string& text, const std::string& open, const std::string& close) {
+  const std::size_t begin = text.rfind(open);
+  if (begin == std::string::npos) return "";
+  const std::size_t end = text.find(close, begin + open.size());
+  if (end == std::string::npos) return "";
+  return text.substr(begin + open.size(), end - begin - open.size());
+}
+
 // Rows `| F2 | what | [file.yaml](file.yaml) | `Suite.Name` |`.
 TEST(Documents, NameScenariosAndTestsThatExistForEachRequirement) {
   const std::string readme = text_of("scenarios/README.md");
@@ -77,14 +86,16 @@ TEST(Documents, NameScenariosAndTestsThatExistForEachRequirement) {
       tests += text_of("tests/scenario/" + file.path().filename().string());
     }
   }
-  const std::regex row(R"(\| (F\d+) \|.*\]\((\S+\.yaml)\) \| `(\w+)\.(\w+)` \|)");
   std::set<std::string> found;
-  for (std::sregex_iterator each(readme.begin(), readme.end(), row), end; each != end; ++each) {
-    const std::smatch& match = *each;
-    found.insert(match[1]);
-    EXPECT_TRUE(read_scenario(project_file("scenarios/" + match[2].str())).ok()) << match[0];
-    EXPECT_NE(tests.find("TEST(" + match[3].str() + ", " + match[4].str() + ")"), std::string::npos)
-        << match[0];
+  std::istringstream lines(readme);
+  for (std::string row; std::getline(lines, row);) {
+    if (!row.starts_with("| F")) continue;
+    found.insert(row.substr(2, row.find(' ', 2) - 2));
+    EXPECT_TRUE(read_scenario(project_file("scenarios/" + between(row, "](", ")"))).ok()) << row;
+    std::string test = between(row, "| `", "` |");
+    if (const std::size_t dot = test.find('.'); dot != std::string::npos)
+      test.replace(dot, 1, ", ");
+    EXPECT_NE(tests.find("TEST(" + test + ")"), std::string::npos) << row;
   }
   const std::set<std::string> wanted{"F1",  "F2",  "F3",  "F4",  "F5",  "F6",  "F9",  "F10",
                                      "F12", "F14", "F15", "F16", "F17", "F18", "F22", "F23"};
