@@ -3,6 +3,12 @@
 #include <cstring>
 #include <numbers>
 
+#ifdef __SANITIZE_ADDRESS__
+// Fontconfig keeps what it has read of the fonts until the process ends.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is the sanitizer's.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+#endif
+
 namespace jaywalk::picture {
 
 Canvas::Canvas(int width, int height, Colour background)
