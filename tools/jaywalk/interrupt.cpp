@@ -23,13 +23,13 @@ extern "C" void note_interrupt(int signal) {
 
 InterruptGuard::InterruptGuard() {
   interrupt_seen = false;
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  before_interrupt_ = std::signal(SIGINT, note_interrupt);
+  before_termination_ = std::signal(SIGTERM, note_interrupt);
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, before_interrupt_);
+  std::signal(SIGTERM, before_termination_);
 }
 
 bool InterruptGuard::interrupted() const { return interrupt_seen; }

@@ -11,6 +11,7 @@
 namespace jaywalk {
 
 /// While one exists, the first Ctrl-C is noted instead of ending the program; a second one ends it.
+/// Afterwards it does what it did before.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -19,6 +20,12 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   [[nodiscard]] bool interrupted() const;
+
+ private:
+  using Handler = void (*)(int);
+
+  Handler before_interrupt_ = nullptr;
+  Handler before_termination_ = nullptr;
 };
 
 /// The time that a run may take. What does not look at it in time (a query that goes on for very

@@ -57,6 +57,8 @@ class TerminalReader : public LineReader {
   std::optional<Line> read(const std::string& prompt) override {
     state_.prompt = prompt;
     state_.cancelled = false;
+    // Libedit would show the prompt first: a key typed then was lost, and Ctrl-C was a signal.
+    el_set(editor_.get(), EL_PREP_TERM, 1);
     int count = 0;
     const char* const text = el_gets(editor_.get(), &count);
     if (text == nullptr || (count <= 0 && !state_.cancelled)) {

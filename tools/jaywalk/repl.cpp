@@ -1,5 +1,6 @@
 // `jaywalk repl`: a conversation with an agent.
 
+#include <csignal>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -71,6 +72,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const std::string path =
       arguments.operands().empty() ? std::string() : located(arguments.operands().front());
   if (!session.load(path)) return ExitCode::usage;
+  // A Ctrl-C that comes when a query has just ended must not end the conversation.
+  if (in_terminal) std::signal(SIGINT, SIG_IGN);
   if (in_terminal) console.print("':help' says what can be typed; Ctrl-D ends.\n");
   console.flush();
   converse(session, *reader, console);
