@@ -25,16 +25,10 @@ class ReasoningObserver {
   [[nodiscard]] virtual bool interrupted() { return false; }
 
   /// What is solved in place of a plan's context or used in place of a rule: the same formula,
-  /// perhaps with goals between its parts that tell the observer how far the query comes
-  /// (condition_begins, condition_holds). It must outlive the run.
+  /// perhaps with goals between its parts that tell the observer how far the query comes. It must
+  /// outlive the run.
   [[nodiscard]] virtual const Goal* context_of(const Plan& plan) { return plan.context; }
   [[nodiscard]] virtual const RuleCode& rule_for(const RuleCode& rule) { return rule; }
-
-  /// A condition of a context or rule, by the number that context_of or rule_for gave it: it is
-  /// asked, with the values of its variables; it has an answer, perhaps not its first.
-  virtual void condition_begins(Agent& /*agent*/, std::size_t /*number*/,
-                                std::span<const Value> /*variables*/) {}
-  virtual void condition_holds(Agent& /*agent*/, std::size_t /*number*/) {}
 
   /// An event was selected (rule SelEv), and a plan is looked for.
   virtual void event_selected(Agent& /*agent*/, const Event& /*event*/) {}
