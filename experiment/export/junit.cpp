@@ -1,8 +1,11 @@
 #include "experiment/export/junit.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -13,48 +16,28 @@ struct Case {
   std::string message;
 };
 
-/// Text in an attribute; what XML does not allow becomes '?'.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += ' ';
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
-  }
-  return result;
+/// For an attribute, on one line whatever the file's lines are.
+std::string on_one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  std::ranges::replace(text, '\t', '?');
+  return escaped_xml(text);
 }
 
-std::string suite(std::string_view name, const std::vector<Case>& cases) {
+std::string suite(const std::string& name, const std::vector<Case>& cases) {
   std::size_t failures = 0;
   std::size_t skipped = 0;
   std::string text;
   for (const Case& each : cases) {
-    text += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escaped(name),
-                        escaped(each.name));
+    text += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", on_one_line(name),
+                        on_one_line(each.name));
     if (each.verdict == Verdict::fail) {
       ++failures;
       text += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n",
-                          escaped(each.message));
+                          on_one_line(each.message));
     } else if (each.verdict == Verdict::vacuous || each.verdict == Verdict::unavoidable) {
       ++skipped;
       text += fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n",
-                          escaped(each.message));
+                          on_one_line(each.message));
     } else {
       text += "/>\n";
     }
@@ -62,7 +45,7 @@ std::string suite(std::string_view name, const std::vector<Case>& cases) {
   return fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}"
       "  </testsuite>\n",
-      escaped(name), cases.size(), failures, skipped, text);
+      on_one_line(name), cases.size(), failures, skipped, text);
 }
 
 std::string document(std::string_view suites) {

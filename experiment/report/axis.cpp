@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "experiment/report/html.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

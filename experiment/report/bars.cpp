@@ -9,6 +9,7 @@
 #include "experiment/report/axis.h"
 #include "experiment/report/html.h"
 #include "experiment/report/plot.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "experiment/measures/measures.h"
 #include "experiment/published/published.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -55,29 +56,6 @@ struct Panel {
     return kTop + kPanelHeight * (max_y - value) / (max_y - min_y);
   }
 };
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::vector<Series> series_of(const Comparison& comparison, const Measure& measure) {
   std::vector<Series> all;

@@ -4,30 +4,9 @@
 
 #include <fmt/format.h>
 
-namespace jaywalk::reporting {
+#include "interpreter/support/markup.h"
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+namespace jaywalk::reporting {
 
 std::string decimal(std::optional<double> value, int decimals) {
   if (!value || std::isnan(*value)) return "–";

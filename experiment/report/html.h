@@ -1,6 +1,6 @@
 #pragma once
 
-// What pages are made of: escaped text, numbers, tables, the styles of series.
+// What pages are made of: numbers, tables, the styles of series.
 
 #include <cstdint>
 #include <optional>
@@ -9,9 +9,6 @@
 #include <vector>
 
 namespace jaywalk::reporting {
-
-/// For text and attributes of HTML and SVG.
-[[nodiscard]] std::string escaped(std::string_view text);
 
 /// With so many digits after the point, `–` if there is none, `∞` if it is infinite.
 [[nodiscard]] std::string decimal(std::optional<double> value, int decimals);

@@ -8,6 +8,7 @@
 
 #include "experiment/report/axis.h"
 #include "experiment/report/html.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

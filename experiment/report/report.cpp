@@ -7,6 +7,7 @@
 
 #include "experiment/report/html.h"
 #include "experiment/report/page.html.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/coverage/lines.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -44,29 +45,6 @@ how often its plan was chosen, its condition asked or its formula executed.</p>
 <p class="key"><span style="background:var(--full)">covered</span><span
 style="background:var(--part)">in part</span><span style="background:var(--none)">not</span></p>
 )page";
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string cell(const Share& share) {
   if (share.of == 0) return "<td>-</td><td></td>";

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "env/lane/road.h"
+#include "interpreter/support/markup.h"
 #include "search/report/svg.h"
 #include "search/suts/road_space.h"
 

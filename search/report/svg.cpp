@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/markup.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -93,29 +95,6 @@ std::string box(const Distribution& distribution, const Axis& axis, double x,
 }  // namespace
 
 std::string_view colour(std::size_t index) { return kColours[index % kColours.size()]; }
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 double quantile(std::vector<double> values, double share) {
   std::ranges::sort(values);

@@ -13,9 +13,6 @@ namespace jaywalk::search {
 /// Distinguishable for the colour-blind, after Okabe and Ito; they repeat after eight.
 [[nodiscard]] std::string_view colour(std::size_t index);
 
-/// For text and attributes of HTML and SVG.
-[[nodiscard]] std::string escaped(std::string_view text);
-
 struct Distribution {
   std::string name;
   std::vector<double> values;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/markup.h"
 #include "tools/jaywalk/unit_tests.h"
 
 namespace jaywalk {
@@ -10,41 +11,12 @@ namespace {
 
 using Verdict = UnitTestReport::Verdict;
 
-/// As content of an element or an attribute; what XML cannot hold becomes '?'.
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\n':
-      case '\t':
-        safe += fmt::format("&#{};", byte);
-        break;
-      default:
-        safe += byte < 0x20 ? '?' : c;
-    }
-  }
-  return safe;
-}
-
 std::string test_case(const UnitTest& test, const UnitTestReport& report) {
   const auto line = test.where.source->position(test.where.span.begin).line;
   std::string xml = fmt::format(
       "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" "
       "assertions=\"{}\" time=\"{:g}\"",
-      escaped(test.file), escaped(test.name), escaped(test.where.source->name()), line,
+      escaped_xml(test.file), escaped_xml(test.name), escaped_xml(test.where.source->name()), line,
       report.assertions, report.seconds);
   if (report.verdict == Verdict::passed) return xml + "/>\n";
   xml += ">\n";
@@ -55,13 +27,13 @@ std::string test_case(const UnitTest& test, const UnitTestReport& report) {
     const bool is_assertion = !failure.assertion.empty();
     const std::string_view element = is_assertion ? "failure" : "error";
     xml += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", element,
-                       escaped(is_assertion ? failure.assertion : "test"),
-                       escaped(failure.what.message), escaped(render(failure.what)));
+                       escaped_xml(is_assertion ? failure.assertion : "test"),
+                       escaped_xml(failure.what.message), escaped_xml(render(failure.what)));
   }
   if (!report.output.empty()) {
     std::string output;
     for (const std::string& each : report.output) output += each + "\n";
-    xml += fmt::format("      <system-out>{}</system-out>\n", escaped(output));
+    xml += fmt::format("      <system-out>{}</system-out>\n", escaped_xml(output));
   }
   return xml + "    </testcase>\n";
 }
@@ -102,7 +74,7 @@ std::string junit_xml(const std::vector<UnitTest>& tests,
       cases += test_case(tests[end], reports[end]);
     }
     suites += fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n",
-                          escaped(tests[begin].file), counts.attributes(), cases);
+                          escaped_xml(tests[begin].file), counts.attributes(), cases);
     begin = end;
   }
   return fmt::format(

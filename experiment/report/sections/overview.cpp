@@ -6,6 +6,7 @@
 #include "experiment/measures/measures.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -5,6 +5,7 @@
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
 #include "experiment/report/road.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {

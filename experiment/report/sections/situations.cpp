@@ -8,6 +8,7 @@
 #include "experiment/report/plot.h"
 #include "experiment/report/report.h"
 #include "experiment/stored_coverage.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
 namespace {
