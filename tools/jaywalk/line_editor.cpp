@@ -3,15 +3,6 @@
 #include <cstdio>
 #include <histedit.h>
 
-#ifdef __SANITIZE_ADDRESS__
-// Libedit does not give back two texts of its own. The same as in tools/picture/canvas.cpp, since a
-// program may have both; weak, so that it takes one.
-// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is the sanitizer's.
-extern "C" [[gnu::weak]] const char* __lsan_default_suppressions() {
-  return "leak:libfontconfig\nleak:wcsdup";
-}
-#endif
-
 namespace jaywalk {
 namespace {
 

@@ -3,14 +3,6 @@
 #include <cstring>
 #include <numbers>
 
-#ifdef __SANITIZE_ADDRESS__
-// Fontconfig keeps what it has read of the fonts until the process ends.
-// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is the sanitizer's.
-extern "C" [[gnu::weak]] const char* __lsan_default_suppressions() {
-  return "leak:libfontconfig\nleak:wcsdup";
-}
-#endif
-
 namespace jaywalk::picture {
 
 Canvas::Canvas(int width, int height, Colour background)

@@ -1,0 +1,9 @@
+// What the leak sanitizer is to overlook: memory that libraries keep until the process ends. Part
+// of every program that has one of them: `jaywalk`, `jaywalk-draw`, the unit tests of tools.
+
+#ifdef __SANITIZE_ADDRESS__
+// - libfontconfig, beneath cairo (tools/picture), keeps what it has read of the fonts.
+// - libedit (tools/jaywalk/line_editor.cpp) does not give back two texts that it copies by wcsdup.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is the sanitizer's.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\nleak:wcsdup"; }
+#endif
