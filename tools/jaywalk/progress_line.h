@@ -3,18 +3,15 @@
 // The line on a terminal that says how far a long run is, how fast, and how long it will take.
 
 #include <chrono>
-#include <string>
 #include <string_view>
 
-#include "experiment/experiment.h"
 #include "tools/jaywalk/console.h"
+#include "tools/jaywalk/progress_text.h"
 
 namespace jaywalk {
 
-/// "1200 of 84000 tests (1 %), 30500 per second, 3 s left".
-[[nodiscard]] std::string progress_text(const Progress& progress, double seconds);
-
-/// Draws over itself on standard error; draws nothing if that is no terminal.
+/// Draws over itself on standard error; draws nothing if that is no terminal. Its clock starts with
+/// it.
 class ProgressLine {
  public:
   explicit ProgressLine(Console& console);
@@ -23,9 +20,13 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress);
+  void show(const search::SearchProgress& progress);
   void clear();
 
  private:
+  [[nodiscard]] double seconds() const;
+  void draw(std::string_view text);
+
   Console& console_;
   std::chrono::steady_clock::time_point start_;
   bool drawn_ = false;

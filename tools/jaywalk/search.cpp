@@ -15,7 +15,7 @@
 #include "search/store/search_store.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/interrupt.h"
-#include "tools/jaywalk/search_progress.h"
+#include "tools/jaywalk/progress_line.h"
 
 namespace jaywalk::command::search {
 namespace {
@@ -77,7 +77,7 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
                       bool& interrupted) {
   constexpr int kShownErrors = 20;
   const InterruptGuard interrupt;
-  SearchProgressLine line(console);
+  ProgressLine line(console);
   int errors = 0;
   js::SearchObserver observer;
   observer.progress = [&](const js::SearchProgress& now) {
