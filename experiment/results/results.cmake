@@ -19,4 +19,4 @@ target_sources(jaywalk_experiment PRIVATE
   stored_coverage.cpp)
 set_property(SOURCE results/description.cpp results/reader.cpp
              APPEND PROPERTY COMPILE_DEFINITIONS JAYWALK_VERSION="${PROJECT_VERSION}")
-target_link_libraries(jaywalk_experiment PRIVATE SQLite::SQLite3 OpenSSL::Crypto)
+target_link_libraries(jaywalk_experiment PRIVATE SQLite::SQLite3 PkgConfig::libmd)

@@ -1,5 +1,6 @@
 #include "tools/jaywalk/console.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <spdlog/logger.h>
 #include <spdlog/sinks/ansicolor_sink.h>
 
 namespace jaywalk {
@@ -23,6 +25,12 @@ Colour colour_for(ColourChoice choice, bool is_terminal) {
   const bool unwanted = (no_colour != nullptr && *no_colour != '\0') ||
                         (terminal != nullptr && std::string_view(terminal) == "dumb");
   return is_terminal && !unwanted ? Colour::on : Colour::off;
+}
+
+constexpr spdlog::level::level_enum spdlog_level(LogLevel level) {
+  constexpr std::array kLevels = {spdlog::level::debug, spdlog::level::info, spdlog::level::warn,
+                                  spdlog::level::err};
+  return kLevels[static_cast<std::size_t>(level)];
 }
 
 std::shared_ptr<spdlog::logger> make_logger(Colour colour) {
@@ -65,11 +73,13 @@ void Console::note(std::string_view line) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-void Console::log(spdlog::level::level_enum level, std::string_view message) {
-  if (!logger_->should_log(level)) return;
+void Console::log(LogLevel level, std::string_view message) {
+  if (!logger_->should_log(spdlog_level(level))) return;
   flush();
-  logger_->log(level, message);
+  logger_->log(spdlog_level(level), message);
 }
+
+void Console::set_log_level(LogLevel level) { logger_->set_level(spdlog_level(level)); }
 
 bool Console::finish() {
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;

@@ -6,9 +6,11 @@
 #include <memory>
 #include <string_view>
 
-#include <spdlog/logger.h>
-
 #include "interpreter/support/diagnostics.h"
+
+namespace spdlog {
+class logger;
+}
 
 namespace jaywalk {
 
@@ -21,6 +23,8 @@ enum class ExitCode : int {
 };
 
 enum class ColourChoice { automatic, always, never };
+
+enum class LogLevel { debug, info, warning, error };
 
 class Console {
  public:
@@ -37,8 +41,9 @@ class Console {
   /// A plain line to standard error: what a long run tells at its end.
   void note(std::string_view line);
   /// A line of a run's log. `message` may have several lines.
-  void log(spdlog::level::level_enum level, std::string_view message);
-  void set_log_level(spdlog::level::level_enum level) { logger_->set_level(level); }
+  void log(LogLevel level, std::string_view message);
+  /// What is less than this is not logged: warnings and errors are, at first.
+  void set_log_level(LogLevel level);
 
   [[nodiscard]] Colour output_colour() const { return output_colour_; }
   [[nodiscard]] Colour error_colour() const { return error_colour_; }

@@ -60,8 +60,8 @@ ExitCode wrong_command(const std::string& word, Console& console) {
 ExitCode execute(const Command& command, const Arguments& arguments) {
   static const std::vector<std::string> kColours = {"auto", "always", "never"};
   static const std::vector<std::string> kLevels = {"warning", "error", "info", "debug"};
-  constexpr std::array kLevelValues = {spdlog::level::warn, spdlog::level::err, spdlog::level::info,
-                                       spdlog::level::debug};
+  constexpr std::array kLevelValues = {LogLevel::warning, LogLevel::error, LogLevel::info,
+                                       LogLevel::debug};
   Diagnostics diagnostics;
   const auto colour = arguments.choice("color", kColours, diagnostics);
   const auto level = arguments.choice("log-level", kLevels, diagnostics);

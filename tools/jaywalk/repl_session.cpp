@@ -76,7 +76,7 @@ bool ReplSession::load(const std::string& path) {
   MasOptions options;
   options.print = [this](std::string_view line) { print_line(line); };
   options.write = [this](std::string_view text) { console_.print(text); };
-  options.log = [this](std::string_view line) { console_.log(spdlog::level::warn, line); };
+  options.log = [this](std::string_view line) { console_.log(LogLevel::warning, line); };
   options.observer = &trace_;
   auto fresh = std::make_unique<Interpreter>(std::move(options));
   const auto program = path.empty() ? fresh->load_text("agent.asl", "", include_path_)

@@ -53,7 +53,7 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
     if (flush) console.flush();
   };
   limits.mas.write = [&console](std::string_view text) { console.print(text); };
-  limits.mas.log = [&console](std::string_view line) { console.log(spdlog::level::warn, line); };
+  limits.mas.log = [&console](std::string_view line) { console.log(LogLevel::warning, line); };
   return limits;
 }
 

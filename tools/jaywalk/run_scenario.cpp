@@ -163,7 +163,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   Viewer viewer(title_of(*request), request->speed, interrupt, console);
   const bool watch = arguments.has("watch");
   TrialOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
-  options.log = [&](std::string_view line) { console.log(spdlog::level::warn, line); };
+  options.log = [&](std::string_view line) { console.log(LogLevel::warning, line); };
   options.print = [&](std::string_view line) {
     if (watch) {
       viewer.add_line(line);
