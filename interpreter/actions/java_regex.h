@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/actions/java_character_class.h"
+
 namespace jaywalk::actions {
 
 class Regex {
@@ -38,16 +40,6 @@ class Regex {
   friend class RegexParser;
   friend class RegexRun;
 
-  struct Range {
-    char32_t first;
-    char32_t last;
-  };
-  struct CharacterClass {
-    std::vector<Range> ranges;
-    bool negated = false;
-    bool fold_case = false;
-    [[nodiscard]] bool contains(char32_t character) const;
-  };
   struct Instruction {
     enum class Kind : std::uint8_t {
       one_of,      // a character of class x
