@@ -24,6 +24,8 @@ jaywalk_add_library(engine
     logic/machine_tests.cpp
     logic/row_index.cpp
     logic/unifier.cpp
+    logic/unifier_apply.cpp
+    logic/unifier_numbers.cpp
     logic/univ.cpp
     program/plan.cpp
     program/plan_compiler.cpp
@@ -85,7 +87,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     term/compare.cpp term/heap.cpp term/transfer.cpp
     logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/fact_index.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
-    logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp logic/unifier.cpp
+    logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp
+    logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
     agent/context.cpp agent/messages.cpp agent/perception.cpp agent/stride.cpp
     mas/percepts.cpp mas/residents.cpp mas/system.cpp

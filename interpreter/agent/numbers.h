@@ -2,6 +2,7 @@
 
 // Arithmetic over a frame with the usual operands in line: `N-1`, `X + V`.
 
+#include "interpreter/logic/arithmetic.h"
 #include "interpreter/logic/unifier.h"
 
 namespace jaywalk {
@@ -24,20 +25,9 @@ namespace jaywalk {
   const Structure& s = *expression.structure();
   double a = 0;
   double b = 0;
-  if (s.arity == 2 && is_known_number(s.arg(0), frame, a) && is_known_number(s.arg(1), frame, b)) {
-    switch (s.predicate()) {
-      case predicates::add:
-        number = a + b;
-        return true;
-      case predicates::subtract:
-        number = a - b;
-        return true;
-      case predicates::multiply:
-        number = a * b;
-        return true;
-      default:
-        break;
-    }
+  if (s.arity == 2 && is_known_number(s.arg(0), frame, a) && is_known_number(s.arg(1), frame, b) &&
+      calculate_usual(s.predicate(), a, b, number)) {
+    return true;
   }
   return evaluate_nested(expression, frame, number);
 }

@@ -19,13 +19,9 @@ std::int64_t to_int(double value) {
 }  // namespace
 
 std::optional<double> calculate(Predicate op, double a, double b) {
+  double usual = 0;
+  if (calculate_usual(op, a, b, usual)) return usual;
   switch (op) {
-    case predicates::add:
-      return a + b;
-    case predicates::subtract:
-      return a - b;
-    case predicates::multiply:
-      return a * b;
     case predicates::divide:
       return a / b;
     case predicates::modulo:
