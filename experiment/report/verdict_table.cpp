@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/report/table.h"
+
 namespace jaywalk {
 namespace {
 
@@ -74,6 +76,14 @@ std::string render_metrics(const Comparison& comparison) {
       text += '\n';
     }
   });
+  return text;
+}
+
+std::string render_tables(const Comparison& comparison) {
+  std::string text = render_table(comparison);
+  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison)}) {
+    if (!more.empty()) text += '\n' + more;
+  }
   return text;
 }
 

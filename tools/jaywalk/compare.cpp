@@ -4,8 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <functional>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,32 +12,29 @@
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"
-#include "experiment/export/write_file.h"
 #include "experiment/feedback.h"
 #include "experiment/number_list.h"
 #include "experiment/plan_coverage.h"
 #include "experiment/report/chart.h"
 #include "experiment/report/situation_table.h"
-#include "experiment/report/table.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/results/reader.h"
 #include "experiment/trial.h"
-#include "experiment/trimmed.h"
 #include "experiment/verdict.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/reporting.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/shipped.h"
 #include "tools/jaywalk/store_options.h"
+#include "tools/jaywalk/usual_options.h"
 
 namespace jaywalk::command::compare {
 namespace {
-
-constexpr unsigned kMaxThreads = 1024;
 
 /// Everything that the command line says, once it is known to be right.
 struct Request {
@@ -68,29 +63,11 @@ struct Collected {
   std::optional<CoverageFeedback> feedback;
 };
 
-std::vector<std::string> split_at_commas(std::string_view text) {
-  std::vector<std::string> items;
-  while (true) {
-    const auto comma = text.find(',');
-    items.emplace_back(trimmed(text.substr(0, comma)));
-    if (comma == std::string_view::npos) return items;
-    text.remove_prefix(comma + 1);
-  }
-}
-
-std::vector<std::string> behaviours_of(const Arguments& arguments) {
-  std::vector<std::string> behaviours;
-  for (const std::string& list : arguments.texts("behaviours")) {
-    std::ranges::move(split_at_commas(list), std::back_inserter(behaviours));
-  }
-  return behaviours;
-}
-
 /// What can be read without the scenario, so that all its mistakes are reported at once.
 struct Options {
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> tests;
-  std::optional<std::uint64_t> threads;
+  unsigned threads = 1;
   std::optional<std::vector<std::uint32_t>> agents;
   std::vector<FailureCondition> conditions;
   std::optional<StoreOptions> store;
@@ -100,7 +77,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   Options options;
   options.seed = arguments.number("seed", 0, diagnostics);
   options.tests = arguments.number("tests", 1, diagnostics);
-  options.threads = arguments.number("threads", 1, diagnostics);
+  options.threads = read_threads(arguments, diagnostics);
   if (const auto text = arguments.text("agents")) {
     auto list = parse_number_list(*text, "--agents");
     if (list) {
@@ -128,7 +105,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     return std::nullopt;
   }
   Request request{.prepared = prepare_scenario(located(arguments.operands().front()), arguments,
-                                               behaviours_of(arguments), console),
+                                               listed(arguments, "behaviours"), console),
                   .conditions = options.conditions,
                   .store = options.store};
   if (!request.prepared) return std::nullopt;
@@ -136,9 +113,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.seed = options.seed.value_or(defaults.seed);
   request.plan.agents = options.agents.value_or(defaults.agents);
   request.plan.tests = options.tests.value_or(defaults.tests);
-  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  request.plan.threads =
-      static_cast<unsigned>(std::min<std::uint64_t>(options.threads.value_or(cores), kMaxThreads));
+  request.plan.threads = options.threads;
   for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
     request.plan.behaviours.push_back(behaviour.name);
   }
@@ -299,7 +274,7 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
 
 ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
   ExperimentDescription description =
-      describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)),
+      describe(*request.prepared, scenario_options(arguments, listed(arguments, "behaviours")),
                request.plan, request.seed);
   add_judging(description, request.inquiry.files, request.inquiry.metrics);
   return description;
@@ -399,38 +374,17 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
                           .facts = facts});
 }
 
-bool write_outputs(const Arguments& arguments, const Request& request, const Comparison& comparison,
-                   const reporting::FactsTable& facts, Console& console) {
-  struct Output {
-    std::string_view option;
-    std::function<std::optional<std::string>()> text;
+bool write_files(const Arguments& arguments, const Request& request, const Comparison& comparison,
+                 const reporting::FactsTable& facts, Console& console) {
+  const std::array files = {
+      OutputFile{"csv", [&] { return to_csv(comparison); }},
+      OutputFile{"json", [&] { return to_json(comparison); }},
+      OutputFile{"junit", [&] { return to_junit(comparison); }},
+      OutputFile{"starts", [&] { return start_cells_csv(request); }},
+      OutputFile{"report",
+                 [&] { return report_of(arguments, request, comparison, facts, console); }},
   };
-  const std::array outputs = {
-      Output{"csv", [&] { return to_csv(comparison); }},
-      Output{"json", [&] { return to_json(comparison); }},
-      Output{"junit", [&] { return to_junit(comparison); }},
-      Output{"starts", [&] { return start_cells_csv(request); }},
-      Output{"report", [&] { return report_of(arguments, request, comparison, facts, console); }},
-  };
-  bool written = true;
-  for (const Output& output : outputs) {
-    const auto path = arguments.text(output.option);
-    if (!path) continue;
-    console.flush();  // in case it is /dev/stdout
-    const std::optional<std::string> text = output.text();
-    const auto why = text ? write_file(*path, *text) : std::nullopt;
-    if (why) console.error(fmt::format("cannot write '{}': {}", *path, *why));
-    written = written && text && !why;
-  }
-  return written;
-}
-
-std::string tables(const Comparison& comparison) {
-  std::string text = render_table(comparison);
-  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison)}) {
-    if (!more.empty()) text += '\n' + more;
-  }
-  return text;
+  return write_outputs(arguments, files, console);
 }
 
 /// What is there, and how to get the rest.
@@ -545,12 +499,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       request->store ? stored_comparison(*request, console) : make_comparison(*request, outcome);
   if (!comparison) return ExitCode::failed;
   if (!store) add_findings(request->inquiry, findings, request->plan.behaviours, *comparison);
-  bool written = write_outputs(arguments, *request, *comparison, facts, console);
+  bool written = write_files(arguments, *request, *comparison, facts, console);
   if (request->coverage != nullptr) {
     written = write_coverage(arguments, request->coverage->total(), console) && written;
   }
   const bool quiet = arguments.has("quiet");
-  if (!quiet) console.print(tables(*comparison));
+  if (!quiet) console.print(render_tables(*comparison));
   if (arguments.has("situations")) {
     const auto rows = situation_rows(*request, *comparison, collected.situations);
     console.print((quiet ? "" : "\n") + situation_text(rows));

@@ -1,23 +1,21 @@
 // `jaywalk coverage`: what a store's tests have covered.
 
 #include <algorithm>
-#include <functional>
-#include <thread>
+#include <array>
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
 #include "experiment/stored_coverage.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/stored_test.h"
+#include "tools/jaywalk/usual_options.h"
 
 namespace jaywalk::command::coverage {
 namespace {
-
-constexpr std::uint64_t kMaxThreads = 1024;
 
 struct Options {
   CoverageWanted wanted;
@@ -27,10 +25,8 @@ struct Options {
 std::optional<Options> read_options(const Arguments& arguments, const ResultsReader& store,
                                     Console& console) {
   Diagnostics diagnostics;
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   Options options;
-  options.threads = static_cast<unsigned>(
-      std::min(kMaxThreads, arguments.number("threads", 1, diagnostics).value_or(cores)));
+  options.threads = read_threads(arguments, diagnostics);
   options.wanted.behaviour = arguments.text("behaviour");
   const auto agents = arguments.number("agents", 1, diagnostics);
   if (agents) {
@@ -52,23 +48,6 @@ std::optional<Options> read_options(const Arguments& arguments, const ResultsRea
   if (!diagnostics.has_errors()) return options;
   console.report(diagnostics);
   return std::nullopt;
-}
-
-bool write_situations(const Arguments& arguments, const std::vector<SituationRow>& rows,
-                      Console& console) {
-  bool written = true;
-  const auto write = [&](std::string_view option,
-                         std::string (*text)(const std::vector<SituationRow>&)) {
-    const auto path = arguments.text(option);
-    if (!path) return;
-    if (const auto why = write_file(*path, text(rows))) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
-      written = false;
-    }
-  };
-  write("csv", situation_csv);
-  write("json", situation_json);
-  return written;
 }
 
 template <class Value>
@@ -122,7 +101,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   line.clear();
   if (!rows.ok()) return report_failure(rows, interrupt, console);
   if (!arguments.has("quiet")) console.print(situation_text(rows.value()));
-  bool written = write_situations(arguments, rows.value(), console);
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return situation_csv(rows.value()); }},
+      OutputFile{"json", [&] { return situation_json(rows.value()); }},
+  };
+  bool written = write_outputs(arguments, outputs, console);
   if (arguments.has("coverage")) {
     const auto plans = stored_plan_coverage(*store, options->wanted, options->threads, progress);
     line.clear();

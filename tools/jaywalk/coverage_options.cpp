@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
+#include "tools/jaywalk/output_files.h"
 
 namespace jaywalk {
 namespace {
@@ -28,10 +28,7 @@ void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics
 bool write_coverage(const Arguments& arguments, const SourceCoverage& coverage, Console& console) {
   bool written = true;
   for (const std::string& path : arguments.texts("coverage")) {
-    if (const auto why = write_file(path, render(path, coverage))) {
-      console.error(fmt::format("cannot write '{}': {}", path, *why));
-      written = false;
-    }
+    written = write_output(path, render(path, coverage), console) && written;
   }
   return written;
 }

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
 #include "experiment/plan_coverage.h"
 #include "experiment/report/explanation_json.h"
 #include "experiment/report/replay_page.h"
 #include "interpreter/explain/explanation.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/stored_test.h"
 
 namespace jaywalk::command::explain {
@@ -92,10 +92,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::failed;
   }
   if (const auto path = arguments.text("json")) {
-    const auto why = write_file(*path, explanation_json(found.value()));
-    if (!why) return ExitCode::success;
-    console.error(fmt::format("cannot write '{}': {}", *path, *why));
-    return ExitCode::failed;
+    const bool written = write_output(*path, explanation_json(found.value()), console);
+    return written ? ExitCode::success : ExitCode::failed;
   }
   console.print(fmt::format("{}\n\n", name_of(*store, *test)));
   const std::string text = explanation_text(found.value());

@@ -1,19 +1,18 @@
 // `jaywalk judge`: assertions and metrics over the tests of a store, after the fact.
 
 #include <array>
-#include <functional>
 
 #include <fmt/format.h>
 
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"
-#include "experiment/export/write_file.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
 
 namespace jaywalk::command::judge {
@@ -80,8 +79,7 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
   console.print(render_findings(request.inquiry, findings, recording.value().actors()));
   if (const auto path = arguments.text("junit")) {
     const std::string name = fmt::format("test {}", id);
-    if (const auto why = write_file(*path, to_junit(name, request.inquiry, findings))) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
+    if (!write_output(*path, to_junit(name, request.inquiry, findings), console)) {
       return ExitCode::failed;
     }
   }
@@ -144,26 +142,6 @@ bool write_assessments(const std::string& path, const Inquiry& inquiry, const Ou
   return true;
 }
 
-bool write_outputs(const Arguments& arguments, const Comparison& comparison, Console& console) {
-  struct Output {
-    std::string_view option;
-    std::function<std::string(const Comparison&)> text;
-  };
-  const std::array outputs = {Output{"csv", to_csv}, Output{"json", to_json},
-                              Output{"junit", [](const Comparison& all) { return to_junit(all); }}};
-  bool written = true;
-  for (const Output& output : outputs) {
-    const auto path = arguments.text(output.option);
-    if (!path) continue;
-    console.flush();  // in case it is /dev/stdout
-    if (const auto why = write_file(*path, output.text(comparison))) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
-      written = false;
-    }
-  }
-  return written;
-}
-
 }  // namespace
 
 CommandHelp help() {
@@ -219,7 +197,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
 
   bool written =
       !keep || write_assessments(arguments.operands().front(), request->inquiry, outcome, console);
-  written = write_outputs(arguments, comparison.value(), console) && written;
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
+      OutputFile{"json", [&] { return to_json(comparison.value()); }},
+      OutputFile{"junit", [&] { return to_junit(comparison.value()); }},
+  };
+  written = write_outputs(arguments, outputs, console) && written;
   if (!arguments.has("quiet")) {
     console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()));
   }

@@ -3,47 +3,18 @@
 #include "experiment/results/merge.h"
 
 #include <array>
-#include <functional>
 
 #include <fmt/format.h>
 
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
-#include "experiment/export/write_file.h"
-#include "experiment/report/table.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/output_files.h"
 
 namespace jaywalk::command::merge {
 namespace {
-
-bool write_outputs(const Arguments& arguments, const Comparison& comparison, Console& console) {
-  struct Output {
-    std::string_view option;
-    std::function<std::string(const Comparison&)> text;
-  };
-  const std::array outputs = {Output{"csv", to_csv}, Output{"json", to_json}};
-  bool written = true;
-  for (const Output& output : outputs) {
-    const auto path = arguments.text(output.option);
-    if (!path) continue;
-    console.flush();  // in case it is /dev/stdout
-    if (const auto why = write_file(*path, output.text(comparison))) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
-      written = false;
-    }
-  }
-  return written;
-}
-
-std::string tables(const Comparison& comparison) {
-  std::string text = render_table(comparison);
-  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison)}) {
-    if (!more.empty()) text += '\n' + more;
-  }
-  return text;
-}
 
 /// What the store comes to, shown and written as `compare` does.
 ExitCode show(const std::string& path, const Arguments& arguments, Console& console) {
@@ -57,8 +28,12 @@ ExitCode show(const std::string& path, const Arguments& arguments, Console& cons
     console.error(fmt::format("cannot read '{}'", path));
     return ExitCode::failed;
   }
-  const bool written = write_outputs(arguments, comparison.value(), console);
-  if (!arguments.has("quiet")) console.print(tables(comparison.value()));
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
+      OutputFile{"json", [&] { return to_json(comparison.value()); }},
+  };
+  const bool written = write_outputs(arguments, outputs, console);
+  if (!arguments.has("quiet")) console.print(render_tables(comparison.value()));
   return written ? ExitCode::success : ExitCode::failed;
 }
 

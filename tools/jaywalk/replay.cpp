@@ -1,11 +1,9 @@
 // `jaywalk replay`: a stored test, played again.
 
-#include <fmt/format.h>
-
-#include "experiment/export/write_file.h"
 #include "experiment/report/replay_page.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/replay_pictures.h"
 #include "tools/jaywalk/stored_test.h"
 #include "tools/jaywalk/viewer.h"
@@ -46,11 +44,7 @@ ExitCode write_page(const ResultsReader& store, const StoredTest& test, const st
     console.report(page.diagnostics());
     return ExitCode::failed;
   }
-  if (const auto why = write_file(path, page.value())) {
-    console.error(fmt::format("cannot write '{}': {}", path, *why));
-    return ExitCode::failed;
-  }
-  return ExitCode::success;
+  return write_output(path, page.value(), console) ? ExitCode::success : ExitCode::failed;
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
 #include "experiment/results/merge.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/reporting.h"
 
 namespace jaywalk::command::report {
@@ -80,10 +80,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       stored_report(stores.size() > 1 ? together.path() : stores.front(), html,
                     arguments.has("replays") ? ReplayPages::beside : ReplayPages::none, console);
   if (!page) return ExitCode::usage;
-  if (const auto why = write_file(html, *page)) {
-    console.error(fmt::format("cannot write '{}': {}", html, *why));
-    return ExitCode::failed;
-  }
+  if (!write_output(html, *page, console)) return ExitCode::failed;
   if (!arguments.has("html")) console.print(html + '\n');
   return ExitCode::success;
 }

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
 #include "experiment/report/replay_page.h"
 #include "search/report/page.h"
 #include "search/store/search_store.h"
+#include "tools/jaywalk/output_files.h"
 
 namespace jaywalk {
 namespace {
@@ -37,10 +37,7 @@ bool write_replays(const ResultsReader& store, const std::string& html, reportin
     const std::string name =
         fmt::format("{}-{}-test-{}.html", store.description().behaviours[link.test.behaviour].name,
                     link.test.agents, link.test.number);
-    if (const auto why = write_file((folder / name).string(), page.value())) {
-      console.error(fmt::format("cannot write '{}': {}", (folder / name).string(), *why));
-      return false;
-    }
+    if (!write_output((folder / name).string(), page.value(), console)) return false;
     link.page = fmt::format("{}/{}", folder.filename().string(), name);
   }
   return true;

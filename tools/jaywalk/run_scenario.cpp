@@ -12,13 +12,13 @@
 #include <fmt/format.h>
 
 #include "experiment/export/junit.h"
-#include "experiment/export/write_file.h"
 #include "experiment/plan_coverage.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/trial.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/store_options.h"
 #include "tools/jaywalk/viewer.h"
@@ -141,11 +141,7 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Tria
                   const TestFindings& findings, Console& console) {
   if (const auto path = arguments.text("junit")) {
     const std::string xml = to_junit(title_of(request), request.inquiry, findings);
-    console.flush();
-    if (const auto why = write_file(*path, xml)) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
-      return ExitCode::failed;
-    }
+    if (!write_output(*path, xml, console)) return ExitCode::failed;
   }
   const Comparison comparison = comparison_of(request, trial, findings);
   const bool failed = report_failures(request.conditions, comparison, console);

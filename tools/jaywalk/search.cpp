@@ -1,42 +1,23 @@
 // `jaywalk search`: generators look for inputs under which a system under test fails.
 
-#include <algorithm>
 #include <array>
-#include <functional>
-#include <thread>
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
-#include "experiment/trimmed.h"
 #include "search/experiment.h"
 #include "search/export/exports.h"
 #include "search/report/page.h"
 #include "search/store/search_store.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/usual_options.h"
 
 namespace jaywalk::command::search {
 namespace {
 
 namespace js = jaywalk::search;
-
-constexpr std::uint64_t kMaxThreads = 1024;
-
-std::vector<std::string> list(const Arguments& arguments, std::string_view option) {
-  std::vector<std::string> items;
-  for (const std::string& text : arguments.texts(option)) {
-    std::string_view rest = text;
-    while (true) {
-      const std::size_t comma = rest.find(',');
-      items.emplace_back(trimmed(rest.substr(0, comma)));
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
-    }
-  }
-  return items;
-}
 
 std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
@@ -47,7 +28,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   }
   const auto seed = arguments.number("seed", 0, diagnostics);
   const auto repetitions = arguments.number("repetitions", 1, diagnostics);
-  const auto threads = arguments.number("threads", 1, diagnostics);
+  const unsigned threads = read_threads(arguments, diagnostics);
   if (arguments.has("resume") && !arguments.has("store")) {
     diagnostics.error("--resume", "there is no --store to go on with");
   }
@@ -60,7 +41,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   }
   Result<js::SearchExperiment> experiment = js::read_search(
       arguments.operands().front(),
-      {.sets = arguments.texts("set"), .generators = list(arguments, "generators")});
+      {.sets = arguments.texts("set"), .generators = listed(arguments, "generators")});
   if (!experiment.ok()) {
     console.report(experiment.diagnostics());
     return std::nullopt;
@@ -68,8 +49,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   js::SearchPlan& plan = experiment.value().plan;
   if (seed) plan.seed = *seed;
   if (repetitions) plan.repetitions = static_cast<std::uint32_t>(*repetitions);
-  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  plan.threads = static_cast<unsigned>(std::min(threads.value_or(cores), kMaxThreads));
+  plan.threads = threads;
   return std::move(experiment).value();
 }
 
@@ -94,30 +74,6 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
   js::SearchResults results = js::run_searches(experiment.plan, log, observer);
   interrupted = interrupt.interrupted();
   return results;
-}
-
-bool write_outputs(const Arguments& arguments, const js::SearchExperiment& experiment,
-                   const std::vector<js::GeneratorResults>& generators, Console& console) {
-  struct Output {
-    std::string_view option;
-    std::function<std::string()> text;
-  };
-  const std::array outputs = {
-      Output{"csv", [&] { return js::to_csv(generators); }},
-      Output{"json", [&] { return js::to_json(experiment, generators); }},
-      Output{"report", [&] { return js::to_html(experiment, generators); }},
-  };
-  bool written = true;
-  for (const Output& output : outputs) {
-    const auto path = arguments.text(output.option);
-    if (!path) continue;
-    console.flush();  // in case it is /dev/stdout
-    if (const auto why = write_file(*path, output.text())) {
-      console.error(fmt::format("cannot write '{}': {}", *path, *why));
-      written = false;
-    }
-  }
-  return written;
 }
 
 }  // namespace
@@ -199,7 +155,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (const auto folder = arguments.text("export")) {
     check("the failing roads", js::export_failures(*folder, *experiment, results).value_or(""));
   }
-  if (!write_outputs(arguments, *experiment, generators, console)) well = false;
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return js::to_csv(generators); }},
+      OutputFile{"json", [&] { return js::to_json(*experiment, generators); }},
+      OutputFile{"report", [&] { return js::to_html(*experiment, generators); }},
+  };
+  if (!write_outputs(arguments, outputs, console)) well = false;
   if (!arguments.has("quiet")) console.print(js::render_table(generators));
   if (!well) return ExitCode::failed;
   if (results.complete || !interrupted) return ExitCode::success;

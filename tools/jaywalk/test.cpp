@@ -24,6 +24,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/unit_tests.h"
+#include "tools/jaywalk/usual_options.h"
 
 namespace jaywalk::command::test {
 namespace {
@@ -32,7 +33,6 @@ namespace fs = std::filesystem;
 using Verdict = UnitTestReport::Verdict;
 
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
-constexpr std::uint64_t kMaxThreads = 1024;
 
 struct Options {
   IncludePath include_path;
@@ -46,14 +46,12 @@ std::optional<Options> read_options(const Arguments& arguments, Console& console
   if (!include_path) return std::nullopt;
   Options options{.include_path = std::move(*include_path), .limits = {}, .filter = {}};
   Diagnostics diagnostics;
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   options.limits.seed = arguments.number("seed", 0, diagnostics).value_or(0);
   options.limits.max_cycles =
       arguments.number("max-cycles", 1, diagnostics).value_or(options.limits.max_cycles);
   options.limits.timeout_s =
       arguments.positive("timeout", diagnostics).value_or(options.limits.timeout_s);
-  options.threads = static_cast<unsigned>(
-      std::min(kMaxThreads, arguments.number("threads", 1, diagnostics).value_or(cores)));
+  options.threads = read_threads(arguments, diagnostics);
   options.filter = arguments.text("filter").value_or("");
   options.limits.coverage = arguments.has("coverage");
   check_coverage_options(arguments, diagnostics);

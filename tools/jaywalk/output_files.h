@@ -1,0 +1,30 @@
+#pragma once
+
+// Files that options like --csv ask for.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tools/jaywalk/arguments.h"
+#include "tools/jaywalk/console.h"
+
+namespace jaywalk {
+
+/// Writes a whole file, after what was printed so far, for it may be /dev/stdout. False, and said
+/// so, if it cannot be written.
+[[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console);
+
+/// The option that asks for a file, and what goes into it; nothing: why not has been reported.
+struct OutputFile {
+  std::string_view option;
+  std::function<std::optional<std::string>()> text;
+};
+
+/// Writes those that are asked for; false if one of them could not be written.
+[[nodiscard]] bool write_outputs(const Arguments& arguments, std::span<const OutputFile> files,
+                                 Console& console);
+
+}  // namespace jaywalk
