@@ -1,0 +1,134 @@
+#include "tools/jaywalk/compare_request.h"
+
+#include <fmt/format.h>
+
+#include "experiment/number_list.h"
+#include "experiment/trial.h"
+#include "tools/jaywalk/coverage_options.h"
+#include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/scenario_options.h"
+#include "tools/jaywalk/shipped.h"
+#include "tools/jaywalk/usual_options.h"
+
+namespace jaywalk::command::compare {
+namespace {
+
+/// What can be read without the scenario, so that all its mistakes are reported at once.
+struct Options {
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> tests;
+  unsigned threads = 1;
+  std::optional<std::vector<std::uint32_t>> agents;
+  std::vector<FailureCondition> conditions;
+  std::optional<StoreOptions> store;
+};
+
+Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
+  Options options;
+  options.seed = arguments.number("seed", 0, diagnostics);
+  options.tests = arguments.number("tests", 1, diagnostics);
+  options.threads = read_threads(arguments, diagnostics);
+  if (const auto text = arguments.text("agents")) {
+    auto list = parse_number_list(*text, "--agents");
+    if (list) {
+      options.agents = std::move(list).value();
+    } else {
+      diagnostics.append(std::move(list.diagnostics()));
+    }
+  }
+  options.conditions = read_conditions(arguments, diagnostics);
+  options.store = read_store_options(arguments, diagnostics);
+  check_coverage_options(arguments, diagnostics);
+  return options;
+}
+
+/// What is too large to be carried out.
+Diagnostics excesses(const Request& request) {
+  Diagnostics diagnostics;
+  if (request.plan.tests > kMaxTests) {
+    diagnostics.error("--tests",
+                      fmt::format("at most {}, found {}", kMaxTests, request.plan.tests));
+  }
+  for (const std::uint32_t agents : request.plan.agents) {
+    if (agents > kMaxAgents) {
+      diagnostics.error("--agents", fmt::format("at most {}, found {}", kMaxAgents, agents));
+    }
+  }
+  const bool is_part = request.store && request.store->shard.count > 1;
+  if (is_part && request.prepared->scenario().experiment.feedback > 0) {
+    diagnostics.error("--shard", "the tests of a part need what the other parts' tests cover",
+                      "experiment.feedback=0 runs them without that");
+  }
+  return diagnostics;
+}
+
+/// Why some test cannot be run (there are no start cells for it, say); empty if all can.
+std::string first_obstacle(const Request& request) {
+  for (const std::uint32_t agents : request.plan.agents) {
+    for (std::uint64_t test = 0; test < request.plan.tests; ++test) {
+      // Obstacles are the same for all behaviours, and only given start cells can be too few.
+      std::string why =
+          obstacle(*request.prepared, {.agents = agents, .seed = request.seed, .test = test});
+      if (!why.empty() || !request.prepared->scenario().start_cells) return why;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Request> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("compare",
+                      fmt::format("expected one scenario, found {}", arguments.operands().size()),
+                      "jaywalk compare --help shows how to write it");
+  }
+  const Options options = read_options(arguments, diagnostics);
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  Request request{.prepared = prepare_scenario(located(arguments.operands().front()), arguments,
+                                               listed(arguments, "behaviours"), console),
+                  .conditions = options.conditions,
+                  .store = options.store};
+  if (!request.prepared) return std::nullopt;
+  const ExperimentSpec& defaults = request.prepared->scenario().experiment;
+  request.seed = options.seed.value_or(defaults.seed);
+  request.plan.agents = options.agents.value_or(defaults.agents);
+  request.plan.tests = options.tests.value_or(defaults.tests);
+  request.plan.threads = options.threads;
+  for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
+    request.plan.behaviours.push_back(behaviour.name);
+  }
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
+  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
+  request.ground = ground(request.prepared->scenario().world);
+  if (arguments.has("coverage")) {
+    request.coverage = std::make_unique<PlanCoverage>(*request.prepared);
+  }
+  request.situations = arguments.has("situations") || defaults.feedback > 0;
+  return request;
+}
+
+bool can_be_run(const Request& request, Console& console) {
+  if (const Diagnostics wrong = excesses(request); wrong.has_errors()) {
+    console.report(wrong);
+    return false;
+  }
+  const std::string why = first_obstacle(request);
+  if (!why.empty()) console.error(why);
+  return why.empty();
+}
+
+ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
+  ExperimentDescription description =
+      describe(*request.prepared, scenario_options(arguments, listed(arguments, "behaviours")),
+               request.plan, request.seed);
+  add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  return description;
+}
+
+}  // namespace jaywalk::command::compare

@@ -1,0 +1,131 @@
+#include "tools/jaywalk/compare_tests.h"
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "experiment/results/reader.h"
+#include "experiment/trial.h"
+#include "tools/jaywalk/judging.h"
+
+namespace jaywalk::command::compare {
+namespace {
+
+Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::string why) {
+  Diagnostics diagnostics;
+  diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
+                    std::move(why));
+  return diagnostics;
+}
+
+/// Runs a test, finds out about it and hands it to the store, if there is one.
+Result<TestResult> run_test(const Request& request, const TestCase& test,
+                            const Listeners& listeners) {
+  ResultsWriter* const store = listeners.store;
+  const bool recorded =
+      store != nullptr || listeners.facts != nullptr || asks(request.inquiry) || request.situations;
+  TrialInput input{.behaviour = test.behaviour,
+                   .agents = test.agents,
+                   .seed = request.seed,
+                   .test = test.number};
+  std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
+  if (feedback) {
+    auto told = feedback->wait_for(test);
+    if (!told) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
+    input.feedback = std::move(*told);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  Recording recording;
+  TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = true};
+  std::optional<PlanCoverage::Borrowed> observer;
+  if (request.coverage != nullptr) options.observer = observer.emplace(*request.coverage).get();
+  TrialResult trial = run_trial(*request.prepared, input, options);
+  const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
+  if (!trial.completed) {
+    return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
+  }
+  const TestResult result{.succeeded = trial.outcome.success,
+                          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+                          .score = trial.outcome.score(),
+                          .cpu_us = trial.cpu_s * 1e6,
+                          .wall_us = wall.count()};
+  std::vector<Assessment> assessments;
+  if (asks(request.inquiry)) {
+    const TestFindings found = assess(request.inquiry, recording, request.ground);
+    listeners.collected.findings.add(test, found);
+    if (store != nullptr) assessments = to_assessments(request.inquiry, found);
+  }
+  if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
+  if (request.situations) {
+    listeners.collected.situations.add(test, covered_bins(recording, request.ground));
+    if (feedback) feedback->finished(test);
+  }
+  if (store != nullptr) {
+    TestRecord record = make_test_record(test, result, trial, std::move(recording));
+    record.assessments = std::move(assessments);
+    store->add(std::move(record));
+  }
+  return result;
+}
+
+}  // namespace
+
+Selection::Selection(const Request& request, const ResultsWriter* store)
+    : store_(store), shard_(request.store ? request.store->shard : Shard{}) {
+  const ExperimentPlan& plan = request.plan;
+  const std::uint64_t cells = plan.behaviours.size() * plan.agents.size();
+  const std::uint64_t each = (plan.tests + shard_.count - shard_.index) / shard_.count;
+  wanted_ = cells * each - (store != nullptr ? store->had() : 0);
+}
+
+ExperimentOutcome run_selection(const Request& request, const Selection& selection,
+                                const Listeners& listeners, const ProgressFunction& progress) {
+  std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
+  std::atomic<std::uint64_t> done = 0;
+  const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
+    if (!selection.has(test_case)) return TestResult{};
+    auto result = run_test(request, test_case, listeners);
+    if (!result && feedback) feedback->give_up();
+    done.fetch_add(1, std::memory_order_relaxed);
+    return result;
+  };
+  const auto own_progress = [&](const Progress&) {
+    const bool broken = listeners.store != nullptr && listeners.store->failure();
+    Proceed proceed = progress({.done = done, .total = selection.size()});
+    if (broken) proceed = Proceed::no;
+    if (proceed == Proceed::no && feedback) feedback->give_up();
+    return proceed;
+  };
+  ExperimentOutcome outcome = run_experiment(request.plan, test, own_progress);
+  outcome.progress = {.done = done, .total = selection.size()};
+  return outcome;
+}
+
+bool add_earlier_situations(const Request& request, Collected& collected, Console& console) {
+  if (!request.situations || !request.store || !request.store->resume) return true;
+  std::error_code ignored;
+  if (!std::filesystem::exists(request.store->path, ignored)) return true;
+  const auto store = ResultsReader::open(request.store->path);
+  const auto tests =
+      store.ok() ? store.value()->tests() : Result<std::vector<StoredTest>>(store.diagnostics());
+  if (!tests.ok()) {
+    console.report(tests.diagnostics());
+    return false;
+  }
+  for (const StoredTest& stored : tests.value()) {
+    if (stored.result.succeeded) {
+      const auto recording = store.value()->recording(stored.id);
+      if (!recording.ok()) {
+        console.report(recording.diagnostics());
+        return false;
+      }
+      collected.situations.add(stored.test, covered_bins(recording.value(), request.ground));
+    }
+    if (collected.feedback) collected.feedback->finished(stored.test);
+  }
+  return true;
+}
+
+}  // namespace jaywalk::command::compare

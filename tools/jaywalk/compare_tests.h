@@ -1,0 +1,62 @@
+#pragma once
+
+// The tests of `compare` as they are run: which ones, what is found out about each, and who is
+// told.
+
+#include <optional>
+
+#include "experiment/feedback.h"
+#include "experiment/report/facts.h"
+#include "experiment/results/writer.h"
+#include "tools/jaywalk/compare_request.h"
+
+namespace jaywalk::command::compare {
+
+/// What is collected while tests run, beside their results.
+struct Collected {
+  explicit Collected(const Request& request)
+      : findings(request.inquiry, request.plan), situations(request.plan) {
+    const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
+    if (generation > 0) feedback.emplace(request.plan, generation, situations);
+  }
+
+  FindingsTable findings;
+  SituationTable situations;
+  std::optional<CoverageFeedback> feedback;
+};
+
+/// Who wants to know about the tests as they are run; null: nobody.
+struct Listeners {
+  Collected& collected;
+  ResultsWriter* store = nullptr;
+  reporting::FactsTable* facts = nullptr;
+};
+
+/// What is to be run: everything, or what the store wants and does not have.
+class Selection {
+ public:
+  Selection(const Request& request, const ResultsWriter* store);
+
+  [[nodiscard]] bool has(const TestCase& test) const {
+    return shard_.has(test.number) && (store_ == nullptr || !store_->had(test));
+  }
+  /// How many tests it has.
+  [[nodiscard]] std::uint64_t size() const { return wanted_; }
+
+ private:
+  const ResultsWriter* store_;
+  Shard shard_;
+  std::uint64_t wanted_ = 0;
+};
+
+/// Runs what is selected; whoever looks at the progress sees nothing of the rest.
+[[nodiscard]] ExperimentOutcome run_selection(const Request& request, const Selection& selection,
+                                              const Listeners& listeners,
+                                              const ProgressFunction& progress);
+
+/// What the tests that a store to be continued has have covered, so that later ones can be told.
+/// False after reporting why that cannot be read.
+[[nodiscard]] bool add_earlier_situations(const Request& request, Collected& collected,
+                                          Console& console);
+
+}  // namespace jaywalk::command::compare
