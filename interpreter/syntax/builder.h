@@ -76,7 +76,9 @@ class Builder {
   void begin_body();
   [[nodiscard]] bool may_continue() const;
   void semicolon();
-  /// A goal follows a formula without a semicolon; tolerated, with a warning.
+  /// Whether the next token begins another formula of the body, though no semicolon says so.
+  [[nodiscard]] bool formula_follows() const;
+  /// A formula follows another without a semicolon; tolerated, with a warning.
   void missing_semicolon();
   /// The body's formulas as a term on the stack of values.
   void end_body_as_term();

@@ -23,6 +23,9 @@ using ast::Statement;
 constexpr std::array<std::string_view, 6> kNotInContexts = {".send",    ".broadcast", ".wait",
                                                             ".stopMAS", ".fork",      ".join"};
 
+// Of other languages.
+constexpr std::array<std::string_view, 3> kConnectives = {"is", "and", "or"};
+
 BodyOperator body_operator_of(TokenKind kind) {
   switch (kind) {
     case TokenKind::bang:
@@ -59,6 +62,23 @@ void Builder::begin_body() { begin_frame(next_); }
 bool Builder::may_continue() const { return frames_.back().may_continue; }
 
 void Builder::semicolon() { frames_.back().may_continue = true; }
+
+// Jason 1 and 2 need no semicolons at all, and many programs lack one at the end of some line. What
+// is not indented is the next clause rather, and what has no arguments another language's operator.
+bool Builder::formula_follows() const {
+  const Span last = next_[-1].span;
+  const std::string_view name = source_->text(next_->span);
+  const std::string_view between = source_->text({last.end, next_->span.begin});
+  const bool is_literal = next_->kind == TokenKind::atom || next_->kind == TokenKind::tilde;
+  if (is_literal && std::ranges::find(kConnectives, name) != kConnectives.end()) return false;
+  if (between.find('\n') == std::string_view::npos) {
+    return next_->kind == TokenKind::atom && next_[1].kind == TokenKind::open &&
+           (!between.empty() || !name.starts_with('.'));
+  }
+  if (!is_literal || name.starts_with('.')) return true;
+  return source_->position(next_->span.begin).column >
+         source_->position(clause()->span.begin).column;
+}
 
 void Builder::missing_semicolon() {
   frames_.back().may_continue = true;

@@ -40,6 +40,11 @@ constexpr std::uint64_t kBeliefOperator =
            K::minus_minus, K::minus_plus);
 constexpr std::uint64_t kFormula = kExpression | kGoalOperator | kBeliefOperator;
 constexpr std::uint64_t kStatement = set_of(K::if_word, K::for_word, K::while_word);
+// What begins a formula after another one without a semicolon: always, and if it looks so.
+constexpr std::uint64_t kNeverClause = kGoalOperator | kStatement | bit(K::question);
+constexpr std::uint64_t kNoSemicolon =
+    set_of(K::atom, K::variable, K::tilde, K::plus_plus, K::plus_less, K::plus_greater,
+           K::minus_minus, K::minus_plus);
 constexpr std::uint64_t kTrigger = set_of(K::plus, K::minus, K::caret);
 constexpr std::uint64_t kTriggerKind = set_of(K::bang, K::question);
 constexpr std::uint64_t kPlan = kTrigger | bit(K::at);
@@ -156,9 +161,11 @@ const auto body_term_def = body_factor >
                              +(Terminal{K::fork_or} > body_factor) > act<&Builder::end_fork_or>);
 
 const auto semicolon = Terminal{K::semicolon} > act<&Builder::semicolon>;
-// As in Jason; before goals only, since what else may follow is rather the next clause.
+// As in older Jasons, where semicolons are optional.
 const auto missing_semicolon =
-    Ahead{kGoalOperator | bit(K::question), "a goal"} > act<&Builder::missing_semicolon>;
+    (Ahead{kNeverClause, "a formula"} |
+     (Ahead{kNoSemicolon, "a formula"} >> act<&Builder::formula_follows>)) >
+    act<&Builder::missing_semicolon>;
 
 // Leaves the frame that begin_body made; who uses the body ends it.
 const auto body_def = act<&Builder::begin_body> >

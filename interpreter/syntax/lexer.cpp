@@ -221,10 +221,20 @@ class Lexer {
       const Spelling& spelling = kOperators[i];
       if (spelling.text.front() != c) break;
       if (!text_.substr(at_).starts_with(spelling.text)) continue;
+      if (spelling.text.size() == 2 && (c == '+' || c == '-') && is_behind_operand()) continue;
       at_ += spelling.text.size();
       return spelling.kind;
     }
     return read_garbage();
+  }
+
+  // `X--1` is `X - (-1)`; what begins a line is rather a formula, `--b`.
+  [[nodiscard]] bool is_behind_operand() const {
+    if (tokens_.empty()) return false;
+    const auto [kind, where] = tokens_.back();
+    const std::string_view between = text_.substr(where.end, at_ - where.end);
+    return (kind == variable || kind == number || kind == close) &&
+           between.find('\n') == std::string_view::npos;
   }
 
   // A name whose dots each stand before a name character: `a.b`, `.print`.

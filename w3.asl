@@ -1,0 +1,1 @@
+!g. +!g <- .drop_event("+!h"); .print(a). 
