@@ -41,21 +41,20 @@ std::vector<Parameter> beliefs(const std::vector<CoveredBin>& feedback, SymbolTa
   return parameters;
 }
 
-void add_agents(const PreparedScenario& prepared, const TrialInput& input, Mas& mas) {
-  const std::vector<Parameter> feedback = beliefs(input.feedback, mas.symbols());
+std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TrialInput& input) {
+  std::vector<AgentSpec> specs;
   const PreparedBehaviour& behaviour = prepared.behaviours()[input.behaviour];
   for (std::uint32_t number = 1; number <= input.agents; ++number) {
     const auto own = behaviour.team.find(number);
-    AgentSpec spec{fmt::format("p{}", number),
-                   own == behaviour.team.end() ? behaviour.program : own->second,
-                   behaviour.parameters};
+    AgentSpec& spec = specs.emplace_back(AgentSpec{
+        fmt::format("p{}", number), own == behaviour.team.end() ? behaviour.program : own->second,
+        behaviour.parameters});
     set_own_parameters(behaviour, number, spec);
-    spec.parameters.insert(spec.parameters.end(), feedback.begin(), feedback.end());
-    mas.add_agent(spec);
   }
   for (const PreparedBehaviour& actor : prepared.actors()) {
-    mas.add_agent({actor.name, actor.program, actor.parameters});
+    specs.push_back({actor.name, actor.program, actor.parameters});
   }
+  return specs;
 }
 
 std::string describe(const RunOutcome& outcome) {
@@ -137,11 +136,29 @@ std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) 
   return {};
 }
 
-TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
-                      const TrialOptions& options) {
-  assert(obstacle(prepared, input).empty() && "the caller has asked for obstacles");
-  Crossing crossing(prepared.scenario().world, prepared.vocabulary(),
-                    start_cells(prepared.scenario(), input));
+void TrialRunner::add_agents(const TrialInput& input) {
+  if (specs_.empty() || behaviour_ != input.behaviour || agents_ != input.agents) {
+    specs_ = agents_of(prepared_, input);
+    behaviour_ = input.behaviour;
+    agents_ = input.agents;
+  }
+  // What pedestrians are told of earlier tests is in the system's own names.
+  const std::vector<Parameter> feedback = beliefs(input.feedback, mas_->symbols());
+  for (std::size_t i = 0; i < specs_.size(); ++i) {
+    if (feedback.empty() || i >= agents_) {
+      mas_->add_agent(specs_[i]);
+      continue;
+    }
+    AgentSpec spec = specs_[i];
+    spec.parameters.insert(spec.parameters.end(), feedback.begin(), feedback.end());
+    mas_->add_agent(spec);
+  }
+}
+
+TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& options) {
+  assert(obstacle(prepared_, input).empty() && "the caller has asked for obstacles");
+  Crossing crossing(prepared_.scenario().world, prepared_.vocabulary(),
+                    start_cells(prepared_.scenario(), input));
   MasOptions mas_options;
   mas_options.seed = seed_for(input, Purpose::agents);
   mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
@@ -151,19 +168,44 @@ TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;
   mas_options.observer = options.observer;
-  Mas mas(prepared.symbols(), std::move(mas_options), &crossing);
-  add_agents(prepared, input, mas);
+  if (mas_ == nullptr) {
+    mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), &crossing);
+  } else {
+    mas_->restart(std::move(mas_options), &crossing);
+  }
+  add_agents(input);
 
   TrialResult result;
   if (options.record != nullptr) {
-    *options.record = Recording(prepared.scenario().world.tick_s, crossing.actors());
+    *options.record = Recording(prepared_.scenario().world.tick_s, crossing.actors());
   }
-  run_to_the_end(mas, crossing, options, result);
+  run_to_the_end(*mas_, crossing, options, result);
   if (options.record != nullptr) record_events(crossing, input, *options.record);
   result.outcome = crossing.result();
-  result.cycles = mas.outcome().cycles;
-  result.cpu_s = mas.reasoning_cpu_s();
+  result.cycles = mas_->outcome().cycles;
+  result.cpu_s = mas_->reasoning_cpu_s();
   return result;
+}
+
+TrialResult TrialRunners::run(const TrialInput& input, const TrialOptions& options) {
+  std::unique_ptr<TrialRunner> runner;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      runner = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (runner == nullptr) runner = std::make_unique<TrialRunner>(prepared_);
+  TrialResult result = runner->run(input, options);
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(runner));
+  return result;
+}
+
+TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
+                      const TrialOptions& options) {
+  return TrialRunner(prepared).run(input, options);
 }
 
 }  // namespace jaywalk

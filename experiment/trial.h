@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -115,8 +116,44 @@ struct TrialResult {
   double cpu_s = 0;
 };
 
-/// REQUIRES: a behaviour of the scenario, at least one agent and, if the scenario has start cells,
-/// as many in this test.
+/// Runs trials one after another, each as if it were the only one: what it has built for one is
+/// used again for the next, which with the same behaviour and number of agents costs little.
+class TrialRunner {
+ public:
+  /// The scenario must outlive it.
+  explicit TrialRunner(const PreparedScenario& prepared) : prepared_(prepared) {}
+
+  /// As run_trial.
+  [[nodiscard]] TrialResult run(const TrialInput& input, const TrialOptions& options = {});
+
+ private:
+  void add_agents(const TrialInput& input);
+
+  const PreparedScenario& prepared_;
+  std::unique_ptr<Mas> mas_;
+  // The agents of the last trial.
+  std::size_t behaviour_ = 0;
+  std::uint32_t agents_ = 0;
+  std::vector<AgentSpec> specs_;
+};
+
+/// Trial runners for trials on several threads: each trial borrows one.
+class TrialRunners {
+ public:
+  /// The scenario must outlive them.
+  explicit TrialRunners(const PreparedScenario& prepared) : prepared_(prepared) {}
+
+  /// As run_trial, on any thread.
+  [[nodiscard]] TrialResult run(const TrialInput& input, const TrialOptions& options = {});
+
+ private:
+  const PreparedScenario& prepared_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<TrialRunner>> idle_;
+};
+
+/// One trial by itself. REQUIRES: a behaviour of the scenario, at least one agent and, if the
+/// scenario has start cells, as many in this test.
 [[nodiscard]] TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
                                     const TrialOptions& options = {});
 

@@ -17,7 +17,7 @@ std::vector<Relation*> relations_for(Agent& agent, Value pattern) {
     if (relation != nullptr) found.push_back(relation);
     return found;
   }
-  for (const auto& relation : agent.beliefs().relations()) found.push_back(relation.get());
+  for (Relation* const relation : agent.beliefs().relations()) found.push_back(relation);
   if (is_form(pattern, Form::decorated)) {  // N::p(X): the default namespace first
     std::stable_partition(found.begin(), found.end(), [](const Relation* relation) {
       return !is_foreign(relation->predicate());

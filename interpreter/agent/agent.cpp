@@ -22,12 +22,20 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
       random_(static_cast<std::int64_t>(seed)),
       library_(&program_->library()) {
   heap_.set_limit(limits.heap_bytes);
+  if (auto remains = host_.workspaces().take_remains(program_.get())) {
+    heap_.use(std::move(remains->heap));
+    beliefs_.use(std::move(remains->beliefs));
+  }
   for (const Program::Function& function : program_->functions()) {
     functions_.push_back({function.name, function.arity, function.predicate});
   }
 }
 
-Agent::~Agent() = default;
+Agent::~Agent() {
+  WorkspacePool& pool = host_.workspaces();
+  if (!pool.wants_remains()) return;
+  pool.keep({program_.get(), heap_.leave_remains(), beliefs_.leave_remains()});
+}
 
 void Agent::borrow_workspace() {
   workspace_ = host_.workspaces().lend();

@@ -5,7 +5,10 @@
 // at the same time: an agent borrows one when it first needs it and gives it back at the end of its
 // cycle.
 
+#include <cstddef>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +16,8 @@
 #include "interpreter/logic/machine.h"
 
 namespace jaywalk {
+
+class Program;
 
 struct Workspace {
   explicit Workspace(SymbolTable& symbols) : machine(symbols) {}
@@ -27,6 +32,14 @@ struct Workspace {
   std::vector<std::unique_ptr<Intention>> spare_intentions;
 };
 
+/// What is left of an agent: memory for another one with the same program. Nothing that it believed
+/// or did is in it.
+struct AgentRemains {
+  const Program* program = nullptr;
+  Heap::Remains heap;
+  BeliefBase::Remains beliefs;
+};
+
 class WorkspacePool {
  public:
   explicit WorkspacePool(SymbolTable& symbols) : symbols_(symbols) {}
@@ -39,9 +52,28 @@ class WorkspacePool {
   }
   void take_back(std::unique_ptr<Workspace> workspace) { idle_.push_back(std::move(workspace)); }
 
+  /// Those of an agent with this program, if there are any.
+  [[nodiscard]] std::optional<AgentRemains> take_remains(const Program* program);
+  [[nodiscard]] bool wants_remains() const { return remains_.size() < most_remains_; }
+  void keep(AgentRemains remains) { remains_.push_back(std::move(remains)); }
+  /// The agents that end from now on leave theirs, up to this number.
+  void want_remains(std::size_t most) { most_remains_ = most; }
+
  private:
   SymbolTable& symbols_;
   std::vector<std::unique_ptr<Workspace>> idle_;
+  std::vector<AgentRemains> remains_;
+  std::size_t most_remains_ = 0;
 };
+
+inline std::optional<AgentRemains> WorkspacePool::take_remains(const Program* program) {
+  for (auto each = remains_.rbegin(); each != remains_.rend(); ++each) {
+    if (each->program != program) continue;
+    std::optional<AgentRemains> taken = std::move(*each);
+    remains_.erase(std::next(each).base());
+    return taken;
+  }
+  return std::nullopt;
+}
 
 }  // namespace jaywalk

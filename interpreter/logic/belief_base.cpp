@@ -201,12 +201,42 @@ void Relation::compact() {
   indexes_.reset();
 }
 
+void Relation::reset() {
+  constexpr std::size_t kMostRowsKept = 16;
+  Ring<Row> rows;
+  if (rows_.capacity() <= kMostRowsKept) {
+    rows = std::move(rows_);
+    rows.clear();
+  }
+  *this = Relation(predicate_);
+  rows_ = std::move(rows);
+}
+
+BeliefBase::Remains BeliefBase::leave_remains() {
+  constexpr std::size_t kMostRelations = 256;  // more were made of names that may not come again
+  Remains remains;
+  if (known_.size() > kMostRelations) return remains;
+  for (Relation* const relation : relations_) relation->reset();
+  relations_.clear();
+  remains.known_ = std::move(known_);
+  remains.by_predicate_ = std::move(by_predicate_);
+  return remains;
+}
+
 Relation& BeliefBase::relation(Predicate predicate) {
-  if (Relation* const known = find(predicate)) return *known;
-  by_predicate_.insert(static_cast<std::uint32_t>(predicate),
-                       static_cast<std::uint32_t>(relations_.size()));
-  relations_.push_back(std::make_unique<Relation>(predicate));
-  return *relations_.back();
+  const auto key = static_cast<std::uint32_t>(predicate);
+  std::uint32_t place = by_predicate_.find(key);
+  if (place == FlatIndex<std::uint32_t>::kNone) {
+    place = static_cast<std::uint32_t>(known_.size());
+    known_.push_back(std::make_unique<Relation>(predicate));
+    by_predicate_.insert(key, place);
+  }
+  Relation& relation = *known_[place];
+  if (!relation.exists) {
+    relation.exists = true;
+    relations_.push_back(&relation);
+  }
+  return relation;
 }
 
 std::optional<Value> BeliefBase::add(Value literal, Place place) {

@@ -156,6 +156,11 @@ class Relation {
   bool has_percepts = false;
   std::uint64_t perceived_since = 0;
 
+  /// It is among the belief base's relations; otherwise it only keeps its memory.
+  bool exists = false;
+  /// Becomes as new, but keeps memory for a few rows.
+  void reset();
+
   void own_rule(std::unique_ptr<RuleCode> rule) { rules_owned_.push_back(std::move(rule)); }
   template <class Visit>
   void visit_terms(Visit&& visit) {
@@ -242,6 +247,20 @@ class BeliefBase {
  public:
   BeliefBase(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
 
+  /// Memory of a belief base that is no more, for one that has not been used yet: relations without
+  /// rows, which do not exist until something is believed.
+  class Remains {
+    friend class BeliefBase;
+    std::vector<std::unique_ptr<Relation>> known_;
+    FlatIndex<std::uint32_t> by_predicate_;
+  };
+  /// Ends the belief base's life.
+  [[nodiscard]] Remains leave_remains();
+  void use(Remains remains) {
+    known_ = std::move(remains.known_);
+    by_predicate_ = std::move(remains.by_predicate_);
+  }
+
   /// Adds a literal with its annotations. The result is what is new: the literal with the
   /// annotations that it did not have; nothing if it was believed with all of them.
   std::optional<Value> add(Value literal, Place place = Place::front);
@@ -257,15 +276,15 @@ class BeliefBase {
 
   [[nodiscard]] Relation* find(Predicate predicate) {
     const std::uint32_t place = by_predicate_.find(static_cast<std::uint32_t>(predicate));
-    return place == FlatIndex<std::uint32_t>::kNone ? nullptr : relations_[place].get();
+    if (place == FlatIndex<std::uint32_t>::kNone) return nullptr;
+    Relation* const known = known_[place].get();
+    return known->exists ? known : nullptr;
   }
   [[nodiscard]] const Relation* find(Predicate predicate) const {
     return const_cast<BeliefBase*>(this)->find(predicate);
   }
   /// Relations in the order in which they came to be.
-  [[nodiscard]] const std::vector<std::unique_ptr<Relation>>& relations() const {
-    return relations_;
-  }
+  [[nodiscard]] const std::vector<Relation*>& relations() const { return relations_; }
 
   // Belief update (belief_update.cpp): what was perceived and is not any more goes, what is new
   // comes.
@@ -290,7 +309,7 @@ class BeliefBase {
   void compact();
   template <class Visit>
   void visit_terms(Visit&& visit) {
-    for (const auto& relation : relations_) relation->visit_terms(visit);
+    for (Relation* const relation : relations_) relation->visit_terms(visit);
     for (NamespaceProperty& property : namespace_properties_) visit(property.value);
   }
 
@@ -309,8 +328,9 @@ class BeliefBase {
 
   Heap& heap_;
   SymbolTable& symbols_;
-  std::vector<std::unique_ptr<Relation>> relations_;
-  FlatIndex<std::uint32_t> by_predicate_;  // into relations_
+  std::vector<std::unique_ptr<Relation>> known_;
+  FlatIndex<std::uint32_t> by_predicate_;  // into known_
+  std::vector<Relation*> relations_;       // those that exist
   std::vector<Relation*> with_holes_;
   std::vector<Relation*> perceived_;  // in the order of perceived_since
   std::uint64_t last_perceived_ = 0;

@@ -153,12 +153,12 @@ std::vector<Relation*> Machine::relations_for(Value pattern) const {
     wanted = symbols_.signature(literal_parts(deref(pattern.structure()->arg(0))).predicate);
   }
   std::vector<Relation*> found;
-  for (const auto& relation : beliefs_->relations()) {
+  for (Relation* const relation : beliefs_->relations()) {
     Signature signature = symbols_.signature(relation->predicate());
     const bool is_default = signature.ns == names::default_ns;
     signature.ns = wanted.ns;
     if (named && signature != wanted) continue;
-    found.insert(named && is_default ? found.begin() : found.end(), relation.get());
+    found.insert(named && is_default ? found.begin() : found.end(), relation);
   }
   return found;
 }

@@ -24,9 +24,15 @@ std::string plain_text(Value literal, const SymbolTable& symbols) {
 }  // namespace
 
 Mas::Mas(std::shared_ptr<const SymbolTable> symbols, MasOptions options, Environment* environment)
-    : implementation_(
-          std::make_unique<Implementation>(std::move(symbols), std::move(options), environment)) {}
+    : implementation_(std::make_unique<Implementation>(
+          std::make_unique<SystemStock>(std::move(symbols)), std::move(options), environment)) {}
 Mas::~Mas() = default;
+
+void Mas::restart(MasOptions options, Environment* environment) {
+  std::unique_ptr<SystemStock> stock = Implementation::dismantle(std::move(implementation_));
+  implementation_ =
+      std::make_unique<Implementation>(std::move(stock), std::move(options), environment);
+}
 
 AgentId Mas::add_agent(const AgentSpec& spec) { return implementation_->add_agent(spec); }
 

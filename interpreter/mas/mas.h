@@ -124,6 +124,10 @@ class Mas {
   Mas(const Mas&) = delete;
   Mas& operator=(const Mas&) = delete;
 
+  /// Begins anew, as if it had just been made with these: there are no agents, and no time has
+  /// passed. What agents were made of is used again.
+  void restart(MasOptions options, Environment* environment);
+
   /// Names that are taken get a suffix, as in Jason (`ann_1`).
   AgentId add_agent(const AgentSpec& spec);
 

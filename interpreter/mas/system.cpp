@@ -32,9 +32,10 @@ void sleep_ms(double ms) {
 
 }  // namespace
 
-Mas::Implementation::Implementation(std::shared_ptr<const SymbolTable> symbols, MasOptions options,
+Mas::Implementation::Implementation(std::unique_ptr<SystemStock> stock, MasOptions options,
                                     Environment* environment)
-    : symbols_(std::move(symbols)),
+    : stock_(std::move(stock)),
+      symbols_(stock_->symbols),
       options_(std::move(options)),
       environment_(environment),
       services_(
@@ -46,6 +47,18 @@ Mas::Implementation::Implementation(std::shared_ptr<const SymbolTable> symbols, 
   for (std::size_t lane = 0; lane < options_.threads; ++lane) {
     workspaces_of_lanes_.push_back(std::make_unique<WorkspacePool>(symbols_));
   }
+}
+
+std::unique_ptr<SystemStock> Mas::Implementation::dismantle(
+    std::unique_ptr<Implementation> system) {
+  constexpr std::size_t kMostRemains = 64;
+  system->stock_->workspaces.want_remains(kMostRemains);
+  system->residents_ = {};
+  system->mail_.reset();
+  std::unique_ptr<SystemStock> stock = std::move(system->stock_);
+  system.reset();
+  stock->symbols.clear_layer();
+  return stock;
 }
 
 // Agents come and go.
@@ -480,10 +493,11 @@ void Mas::Implementation::tick() {
     end(RunEnd::finished);
     return;
   }
+  look();
   const double start = options_.measure_cpu ? thread_cpu_s() : 0;
-  perceive();
+  update_percepts();
   reason_until_quiet();
-  if (options_.measure_cpu) cpu_s_ += thread_cpu_s() - start - perceiving_s_;
+  if (options_.measure_cpu) cpu_s_ += thread_cpu_s() - start;
   if (ended_) return;
   residents_.bury();
   execute_actions();
@@ -499,15 +513,18 @@ void Mas::Implementation::tick() {
   }
 }
 
-void Mas::Implementation::perceive() {
-  perceiving_s_ = 0;
+void Mas::Implementation::look() {
   for (Resident& resident : residents_.all()) {
     if (!resident.has_body() || resident.is_leaving) continue;
-    const double start = options_.measure_cpu ? thread_cpu_s() : 0;
     resident.percepts->begin_look();
     environment_->perceive(AgentId{resident.number}, *resident.percepts);
     resident.percepts->end_look();
-    if (options_.measure_cpu) perceiving_s_ += thread_cpu_s() - start;
+  }
+}
+
+void Mas::Implementation::update_percepts() {
+  for (Resident& resident : residents_.all()) {
+    if (!resident.has_body() || resident.is_leaving) continue;
     resident.agent->update_percepts(*resident.percepts);
     resident.agent->rest();
     if (resident.agent->is_active()) wake(resident);

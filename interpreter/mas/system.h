@@ -24,10 +24,21 @@
 
 namespace jaywalk {
 
+/// What a system is made of that the next one can be made of, too: names above those of the
+/// programs, and memory. Nobody can tell from it what the system before has done.
+struct SystemStock {
+  explicit SystemStock(std::shared_ptr<const SymbolTable> base) : symbols(std::move(base)) {}
+
+  SymbolTable symbols;
+  WorkspacePool workspaces{symbols};
+};
+
 class Mas::Implementation : public AgentHost, public Society {
  public:
-  Implementation(std::shared_ptr<const SymbolTable> symbols, MasOptions options,
-                 Environment* environment);
+  Implementation(std::unique_ptr<SystemStock> stock, MasOptions options, Environment* environment);
+  /// Ends a system; what it was made of stays.
+  [[nodiscard]] static std::unique_ptr<SystemStock> dismantle(
+      std::unique_ptr<Implementation> system);
 
   AgentId add_agent(const AgentSpec& spec);
   bool step();
@@ -50,7 +61,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void log(Agent& agent, std::string_view text) override;
   [[nodiscard]] Society& society() override { return *this; }
   [[nodiscard]] WorkspacePool& workspaces() override {
-    return beside_ != nullptr ? beside_->workspaces : workspaces_;
+    return beside_ != nullptr ? beside_->workspaces : stock_->workspaces;
   }
   [[nodiscard]] ReasoningObserver* observer() override { return options_.observer; }
 
@@ -86,7 +97,8 @@ class Mas::Implementation : public AgentHost, public Society {
 
   void reason_alone(Resident& resident);
   void pass_busy_ms();
-  void perceive();
+  void look();
+  void update_percepts();
   void reason_until_quiet();
   void execute_actions();
   void reason(Resident& resident, std::uint64_t most);
@@ -126,12 +138,12 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] static std::string busy_message(const Agent& agent, std::uint64_t cycles);
   [[nodiscard]] double wall_ms() const;
 
-  SymbolTable symbols_;  // of this run, above the programs' own
+  std::unique_ptr<SystemStock> stock_;  // outlives the agents, as do the next
+  SymbolTable& symbols_;                // of this run, above the programs' own
   /// Loaded during the run. Terms that agents send refer to their constants.
   std::unordered_set<std::shared_ptr<const Program>> loaded_;
   MasOptions options_;
   Environment* environment_;
-  WorkspacePool workspaces_{symbols_};  // outlives the agents, as do the next
   std::vector<std::unique_ptr<WorkspacePool>> workspaces_of_lanes_;
   Reaches reaches_;
   Residents residents_;
@@ -166,7 +178,6 @@ class Mas::Implementation : public AgentHost, public Society {
   std::vector<HeldLine> held_log_;
   const Agent* ahead_ = nullptr;   // the one that does; null: nobody
   std::uint64_t ahead_since_ = 0;  // its cycles before
-  double perceiving_s_ = 0;
   std::vector<ActionRequest> requests_;
   std::vector<ActionResult> results_;
   std::vector<Agent*> actors_;

@@ -59,6 +59,8 @@ class Ring {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// How many elements there is memory for.
+  [[nodiscard]] std::size_t capacity() const { return slots_.size(); }
 
   /// REQUIRES: there is such an element; so do front(), back() and pop_front().
   [[nodiscard]] T& operator[](std::size_t index) { return slots_[place(index)]; }

@@ -63,6 +63,24 @@ void Heap::grow(std::size_t words) {
   end_ = top_ + size;
 }
 
+Heap::Remains Heap::leave_remains() {
+  Remains remains;
+  if (!chunks_.empty() && chunks_.front().size == kFirstChunkWords) {
+    remains.words_ = std::move(chunks_.front().words);
+  }
+  chunks_.clear();
+  objects_.clear();
+  start_ = top_ = end_ = nullptr;
+  return remains;
+}
+
+void Heap::use(Remains remains) {
+  if (remains.words_ == nullptr) return;
+  chunks_.push_back({std::move(remains.words_), kFirstChunkWords});
+  start_ = top_ = chunks_.back().words.get();
+  end_ = top_ + kFirstChunkWords;
+}
+
 // The chunk that was current at a mark was full up to where it was left.
 void Heap::release_chunks(std::size_t kept) {
   chunks_.resize(kept);

@@ -115,6 +115,16 @@ class Heap {
   enum class Owner { agent, program };
 
   explicit Heap(Owner owner = Owner::agent);
+
+  /// Memory of a heap that is no more, for one that has not been used yet.
+  class Remains {
+    friend class Heap;
+    std::unique_ptr<std::uint64_t[]> words_;  // a first chunk, or null
+  };
+  /// Ends the heap's life.
+  [[nodiscard]] Remains leave_remains();
+  void use(Remains remains);
+
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
 

@@ -47,6 +47,13 @@ SymbolTable::SymbolTable(std::shared_ptr<const SymbolTable> base)
       first_symbol_(static_cast<std::uint32_t>(base_->symbol_count())),
       first_predicate_(static_cast<std::uint32_t>(base_->predicate_count())) {}
 
+void SymbolTable::clear_layer() {
+  symbols_.clear();
+  predicates_.clear();
+  texts_.clear();
+  signatures_.clear();
+}
+
 const Symbol* SymbolTable::find(std::string_view text) const {
   if (base_ != nullptr) {
     if (const Symbol* const known = base_->find(text)) return known;

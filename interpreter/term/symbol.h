@@ -78,6 +78,9 @@ class SymbolTable {
   /// From now on several threads may use the table at once.
   void allow_threads() { has_threads_ = true; }
 
+  /// Forgets the names above the base. REQUIRES: nothing refers to them any more.
+  void clear_layer();
+
   Symbol symbol(std::string_view text);
   Predicate predicate(const Signature& signature);
   /// A predicate of the default namespace; `~` before the functor means strong negation.

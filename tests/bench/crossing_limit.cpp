@@ -90,8 +90,8 @@ Ending run_by_hand(const World& world, std::uint32_t agents, std::uint64_t test)
   }
 }
 
-Ending run_by_engine(const PreparedScenario& prepared, std::uint32_t agents, std::uint64_t test) {
-  const TrialResult result = run_trial(prepared, {.agents = agents, .test = test});
+Ending run_by_engine(TrialRunner& runner, std::uint32_t agents, std::uint64_t test) {
+  const TrialResult result = runner.run({.agents = agents, .test = test});
   return {result.outcome.success, result.outcome.ticks};
 }
 
@@ -125,8 +125,9 @@ int compare(std::uint64_t tests, std::uint32_t agents) {
   constexpr int kRepeatByHand = 50;  // it takes microseconds
   const auto [by_hand, hand_us] = measure(
       tests, kRepeatByHand, [&](std::uint64_t test) { return run_by_hand(world, agents, test); });
-  const auto [by_engine, engine_us] = measure(
-      tests, 1, [&](std::uint64_t test) { return run_by_engine(*prepared.value(), agents, test); });
+  TrialRunner runner(*prepared.value());
+  const auto [by_engine, engine_us] =
+      measure(tests, 1, [&](std::uint64_t test) { return run_by_engine(runner, agents, test); });
   if (by_hand != by_engine) {
     fmt::print(stderr, "the engine and the model written by hand disagree\n");
     return EXIT_FAILURE;

@@ -65,6 +65,33 @@ TEST(Trials, GiveTheSameResultsOnSeveralThreads) {
   EXPECT_EQ(again, alone);
 }
 
+// What they were built of has run other tests before, other behaviours, and more agents.
+TEST(Trials, GiveTheSameResultsWhereOneRunnerRunsAll) {
+  for (const std::string name : {"paper", "traffic", "zebra", "features", "team", "negotiation"}) {
+    Result<Scenario> read =
+        read_scenario(testing_scenario::project_file("scenarios/" + name + ".yaml"));
+    ASSERT_TRUE(read.ok()) << read.diagnostics().render();
+    Diagnostics warnings;
+    const auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
+    ASSERT_TRUE(prepared.ok()) << prepared.diagnostics().render();
+    TrialRunner runner(*prepared.value());
+    for (std::uint64_t test = 0; test < 6; ++test) {
+      for (std::size_t index = 0; index < prepared.value()->behaviours().size(); ++index) {
+        const TrialInput input{
+            .behaviour = index, .agents = test % 3 == 2 ? 7U : 4U, .seed = 9, .test = test / 2};
+        Recording alone;
+        Recording again;
+        const TrialResult expected = run_trial(*prepared.value(), input, {.record = &alone});
+        const TrialResult result = runner.run(input, {.record = &again});
+        ASSERT_EQ(again, alone) << name << ", behaviour " << index << ", test " << test;
+        ASSERT_EQ(result.cycles, expected.cycles);
+        ASSERT_EQ(result.message, expected.message);
+        ASSERT_EQ(result.outcome.score(), expected.outcome.score());
+      }
+    }
+  }
+}
+
 TEST(Trials, DependOnTheSeedAndTheTest) {
   const Scenario scenario;
   const std::vector<Position> first = start_cells(scenario, {.agents = 5, .seed = 1, .test = 0});

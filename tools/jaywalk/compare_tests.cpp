@@ -21,7 +21,7 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
 }
 
 /// Runs a test, finds out about it and hands it to the store, if there is one.
-Result<TestResult> run_test(const Request& request, const TestCase& test,
+Result<TestResult> run_test(const Request& request, const TestCase& test, TrialRunners& trials,
                             const Listeners& listeners) {
   ResultsWriter* const store = listeners.store;
   const bool recorded =
@@ -41,7 +41,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test,
   TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = true};
   std::optional<PlanCoverage::Borrowed> observer;
   if (request.coverage != nullptr) options.observer = observer.emplace(*request.coverage).get();
-  TrialResult trial = run_trial(*request.prepared, input, options);
+  TrialResult trial = trials.run(input, options);
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
@@ -84,9 +84,10 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
                                 const Listeners& listeners, const ProgressFunction& progress) {
   std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   std::atomic<std::uint64_t> done = 0;
+  TrialRunners trials(*request.prepared);
   const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
     if (!selection.has(test_case)) return TestResult{};
-    auto result = run_test(request, test_case, listeners);
+    auto result = run_test(request, test_case, trials, listeners);
     if (!result && feedback) feedback->give_up();
     done.fetch_add(1, std::memory_order_relaxed);
     return result;
