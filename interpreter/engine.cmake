@@ -68,11 +68,13 @@ jaywalk_add_library(engine
     explain/text.cpp
     mas/ahead.cpp
     mas/lanes.cpp
+    mas/mail.cpp
     mas/mas.cpp
     mas/parallel.cpp
     mas/percepts.cpp
     mas/reach.cpp
     mas/residents.cpp
+    mas/steps.cpp
     mas/system.cpp
     term/transfer.cpp
     ${JAYWALK_ACTION_SOURCES}
@@ -91,6 +93,6 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
     agent/context.cpp agent/messages.cpp agent/perception.cpp agent/stride.cpp
-    mas/percepts.cpp mas/residents.cpp mas/system.cpp
+    mas/mail.cpp mas/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp
     PROPERTIES UNITY_GROUP core)
 endif()

@@ -21,20 +21,31 @@ constexpr std::array<Alias, 5> kAliases{{{"ask-one", "askOne"},
                                          {"tell-how", "tellHow"},
                                          {"untell-how", "untellHow"}}};
 
+/// An atom of the default namespace without strong negation: its text is its functor.
+bool is_plain_atom(Value value) {
+  return value.is_atom() && !is_foreign(value.atom_id()) && !is_negated(value.atom_id());
+}
+
 /// The text of a string, or the name that an atom of the default namespace is; `buffer` holds what
 /// others are printed as.
 std::string_view name_of(Value value, const SymbolTable& symbols, std::string& buffer) {
   if (value.is_text()) return value.text()->view();
-  if (value.is_atom() && !is_foreign(value.atom_id()) && !is_negated(value.atom_id())) {
-    return symbols.functor(value.atom_id());
-  }
+  if (is_plain_atom(value)) return symbols.functor(value.atom_id());
   buffer = text_of(value, symbols);
   return buffer;
 }
 
-/// The performative that an argument names; empty if it does not name one.
-std::string performative_of(Value value, const SymbolTable& symbols) {
-  if (!value.is_atom() && !value.is_text()) return {};
+bool is_usual(Symbol performative) {
+  return performative >= names::tell_text && performative <= names::ask_how_text;
+}
+
+/// The performative that an argument names; the empty name if it does not name one.
+Symbol performative_of(Value value, SymbolTable& symbols) {
+  if (!value.is_atom() && !value.is_text()) return names::empty;
+  if (is_plain_atom(value)) {
+    const Symbol functor = symbols.signature(value.atom_id()).functor;
+    if (is_usual(functor)) return functor;
+  }
   std::string buffer;
   std::string_view name = name_of(value, symbols, buffer);
   if (name.size() > 2 && name.front() == '\'' && name.back() == '\'') {
@@ -42,18 +53,19 @@ std::string performative_of(Value value, const SymbolTable& symbols) {
   }
   const auto* const alias = std::find_if(kAliases.begin(), kAliases.end(),
                                          [&](const Alias& each) { return each.written == name; });
-  return std::string(alias == kAliases.end() ? name : alias->meant);
+  return symbols.symbol(alias == kAliases.end() ? name : alias->meant);
 }
 
-bool asks(std::string_view performative) {
-  return performative == "askOne" || performative == "askAll" || performative == "askHow";
+bool asks(Symbol performative) {
+  return performative == names::ask_one_text || performative == names::ask_all_text ||
+         performative == names::ask_how_text;
 }
 
 }  // namespace
 
 Outcome send(ActionCall& call) {
-  const std::string performative = performative_of(call.arg(1), call.symbols());
-  if (performative.empty()) return call.wrong_argument(1, "a performative");
+  const Symbol performative = performative_of(call.arg(1), call.symbols());
+  if (performative == names::empty) return call.wrong_argument(1, "a performative");
   const bool waits = asks(performative) && call.count() > 3;
   double timeout_ms = -1;
   if (call.count() > 4) {
@@ -66,18 +78,27 @@ Outcome send(ActionCall& call) {
   const std::span<const Value> receivers = lone.is_list() ? listed : std::span(&lone, 1);
   Agent& agent = *call.agent();
   OutgoingMessage message;
-  message.performative = call.symbols().symbol(performative);
+  message.performative = performative;
   message.content = call.arg(2);
-  message.id = agent.new_message_id(waits ? "samid" : "mid");
-  if (!waits && call.count() > 3) message.in_reply_to = text_of(call.arg(3), call.symbols());
+  message.id = agent.new_message_id(waits ? MessageId::Kind::question : MessageId::Kind::message);
+  if (!waits && call.count() > 3) {
+    message.in_reply_to = question_named(text_of(call.arg(3), call.symbols()));
+  }
   for (const Value receiver : receivers) {
     if (!receiver.is_atom() && !receiver.is_text()) {
       return call.wrong_argument(0, "an agent's name or a list of them");
     }
     std::string buffer;
-    message.receiver = name_of(receiver, call.symbols(), buffer);
+    message.receiver_atom.reset();
+    if (is_plain_atom(receiver)) {
+      message.receiver_atom = receiver.atom_id();
+    } else {
+      message.receiver = name_of(receiver, call.symbols(), buffer);
+    }
     if (!agent.host().send(agent, message)) {
-      return call.fail("receiver_not_found", "there is no agent " + std::string(message.receiver));
+      return call.fail(
+          "receiver_not_found",
+          "there is no agent " + std::string(name_of(receiver, call.symbols(), buffer)));
     }
   }
   if (!waits) return Outcome::succeeded;
@@ -85,7 +106,7 @@ Outcome send(ActionCall& call) {
   PendingAsk ask;
   ask.id = message.id;
   ask.answer = call.arg(3);
-  ask.is_one = performative == "askOne";
+  ask.is_one = performative == names::ask_one_text;
   ask.to_many = call.arg(0).is_list();
   ask.awaited = receivers.size();
   agent.wait_for_answers(*call.intention(), std::move(ask), timeout_ms);
@@ -93,13 +114,13 @@ Outcome send(ActionCall& call) {
 }
 
 Outcome broadcast(ActionCall& call) {
-  const std::string performative = performative_of(call.arg(0), call.symbols());
-  if (performative.empty()) return call.wrong_argument(0, "a performative");
+  const Symbol performative = performative_of(call.arg(0), call.symbols());
+  if (performative == names::empty) return call.wrong_argument(0, "a performative");
   Agent& agent = *call.agent();
   OutgoingMessage message;
-  message.performative = call.symbols().symbol(performative);
+  message.performative = performative;
   message.content = call.arg(1);
-  message.id = agent.new_message_id("mid");
+  message.id = agent.new_message_id(MessageId::Kind::message);
   for (const std::string& name : agent.host().society().names()) {
     if (name == agent.name()) continue;
     message.receiver = name;

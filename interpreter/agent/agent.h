@@ -73,7 +73,7 @@ class Agent final : public MachineSurroundings {
   /// A cycle would do something.
   [[nodiscard]] bool is_active() const {
     const Circumstance& c = circumstance_;
-    if (!c.mailbox.empty() || !c.feedback.empty() || unseen_) return true;
+    if (!c.mailbox.empty() || !c.feedback.empty() || unseen_ != nullptr) return true;
     if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
     if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
     if (c.atomic_suspended) return false;
@@ -82,7 +82,7 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
   // Messages and actions, to and from the system.
-  void receive(Message message) { circumstance_.mailbox.push_back(std::move(message)); }
+  void receive(const Message& message) { circumstance_.mailbox.push_back(message); }
   /// The action to execute next, taken from the queue; null if none is chosen.
   [[nodiscard]] const PendingAction* take_action();
   void give_feedback(bool succeeded, std::string reason);
@@ -172,7 +172,7 @@ class Agent final : public MachineSurroundings {
   /// is negative.
   void wait_for_answers(Intention& intention, PendingAsk ask, double timeout_ms);
   /// A name for a message. Names come again after very many messages.
-  [[nodiscard]] std::string new_message_id(std::string_view prefix);
+  [[nodiscard]] MessageId new_message_id(MessageId::Kind kind);
 
   /// Makes an intention wait; resume() goes on with it behind the current formula.
   void suspend(Intention& intention, Intention::State state, std::string reason);
@@ -389,9 +389,9 @@ class Agent final : public MachineSurroundings {
   std::string name_;
   ReasoningSettings settings_;
   std::uint32_t cycles_since_look_ = 0;
-  std::optional<Percepts> unseen_;  // of the next cycle that looks
-  std::uint64_t seen_looks_ = 0;    // what Percepts::looks was in the last belief update
-  std::size_t seen_mail_ = 0;       // messages of the mailbox that may be handled
+  std::unique_ptr<Percepts> unseen_;  // of the next cycle that looks, or null
+  std::uint64_t seen_looks_ = 0;      // what Percepts::looks was in the last belief update
+  std::size_t seen_mail_ = 0;         // messages of the mailbox that may be handled
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;
   AgentHost& host_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/agent/intention.h"
+#include "interpreter/agent/message.h"
 #include "interpreter/support/ring.h"
 
 namespace jaywalk {
@@ -22,15 +23,6 @@ struct Event {
   Intention* intention = nullptr;
   /// Of a failure, `-!g`: see IntendedMeans::keeps.
   std::size_t keeps = 0;
-};
-
-struct Message {
-  std::string sender;       // "self" if it is from the agent itself
-  Predicate sender_atom{};  // the same as an atom
-  Symbol performative{};
-  Value content;
-  std::string id;
-  std::string in_reply_to;
 };
 
 /// A `.wait` for an event or a formula, or for time alone.
@@ -65,7 +57,7 @@ struct GoalDeadline {
 
 /// A question whose answer an intention waits for: `.send(ag, askOne, q, Answer)`.
 struct PendingAsk {
-  std::string id;  // of the message; the answers reply to it
+  MessageId id;  // of the message; the answers reply to it
   Intention* intention = nullptr;
   Value answer;          // the call's argument, which is unified with the answer
   bool is_one = false;   // askOne: `untell` means false

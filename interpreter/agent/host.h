@@ -5,10 +5,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "interpreter/agent/message.h"
 #include "interpreter/term/value.h"
 
 namespace jaywalk {
@@ -22,11 +24,14 @@ class WorkspacePool;
 /// A message as its sender gives it. The content is copied when it is sent.
 struct OutgoingMessage {
   std::string_view receiver;  // `self`: the sender
+  /// The same as an atom of the default namespace, if it was written so; then there need be no
+  /// text.
+  std::optional<Predicate> receiver_atom;
   Symbol performative{};
   Value content;
   /// Names the message, so that an answer can say what it answers.
-  std::string id;
-  std::string in_reply_to;
+  MessageId id;
+  MessageId in_reply_to;
 };
 
 /// A program to be loaded while agents run.

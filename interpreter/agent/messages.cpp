@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -14,15 +16,34 @@
 namespace jaywalk {
 namespace {
 
-/// Of the names of questions whose answers are waited for.
-constexpr std::string_view kAskPrefix = "samid";
+constexpr std::string_view kMessagePrefix = "mid";
+constexpr std::string_view kQuestionPrefix = "samid";
+// The texts become atoms, which are never forgotten: so there are only so many.
+constexpr std::uint32_t kMessageIds = 65'536;
 constexpr std::string_view kWaitsForAnswer = "waiting_ask";
 
 }  // namespace
 
+std::string text_of(MessageId id) {
+  if (id.kind == MessageId::Kind::none) return {};
+  const bool is_question = id.kind == MessageId::Kind::question;
+  return std::string(is_question ? kQuestionPrefix : kMessagePrefix) + std::to_string(id.number);
+}
+
+MessageId question_named(std::string_view text) {
+  if (!text.starts_with(kQuestionPrefix)) return {};
+  text.remove_prefix(kQuestionPrefix.size());
+  MessageId id{MessageId::Kind::question, 0};
+  const char* const end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, id.number);
+  const bool is_exact = problem == std::errc() && rest == end && text.front() != '0';
+  if (!is_exact || id.number > kMessageIds) id.number = 0;
+  return id;
+}
+
 // Rule ProcMsg: one message a cycle.
 void Agent::process_message() {
-  const Message message = std::move(circumstance_.mailbox.front());
+  const Message message = circumstance_.mailbox.front();
   circumstance_.mailbox.pop_front();
   ActionError error;
   const bool handled = guarded(error, [&] {
@@ -36,23 +57,22 @@ void Agent::process_message() {
 
 void Agent::handle_message(const Message& message) {
   const Value sender = Value::atom(message.sender_atom);
-  const std::string_view performative = symbols_.text(message.performative);
   // The usual performatives are done at once unless the agent has its own plans for messages.
   if (is_literal(message.content) && !settings_.messages_by_plans &&
       !library_->has_own_message_plans()) {
-    if (performative == "achieve") {
+    if (message.performative == names::achieve_text) {
       add_goal(add_source(message.content, sender));
       return;
     }
-    if (performative == "tell") {
+    if (message.performative == names::tell_text) {
       add_belief(add_source(message.content, sender), Place::front, nullptr);
       return;
     }
-    if (performative == "untell") {
+    if (message.performative == names::untell_text) {
       (void)remove_belief(add_source(message.content, sender), nullptr);
       return;
     }
-    if (performative == "signal") {
+    if (message.performative == names::signal_text) {
       const Value told = add_source(message.content, sender);
       const Value signal = Value::atom(symbols_.predicate("signal", 0));
       const Value annots = union_of(heap_, literal_parts(told).annots,
@@ -62,20 +82,18 @@ void Agent::handle_message(const Message& message) {
       return;
     }
   }
+  const std::string id = text_of(message.id);
   const std::array<Value, 4> args{
-      sender, Value::atom(symbols_.predicate(performative, 0)), message.content,
-      Value::atom(
-          symbols_.predicate(message.id.empty() ? "mid" : std::string_view(message.id), 0))};
+      sender, Value::atom(symbols_.predicate(symbols_.text(message.performative), 0)),
+      message.content,
+      Value::atom(symbols_.predicate(id.empty() ? kMessagePrefix : std::string_view(id), 0))};
   add_goal(heap_.structure(predicates::kqml_received, args));
 }
 
-std::string Agent::new_message_id(std::string_view prefix) {
-  // The texts become atoms, which are never forgotten: so there are only so many.
-  constexpr std::uint32_t kMessageIds = 65'536;
+MessageId Agent::new_message_id(MessageId::Kind kind) {
   while (true) {
     last_message_ = last_message_ % kMessageIds + 1;
-    std::string id(prefix);
-    id += std::to_string(last_message_);
+    const MessageId id{kind, last_message_};
     const auto& asks = circumstance_.asks;
     const bool in_use =
         std::any_of(asks.begin(), asks.end(), [&](const PendingAsk& ask) { return ask.id == id; });
@@ -102,7 +120,7 @@ void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeou
 
 // Whether the message answers a question that an intention waits, or has waited, for.
 bool Agent::answer_arrived(const Message& message) {
-  if (!message.in_reply_to.starts_with(kAskPrefix)) return false;
+  if (message.in_reply_to.kind != MessageId::Kind::question) return false;
   auto& asks = circumstance_.asks;
   const auto found = std::find_if(asks.begin(), asks.end(), [&](const PendingAsk& ask) {
     return ask.id == message.in_reply_to;
@@ -110,7 +128,7 @@ bool Agent::answer_arrived(const Message& message) {
   if (found == asks.end()) return true;  // too late
   const Value sender = Value::atom(message.sender_atom);
   Value answer = message.content;
-  if (found->is_one && symbols_.text(message.performative) == "untell") {
+  if (found->is_one && message.performative == names::untell_text) {
     answer = Value::atom(predicates::falsity);
   } else if (answer.is_pair()) {
     std::vector<Value> answers;

@@ -9,7 +9,8 @@ void Agent::update_percepts(const Percepts& percepts) {
   const bool by_changes = percepts.looks() == seen_looks_ + 1 && beliefs_.knows_percepts();
   seen_looks_ = percepts.looks();
   if (settings_.cycles_per_look > 1) {
-    unseen_ = percepts;
+    if (unseen_ == nullptr) unseen_ = std::make_unique<Percepts>();
+    *unseen_ = percepts;
     return;
   }
   if (by_changes) {
@@ -20,7 +21,7 @@ void Agent::update_percepts(const Percepts& percepts) {
 }
 
 void Agent::perceive_now() {
-  if (!unseen_) return;
+  if (unseen_ == nullptr) return;
   believe_percepts(*unseen_);
   unseen_.reset();
 }

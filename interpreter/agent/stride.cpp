@@ -71,9 +71,9 @@ std::uint64_t Agent::reason(std::uint64_t most) {
 bool Agent::reasons_plainly() const {
   const Circumstance& c = circumstance_;
   if (c.atomic != nullptr || c.atomic_suspended || c.atomic_event || !c.feedback.empty() ||
-      !c.tasks.empty() || !c.waits.empty() || unseen_ || uses_subplans_ || goal_conditions_ > 0 ||
-      customisation_ != nullptr || observer_ != nullptr || !settings_.is_plain() ||
-      library_->has_goal_state_plans()) {
+      !c.tasks.empty() || !c.waits.empty() || unseen_ != nullptr || uses_subplans_ ||
+      goal_conditions_ > 0 || customisation_ != nullptr || observer_ != nullptr ||
+      !settings_.is_plain() || library_->has_goal_state_plans()) {
     return false;
   }
   const Relation* const selecting = beliefs_.find(predicates::select_option);

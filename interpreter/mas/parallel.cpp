@@ -109,9 +109,9 @@ void Mas::Implementation::empty(Outbox& outbox) {
                  const Value content = letter.message.content;
                  if (letter.is_plain) {
                    letter.message.content = hand_over(content, *receiver.agent);
-                   post(receiver, std::move(letter.message));
+                   post(receiver, letter.message);
                  } else {
-                   post_later(receiver, std::move(letter.message), content);
+                   post_later(receiver, letter.message, content);
                  }
                },
                [this](const Timer& timer) { timers_.add(timer); });

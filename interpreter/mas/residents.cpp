@@ -30,6 +30,7 @@ void Residents::remove(Resident& resident) {
   if (resident.is_leaving) return;
   resident.is_leaving = true;
   by_name_.erase(by_name_.find(resident.agent->name()));
+  by_atom_.clear();
   suffixes_.clear();
   leaving_.push_back(resident.number);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/support/flat_index.h"
 
 namespace jaywalk {
 
@@ -23,7 +25,9 @@ struct Resident {
   std::unique_ptr<Agent> agent;  // null once it has left
   /// Kept as long as the run, since terms that were sent refer to its constants.
   std::shared_ptr<const Program> program;
-  Predicate name{};  // its name as an atom
+  /// Its name as an atom and as a text that outlives it; none as long as nobody has asked for them.
+  std::optional<Predicate> name;
+  std::string_view name_text;
   std::uint32_t number = 0;
   /// What it perceives of the environment, which knows it; null: it has no body there.
   std::unique_ptr<Percepts> percepts;
@@ -55,6 +59,15 @@ class Residents {
   [[nodiscard]] const Resident& operator[](std::uint32_t number) const { return all_[number]; }
   /// Null if there is no such agent.
   [[nodiscard]] Resident* find(std::string_view name);
+  /// The agent that an atom has been found to name; null if that is not known.
+  [[nodiscard]] Resident* known_as(Predicate atom) {
+    const std::uint32_t number = by_atom_.find(static_cast<std::uint32_t>(atom));
+    return number == FlatIndex<std::uint32_t>::kNone ? nullptr : &all_[number];
+  }
+  /// REQUIRES: the atom is not known.
+  void remember(Predicate atom, const Resident& resident) {
+    by_atom_.insert(static_cast<std::uint32_t>(atom), resident.number);
+  }
   [[nodiscard]] Resident& of(const Agent& agent) { return all_[agent.number()]; }
   /// In the order of their numbers, those that have left included.
   [[nodiscard]] std::deque<Resident>& all() { return all_; }
@@ -80,9 +93,10 @@ class Residents {
 
   std::deque<Resident> all_;  // a deque: references stay good when agents come
   std::unordered_map<std::string_view, std::uint32_t> by_name_;  // the agents' own names
-  std::unordered_map<std::string, std::uint32_t> suffixes_;      // the last that was taken
-  std::vector<std::uint32_t> active_;                            // sorted
-  std::vector<std::uint32_t> woken_;  // to be active from the next round on
+  FlatIndex<std::uint32_t> by_atom_;  // those that were sent messages, until an agent leaves
+  std::unordered_map<std::string, std::uint32_t> suffixes_;  // the last that was taken
+  std::vector<std::uint32_t> active_;                        // sorted
+  std::vector<std::uint32_t> woken_;                         // to be active from the next round on
   std::vector<std::uint32_t> leaving_;
 };
 

@@ -129,7 +129,9 @@ class Mas::Implementation : public AgentHost, public Society {
   void wake(Resident& resident);
   void put_to_sleep(Resident& resident);
   void announce(Agent& agent, Predicate predicate, std::span<const Value> args);
-  void post(Resident& receiver, Message message);
+  [[nodiscard]] const Resident& named(Resident& resident);
+  [[nodiscard]] Resident* receiver_of(const OutgoingMessage& message, const Agent& sender);
+  void post(Resident& receiver, const Message& message);
   void post_later(Resident& receiver, Message message, Value content);
   [[nodiscard]] static Value hand_over(Value content, Agent& receiver);
   bool deliver_messages();

@@ -120,7 +120,7 @@ class Ring {
   [[nodiscard]] std::size_t place(std::size_t index) const { return (first_ + index) & mask_; }
   void make_room() {
     if (size_ < slots_.size()) return;
-    std::vector<T> wider(std::max<std::size_t>(4, 2 * slots_.size()));
+    std::vector<T> wider(std::max<std::size_t>(2, 2 * slots_.size()));
     std::move(begin(), end(), wider.begin());
     slots_ = std::move(wider);
     first_ = 0;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/agent/message.h"
 #include "tests/unit/mas/system.h"
 
 namespace jaywalk {
@@ -20,6 +21,47 @@ TEST(Messages, ArriveInTheOrderOfSenderAndSequence) {
   system.run();
   EXPECT_THAT(system.printed,
               ElementsAre("[carl] a1 ann", "[carl] b1 bob", "[carl] a2 ann", "[carl] b2 bob"));
+}
+
+TEST(Messages, AreNamedByNumbersWhoseTextsComeBack) {
+  EXPECT_EQ(text_of(MessageId{}), "");
+  EXPECT_EQ(text_of({MessageId::Kind::message, 7}), "mid7");
+  EXPECT_EQ(text_of({MessageId::Kind::question, 65'536}), "samid65536");
+  EXPECT_EQ(question_named("samid12"), (MessageId{MessageId::Kind::question, 12}));
+  EXPECT_EQ(question_named("mid12"), MessageId{});
+  EXPECT_EQ(question_named(""), MessageId{});
+  for (const char* const never :
+       {"samid", "samid007", "samid-1", "samid65537", "samid1x", "samid99999999999999999999"}) {
+    EXPECT_EQ(question_named(never), (MessageId{MessageId::Kind::question, 0})) << never;
+  }
+}
+
+TEST(Messages, ReachWhoBearsTheNameNow) {
+  System system;
+  system.provide("w.asl", "+hi <- .my_name(N); .print(N).");
+  system.add("ann", R"(
+    !s.
+    +!s <- .create_agent(w, "w.asl"); .send(w, tell, hi); .wait(10); .kill_agent(w);
+       .create_agent(v, "w.asl"); !missing; .create_agent(w, "w.asl"); .send(w, tell, hi);
+       .send(v, tell, hi); .send("w", tell, hi); .send([v, w, self], tell, hi).
+    +!missing <- .send(w, tell, hi).
+    -!missing[error_msg(M)] <- .print(M).
+    +hi <- .print(myself).)");
+  system.run();
+  EXPECT_THAT(system.printed,
+              ElementsAre("[w] w", "[ann] there is no agent w", "[w] w", "[v] v", "[ann] myself"));
+}
+
+TEST(Messages, WithAQuotedOrUnusualPerformativeArriveAsTheyAre) {
+  System system;
+  system.add("ann",
+             "!s. +!s <- .send(bob, \"tell\", a); .send(bob, 'achieve', b); "
+             ".send(bob, cfp, c, x); .send(bob, \"ask-one\", d(_)).");
+  system.add("bob",
+             "d(1). +a <- .print(a). +!b <- .print(b). "
+             "+!kqml_received(S, cfp, C, Id) <- .print(S, C, Id).");
+  system.run();
+  EXPECT_THAT(system.printed, ElementsAre("[bob] a", "[bob] anncmid3", "[bob] b"));
 }
 
 TEST(Messages, ToOneselfComeFromSelf) {

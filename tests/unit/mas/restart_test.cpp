@@ -48,6 +48,56 @@ std::vector<std::string> run(System& system, Mas& mas, int agents) {
   return seen;
 }
 
+// Whatever it is cut off in: a question, a timer, a wait, a suspended goal, a deadline,
+// subscriptions to the yellow pages, agents that were created, plans that were added, percepts not
+// looked at yet.
+constexpr std::string_view kPending = R"(
+  !ask. !later. !sleep. !late[hard_deadline(250)].
+  +!ask <- .create_agent(H, "w.asl"); .send(H, askOne, secret(_), A, 300); .print(H, A);
+     .send(H, tell, hi); .send(H, askOne, unknown(_), B, 200); .print(B);
+     .clone(C); .send(C, tell, made).
+  +!later <- .at("now +150 milliseconds", {+!due}); .df_subscribe(walker); .suspend; .print(goes_on).
+  +!due <- .print(due); .resume(later); .df_register(walker);
+     .add_plan({ @made +tick(4) <- .print(four) }); .relevant_plans({ +tick(_) }, _, L); .print(L).
+  +!sleep <- .wait({+provider(_, _)}, 1000, T); .print(woken, T); .stopMAS(300).
+  +!late <- .print(late, _); .wait(5000).
+  -!late[error(E)] <- .print(E).
+  ^!sleep[state(S)] <- .print(S).
+  +provider(A, S) <- .print(A, S).
+  +made <- .print(made); .my_name(M); .wait(50); .kill_agent(M).
+  +tick(T) <- .random(R); .print(tick(T), R); go; +gone(T).
+  +!kqml_received(A, achieve, C, Id) <- .print(A, C, Id).
+)";
+constexpr std::string_view kHelper = R"(
+  secret(7).
+  +hi[source(A)] <- .print(A); .send(A, achieve, greet(_)); .send(A, achieve, greet(1)).
+)";
+
+TEST(Restart, ForgetsWhatWasGoingOn) {
+  System system;
+  system.provide("w.asl", kHelper);
+  system.add("ann", kPending);
+  system.agents.front().settings.cycles_per_look = 3;
+  constexpr int kLastTick = 12;
+  TestWorld world(*system.symbols, kLastTick);
+  Mas fresh(system.symbols, system.options, &world);
+  const std::vector<std::string> expected = run(system, fresh, 2);
+  EXPECT_THAT(expected, testing::IsSupersetOf({"[a0] due", "[a1] goes_on", "[h] a0",
+                                               "[a0] [p__10[source(self)],made[source(self)]]"}));
+  TestWorld unused(*system.symbols, kLastTick);
+  Mas reused(system.symbols, system.options, &unused);
+  for (int steps = 0; steps <= kLastTick; ++steps) {
+    TestWorld cut(*system.symbols, kLastTick);
+    reused.restart(system.options, &cut);
+    for (int i = 0; i < 3; ++i) reused.add_agent(system.agents.front());
+    for (int i = 0; i < steps; ++i) (void)reused.step();
+    TestWorld again(*system.symbols, kLastTick);
+    reused.restart(system.options, &again);
+    EXPECT_EQ(run(system, reused, 2), expected) << "cut off after " << steps << " steps";
+    EXPECT_EQ(again.history, world.history);
+  }
+}
+
 TEST(Restart, ForgetsAllThatHappenedBefore) {
   System system;
   system.add("ann", kProgram);

@@ -1,0 +1,273 @@
+// The steps of a run: ticks of an environment, or cycles of all active agents while virtual time
+// stands still; and what happens between them.
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "interpreter/mas/system.h"
+
+namespace jaywalk {
+namespace {
+
+/// How long the virtual clock lets busy agents reason while it moves on by a millisecond, so that
+/// an agent that never rests does not keep the others from waking up. Few programs get there before
+/// they wait.
+constexpr std::uint64_t kStepsPerMs = 1000;
+
+/// How long a step may sleep in real time; between steps the run can be interrupted.
+constexpr double kLongestSleepMs = 20;
+
+double thread_cpu_s() {
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+void sleep_ms(double ms) {
+  if (ms > 0) std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(ms));
+}
+
+}  // namespace
+
+bool Mas::Implementation::step() {
+  if (ended_) return false;
+  environment_ != nullptr ? tick() : free_step(1);
+  if (residents_.has_leaving()) residents_.bury();
+  return !ended_;
+}
+
+bool Mas::Implementation::stride() {
+  if (ended_) return false;
+  Resident* const lone =
+      environment_ == nullptr && !options_.realtime ? residents_.lone_active() : nullptr;
+  if (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
+    reason_alone(*lone);
+  } else {
+    constexpr std::uint64_t kMostAtOnce = 32;
+    environment_ != nullptr ? tick() : free_step(kMostAtOnce);
+  }
+  if (residents_.has_leaving()) residents_.bury();
+  return !ended_;
+}
+
+// Free steps, as long as no other agent takes part and no time passes.
+void Mas::Implementation::reason_alone(Resident& resident) {
+  constexpr std::uint64_t kLongestStride = 64;  // cycles; then the caller may look at the clock
+  const std::uint64_t end = outcome_.cycles + kLongestStride;
+  do {
+    const std::uint64_t start = outcome_.cycles;
+    reason(resident, std::min(end - start, kStepsPerMs - busy_steps_));
+    if (ended_) return;
+    deliver_messages();
+    busy_steps_ += outcome_.cycles - start;
+    steps_ += outcome_.cycles - start;
+    if (busy_steps_ >= kStepsPerMs) {
+      pass_busy_ms();
+      return;
+    }
+  } while (outcome_.cycles < end && !residents_.has_woken() && !resident.is_leaving &&
+           resident.agent->is_active());
+}
+
+void Mas::Implementation::pass_busy_ms() {
+  busy_steps_ = 0;
+  now_ms_ += 1;
+  fire_timers();
+}
+
+double Mas::Implementation::wall_ms() const {
+  const std::chrono::duration<double, std::milli> passed =
+      std::chrono::steady_clock::now() - wall_start_;
+  return passed.count();
+}
+
+// Cycles of an agent that has something to do: `most` at most, and none after one in which it has
+// asked anything of others.
+void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
+  Agent& agent = *resident.agent;
+  if (resident.period != period_) {
+    resident.period = period_;
+    resident.cycles_before = agent.cycles();
+  }
+  most =
+      std::min(most - 1, options_.max_cycles_per_tick - (agent.cycles() - resident.cycles_before)) +
+      1;
+  if (options_.max_cycles > agent.cycles()) {
+    most = std::min(most, options_.max_cycles - agent.cycles());
+  }
+  has_business_ = false;
+  const std::uint64_t taken = agent.reason(most);
+  (beside_ != nullptr ? beside_->outbox.cycles : outcome_.cycles) += taken;
+  if (agent.cycles() - resident.cycles_before > options_.max_cycles_per_tick) {
+    end(RunEnd::looping, busy_message(agent, options_.max_cycles_per_tick));
+  } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
+    end(RunEnd::limit, fmt::format("agent {} has reasoned for {} cycles, the limit", agent.name(),
+                                   options_.max_cycles));
+  }
+  if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
+}
+
+std::string Mas::Implementation::busy_message(const Agent& agent, std::uint64_t cycles) {
+  std::string doing;
+  for (const auto& intention : agent.circumstance().intentions) {
+    if (intention->is_finished()) continue;
+    doing = fmt::format(", last in {}", agent.plan_name(*intention->top().plan));
+  }
+  return fmt::format("agent {} reasoned for {} cycles without waiting{}; it seems to loop for ever",
+                     agent.name(), cycles, doing);
+}
+
+// All agents reason, in rounds, until none has anything to do.
+void Mas::Implementation::reason_until_quiet() {
+  ++period_;
+  std::uint32_t rounds = 0;
+  do {
+    if (++rounds > options_.max_rounds) {
+      end(RunEnd::looping,
+          fmt::format("agents exchanged messages for {} rounds in one tick", options_.max_rounds));
+      return;
+    }
+    (void)round(Turn::until_idle);
+    if (ended_) return;
+  } while (deliver_messages());
+}
+
+void Mas::Implementation::tick() {
+  if (environment_->finished()) {
+    end(RunEnd::finished);
+    return;
+  }
+  look();
+  const double start = options_.measure_cpu ? thread_cpu_s() : 0;
+  update_percepts();
+  reason_until_quiet();
+  if (options_.measure_cpu) cpu_s_ += thread_cpu_s() - start;
+  if (ended_) return;
+  residents_.bury();
+  execute_actions();
+  environment_->advance();
+  now_ms_ += environment_->tick_ms();
+  if (options_.realtime) sleep_ms(now_ms_ - wall_ms());
+  fire_timers();
+  ++outcome_.ticks;
+  if (environment_->finished()) {
+    end(RunEnd::finished);
+  } else if (options_.max_ticks != 0 && outcome_.ticks >= options_.max_ticks) {
+    end(RunEnd::limit, fmt::format("{} ticks, the limit", options_.max_ticks));
+  }
+}
+
+void Mas::Implementation::look() {
+  for (Resident& resident : residents_.all()) {
+    if (!resident.has_body() || resident.is_leaving) continue;
+    resident.percepts->begin_look();
+    environment_->perceive(AgentId{resident.number}, *resident.percepts);
+    resident.percepts->end_look();
+  }
+}
+
+void Mas::Implementation::update_percepts() {
+  for (Resident& resident : residents_.all()) {
+    if (!resident.has_body() || resident.is_leaving) continue;
+    resident.agent->update_percepts(*resident.percepts);
+    resident.agent->rest();
+    if (resident.agent->is_active()) wake(resident);
+  }
+}
+
+void Mas::Implementation::execute_actions() {
+  requests_.clear();
+  actors_.clear();
+  for (Resident& resident : residents_.all()) {
+    if (!resident.has_body() || resident.is_leaving) continue;
+    const PendingAction* const action = resident.agent->take_action();
+    if (action == nullptr) continue;
+    const Value literal = action->literal;
+    const bool atom = literal.is_atom();
+    requests_.push_back({AgentId{resident.number},
+                         atom ? literal.atom_id() : literal.structure()->predicate(),
+                         atom ? std::span<const Value>{} : literal.structure()->arg_span()});
+    actors_.push_back(resident.agent.get());
+  }
+  results_.assign(requests_.size(), ActionResult{});
+  environment_->execute(requests_, results_);
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    actors_[i]->give_feedback(results_[i].succeeded, std::move(results_[i].reason));
+    wake(residents_.of(*actors_[i]));
+  }
+}
+
+void Mas::Implementation::fire_timers() {
+  while (!timers_.empty() && timers_.next_ms() <= now_ms_ && !ended_) {
+    const Timer timer = timers_.take();
+    if (timer.purpose == Timer::Purpose::stop) {
+      end(RunEnd::stopped);
+      return;
+    }
+    Resident& resident = residents_[timer.agent];
+    if (resident.is_leaving) continue;
+    if (timer.purpose == Timer::Purpose::departure) {
+      leave(resident);
+      continue;
+    }
+    resident.agent->timer_fired(timer.token);
+    resident.agent->rest();
+    if (resident.agent->is_active()) wake(resident);
+  }
+}
+
+// Without an environment: one cycle of every active agent; time passes when all are idle. Agents of
+// which none can tell when another reasons do several steps at once, each all of its cycles in a
+// row.
+void Mas::Implementation::free_step(std::uint64_t most) {
+  if (options_.realtime) {
+    now_ms_ = std::max(now_ms_, wall_ms());
+    fire_timers();
+  }
+  const std::uint64_t steps = can_run_ahead(most)
+                                  ? run_ahead(std::min(most, kStepsPerMs - busy_steps_))
+                                  : (round(Turn::one_cycle) ? 1 : 0);
+  steps_ += steps;
+  if (ended_) return;
+  if (!deliver_messages() && steps == 0) {
+    pass_idle_time();
+  } else if (!options_.realtime) {
+    busy_steps_ += std::max<std::uint64_t>(steps, 1);
+    if (busy_steps_ >= kStepsPerMs) pass_busy_ms();
+  }
+}
+
+// Timers that nobody waits for any more are not worth waiting for.
+void Mas::Implementation::drop_stale_timers() {
+  while (!timers_.empty()) {
+    const Timer& next = timers_.next();
+    if (next.purpose == Timer::Purpose::stop) return;
+    const Resident& resident = residents_[next.agent];
+    const bool is_wanted = !resident.is_leaving && (next.purpose == Timer::Purpose::departure ||
+                                                    resident.agent->expects_timer(next.token));
+    if (is_wanted) return;
+    (void)timers_.take();
+  }
+}
+
+void Mas::Implementation::pass_idle_time() {
+  drop_stale_timers();
+  if (timers_.empty()) {
+    end(RunEnd::idle);
+    return;
+  }
+  ++period_;
+  if (options_.realtime) {
+    sleep_ms(std::min(timers_.next_ms() - now_ms_, kLongestSleepMs));
+    return;
+  }
+  busy_steps_ = 0;
+  now_ms_ = std::max(now_ms_, timers_.next_ms());
+  fire_timers();
+}
+
+}  // namespace jaywalk
