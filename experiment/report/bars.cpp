@@ -49,7 +49,7 @@ std::string arrow(double x, double y, double way) {
                      -5 * way);
 }
 
-std::string box_row(const Box& box, const Axis& axis, double y) {
+std::string box_row(const Box& box, std::string_view noun, const Axis& axis, double y) {
   const Distribution& of = box.values;
   std::string row = svg_text(kLeft - 6, y + 3.5, "end", box.label, "class=\"small\"");
   if (of.count == 0) return row;
@@ -63,17 +63,18 @@ std::string box_row(const Box& box, const Axis& axis, double y) {
   drawn += svg_line(median, y - 4.5, median, y + 4.5, "stroke-width=\"2.5\"");
   if (std::isinf(of.greatest) && of.greatest > 0) drawn += arrow(kRight + 6, y, 1);
   if (std::isinf(of.least) && of.least < 0) drawn += arrow(kLeft - 3, y, -1);
-  return row +
-         fmt::format(
-             "<g>{}<title>{}: median {}, quartiles {} and {}, from {} to {}, {}</title></g>\n",
-             drawn, escaped(box.label), compact(of.median), compact(of.lower_quartile),
-             compact(of.upper_quartile), compact(of.least), compact(of.greatest),
-             plural(of.count, "test"));
+  const std::string lead = box.label.empty() ? "" : escaped(box.label) + ": ";
+  return row + fmt::format(
+                   "<g>{}<title>{}median {}, quartiles {} and {}, from {} to {}, {}</title></g>\n",
+                   drawn, lead, compact(of.median), compact(of.lower_quartile),
+                   compact(of.upper_quartile), compact(of.least), compact(of.greatest),
+                   plural(of.count, noun));
 }
 
 }  // namespace
 
-std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& groups) {
+std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& groups,
+                      std::string_view noun) {
   const Axis axis = value_axis(groups);
   std::string boxes;
   double y = 4;
@@ -82,7 +83,7 @@ std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& gro
     boxes += svg_text(kLeft, y + 11, "start", group.name, "class=\"name\"") + '\n';
     y += kNameLine;
     for (const Box& box : group.boxes) {
-      boxes += box_row(box, axis, y + kBoxLine / 2);
+      boxes += box_row(box, noun, axis, y + kBoxLine / 2);
       y += kBoxLine;
     }
     boxes += "</g>\n";

@@ -111,9 +111,18 @@ std::string figure(std::string_view caption, const std::string& picture) {
   return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption, picture);
 }
 
-std::string gallery(const std::string& figures) {
-  return fmt::format("<div class=\"gallery\">\n{}</div>\n", figures);
+std::string gallery(const std::string& figures, PictureSize size) {
+  const std::string_view classes = size == PictureSize::small  ? "gallery small"
+                                   : size == PictureSize::wide ? "gallery wide"
+                                                               : "gallery";
+  return fmt::format("<div class=\"{}\">\n{}</div>\n", classes, figures);
 }
+
+std::string term(std::string_view name, std::string_view html) {
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html);
+}
+
+std::string terms(std::string_view entries) { return fmt::format("<dl>\n{}</dl>\n", entries); }
 
 std::string legend(const std::vector<std::string>& names) {
   std::string items;

@@ -55,8 +55,13 @@ class Table {
 [[nodiscard]] std::string paragraph(std::string_view text);
 /// A picture with its caption.
 [[nodiscard]] std::string figure(std::string_view caption, const std::string& picture);
+enum class PictureSize { small, normal, wide };
 /// Pictures side by side, as many as there is room for.
-[[nodiscard]] std::string gallery(const std::string& figures);
+[[nodiscard]] std::string gallery(const std::string& figures,
+                                  PictureSize size = PictureSize::normal);
+/// An entry of a list of terms and what is said of them, and the list; both are HTML.
+[[nodiscard]] std::string term(std::string_view name, std::string_view html);
+[[nodiscard]] std::string terms(std::string_view entries);
 /// The names of series with their marks; switches them on and off.
 [[nodiscard]] std::string legend(const std::vector<std::string>& names);
 

@@ -52,12 +52,12 @@ Axis vertical_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series) 
   return {.least = least, .most = most, .begin = kBottom, .end = kTop, .scale = axes.scale};
 }
 
-Axis horizontal_axis(const std::vector<PlotSeries>& series) {
-  double most = 2;
+Axis horizontal_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series) {
+  double most = axes.x_most;
   for (const PlotSeries& each : series) {
     for (const PlotPoint& point : each.points) most = std::max(most, point.x);
   }
-  return {.least = 1, .most = most, .begin = kLeft + 8, .end = kRight - 8};
+  return {.least = axes.x_least, .most = most, .begin = kLeft + 8, .end = kRight - 8};
 }
 
 std::string frame(const PlotAxes& axes, const Axis& x, const Axis& y) {
@@ -68,7 +68,7 @@ std::string frame(const PlotAxes& axes, const Axis& x, const Axis& y) {
   }
   content += svg_line(kLeft, kBottom, kRight, kBottom, "class=\"axis\"");
   std::vector<double> marks = x.marks(x.most <= 10 ? 10 : 5);
-  if (marks.empty() || marks.front() > 1) marks.insert(marks.begin(), 1);
+  if (marks.empty() || marks.front() > x.least) marks.insert(marks.begin(), x.least);
   for (const double mark : marks) {
     if (mark != std::floor(mark)) continue;
     content += svg_line(x.at(mark), kBottom, x.at(mark), kBottom + 4, "class=\"axis\"");
@@ -107,7 +107,7 @@ std::string curve(const PlotSeries& series, const PlotAxes& axes, const Axis& x,
 }  // namespace
 
 std::string curves(const PlotAxes& axes, const std::vector<PlotSeries>& series) {
-  const Axis x = horizontal_axis(series);
+  const Axis x = horizontal_axis(axes, series);
   const Axis y = vertical_axis(axes, series);
   std::string content = frame(axes, x, y);
   for (const PlotSeries& each : series) {

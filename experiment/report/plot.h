@@ -38,13 +38,17 @@ struct PlotAxes {
   /// What the vertical axis shows at least.
   std::optional<double> least;
   std::optional<double> most;
+  /// Where the horizontal axis begins, and how far it goes at least.
+  double x_least = 1;
+  double x_most = 2;
 };
 
-/// Curves over whole numbers from 1.
+/// Curves over whole numbers.
 [[nodiscard]] std::string curves(const PlotAxes& axes, const std::vector<PlotSeries>& series);
 
 /// A box from quartile to quartile with the median, lines to the least and the greatest value.
 struct Box {
+  /// Short; may be empty, if the group has no other.
   std::string label;
   Distribution values;
 };
@@ -54,8 +58,10 @@ struct BoxGroup {
   std::vector<Box> boxes;
 };
 
-/// Lying box plots, group below group. What is infinite is drawn as an arrow at the edge.
-[[nodiscard]] std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& groups);
+/// Lying box plots, group below group, of values of which each belongs to one `noun`. What is
+/// infinite is drawn as an arrow at the edge.
+[[nodiscard]] std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& groups,
+                                    std::string_view noun = "test");
 
 struct Bar {
   std::string name;

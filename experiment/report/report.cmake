@@ -7,6 +7,7 @@ target_sources(jaywalk_experiment PRIVATE
   report/bars.cpp
   report/facts.cpp
   report/html.cpp
+  report/page.cpp
   report/plot.cpp
   report/replay_page.cpp
   report/report.cpp

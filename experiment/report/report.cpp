@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
-#include "experiment/report/html.h"
-#include "experiment/report/page.html.h"
-#include "interpreter/support/markup.h"
+#include "experiment/report/page.h"
 
 namespace jaywalk::reporting {
 namespace {
@@ -17,11 +13,6 @@ constexpr std::array kSections = {
 #include "experiment/report/sections.def"
 #undef JAYWALK_SECTION
 };
-
-void put(std::string& page, std::string_view place, std::string_view content) {
-  const auto at = page.find(place);
-  page.replace(at, place.size(), content);
-}
 
 std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
@@ -55,29 +46,12 @@ const Summary* find_summary(const Comparison& comparison, std::string_view behav
   return found == comparison.summaries.end() ? nullptr : &*found;
 }
 
-std::string render_page(std::string_view title, const std::string& body) {
-  std::string page(kPageHtml);
-  put(page, "<!--TITLE-->", escaped(title));
-  put(page, "<!--BODY-->", body);
-  return page;
-}
-
 std::string render_report(const ReportData& data) {
-  std::string contents;
-  std::string body;
+  std::vector<PageSection> written;
   for (const Section& section : sections()) {
-    const std::string content = section.render(data);
-    if (content.empty()) continue;
-    contents += fmt::format("<a href=\"#{}\">{}</a>\n", section.name, escaped(section.title));
-    body += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", section.name,
-                        escaped(section.title), content);
+    written.push_back({section.name, section.title, section.render(data)});
   }
-  const std::string_view name = file_name(data.comparison.scenario);
-  return render_page(
-      fmt::format("Jaywalk: {}", name),
-      fmt::format("<header><p class=\"kind\">Jaywalk test "
-                  "report</p><h1>{}</h1></header>\n<nav>{}</nav>\n<main>\n{}</main>\n",
-                  escaped(name), contents, body));
+  return render_page("Jaywalk test report", file_name(data.comparison.scenario), written);
 }
 
 }  // namespace jaywalk::reporting

@@ -75,9 +75,6 @@ struct Section {
 
 [[nodiscard]] std::string render_report(const ReportData& data);
 
-/// A page of the report's looks: everything between title and end is the caller's.
-[[nodiscard]] std::string render_page(std::string_view title, const std::string& body);
-
 /// Everything that the store has: what was judged and measured, the scenes, nothing is run again.
 /// The store must outlive the data.
 [[nodiscard]] Result<ReportData> read_report_data(const ResultsReader& store);

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "env/lane/road.h"
+#include "experiment/report/html.h"
+#include "experiment/report/page.h"
+#include "experiment/report/plot.h"
 #include "interpreter/support/markup.h"
-#include "search/report/svg.h"
-#include "search/suts/road_space.h"
+#include "search/report/roads.h"
 
 namespace jaywalk::search {
 namespace {
 
-constexpr std::size_t kShownRoads = 8;
-constexpr std::size_t kCurvePoints = 40;
+using Generators = std::vector<GeneratorResults>;
+
+constexpr std::size_t kCurvePoints = 20;
 
 /// Table 1 of Peltomäki, Spencer and Porres 2022: means and standard deviations over 20 runs.
 struct Published {
@@ -31,30 +35,92 @@ constexpr std::array kPublished = {
     Published{"diversity of failing tests", "16.41 (4.66)", "11.51 (4.59)", "16.85 (2.05)"},
 };
 
-std::string section(std::string_view title, std::string_view text, const std::string& content) {
-  return fmt::format("<h2>{}</h2>\n<p>{}</p>\n{}", escaped(title), escaped(text), content);
+std::vector<std::string> names_of(const Generators& generators) {
+  std::vector<std::string> names;
+  for (const GeneratorResults& each : generators) names.push_back(each.name);
+  return names;
 }
 
-std::string published_table() {
-  std::string html = "<table><tr><th></th><th>Random</th><th>WOGAN</th><th>Frenetic</th></tr>\n";
+std::string settings(const SearchExperiment& experiment, const Generators& generators) {
+  using reporting::term;
+  const std::string names = fmt::format("{}", fmt::join(names_of(generators), ", "));
+  return reporting::terms(term("system under test", escaped(experiment.sut)) +
+                          term("generators", escaped(names)) +
+                          term("repetitions", std::to_string(experiment.plan.repetitions)) +
+                          term("seed", std::to_string(experiment.plan.seed)) +
+                          term("a test fails", fmt::format("from a fitness of {} on ({})",
+                                                           experiment.plan.fitness.fails_at,
+                                                           escaped(experiment.measure))));
+}
+
+std::string results(const Generators& generators) {
+  reporting::Table table;
+  table.column("", reporting::Align::left);
+  for (const std::string& name : names_of(generators)) table.column(escaped(name));
+  for (const ResultRow& row : result_rows(generators)) {
+    std::vector<std::string> cells{escaped(row.title)};
+    cells.insert(cells.end(), row.cells.begin(), row.cells.end());
+    table.row(std::move(cells));
+  }
+  std::string html =
+      reporting::paragraph("Means and standard deviations; generation apart from execution.") +
+      table.html();
+  reporting::Table pairs;
+  pairs.column("", reporting::Align::left);
+  pairs.column("failing tests");
+  pairs.column("diversity");
+  for (const GeneratorPair& pair : compared(generators)) {
+    pairs.row({escaped(fmt::format("{} / {}", pair.first->name, pair.second->name)),
+               fmt::format("{:.2g}", pair.p(&RunSummary::failures)),
+               fmt::format("{:.2g}", pair.p(&RunSummary::diversity))});
+  }
+  if (!pairs.empty()) {
+    html += "<h3>Do two generators differ?</h3>\n" +
+            reporting::paragraph("p-values of Wilcoxon’s signed-rank test.") + pairs.html();
+  }
+  return html;
+}
+
+std::string published() {
+  reporting::Table table;
+  table.column("", reporting::Align::left);
+  for (const std::string_view name : {"Random", "WOGAN", "Frenetic"}) table.column(name);
   for (const Published& row : kPublished) {
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", row.quantity,
-                        row.random, row.wogan, row.frenetic);
+    table.row({std::string(row.quantity), std::string(row.random), std::string(row.wogan),
+               std::string(row.frenetic)});
   }
-  return html + "</table>\n";
+  return reporting::paragraph(
+             "Table 1 of Peltomäki, Spencer and Porres, SBST 2022, for BeamNG.tech.") +
+         table.html();
 }
 
-std::string boxes(std::string_view title, const std::vector<GeneratorResults>& generators,
-                  double RunSummary::*value) {
-  std::vector<Distribution> distributions;
-  for (const GeneratorResults& each : generators) {
-    distributions.push_back({each.name, each.values(value)});
+/// A figure with a box for each generator.
+std::string boxes(std::string_view title, const Generators& generators, double RunSummary::*value) {
+  std::vector<reporting::BoxGroup> groups;
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    groups.push_back({.name = generators[i].name,
+                      .number = i,
+                      .boxes = {{"", distribution(generators[i].values(value))}}});
   }
-  return box_plots(title, distributions);
+  return reporting::figure(title, reporting::box_plots(title, groups, "repetition"));
+}
+
+std::string failures(const Generators& generators) {
+  return reporting::paragraph("Over the repetitions (the paper’s Figure 2).") +
+         reporting::legend(names_of(generators)) +
+         reporting::gallery(boxes("failing tests", generators, &RunSummary::failures));
+}
+
+std::string diversity(const Generators& generators) {
+  return reporting::paragraph("Median distance between failing tests (the paper’s Figure 3).") +
+         reporting::legend(names_of(generators)) +
+         reporting::gallery(
+             boxes("diversity", generators, &RunSummary::diversity) +
+             boxes("diversity, angles unwrapped", generators, &RunSummary::unwrapped_diversity));
 }
 
 /// The mean fitness in each of many equal parts of a search, over all repetitions.
-Curve fitness_curve(const GeneratorResults& generator) {
+reporting::PlotSeries fitness_curve(const GeneratorResults& generator, std::size_t number) {
   std::vector<double> sums(kCurvePoints);
   std::vector<double> counts(kCurvePoints);
   for (const SearchRun* run : generator.runs) {
@@ -64,57 +130,75 @@ Curve fitness_curve(const GeneratorResults& generator) {
       counts[part] += 1;
     }
   }
-  for (std::size_t i = 0; i < kCurvePoints; ++i) sums[i] /= std::max(1.0, counts[i]);
-  return {generator.name, std::move(sums)};
+  reporting::PlotSeries series{.name = generator.name, .number = number};
+  for (std::size_t i = 0; i < kCurvePoints; ++i) {
+    if (counts[i] == 0) continue;
+    series.points.push_back(
+        {.x = 100 * static_cast<double>(i + 1) / kCurvePoints, .y = sums[i] / counts[i]});
+  }
+  return series;
 }
 
-/// Pictures of tests.
-class Roads {
- public:
-  Roads(const RoadSpace& space, std::string_view stroke) : space_(space), stroke_(stroke) {}
-
-  void add(const TestRow& row, std::string caption) {
-    roads_.push_back(
-        lane::interpolate(space_.road_points(row.test.input)).value_or(lane::Polyline{}));
-    captions_.push_back(std::move(caption));
+std::string fitness(const Generators& generators) {
+  std::vector<reporting::PlotSeries> series;
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    series.push_back(fitness_curve(generators[i], i));
   }
-  [[nodiscard]] bool full() const { return roads_.size() >= kShownRoads; }
-  [[nodiscard]] std::string svg() const {
-    return road_pictures(roads_, captions_, space_.settings().rules.map_m, stroke_);
-  }
+  const reporting::PlotAxes axes{.x_title = "% of the budget",
+                                 .y_title = "mean fitness",
+                                 .least = 0,
+                                 .most = 1,
+                                 .x_least = 0,
+                                 .x_most = 100};
+  return reporting::paragraph(fmt::format(
+             "Mean over the repetitions, in each {} % of a search’s tests.", 100 / kCurvePoints)) +
+         reporting::legend(names_of(generators)) +
+         reporting::gallery(reporting::figure("mean fitness", reporting::curves(axes, series)));
+}
 
- private:
-  const RoadSpace& space_;
-  std::string_view stroke_;
-  std::vector<std::vector<Point>> roads_;
-  std::vector<std::string> captions_;
-};
+/// What is said of one generator: hidden where the legend's switch is off.
+std::string of_generator(const GeneratorResults& generator, std::size_t number,
+                         const std::string& html) {
+  return fmt::format("<div data-series=\"{}\">\n<h3 {}>{}</h3>\n{}</div>\n", number,
+                     reporting::series_attributes(number), escaped(generator.name), html);
+}
 
-std::string failing_roads(const GeneratorResults& generator, const RoadSpace& space,
-                          std::string_view stroke) {
-  Roads roads(space, stroke);
+std::string failing_roads(const GeneratorResults& generator, RoadPictures roads) {
   for (const SearchRun* run : generator.runs) {
     for (std::size_t i = 0; i < run->tests.size() && !roads.full(); ++i) {
       if (!run->tests[i].test.failed) continue;
       roads.add(run->tests[i], fmt::format("run {}, test {}", run->repetition, i + 1));
     }
   }
-  return fmt::format("<h3>{}</h3>\n{}", escaped(generator.name), roads.svg());
+  const std::string pictures = roads.html();
+  return pictures.empty() ? reporting::paragraph("None.") : pictures;
 }
 
-std::string last_tests(const GeneratorResults& generator, const RoadSpace& space,
-                       std::string_view stroke) {
+std::string last_roads(const GeneratorResults& generator, RoadPictures roads) {
   if (generator.runs.empty()) return {};
-  Roads roads(space, stroke);
   const std::vector<TestRow>& tests = generator.runs.front()->tests;
-  for (std::size_t i = tests.size() - std::min(tests.size(), kShownRoads); i < tests.size(); ++i) {
+  const std::size_t shown = std::min(tests.size(), RoadPictures::kShown);
+  for (std::size_t i = tests.size() - shown; i < tests.size(); ++i) {
     roads.add(tests[i], fmt::format("{:.2f}", tests[i].test.fitness));
   }
-  return fmt::format("<h3>{}</h3>\n{}", escaped(generator.name), roads.svg());
+  return roads.html();
 }
 
-std::string clusters(const GeneratorResults& generator, const SearchSpace& space,
-                     const RoadSpace* roads_space, std::string_view stroke) {
+/// `explanation`, then the roads of each generator.
+std::string roads_of_all(std::string_view explanation, const Generators& generators,
+                         const RoadSpace* space,
+                         std::string (*roads_of)(const GeneratorResults& generator,
+                                                 RoadPictures roads)) {
+  if (space == nullptr) return {};
+  std::string html = reporting::paragraph(explanation);
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    html += of_generator(generators[i], i, roads_of(generators[i], RoadPictures(*space, i)));
+  }
+  return html;
+}
+
+std::string clusters_of(const GeneratorResults& generator, const SearchSpace& space,
+                        std::optional<RoadPictures> roads) {
   if (generator.runs.empty()) return {};
   std::vector<const TestRow*> failing;
   std::vector<std::vector<double>> signatures;
@@ -125,77 +209,56 @@ std::string clusters(const GeneratorResults& generator, const SearchSpace& space
   }
   const double reach = median_distance(signatures) / 2;
   const auto groups = cluster(signatures, reach);
-  std::string html = fmt::format("<h3>{}</h3>\n<p>{} failing tests of repetition 0 in {} clusters",
-                                 escaped(generator.name), failing.size(), groups.size());
-  html += groups.empty() ? ".</p>\n" : ", of";
-  for (std::size_t i = 0; i < std::min(groups.size(), 2 * kShownRoads); ++i) {
-    html += fmt::format(" {}", groups[i].size());
+  std::vector<std::size_t> sizes;
+  for (const auto& group : groups) {
+    if (sizes.size() < 2 * RoadPictures::kShown) sizes.push_back(group.size());
   }
-  if (!groups.empty()) html += " tests.</p>\n";
-  if (roads_space == nullptr) return html;
-  Roads roads(*roads_space, stroke);
-  for (std::size_t i = 0; i < groups.size() && !roads.full(); ++i) {
-    roads.add(*failing[groups[i].front()], fmt::format("{} tests", groups[i].size()));
+  std::string html = reporting::paragraph(fmt::format(
+      "{} failing tests of repetition 0 in {} clusters{}.", failing.size(), groups.size(),
+      sizes.empty() ? "" : fmt::format(", of {} tests", fmt::join(sizes, ", "))));
+  if (!roads) return html;
+  for (std::size_t i = 0; i < groups.size() && !roads->full(); ++i) {
+    roads->add(*failing[groups[i].front()], fmt::format("{} tests", groups[i].size()));
   }
-  return html + roads.svg();
+  return html + roads->html();
+}
+
+std::string clusters(const SearchExperiment& experiment, const Generators& generators,
+                     const RoadSpace* space) {
+  std::string html = reporting::paragraph(
+      "A test joins the first cluster whose founder is nearer than half the median distance; the "
+      "largest clusters’ founders are drawn.");
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    std::optional<RoadPictures> roads;
+    if (space != nullptr) roads.emplace(*space, i);
+    const SutModel& model = experiment.plan.model_of(experiment.plan.generators[i]);
+    html += of_generator(generators[i], i, clusters_of(generators[i], model.space(), roads));
+  }
+  return html;
 }
 
 }  // namespace
 
-std::string to_html(const SearchExperiment& experiment,
-                    const std::vector<GeneratorResults>& generators) {
-  const RoadSpace* roads = experiment.plan.model->road_space();
-  std::string html = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Jaywalk: {0}</title>\n"
-      "<style>body{{font-family:system-ui,sans-serif;max-width:1040px;margin:2em auto;"
-      "padding:0 1em;color:#222}}svg{{max-width:100%;height:auto}}pre{{overflow-x:auto;"
-      "font-size:12px}}table{{border-collapse:collapse}}td,th{{padding:.2em .8em;"
-      "border-bottom:1px solid #ddd;text-align:left}}</style>\n"
-      "<h1>{0}</h1>\n<p>System under test: {1}. {2} repetitions, seed {3}; a test fails from a "
-      "fitness of {4} on ({5}).</p>\n",
-      escaped(experiment.name), escaped(experiment.sut), experiment.plan.repetitions,
-      experiment.plan.seed, experiment.plan.fitness.fails_at, escaped(experiment.measure));
-  html += section("Results", "Means and standard deviations; generation apart from execution.",
-                  fmt::format("<pre>{}</pre>\n", escaped(render_table(generators))));
-  if (roads != nullptr) {
-    html += section("Published",
-                    "Table 1 of Peltomäki, Spencer and Porres, SBST 2022, for BeamNG.tech.",
-                    published_table());
-    std::string pictures;
-    for (std::size_t i = 0; i < generators.size(); ++i) {
-      pictures += failing_roads(generators[i], *roads, colour(i));
-    }
-    html += section("Failing roads", "The first ones of each generator (the paper's Figure 1).",
-                    pictures);
-  }
-  html += section("Failing tests", "Over the repetitions (the paper's Figure 2).",
-                  boxes("failing tests", generators, &RunSummary::failures));
-  html += section(
-      "Diversity", "Median distance between failing tests (the paper's Figure 3).",
-      boxes("diversity", generators, &RunSummary::diversity) +
-          boxes("diversity, angles unwrapped", generators, &RunSummary::unwrapped_diversity));
-  std::vector<Curve> lines;
-  for (const GeneratorResults& each : generators) lines.push_back(fitness_curve(each));
-  html += section("Fitness over time", "Mean over the repetitions; the budget from left to right.",
-                  curves("mean fitness", lines));
-  if (roads != nullptr) {
-    std::string pictures;
-    for (std::size_t i = 0; i < generators.size(); ++i) {
-      pictures += last_tests(generators[i], *roads, colour(i));
-    }
-    html += section("What the generators make",
-                    "The last tests of repetition 0 with their fitness.", pictures);
-  }
-  std::string groups;
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    const GeneratorSpec& spec = experiment.plan.generators[i];
-    groups += clusters(generators[i], experiment.plan.model_of(spec).space(), roads, colour(i));
-  }
-  html += section("Clusters of failures",
-                  "A test joins the first cluster whose founder is nearer than half the median "
-                  "distance; the largest clusters' founders are drawn.",
-                  groups);
-  return html + "</html>\n";
+std::string to_html(const SearchExperiment& experiment, const Generators& generators) {
+  const RoadSpace* const roads = experiment.plan.model->road_space();
+  const std::array sections = {
+      reporting::PageSection{"overview", "Overview", settings(experiment, generators)},
+      reporting::PageSection{"results", "Results", results(generators)},
+      reporting::PageSection{"published", "Published", roads == nullptr ? "" : published()},
+      reporting::PageSection{"failures", "Failing tests", failures(generators)},
+      reporting::PageSection{"diversity", "Diversity", diversity(generators)},
+      reporting::PageSection{"fitness", "Fitness over time", fitness(generators)},
+      reporting::PageSection{
+          "roads", "Failing roads",
+          roads_of_all("The first ones of each generator (the paper’s Figure 1).", generators,
+                       roads, failing_roads)},
+      reporting::PageSection{"generated", "What the generators make",
+                             roads_of_all("The last tests of repetition 0 with their fitness.",
+                                          generators, roads, last_roads)},
+      reporting::PageSection{"clusters", "Clusters of failures",
+                             clusters(experiment, generators, roads)},
+  };
+  return reporting::render_page("Jaywalk search report", experiment.name, sections);
 }
 
 }  // namespace jaywalk::search

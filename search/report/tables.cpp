@@ -26,18 +26,9 @@ bool exists(const SummaryColumn& column, const std::vector<GeneratorResults>& ge
   });
 }
 
-struct Pair {
-  const GeneratorResults* first;
-  const GeneratorResults* second;
-
-  [[nodiscard]] double p(double RunSummary::*value) const {
-    return wilcoxon_signed_rank(first->values(value), second->values(value));
-  }
-};
-
 /// Generators with the same number of searches.
-std::vector<Pair> pairs(const std::vector<GeneratorResults>& generators) {
-  std::vector<Pair> result;
+std::vector<GeneratorPair> pairs(const std::vector<GeneratorResults>& generators) {
+  std::vector<GeneratorPair> result;
   for (std::size_t i = 0; i < generators.size(); ++i) {
     for (std::size_t j = i + 1; j < generators.size(); ++j) {
       if (generators[i].runs.size() != generators[j].runs.size()) continue;
@@ -70,6 +61,28 @@ std::vector<GeneratorResults> group(const SearchExperiment& experiment,
   return generators;
 }
 
+std::vector<ResultRow> result_rows(const std::vector<GeneratorResults>& generators) {
+  std::vector<ResultRow> rows;
+  for (const SummaryColumn& column : summary_columns()) {
+    if (!exists(column, generators)) continue;
+    rows.push_back({column.title, {}});
+    for (const GeneratorResults& generator : generators) {
+      rows.back().cells.push_back(generator.runs.empty() ? "-" : cell(generator, column));
+    }
+  }
+  return rows;
+}
+
+double GeneratorPair::p(double RunSummary::*value) const {
+  return wilcoxon_signed_rank(first->values(value), second->values(value));
+}
+
+std::vector<GeneratorPair> compared(const std::vector<GeneratorResults>& generators) {
+  std::vector<GeneratorPair> all = pairs(generators);
+  if (!all.empty() && all.front().first->runs.size() < 2) all.clear();
+  return all;
+}
+
 std::string render_table(const std::vector<GeneratorResults>& generators) {
   constexpr std::size_t kTitle = 28;
   std::string text = fmt::format("{:<{}}", "mean (standard deviation)", kTitle);
@@ -77,18 +90,15 @@ std::string render_table(const std::vector<GeneratorResults>& generators) {
     text += fmt::format("  {:>16}", generator.name);
   }
   text += '\n';
-  for (const SummaryColumn& column : summary_columns()) {
-    if (!exists(column, generators)) continue;
-    text += fmt::format("{:<{}}", column.title, kTitle);
-    for (const GeneratorResults& generator : generators) {
-      text += fmt::format("  {:>16}", generator.runs.empty() ? "-" : cell(generator, column));
-    }
+  for (const ResultRow& row : result_rows(generators)) {
+    text += fmt::format("{:<{}}", row.title, kTitle);
+    for (const std::string& cell : row.cells) text += fmt::format("  {:>16}", cell);
     text += '\n';
   }
-  const std::vector<Pair> compared = pairs(generators);
-  if (compared.empty() || compared.front().first->runs.size() < 2) return text;
+  const std::vector<GeneratorPair> tested = compared(generators);
+  if (tested.empty()) return text;
   text += "\nWilcoxon signed-rank, p          failing tests   diversity\n";
-  for (const Pair& pair : compared) {
+  for (const GeneratorPair& pair : tested) {
     text += fmt::format("{:<32} {:>13.2g} {:>11.2g}\n",
                         fmt::format("{} / {}", pair.first->name, pair.second->name),
                         pair.p(&RunSummary::failures), pair.p(&RunSummary::diversity));
@@ -170,7 +180,7 @@ std::string to_json(const SearchExperiment& experiment,
   for (const GeneratorResults& generator : generators) {
     json["generators"].push_back(generator_json(generator));
   }
-  for (const Pair& pair : pairs(generators)) {
+  for (const GeneratorPair& pair : pairs(generators)) {
     json["comparisons"].push_back({{"first", pair.first->name},
                                    {"second", pair.second->name},
                                    {"p_failures", pair.p(&RunSummary::failures)},

@@ -3,6 +3,8 @@
 // The results of searches as text, CSV and JSON. Read statistics.h before.
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "search/experiment.h"
 #include "search/statistics.h"
@@ -21,6 +23,25 @@ struct GeneratorResults {
 /// Complete searches alone, in the order of the plan.
 [[nodiscard]] std::vector<GeneratorResults> group(const SearchExperiment& experiment,
                                                   const SearchResults& results);
+
+/// What a table says of generators, and what its cells are: mean and standard deviation.
+struct ResultRow {
+  std::string_view title;
+  /// In the order of the generators; `-` for one without a complete search.
+  std::vector<std::string> cells;
+};
+/// The columns of summaries in which some search has a value.
+[[nodiscard]] std::vector<ResultRow> result_rows(const std::vector<GeneratorResults>& generators);
+
+struct GeneratorPair {
+  const GeneratorResults* first;
+  const GeneratorResults* second;
+
+  /// Of Wilcoxon's signed-rank test.
+  [[nodiscard]] double p(double RunSummary::*value) const;
+};
+/// Those with the same number of searches, two or more.
+[[nodiscard]] std::vector<GeneratorPair> compared(const std::vector<GeneratorResults>& generators);
 
 /// Means and standard deviations for each generator, and Wilcoxon's p-values of failing tests and
 /// diversity for each pair.

@@ -11,33 +11,28 @@
 namespace jaywalk::reporting {
 namespace {
 
-std::string entry(std::string_view term, const std::string& html) {
-  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, html);
-}
-
 std::string facts_of(const ReportData& data) {
   const Comparison& comparison = data.comparison;
   const std::vector<std::string> behaviours = behaviours_of(comparison);
   std::uint64_t tests = 0;
   for (const Summary& summary : comparison.summaries) tests += summary.tests;
-  std::string list =
-      entry("scenario", fmt::format("<code>{}</code>", escaped(comparison.scenario)));
-  if (data.description.preset) list += entry("preset", escaped(*data.description.preset));
+  std::string list = term("scenario", fmt::format("<code>{}</code>", escaped(comparison.scenario)));
+  if (data.description.preset) list += term("preset", escaped(*data.description.preset));
   for (const std::string& set : data.description.sets) {
-    list += entry("set", fmt::format("<code>{}</code>", escaped(set)));
+    list += term("set", fmt::format("<code>{}</code>", escaped(set)));
   }
-  list += entry("behaviours", escaped(fmt::format("{}", fmt::join(behaviours, ", "))));
-  list += entry("numbers of agents", fmt::format("{}", fmt::join(agents_of(comparison), ", ")));
-  list += entry("tests", fmt::format("{} for each behaviour and number of agents, {} in all",
-                                     grouped(comparison.tests), grouped(tests)));
-  list += entry("seed", std::to_string(comparison.seed));
+  list += term("behaviours", escaped(fmt::format("{}", fmt::join(behaviours, ", "))));
+  list += term("numbers of agents", fmt::format("{}", fmt::join(agents_of(comparison), ", ")));
+  list += term("tests", fmt::format("{} for each behaviour and number of agents, {} in all",
+                                    grouped(comparison.tests), grouped(tests)));
+  list += term("seed", std::to_string(comparison.seed));
   const Shard& shard = data.description.shard;
-  if (shard.count > 1) list += entry("shard", fmt::format("{} of {}", shard.index, shard.count));
+  if (shard.count > 1) list += term("shard", fmt::format("{} of {}", shard.index, shard.count));
   if (!data.store_path.empty()) {
-    list += entry("store", fmt::format("<code>{}</code>, level {}", escaped(data.store_path),
-                                       name(data.description.level)));
+    list += term("store", fmt::format("<code>{}</code>, level {}", escaped(data.store_path),
+                                      name(data.description.level)));
   }
-  return fmt::format("<dl>\n{}</dl>\n", list);
+  return terms(list);
 }
 
 /// Where a measure is best for a behaviour.

@@ -93,7 +93,7 @@ std::string section::places(const ReportData& data) {
       "for all numbers of agents together; each picture has a scale of its own, which grows as the "
       "root of the number. The automated vehicle drives from left to right.",
       size_m);
-  return paragraph(explanation) + fmt::format("<div class=\"gallery wide\">\n{}</div>\n", figures);
+  return paragraph(explanation) + gallery(figures, PictureSize::wide);
 }
 
 }  // namespace jaywalk::reporting

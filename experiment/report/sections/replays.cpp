@@ -88,7 +88,7 @@ std::string section::replays(const ReportData& data) {
              "others</span>. The command plays the test in the terminal; <code>--html FILE</code> "
              "writes a page with the agents’ beliefs and intentions, <code>--png</code> and "
              "<code>--gif</code> pictures.") +
-         fmt::format("<div class=\"gallery wide\">\n{}</div>\n", figures);
+         gallery(figures, PictureSize::wide);
 }
 
 }  // namespace jaywalk::reporting

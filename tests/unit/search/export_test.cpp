@@ -89,17 +89,32 @@ TEST(CompetitionJson, HasPointsVerdictAndOutcome) {
   EXPECT_THAT(json, HasSubstr("\"interpolated_points\""));
 }
 
-TEST(Page, HasTheFiguresOfASearchThatIsNotAboutRoads) {
+/// Of a search that is not about roads, with that name.
+std::string small_page(const std::string& name) {
   SearchExperiment experiment;
-  experiment.name = "<corner>";
+  experiment.name = name;
   experiment.plan = corner_plan("graft", 60);
   experiment.plan.repetitions = 2;
   const SearchResults results = run_searches(experiment.plan, nullptr);
-  const std::string page = to_html(experiment, group(experiment, results));
+  return to_html(experiment, group(experiment, results));
+}
+
+TEST(Page, HasTheFiguresOfASearchThatIsNotAboutRoads) {
+  const std::string page = small_page("<corner>");
   EXPECT_THAT(page, HasSubstr("&lt;corner&gt;"));
   EXPECT_THAT(page, HasSubstr("failing tests"));
   EXPECT_THAT(page, testing::Not(HasSubstr("nan")));
   EXPECT_THAT(page, testing::Not(HasSubstr("<corner>")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("Failing roads"))) << "and nothing of roads";
+}
+
+TEST(Page, HasTheLooksOfTheOtherReports) {
+  const std::string page = small_page("corner");
+  EXPECT_THAT(page, HasSubstr("@media (prefers-color-scheme: dark)"));
+  EXPECT_THAT(page, HasSubstr("@media print"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"#fitness\">"));
+  EXPECT_THAT(page, HasSubstr("<title>graft, 100: ")) << "where the budget is spent";
+  EXPECT_THAT(page, HasSubstr("2 repetitions</title>")) << "of the boxes";
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+#pragma once
+
+// A page that needs nothing beside it: the looks that all reports share, light, dark, narrow and on
+// paper (page.html).
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace jaywalk::reporting {
+
+struct PageSection {
+  /// Of the section's anchor.
+  std::string_view name;
+  std::string_view title;
+  /// Sections without are left out.
+  std::string html;
+};
+
+/// `kind`: what the page is, above the title.
+[[nodiscard]] std::string render_page(std::string_view kind, std::string_view title,
+                                      std::span<const PageSection> sections);
+
+}  // namespace jaywalk::reporting
