@@ -7,6 +7,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/compile/term_reader.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -278,7 +279,7 @@ Outcome wait(ActionCall& call) {
   TriggerParts trigger;
   if (what.is_number()) {
     ms = std::max(0.0, what.as_number());
-  } else if (trigger_parts(what, call.symbols(), trigger)) {
+  } else if (read_trigger(what, call, trigger)) {
     wait.has_trigger = true;
     wait.op = trigger.op;
     wait.kind = trigger.kind;
@@ -306,7 +307,7 @@ Outcome at(ActionCall& call) {
   const double delay = parse_delay(text_of(call.arg(0), call.symbols()));
   if (delay < 0) return call.fail("internal_action", "a time is written like \"now +3 s\"");
   TriggerParts trigger;
-  if (!trigger_parts(call.arg(1), call.symbols(), trigger) || !is_literal(trigger.literal)) {
+  if (!read_trigger(call.arg(1), call, trigger) || !is_literal(trigger.literal)) {
     return call.wrong_argument(1, "a trigger like {+!g}");
   }
   call.agent()->schedule(
@@ -316,7 +317,7 @@ Outcome at(ActionCall& call) {
 
 Outcome signal(ActionCall& call) {
   TriggerParts trigger;
-  if (!trigger_parts(call.arg(0), call.symbols(), trigger) || !is_literal(trigger.literal)) {
+  if (!read_trigger(call.arg(0), call, trigger) || !is_literal(trigger.literal)) {
     return call.wrong_argument(0, "a trigger like {+b}");
   }
   Value literal = call.unifier().fresh_copy(trigger.literal);

@@ -179,7 +179,7 @@ class ProgramBuilder {
 
   void check_label(const Plan& plan, const ast::Plan& written) {
     if (!is_literal(plan.label) || written.label == nullptr ||
-        written.label->kind != ast::Kind::literal) {
+        written.label->kind != ast::Kind::literal || !written.label->args.empty()) {
       return;
     }
     const std::string label =

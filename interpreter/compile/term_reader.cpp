@@ -29,4 +29,11 @@ std::optional<Value> read_term(std::string_view text, ActionCall& call) {
   return term;
 }
 
+bool read_trigger(Value term, ActionCall& call, TriggerParts& parts) {
+  if (!term.is_text()) return trigger_parts(term, call.symbols(), parts);
+  const std::string text(term.text()->view());
+  const std::optional<Value> read = read_term("{" + text + "}", call);
+  return read && trigger_parts(*read, call.symbols(), parts);
+}
+
 }  // namespace jaywalk

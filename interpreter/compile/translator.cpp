@@ -322,6 +322,8 @@ Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
   if (plan.label != nullptr && plan.label->kind == ast::Kind::list) {
     // `@[atomic]`: annotations of a label without a name.
     label = heap_.structure(symbols_.predicate("", 0), {}, annotations(plan.label, scope));
+  } else if (plan.label != nullptr && !plan.label->args.empty()) {
+    label = heap_.structure(symbols_.predicate("", 0), {}, annotations(plan.label->annots, scope));
   } else if (plan.label != nullptr) {
     label = literal(*plan.label, scope);
   }

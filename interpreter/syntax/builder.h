@@ -107,6 +107,8 @@ class Builder {
   // Plans.
   void begin_plan();
   void plan_label();
+  /// A label has arguments, which say nothing; tolerated, with a warning.
+  void label_arguments();
   void trigger_operator();
   void trigger_kind();
   void end_trigger();

@@ -268,6 +268,11 @@ void Builder::plan_label() {
   plans_.back().depth = std::max(plans_.back().depth, label.depth);
 }
 
+void Builder::label_arguments() {
+  diagnostics_.warning({source_, next_->span}, "label-arguments",
+                       "a label has no arguments: the plan has its annotations, but no label");
+}
+
 void Builder::trigger_operator() {
   ast::Trigger& trigger = plans_.back().plan->trigger;
   trigger.span = token_->span;

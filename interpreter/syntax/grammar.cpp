@@ -197,9 +197,12 @@ BOOST_SPIRIT_DEFINE(body, body_term, body_factor, formula, statement, condition,
 
 const x3::rule<struct plan_tag> plan = "a plan";
 
+// As in older Jasons: `@found(_)[atomic]`.
+const auto label_arguments = Ahead{kOpen, "'('"} > act<&Builder::label_arguments> > arguments;
+
 const auto label = Terminal{K::at} >
                    Ahead{kName | set_of(K::variable, K::open_list), "the label of a plan"} >
-                   (list | (((name > act<&Builder::begin_literal>) |
+                   (list | (((name > act<&Builder::begin_literal> > -label_arguments) |
                              (variable > act<&Builder::begin_variable>)) > -annotations >
                             act<&Builder::end_label>)) > act<&Builder::plan_label>;
 

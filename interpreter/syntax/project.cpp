@@ -61,8 +61,16 @@ class Lexer {
       begin_ = at_;
       const Kind kind = read();
       tokens.push_back({kind, span(), text_.substr(begin_, at_ - begin_)});
+      if (tokens.back().text == "}") break;  // as Jason, which reads no further
     }
-    begin_ = at_ = text_.size();
+    skip_blanks();
+    begin_ = at_;
+    at_ = text_.size();
+    if (begin_ < at_) {
+      diagnostics_.warning({source_, {span().begin, span().begin + 1}}, "after-project",
+                           "what stands behind the project is left out");
+    }
+    begin_ = at_;
     tokens.push_back({Kind::end_of_text, span(), {}});
     return tokens;
   }
@@ -102,16 +110,24 @@ class Lexer {
       while (is_name(peek())) ++at_;
       return Kind::word;
     }
-    if (is_digit(c)) {
-      while (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
-      return Kind::number;
-    }
+    if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return read_number();
     if (c == '"') return read_string();
     ++at_;
     if (std::string_view("{}()[]:;,#=.").find(c) != std::string_view::npos) return Kind::symbol;
     while ((static_cast<unsigned char>(peek()) & 0xC0U) == 0x80U) ++at_;
     diagnostics_.error({source_, span()}, "unexpected character in a project");
     return Kind::bad;
+  }
+
+  // d+ | d*.d+([eE][+-]?d+)? | d+[eE][+-]?d+
+  Kind read_number() {
+    while (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
+    const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) {
+      at_ += 1 + sign;
+      while (is_digit(peek())) ++at_;
+    }
+    return Kind::number;
   }
 
   [[nodiscard]] bool is_drive() const {
@@ -170,7 +186,7 @@ class ProjectParser {
     if (const Token* name = expect_name("the name of the system")) project_.name = name->text;
     if (!expect("{")) return std::move(project_);
     while (!is("}") && !is(Kind::end_of_text)) section();
-    if (expect("}") && !is(Kind::end_of_text)) unexpected("the end of the project");
+    (void)expect("}");
     return std::move(project_);
   }
 
