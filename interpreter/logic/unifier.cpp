@@ -229,34 +229,118 @@ bool Unifier::unify_decorated(Value a, Value b) {
       heap().structure(bare, parts.args, keep_annots ? parts.annots : Value::empty_list()));
 }
 
+namespace {
+
+// The annotations of the second set while those of the first are looked for in their order, as
+// Jason does it: each from where the one before was found, the first variable from the start again.
+class AnnotationSearch {
+ public:
+  AnnotationSearch(Unifier& unifier, const SymbolTable& symbols)
+      : unifier_(unifier), symbols_(symbols) {}
+
+  // Both return the tail.
+  Value want(Value set);
+  Value offer(Value set);
+
+  [[nodiscard]] const std::vector<Value>& wanted() const { return wanted_; }
+  [[nodiscard]] const std::vector<Value>& left() const { return offered_; }
+  bool take(Value annot);
+
+ private:
+  static constexpr std::size_t kNone = SIZE_MAX;
+
+  bool take_variable(Value annot);
+
+  Unifier& unifier_;
+  const SymbolTable& symbols_;
+  std::vector<Value> wanted_;
+  std::vector<Value> offered_;
+  std::vector<Value> variables_;
+  std::size_t next_variable_ = 0;
+  std::size_t current_ = kNone;
+  std::size_t next_ = 0;
+  bool restarted_ = false;
+};
+
+Value AnnotationSearch::want(Value set) {
+  const bool is_sorted = set.is_closed();
+  for (; set.is_pair(); set = deref(set.pair()->tail)) {
+    const Value annot = deref(set.pair()->head);
+    wanted_.push_back(is_sorted ? annot : unifier_.apply(annot));
+  }
+  if (!is_sorted) {
+    std::stable_sort(wanted_.begin(), wanted_.end(),
+                     [&](Value x, Value y) { return compare_terms(x, y, symbols_) < 0; });
+  }
+  return set;
+}
+
+Value AnnotationSearch::offer(Value set) {
+  for (; set.is_pair(); set = deref(set.pair()->tail)) {
+    offered_.push_back(deref(set.pair()->head));
+    if (offered_.back().is_variable()) variables_.push_back(offered_.back());
+  }
+  return set;
+}
+
+bool AnnotationSearch::take(Value annot) {
+  if (annot.is_variable() && !restarted_) {
+    restarted_ = true;
+    current_ = kNone;
+    next_ = 0;
+  }
+  for (;;) {
+    if (current_ != kNone) {
+      if (unifier_.unify(annot, offered_[current_])) {
+        offered_.erase(offered_.begin() + static_cast<std::ptrdiff_t>(current_));
+        next_ = current_;
+        current_ = next_ < offered_.size() ? next_++ : kNone;
+        return true;
+      }
+      if (compare_terms(offered_[current_], annot, symbols_) > 0) return take_variable(annot);
+    }
+    if (next_ >= offered_.size()) return false;
+    current_ = next_++;
+  }
+}
+
+bool AnnotationSearch::take_variable(Value annot) {
+  return next_variable_ < variables_.size() && unifier_.unify(annot, variables_[next_variable_++]);
+}
+
+// The same for sets without variables.
+bool unify_closed_annotations(Unifier& unifier, Value a, Value b) {
+  for (; a.is_pair(); a = a.pair()->tail) {
+    const Value annot = a.pair()->head;
+    for (;; b = b.pair()->tail) {
+      if (!b.is_pair()) return false;
+      if (unifier.unify(annot, b.pair()->head)) break;
+      if (compare_terms(b.pair()->head, annot, unifier.symbols()) > 0) return false;
+    }
+    b = b.pair()->tail;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool Unifier::unify_annotations(Value a, Value b) {
   a = deref(a);
   b = deref(b);
   if (a.is_empty_list() || a.same_as(b)) return true;
-  std::vector<Value> available;
-  Value b_tail = b;
-  for (; b_tail.is_pair(); b_tail = deref(b_tail.pair()->tail)) {
-    available.push_back(b_tail.pair()->head);
-  }
+  if (a.is_closed() && b.is_closed()) return unify_closed_annotations(*this, a, b);
+  AnnotationSearch search(*this, symbols_);
+  const Value a_tail = search.want(a);
+  const Value b_tail = search.offer(b);
   std::vector<Value> missing;
-  Value a_tail = a;
-  for (; a_tail.is_pair(); a_tail = deref(a_tail.pair()->tail)) {
-    const Value wanted = a_tail.pair()->head;
-    const auto found = std::find_if(available.begin(), available.end(),
-                                    [&](Value annot) { return unify(wanted, annot); });
-    if (found != available.end()) {
-      available.erase(found);
-    } else if (b_tail.is_variable()) {
-      missing.push_back(wanted);
-    } else {
-      return false;
-    }
+  for (const Value annot : search.wanted()) {
+    if (search.take(annot)) continue;
+    if (!b_tail.is_variable()) return false;
+    missing.push_back(annot);
   }
-  if (a_tail.is_variable() && !unify_no_undo(a_tail, heap().list(available))) return false;
-  if (b_tail.is_variable() && !b_tail.same_as(a_tail)) {
-    return unify_no_undo(b_tail, heap().list(missing));
-  }
-  return true;
+  if (!missing.empty() && !unify_no_undo(b_tail, heap().list(missing))) return false;
+  return !a_tail.is_variable() || b_tail.same_as(a_tail) ||
+         unify_no_undo(a_tail, heap().list(search.left(), deref(b_tail)));
 }
 
 // Neither this nor build_term counts levels: templates are nested as deep as their text at most.

@@ -68,7 +68,7 @@ TEST(UnifierAnnotations, GiveTheRestToAnOpenTail) {
 TEST(UnifierAnnotations, GiveWhatIsMissingToTheOthersTail) {
   expect_bound({
       {"p[a,b]", "p[a|T]", "T", "[b]"},
-      {"p[a]", "p[a|T]", "T", "[]"},
+      {"p[a]", "p[a|T]", "T", "T"},
   });
 }
 
