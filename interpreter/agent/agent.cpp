@@ -137,7 +137,7 @@ void Agent::add_event(Event event) {
   if (observer_ != nullptr) observer_->event_posted(*this, event);
   if (!circumstance_.waits.empty()) check_waits(event);
   if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
-    signal_goal_state(event.kind, event.literal, "pending");
+    signal_goal_state(TriggerKind::achieve, event.literal, "pending");
   }
   if (event.intention != nullptr) {
     event.intention->state = Intention::State::in_event;

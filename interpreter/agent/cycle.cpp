@@ -109,6 +109,26 @@ TriggerKey Agent::key_of(const Event& event) {
   return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
+namespace {
+
+// Whether the trigger of one of the plans unifies with the event's literal.
+bool has_relevant(const std::vector<const Plan*>& plans, const Scope* scope, Value literal,
+                  Unifier& unifier) {
+  return std::any_of(plans.begin(), plans.end(), [&](const Plan* plan) {
+    const std::size_t trail = unifier.mark();
+    std::vector<Value> slots(plan->slot_count);
+    if (scope != nullptr && scope->owner != nullptr) {
+      for (const auto& [own, outer] : plan->inherited) slots[own] = scope->frame[outer];
+    }
+    const bool unifies =
+        unifier.match(plan->trigger, slots.data(), literal, Unifier::Direction::template_first);
+    unifier.undo(trail);
+    return unifies;
+  });
+}
+
+}  // namespace
+
 bool Agent::find_option(const Event& event, bool& had_candidates) {
   const bool has_function = customisation_ != nullptr && customisation_->select_option;
   const Relation* const selecting = beliefs_.find(predicates::select_option);
@@ -118,6 +138,18 @@ bool Agent::find_option(const Event& event, bool& had_candidates) {
   const bool found =
       by_rules ? select_by_rules(event, had_candidates) : find_first_option(event, had_candidates);
   deliberating_ = nullptr;
+  // Jason takes the rules one by one for these, and RelPl looks at the triggers.
+  const bool is_atomic = event.intention != nullptr && event.intention->is_atomic();
+  if (!found && had_candidates && (by_rules || is_atomic)) {
+    const TriggerKey key = key_of(event);
+    Unifier& unifier = machine().unifier();
+    had_candidates = has_relevant(library_->candidates(key), nullptr, event.literal, unifier);
+    std::shared_ptr<Scope> scope = is_atomic ? event.intention->top().scope : nullptr;
+    for (; scope != nullptr && !had_candidates; scope = scope->outer) {
+      had_candidates =
+          has_relevant(scope->library->candidates(key), scope.get(), event.literal, unifier);
+    }
+  }
   if (!found && observer_ != nullptr) observer_->no_plan(*this, event, had_candidates);
   return found;
 }
@@ -208,7 +240,7 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
   }
   if (plan.has_goal_condition) ++goal_conditions_;
   if (plan.atomic) circumstance_.atomic_suspended = false;
-  if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
+  if (event.op == TriggerOperator::add && event.kind == TriggerKind::achieve) {
     signal_goal_state(event.kind, event.literal, "executing");
   }
   make_ready(intention);
@@ -241,9 +273,8 @@ bool Agent::no_plan(const Event& event, bool had_candidates) {
   if (event.kind != TriggerKind::belief && event.op != TriggerOperator::goal_state) {
     ActionError error;
     error.id = had_candidates ? "no_applicable" : "no_relevant";
-    error.message =
-        std::string(had_candidates ? "no applicable plan for " : "no relevant plan for ") +
-        trigger_text(event);
+    error.message = std::string("Found a goal for which there is no ") +
+                    (had_candidates ? "applicable" : "relevant") + " plan: " + trigger_text(event);
     fail_event(event, error);
     return true;
   }

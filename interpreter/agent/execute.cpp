@@ -21,6 +21,31 @@ ActionError make_error(std::string id, std::string message) {
   return error;
 }
 
+// A formula without its operator, with the variables' names in place of their values.
+std::string text_as_written(Unifier& unifier, const Plan& plan, const Step& step) {
+  ScratchSlots slots(unifier, plan.slot_count);
+  std::string text = term_text(unifier.instantiate(step.source, slots.data()), unifier.symbols());
+  const std::size_t begin = text.find_first_not_of("?!+-<>");
+  return begin == std::string::npos ? text : text.substr(begin);
+}
+
+// The variable of the step has a value, or none, with which it is no formula.
+ActionError variable_error(std::string id, Unifier& unifier, const Plan& plan, const Step& step,
+                           Value value) {
+  const std::string place = "file:" + plan.file + ":" + std::to_string(step.line) + ": ";
+  const std::string name = "'" + text_as_written(unifier, plan, step) + "'";
+  std::string message = place;
+  if (id == "body_var_without_value") {
+    message += "Variable " + name + " must be ground.";
+  } else if (id == "body_var_with_op") {
+    message += "The operator is lost with the variable " + name + " unified with a plan body.";
+  } else {
+    message += "Variable " + name + " must be a Literal and not '" +
+               term_text(value, unifier.symbols()) + "'.";
+  }
+  return make_error(std::move(id), std::move(message));
+}
+
 }  // namespace
 
 void Agent::execute(Intention& intention) {
@@ -246,7 +271,12 @@ void Agent::fail_test(Intention& intention, const Step& step) {
     }
   }
   fail(intention,
-       make_error("test_goal_failed", "Failed to test '" + term_text(term, symbols_) + "'"));
+       make_error("test_goal_failed",
+                  "Failed to test '" +
+                      (step.kind == Step::Kind::test
+                           ? text_as_written(machine().unifier(), *intention.top().plan, step)
+                           : term_text(term, symbols_)) +
+                      "'"));
 }
 
 void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
@@ -268,9 +298,12 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
     execute_replace(intention, literal);
     return;
   }
-  const std::size_t trail = removes ? 0 : machine().unifier().mark();
+  if (removes) record_bindings(intention, 0);
+  const std::size_t trail = machine().unifier().mark();
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
   const bool changed = removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
+  // What is deleted gives its values to the intention if it handles the event.
+  if (removes && (!changed || focus == nullptr)) machine().unifier().undo(trail);
   record_bindings(intention, trail);
   if (!changed || new_focus) go_on(intention);
 }
@@ -299,7 +332,8 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
   const bool is_named =
       is_form(value, Form::decorated) && is_literal(deref(value.structure()->arg(0)));
   if (is_open && !(is_named && step.variable_kind == Step::Kind::test)) {
-    fail(intention, make_error("body_var_without_value", "a variable in the body has no value"));
+    fail(intention,
+         variable_error("body_var_without_value", machine().unifier(), *means.plan, step, value));
     return;
   }
   if (step.variable_kind == Step::Kind::test) {
@@ -309,9 +343,14 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
   const bool has_operator = step.variable_kind != Step::Kind::action;
   if (is_form(value, Form::body)) {
     if (has_operator) {
-      fail(intention, make_error("body_var_with_op", "a plan body cannot have an operator"));
+      fail(intention,
+           variable_error("body_var_with_op", machine().unifier(), *means.plan, step, value));
       return;
     }
+  } else if (!is_literal(value) && !value.is_structure()) {
+    fail(intention,
+         variable_error("body_var_not_literal", machine().unifier(), *means.plan, step, value));
+    return;
   } else if (has_operator) {
     if (step.variable_kind == Step::Kind::achieve ||
         step.variable_kind == Step::Kind::achieve_new_focus) {

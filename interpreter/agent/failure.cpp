@@ -39,10 +39,12 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
   if (!has_message) annots.push_back(annot("error_msg", heap_.text(error.message)));
   annots.push_back(
       annot("code", code.is_unset() ? Value::atom(symbols_.predicate("no_code", 0)) : code));
-  if (line > 0 && intention != nullptr) {
-    annots.push_back(annot("code_src", heap_.text("file:" + intention->top().plan->file)));
-    annots.push_back(annot("code_line", Value::number(line)));
-  }
+  // Goals that come from nowhere in the program have these annotations, too.
+  const bool has_place = line > 0 && intention != nullptr;
+  const Value no_code = Value::atom(symbols_.predicate("no_code", 0));
+  annots.push_back(
+      annot("code_src", has_place ? heap_.text("file:" + intention->top().plan->file) : no_code));
+  annots.push_back(annot("code_line", has_place ? Value::number(line) : no_code));
   const Value set = sorted_set(heap_, heap_.list(annots), symbols_);
   literal = machine().unifier().apply(literal);
   return with_annotations(heap_, literal,

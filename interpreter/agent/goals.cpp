@@ -281,7 +281,7 @@ void Agent::resume_goal(Value goal) {
   for (const Event& event : moved) {
     if (event.op == TriggerOperator::add) {
       signal_goal_state(event.kind, event.literal, "resumed", reason);
-      signal_goal_state(event.kind, event.literal, "pending");
+      signal_goal_state(TriggerKind::achieve, event.literal, "pending");
     }
     c.events.push_back(event);
   }

@@ -192,8 +192,9 @@ void Agent::end_ask(const PendingAsk& ask, Value answer) {
   }
   ActionError error;
   error.id = "ask_failed";
-  error.message = fmt::format("the answer {} does not unify with {}", term_text(answer, symbols_),
-                              term_text(ask.answer, symbols_));
+  error.message = fmt::format(
+      "reply of an ask message ('{}') does not unify with fourth argument of .send ('{}')",
+      term_text(answer, symbols_), term_text(ask.answer, symbols_));
   fail_waiting(intention, error);
 }
 

@@ -39,7 +39,7 @@ bool Agent::select_by_rules(const Event& event, bool& had_candidates) {
   if (options.empty() || !is_goal) return false;
   ActionError error;
   error.id = "no_option";
-  error.message = "no option is selected for " + trigger_text(event);
+  error.message = "selectOption returned null";
   fail_event(event, error);
   return true;
 }
