@@ -186,7 +186,7 @@ class Lexer {
       if (c == ' ' || c == '\n' || c == '\t' || c == '\r') continue;
       if (c != '/') return;
       if (peek(1) == '/') {
-        at_ = std::min(text_.find('\n', at_), text_.size() - 1);
+        at_ = std::min(text_.find_first_of("\n\r", at_), text_.size() - 1);
       } else if (peek(1) == '*') {
         skip_long_comment();
       } else {

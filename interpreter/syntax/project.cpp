@@ -86,7 +86,7 @@ class Lexer {
   void skip_blanks() {
     while (at_ < text_.size()) {
       if (text_.substr(at_).starts_with("//")) {
-        at_ = std::min(text_.find('\n', at_), text_.size());
+        at_ = std::min(text_.find_first_of("\n\r", at_), text_.size());
       } else if (text_.substr(at_).starts_with("/*")) {
         begin_ = at_;
         const std::size_t end = text_.find("*/", at_ + 2);

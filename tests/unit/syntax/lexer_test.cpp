@@ -53,6 +53,7 @@ TEST(Lexer, TakesTheLongestMatch) {
            Row{"X<:Y", "$X <: $Y"},
            Row{"a|&|b|||c|d", "a |&| b ||| c | d"},
            Row{"X--1 X- -1; -+b", "$X - - #1 $X - - #1 ; -+ b"},
+           Row{"a // b\rc // d\r\ne", "a c e"},
            Row{"X\n--b a--b", "$X -- b a -- b"},
            Row{"++b +<b +>b !!g", "++ b +< b +> b !! g"},
            Row{"X=..L X\\==Y X==Y X=Y", "$X =.. $L $X \\== $Y $X == $Y $X = $Y"},
