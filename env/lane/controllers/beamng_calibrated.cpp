@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "env/lane/controllers/controllers.h"
-#include "env/lane/controllers/speed_plan.h"
+#include "env/lane/controllers/path_follower.h"
 #include "env/lane/elastic_band.h"
 
 namespace jaywalk::lane::controller::beamng_calibrated {
@@ -22,15 +22,7 @@ enum Parameter : std::size_t {
   kStiffness,
   kLeft,
   kRight,
-  kLateral,
-  kPlanBrake,
-  kPreview,
-  kSpeedGain,
-  kAcceleration,
-  kBrake,
-  kLatency,
-  kLag,
-  kRate,
+  kOwnParameters,
 };
 
 constexpr std::array kParameters = {
@@ -62,50 +54,33 @@ BandParameters band(const ControllerSetup& setup) {
   return parameters;
 }
 
-SpeedPlanParameters speeds(const ControllerSetup& setup) {
-  return {.speed_limit_mps = setup.speed_limit_mps,
-          .lateral_acceleration = setup.values[kLateral],
-          .braking = setup.values[kPlanBrake],
-          .preview_m = setup.values[kPreview],
-          .latency_s = setup.values[kLatency],
-          .gain = setup.values[kSpeedGain],
-          .most_acceleration = setup.values[kAcceleration],
-          .most_braking = setup.values[kBrake]};
-}
+static_assert(kParameters.size() == kOwnParameters + PathFollower::kParameters);
 
 class BandFollower : public Controller {
  public:
   explicit BandFollower(const ControllerSetup& setup)
       : vehicle_(setup.vehicle),
         values_(setup.values),
-        path_(elastic_band(lane_centre(setup.road), band(setup))),
-        plan_(path_, speeds(setup)) {}
+        follower_(setup, elastic_band(lane_centre(setup.road), band(setup))) {}
 
   Command command(const VehicleState& state) override {
-    near_ = path_.nearest({state.x_m, state.y_m}, near_);
-    const double heading = path_.heading(near_);
-    const std::size_t ahead =
-        path_.ahead(near_, values_[kPreviewLeast] + values_[kPreviewTime] * state.speed_mps);
-    const double lateral = (state.y_m - path_.point(near_).y_m) * std::cos(heading) -
-                           (state.x_m - path_.point(near_).x_m) * std::sin(heading);
+    follower_.move_to({state.x_m, state.y_m});
+    const std::size_t ahead = follower_.path().ahead(
+        follower_.near(), values_[kPreviewLeast] + values_[kPreviewTime] * state.speed_mps);
     const double steering =
-        std::atan(vehicle_.wheelbase_m() * path_.curvature(ahead) * values_[kFeedForward]) -
-        values_[kLateralGain] * lateral / std::max(1.0, state.speed_mps) -
-        values_[kHeadingGain] * wrapped(state.heading_rad - heading);
-    return {plan_.acceleration(path_, near_, state.speed_mps),
-            std::clamp(steering, -vehicle_.most_steering_rad, vehicle_.most_steering_rad)};
+        std::atan(vehicle_.wheelbase_m() * follower_.path().curvature(ahead) *
+                  values_[kFeedForward]) -
+        values_[kLateralGain] * follower_.lateral_m() / std::max(1.0, state.speed_mps) -
+        values_[kHeadingGain] * wrapped(state.heading_rad - follower_.heading());
+    return follower_.command(steering, state.speed_mps);
   }
 
-  [[nodiscard]] Actuator actuator() const override {
-    return {values_[kLatency], values_[kLag], values_[kRate]};
-  }
+  [[nodiscard]] Actuator actuator() const override { return follower_.actuator(); }
 
  private:
   const VehicleParameters& vehicle_;
   std::span<const double> values_;
-  Path path_;
-  SpeedPlan plan_;
-  std::size_t near_ = 0;
+  PathFollower follower_;
 };
 
 }  // namespace

@@ -3,12 +3,11 @@
 // equation 5): the heading error plus the angle whose tangent is the front axle's lateral error
 // over the speed.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "env/lane/controllers/controllers.h"
-#include "env/lane/controllers/speed_plan.h"
+#include "env/lane/controllers/path_follower.h"
 
 namespace jaywalk::lane::controller::stanley {
 namespace {
@@ -16,15 +15,7 @@ namespace {
 enum Parameter : std::size_t {
   kGain,
   kSoftening,
-  kLateral,
-  kPlanBrake,
-  kPreview,
-  kSpeedGain,
-  kAcceleration,
-  kBrake,
-  kLatency,
-  kLag,
-  kRate,
+  kOwnParameters,
 };
 
 constexpr std::array kParameters = {
@@ -41,49 +32,30 @@ constexpr std::array kParameters = {
     NumberParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
 };
 
-SpeedPlanParameters speeds(const ControllerSetup& setup) {
-  return {.speed_limit_mps = setup.speed_limit_mps,
-          .lateral_acceleration = setup.values[kLateral],
-          .braking = setup.values[kPlanBrake],
-          .preview_m = setup.values[kPreview],
-          .latency_s = setup.values[kLatency],
-          .gain = setup.values[kSpeedGain],
-          .most_acceleration = setup.values[kAcceleration],
-          .most_braking = setup.values[kBrake]};
-}
+static_assert(kParameters.size() == kOwnParameters + PathFollower::kParameters);
 
 class Stanley : public Controller {
  public:
   explicit Stanley(const ControllerSetup& setup)
-      : vehicle_(setup.vehicle),
+      : front_axle_m_(setup.vehicle.front_axle_m),
         values_(setup.values),
-        path_(lane_centre(setup.road)),
-        plan_(path_, speeds(setup)) {}
+        follower_(setup, lane_centre(setup.road)) {}
 
   Command command(const VehicleState& state) override {
-    const Point front{state.x_m + vehicle_.front_axle_m * std::cos(state.heading_rad),
-                      state.y_m + vehicle_.front_axle_m * std::sin(state.heading_rad)};
-    near_ = path_.nearest(front, near_);
-    const double heading = path_.heading(near_);
-    const double lateral = (front.y_m - path_.point(near_).y_m) * std::cos(heading) -
-                           (front.x_m - path_.point(near_).x_m) * std::sin(heading);
+    follower_.move_to({state.x_m + front_axle_m_ * std::cos(state.heading_rad),
+                       state.y_m + front_axle_m_ * std::sin(state.heading_rad)});
     const double steering =
-        wrapped(heading - state.heading_rad) -
-        std::atan(values_[kGain] * lateral / (values_[kSoftening] + state.speed_mps));
-    return {plan_.acceleration(path_, near_, state.speed_mps),
-            std::clamp(steering, -vehicle_.most_steering_rad, vehicle_.most_steering_rad)};
+        wrapped(follower_.heading() - state.heading_rad) -
+        std::atan(values_[kGain] * follower_.lateral_m() / (values_[kSoftening] + state.speed_mps));
+    return follower_.command(steering, state.speed_mps);
   }
 
-  [[nodiscard]] Actuator actuator() const override {
-    return {values_[kLatency], values_[kLag], values_[kRate]};
-  }
+  [[nodiscard]] Actuator actuator() const override { return follower_.actuator(); }
 
  private:
-  const VehicleParameters& vehicle_;
+  double front_axle_m_;
   std::span<const double> values_;
-  Path path_;
-  SpeedPlan plan_;
-  std::size_t near_ = 0;
+  PathFollower follower_;
 };
 
 }  // namespace
