@@ -13,37 +13,9 @@
 namespace jaywalk {
 namespace {
 
-using testing_scenario::behaviour;
-using testing_scenario::project_file;
-
-std::shared_ptr<const PreparedScenario> scenario(const std::string& name,
-                                                 std::vector<std::string> sets = {}) {
-  Result<Scenario> read = read_scenario(project_file("scenarios/" + name + ".yaml"),
-                                        {.preset = {}, .sets = std::move(sets), .behaviours = {}});
-  EXPECT_TRUE(read.ok()) << read.diagnostics().render();
-  Diagnostics warnings;
-  auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
-  EXPECT_TRUE(prepared.ok()) << prepared.diagnostics().render();
-  return prepared.value();
-}
-
-struct Seen {
-  CrossingResult outcome;
-  Recording recording;
-};
-
-Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
-         std::uint64_t test) {
-  Seen seen;
-  TrialOptions options;
-  options.record = &seen.recording;
-  const TrialResult result = run_trial(
-      prepared, {.behaviour = behaviour(prepared, name), .agents = agents, .seed = 0, .test = test},
-      options);
-  EXPECT_TRUE(result.completed) << result.message;
-  seen.outcome = result.outcome;
-  return seen;
-}
+using testing_scenario::run;
+using testing_scenario::scenario;
+using testing_scenario::Seen;
 
 int successes(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
               std::uint64_t tests) {

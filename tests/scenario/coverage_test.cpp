@@ -12,16 +12,7 @@ namespace {
 
 using testing_scenario::behaviour;
 using testing_scenario::paper;
-using testing_scenario::project_file;
-
-std::shared_ptr<const PreparedScenario> scenario(const std::string& name) {
-  auto read = read_scenario(project_file("scenarios/" + name + ".yaml"));
-  EXPECT_TRUE(read.ok()) << read.diagnostics().render();
-  Diagnostics warnings;
-  auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
-  EXPECT_TRUE(prepared.ok()) << prepared.diagnostics().render();
-  return prepared.value();
-}
+using testing_scenario::scenario;
 
 TEST(AnObserver, ChangesNoTest) {
   const auto prepared = paper();

@@ -1,6 +1,5 @@
 // What the case study asks of judging and logging (section 7): each is shown by a scenario.
 
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -13,47 +12,17 @@
 namespace jaywalk {
 namespace {
 
-using testing_scenario::behaviour;
-using testing_scenario::project_file;
+using testing_scenario::run;
+using testing_scenario::scenario;
+using testing_scenario::verdicts;
 
-std::shared_ptr<const PreparedScenario> scenario(const std::string& name,
-                                                 std::vector<std::string> sets = {}) {
-  auto read = read_scenario(project_file("scenarios/" + name + ".yaml"),
-                            {.preset = {}, .sets = std::move(sets), .behaviours = {}});
-  EXPECT_TRUE(read.ok()) << read.diagnostics().render();
-  Diagnostics warnings;
-  auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
-  EXPECT_TRUE(prepared.ok()) << prepared.diagnostics().render();
-  return prepared.value();
-}
-
-Recording recorded(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
-                   std::uint64_t test) {
-  Recording recording;
-  (void)run_trial(prepared,
-                  {.behaviour = behaviour(prepared, name), .agents = agents, .test = test},
-                  {.record = &recording});
-  return recording;
-}
-
-VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,
-                       std::string_view id) {
-  const auto& assertions = prepared.scenario().assertions;
-  const auto assertion = std::ranges::find(assertions, id, &Assertion::id);
-  const Ground on = ground(prepared.scenario().world);
-  VerdictCounts counts;
-  for (std::uint64_t test = 0; test < 60; ++test) {
-    const Recording recording = recorded(prepared, name, 1, test);
-    ++counts.tests[static_cast<std::size_t>(judge(*assertion, TestView(recording, on)).verdict)];
-  }
-  return counts;
-}
+constexpr std::uint64_t kTests = 60;
 
 double mean_naturalness(const PreparedScenario& prepared, const std::string& name) {
   const Ground on = ground(prepared.scenario().world);
   double sum = 0;
   for (std::uint64_t test = 0; test < 100; ++test) {
-    const Recording recording = recorded(prepared, name, 3, test);
+    const Recording recording = run(prepared, name, 3, test).recording;
     sum += measured(*find_metric("natural_steps"), TestView(recording, on))->value;
   }
   return sum / 100;
@@ -68,18 +37,21 @@ TEST(Naturalness, TellsPedestriansWhoMoveAsPeopleDoFromThoseWhoDoAnything) {  //
 }
 
 TEST(RulesOfTheRoad, AreBrokenByAnAvThatIsTooFast) {  // F22
-  EXPECT_EQ(verdicts(*scenario("rules_of_the_road"), "near", "speed_limit").of(Verdict::fail), 0U);
+  EXPECT_EQ(
+      verdicts(*scenario("rules_of_the_road"), "near", "speed_limit", kTests).of(Verdict::fail),
+      0U);
   const auto fast = scenario("rules_of_the_road", {"world.av.speed_mps=12"});
-  EXPECT_EQ(verdicts(*fast, "near", "speed_limit").of(Verdict::pass), 0U);
-  EXPECT_EQ(verdicts(*fast, "near", "lane_keeping").of(Verdict::fail), 0U);
+  EXPECT_EQ(verdicts(*fast, "near", "speed_limit", kTests).of(Verdict::pass), 0U);
+  EXPECT_EQ(verdicts(*fast, "near", "lane_keeping", kTests).of(Verdict::fail), 0U);
 }
 
 TEST(Avoidability, TellsCollisionsThatNobodyAvoidsFromThoseOfABadDriver) {  // F23
   const auto constant = scenario("rules_of_the_road", {"world.av.model=constant"});
-  const VerdictCounts bad = verdicts(*constant, "near", "avoidability");
+  const VerdictCounts bad = verdicts(*constant, "near", "avoidability", kTests);
   EXPECT_GT(bad.of(Verdict::fail), 0U);
   EXPECT_GT(bad.of(Verdict::unavoidable), 0U);
-  const VerdictCounts good = verdicts(*scenario("rules_of_the_road"), "near", "avoidability");
+  const VerdictCounts good =
+      verdicts(*scenario("rules_of_the_road"), "near", "avoidability", kTests);
   EXPECT_EQ(good.of(Verdict::fail), 0U);
   EXPECT_EQ(good.of(Verdict::unavoidable), bad.of(Verdict::unavoidable))
       << "what nobody avoids does not depend on who drives";
@@ -89,7 +61,7 @@ TEST(APlaceOnTheEarth, IsWhereTheStoresPointsLie) {  // F10
   const auto prepared = scenario("geospatial");
   const Placement placement(prepared->scenario().anchor);
   EXPECT_EQ(placement.srs_id(), 32630);
-  const Recording recording = recorded(*prepared, "intersect", 3, 0);
+  const Recording recording = run(*prepared, "intersect", 3, 0).recording;
   const ActorState& first = recording.scene(0)[0];
   const ActorState& last = recording.scene(recording.scenes() - 1)[0];
   const auto [east, north] = placement.place(first.x_m, first.y_m);

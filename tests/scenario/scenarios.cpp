@@ -1,5 +1,7 @@
 #include "scenarios.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace jaywalk::testing_scenario {
@@ -26,6 +28,13 @@ std::shared_ptr<const PreparedScenario> prepare(Result<Scenario> scenario,
 
 std::string project_file(const std::string& path) {
   return std::string(JAYWALK_SOURCE_DIR) + "/" + path;
+}
+
+std::shared_ptr<const PreparedScenario> scenario(const std::string& name,
+                                                 std::vector<std::string> sets) {
+  return prepare(read_scenario(project_file("scenarios/" + name + ".yaml"),
+                               {.preset = {}, .sets = std::move(sets), .behaviours = {}}),
+                 {});
 }
 
 std::shared_ptr<const PreparedScenario> paper(const ScenarioOptions& options) {
@@ -61,6 +70,30 @@ CrossingResult outcome(const PreparedScenario& prepared, const std::string& name
   EXPECT_TRUE(result.completed) << result.message;
   EXPECT_EQ(log, "");
   return result.outcome;
+}
+
+Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
+         std::uint64_t test) {
+  Seen seen;
+  const TrialResult result = run_trial(
+      prepared, {.behaviour = behaviour(prepared, name), .agents = agents, .seed = 0, .test = test},
+      {.record = &seen.recording});
+  EXPECT_TRUE(result.completed) << result.message;
+  seen.outcome = result.outcome;
+  return seen;
+}
+
+VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,
+                       std::string_view assertion, std::uint64_t tests) {
+  const auto& assertions = prepared.scenario().assertions;
+  const auto judged = std::ranges::find(assertions, assertion, &Assertion::id);
+  const Ground on = ground(prepared.scenario().world);
+  VerdictCounts counts;
+  for (std::uint64_t test = 0; test < tests; ++test) {
+    const Recording recording = run(prepared, name, 1, test).recording;
+    ++counts.tests[static_cast<std::size_t>(judge(*judged, TestView(recording, on)).verdict)];
+  }
+  return counts;
 }
 
 }  // namespace jaywalk::testing_scenario

@@ -4,14 +4,20 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "experiment/findings.h"
 #include "experiment/trial.h"
 
 namespace jaywalk::testing_scenario {
 
 /// A file of the project, by its path from the project's folder.
 [[nodiscard]] std::string project_file(const std::string& path);
+
+/// scenarios/<name>.yaml with other values for keys; a test that asks for more than there is fails.
+[[nodiscard]] std::shared_ptr<const PreparedScenario> scenario(const std::string& name,
+                                                               std::vector<std::string> sets = {});
 
 /// scenarios/paper.yaml with settings; a test that asks for more than there is fails.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> paper(const ScenarioOptions& options = {});
@@ -26,5 +32,17 @@ namespace jaywalk::testing_scenario {
 /// Runs a trial that must come to its end.
 [[nodiscard]] CrossingResult outcome(const PreparedScenario& prepared, const std::string& name,
                                      std::uint32_t agents, std::uint64_t test = 0);
+
+struct Seen {
+  CrossingResult outcome;
+  Recording recording;
+};
+/// The same with the seed 0, and what could be seen of it.
+[[nodiscard]] Seen run(const PreparedScenario& prepared, const std::string& name,
+                       std::uint32_t agents, std::uint64_t test);
+
+/// In how many of so many tests a behaviour's only pedestrian has led to each verdict.
+[[nodiscard]] VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,
+                                     std::string_view assertion, std::uint64_t tests);
 
 }  // namespace jaywalk::testing_scenario
