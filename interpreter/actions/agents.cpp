@@ -60,9 +60,9 @@ Outcome all_names(ActionCall& call) {
 Outcome create_agent(ActionCall& call) {
   const Value name = call.arg(0);
   if (!is_name(name) && !name.is_variable()) return call.wrong_argument(0, "a name or a variable");
-  if (call.count() > 1 && !is_name(call.arg(1)))
-    return call.wrong_argument(1, "the name of a file");
+  if (call.count() > 1 && !call.arg(1).is_text()) return call.wrong_argument(1, "a string");
   if (call.count() > 2) {
+    if (!call.arg(2).is_list()) return call.wrong_argument(2, "a list");
     const std::string java = java_class_in(call.arg(2), call.symbols());
     if (!java.empty()) {
       return call.fail("wrong_arguments", java + " is a Java class, which cannot be run here");

@@ -41,11 +41,9 @@ Outcome add_annot(ActionCall& call) {
   const Value added = call.arg(1);
   const Value result = map_literals(call, call.arg(0), [&](Value literal) {
     const std::array<Value, 1> one{added};
-    const Value annots = added.is_list() ? added : call.heap().list(one);
-    return with_annotations(
-        call.heap(), literal,
-        union_of(call.heap(), literal_parts(literal).annots,
-                 sorted_set(call.heap(), annots, call.symbols()), call.symbols()));
+    return with_annotations(call.heap(), literal,
+                            union_of(call.heap(), literal_parts(literal).annots,
+                                     call.heap().list(one), call.symbols()));
   });
   return when(call.unifier().unify(result, call.arg(2)));
 }

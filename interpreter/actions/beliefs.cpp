@@ -45,7 +45,7 @@ Outcome assert_belief(ActionCall& call, Place place) {
     agent->add_rule(literal, place);
     return Outcome::succeeded;
   }
-  if (!is_literal(literal)) return call.wrong_argument(0, "a literal or a rule");
+  if (!is_literal(literal)) return call.wrong_argument(0, "a ground literal (or rule).");
   const Value fact = call.unifier().fresh_copy(literal);
   const auto& customisation = agent->customisation();
   const bool revises = customisation != nullptr && customisation->revise_beliefs;
@@ -75,7 +75,7 @@ Outcome abolish(ActionCall& call) {
   Agent* const agent = call.agent();
   if (agent == nullptr) return Outcome::failed;
   const Value pattern = call.arg(0);
-  if (!is_pattern(pattern)) return call.wrong_argument(0, "a literal or a variable");
+  if (!is_pattern(pattern)) return call.wrong_argument(0, "a literal or variable.");
   Unifier& unifier = call.unifier();
   std::vector<std::pair<Relation*, std::int64_t>> matches;
   for (Relation* const relation : relations_for(*agent, pattern)) {

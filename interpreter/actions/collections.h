@@ -46,9 +46,11 @@ struct Collections {
     return static_cast<Collection*>(value.object()->object);
   }
 
-  /// The same; an unbound variable receives a new collection.
+  /// The same; an unbound variable receives a new set or map, but no queue.
   static Collection* get_or_make(ActionCall& call) {
-    if (call.arg(0).is_variable() && create(call) != Outcome::succeeded) return nullptr;
+    if constexpr (kKind != Object::Kind::queue) {
+      if (call.arg(0).is_variable() && create(call) != Outcome::succeeded) return nullptr;
+    }
     return get(call);
   }
 
@@ -64,16 +66,15 @@ struct Collections {
   }
 
   static Outcome clear(ActionCall& call) {
-    Collection* const collection = get(call);
+    Collection* const collection = get_or_make(call);
     if (collection == nullptr) return wrong(call);
     collection->clear();
     return Outcome::succeeded;
   }
 
   static Outcome copy(ActionCall& call) {
-    const Collection* const collection = get(call);
+    const Collection* const collection = get_or_make(call);
     if (collection == nullptr) return wrong(call);
-    if (!call.arg(1).is_variable()) return Outcome::failed;
     return call.result(1, made(call, collection->copy()));
   }
 };

@@ -5,8 +5,11 @@
 #include <span>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk::actions {
 namespace {
@@ -41,7 +44,7 @@ bool is_usual(Symbol performative) {
 
 /// The performative that an argument names; the empty name if it does not name one.
 Symbol performative_of(Value value, SymbolTable& symbols) {
-  if (!value.is_atom() && !value.is_text()) return names::empty;
+  if (!value.is_atom()) return names::empty;
   if (is_plain_atom(value)) {
     const Symbol functor = symbols.signature(value.atom_id()).functor;
     if (is_usual(functor)) return functor;
@@ -65,15 +68,27 @@ bool asks(Symbol performative) {
 
 Outcome send(ActionCall& call) {
   const Symbol performative = performative_of(call.arg(1), call.symbols());
-  if (performative == names::empty) return call.wrong_argument(1, "a performative");
+  const Value lone = call.arg(0);
+  if (!lone.is_atom() && !lone.is_list() && !lone.is_text()) {
+    return call.wrong_arguments(
+        fmt::format("TO parameter ('{}') must be an atom, a string or a list of receivers!",
+                    term_text(lone, call.symbols())));
+  }
+  if (performative == names::empty) {
+    return call.wrong_arguments(fmt::format("illocutionary force parameter ('{}') must be an atom!",
+                                            term_text(call.arg(1), call.symbols())));
+  }
   const bool waits = asks(performative) && call.count() > 3;
   double timeout_ms = -1;
-  if (call.count() > 4) {
-    if (!waits) return call.wrong_argument(4, "left out, since no answer is waited for");
-    if (!call.arg(4).is_number()) return call.wrong_argument(4, "a number of milliseconds");
+  if (waits && call.count() > 4) {
+    if (!call.arg(4).is_number()) {
+      return call.fail("internal_action",
+                       fmt::format("The 5th parameter of send must be a number (timeout) and not "
+                                   "'{}'!",
+                                   term_text(call.arg(4), call.symbols())));
+    }
     timeout_ms = std::max(0.0, call.arg(4).as_number());
   }
-  const Value lone = call.arg(0);
   const std::vector<Value> listed = lone.is_list() ? elements(lone) : std::vector<Value>{};
   const std::span<const Value> receivers = lone.is_list() ? listed : std::span(&lone, 1);
   Agent& agent = *call.agent();
@@ -86,7 +101,11 @@ Outcome send(ActionCall& call) {
   }
   for (const Value receiver : receivers) {
     if (!receiver.is_atom() && !receiver.is_text()) {
-      return call.wrong_argument(0, "an agent's name or a list of them");
+      return call.fail(
+          "internal_action",
+          fmt::format("The TO parameter ('{}') of the internal action 'send' is not an "
+                      "atom!",
+                      term_text(receiver, call.symbols())));
     }
     std::string buffer;
     message.receiver_atom.reset();
@@ -115,7 +134,9 @@ Outcome send(ActionCall& call) {
 
 Outcome broadcast(ActionCall& call) {
   const Symbol performative = performative_of(call.arg(0), call.symbols());
-  if (performative == names::empty) return call.wrong_argument(0, "a performative");
+  if (performative == names::empty) {
+    return call.wrong_arguments("illocutionary force argument must be an atom");
+  }
   Agent& agent = *call.agent();
   OutgoingMessage message;
   message.performative = performative;

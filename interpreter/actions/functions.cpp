@@ -125,8 +125,8 @@ bool average(Args args, Heap&, SymbolTable&, Value& result) {
 }
 
 bool mean(Args args, Heap&, SymbolTable&, Value& result) {
-  std::vector<double> all;
-  if (!all_numbers(args[0], all)) return false;
+  const std::vector<double> all = numbers_in(args[0]);
+  if (all.empty()) return false;
   result = Value::number(total(all) / static_cast<double>(all.size()));
   return true;
 }
@@ -141,8 +141,8 @@ bool median(Args args, Heap&, SymbolTable&, Value& result) {
 }
 
 bool standard_deviation(Args args, Heap&, SymbolTable&, Value& result) {
-  std::vector<double> all;
-  if (!all_numbers(args[0], all)) return false;
+  if (!deref(args[0]).is_list()) return false;
+  const std::vector<double> all = numbers_in(args[0]);
   const double centre = total(all) / static_cast<double>(all.size());
   double squares = 0;
   for (const double x : all) squares += (x - centre) * (x - centre);

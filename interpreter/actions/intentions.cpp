@@ -4,6 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
@@ -229,22 +232,23 @@ bool is_plan_part(Value value, Form form) {
   return value.is_structure() && value.structure()->form() == form;
 }
 
-// "now +3 s": milliseconds from now; negative: not understood. As in Jason a unit that is none of
-// its own counts milliseconds, and a blank stands before it.
-double parse_delay(std::string_view text) {
+// "now +3 s": milliseconds from now; -1: there is no amount; nothing: it is no whole number. As in
+// Jason a unit that is none of its own counts milliseconds, and a blank stands before it.
+std::optional<double> parse_delay(std::string_view text) {
   const auto trimmed = [](std::string_view part) {
     const std::size_t first = part.find_first_not_of(' ');
     return first == part.npos ? std::string_view() : part.substr(first);
   };
-  if (!text.starts_with("now")) return -1;
   text = trimmed(text.substr(3));
   if (!text.starts_with("+")) return -1;
   text = trimmed(text.substr(1));
-  const std::string amount(text.substr(0, text.find(' ')));
+  std::string_view amount = text.substr(0, text.find(' '));
   const std::string_view unit = trimmed(text.substr(amount.size()));
-  double ms = -1;
-  const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), ms);
-  if (error != std::errc() || end != amount.data() + amount.size() || !(ms >= 0)) return -1;
+  if (amount.starts_with('+') && !amount.starts_with("+-")) amount.remove_prefix(1);
+  std::int32_t number = 0;
+  const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), number);
+  if (error != std::errc() || end != amount.data() + amount.size()) return std::nullopt;
+  const double ms = number;
   if (unit == "s" || unit.starts_with("second")) return ms * 1000;
   if (unit == "m" || unit.starts_with("minute")) return ms * 60'000;
   if (unit == "h" || unit.starts_with("hour")) return ms * 3'600'000;
@@ -261,7 +265,12 @@ bool names_goal(ActionCall& call, Variables variables) {
   return !goal.is_number() && !goal.is_text() && !goal.is_list();
 }
 
-Outcome no_goal(ActionCall& call) { return call.wrong_argument(0, "a goal"); }
+Outcome no_literal(ActionCall& call) { return call.wrong_argument(0, "a literal"); }
+
+Outcome no_pattern(ActionCall& call) {
+  return call.wrong_arguments(fmt::format("first argument '{}' must be a literal or variable",
+                                          term_text(call.arg(0), call.symbols())));
+}
 
 }  // namespace
 
@@ -304,14 +313,29 @@ Outcome wait(ActionCall& call) {
 }
 
 Outcome at(ActionCall& call) {
-  const double delay = parse_delay(text_of(call.arg(0), call.symbols()));
-  if (delay < 0) return call.fail("internal_action", "a time is written like \"now +3 s\"");
+  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string like \"now +3 s\"");
+  const std::string_view time = call.arg(0).text()->view();
+  if (!time.starts_with("now")) {
+    return call.fail("internal_action",
+                     fmt::format("The time parameter ('{}') of the internal action 'at' is not "
+                                 "implemented!",
+                                 time));
+  }
+  const std::optional<double> delay = parse_delay(time);
+  if (!delay) return java_exception(call, "the time of .at is no whole number");
+  if (*delay == -1) {
+    return call.fail("internal_action",
+                     fmt::format("The time parameter ('{}') of the internal action 'at' did not "
+                                 "parse correctly!",
+                                 term_text(call.arg(0), call.symbols())));
+  }
   TriggerParts trigger;
   if (!read_trigger(call.arg(1), call, trigger) || !is_literal(trigger.literal)) {
     return call.wrong_argument(1, "a trigger like {+!g}");
   }
   call.agent()->schedule(
-      {trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal), nullptr, 0}, delay);
+      {trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal), nullptr, 0},
+      std::max(0.0, *delay));
   return Outcome::succeeded;
 }
 
@@ -331,6 +355,9 @@ Outcome signal(ActionCall& call) {
 }
 
 Outcome intend(ActionCall& call) {
+  if (!names_goal(call, Variables::allowed)) {
+    return call.wrong_argument(0, "a literal or variable");
+  }
   std::vector<Intention*> active;
   for (Intention* const intention : call.agent()->all_intentions()) {
     if (!is_suspended(*intention)) active.push_back(intention);
@@ -339,6 +366,9 @@ Outcome intend(ActionCall& call) {
 }
 
 Outcome desire(ActionCall& call) {
+  if (!names_goal(call, Variables::allowed)) {
+    return call.wrong_argument(0, "a literal or variable");
+  }
   Agent& agent = *call.agent();
   std::vector<Value> events;
   const Circumstance& c = agent.circumstance();
@@ -375,18 +405,18 @@ Outcome drop_intention(ActionCall& call) {
   if (call.count() == 0) {
     return call.intention() == nullptr ? Outcome::failed : drop_all(call, {call.intention()});
   }
-  if (!names_goal(call, Variables::allowed)) return no_goal(call);
+  if (!names_goal(call, Variables::allowed)) return no_pattern(call);
   return drop_all(call, call.agent()->intentions_with(call.arg(0)));
 }
 
 Outcome drop_desire(ActionCall& call) {
-  if (!names_goal(call, Variables::allowed)) return no_goal(call);
+  if (!names_goal(call, Variables::allowed)) return no_pattern(call);
   call.agent()->drop_goal_events(call.arg(0));
   return drop_all(call, call.agent()->intentions_with(call.arg(0)));
 }
 
 Outcome drop_event(ActionCall& call) {
-  if (!names_goal(call, Variables::allowed)) return no_goal(call);
+  if (!names_goal(call, Variables::allowed)) return no_pattern(call);
   call.agent()->drop_goal_events(call.arg(0));
   return Outcome::succeeded;
 }
@@ -414,7 +444,11 @@ Outcome drop_all_events(ActionCall& call) {
 }
 
 Outcome drop_future_intention(ActionCall& call) {
-  if (!names_goal(call, Variables::allowed)) return no_goal(call);
+  if (!names_goal(call, Variables::allowed)) return no_pattern(call);
+  if (call.arg(0).is_variable()) {
+    return call.wrong_arguments(fmt::format("first argument '{}' must be a literal",
+                                            term_text(call.arg(0), call.symbols())));
+  }
   std::vector<Intention*> found;
   for (Intention* const intention : call.agent()->all_intentions()) {
     if (has_future_goal(*call.agent(), *intention, call.arg(0))) found.push_back(intention);
@@ -423,13 +457,13 @@ Outcome drop_future_intention(ActionCall& call) {
 }
 
 Outcome succeed_goal(ActionCall& call) {
-  if (!names_goal(call, Variables::refused)) return no_goal(call);
+  if (!names_goal(call, Variables::refused)) return no_literal(call);
   end_goal(call, Agent::GoalEnd::succeed);
   return Outcome::succeeded;
 }
 
 Outcome fail_goal(ActionCall& call) {
-  if (!names_goal(call, Variables::refused)) return no_goal(call);
+  if (!names_goal(call, Variables::refused)) return no_literal(call);
   end_goal(call, Agent::GoalEnd::fail);
   return Outcome::succeeded;
 }
@@ -456,7 +490,7 @@ Outcome suspend(ActionCall& call) {
   Agent& agent = *call.agent();
   Intention* const own = call.intention();
   if (call.count() == 1) {
-    if (!names_goal(call, Variables::refused)) return no_goal(call);
+    if (!names_goal(call, Variables::refused)) return no_literal(call);
     agent.suspend_goal(call.arg(0));
   }
   if (own == nullptr) return call.count() == 1 ? Outcome::succeeded : Outcome::failed;
@@ -469,7 +503,7 @@ Outcome suspend(ActionCall& call) {
 }
 
 Outcome resume(ActionCall& call) {
-  if (!names_goal(call, Variables::refused)) return no_goal(call);
+  if (!names_goal(call, Variables::refused)) return no_literal(call);
   call.agent()->resume_goal(call.arg(0));
   return Outcome::succeeded;
 }

@@ -1,10 +1,14 @@
 #include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/actions/functions.h"
 #include "interpreter/actions/java_text.h"
 #include "interpreter/agent/agent.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk::actions {
 namespace {
@@ -16,8 +20,10 @@ Outcome extreme(ActionCall& call, int sign) {
       candidates.push_back(call.unifier().fresh_copy(call.applied(0)));
       return true;
     });
-  } else if (!collection_in(call.applied(0), candidates)) {
-    return call.wrong_argument(0, "a list");
+  } else if (const Value list = deref(call.applied(0)); list.is_list()) {
+    candidates = elements(list);
+  } else {
+    return call.wrong_argument(0, "a list when two arguments are used");
   }
   if (candidates.empty()) return Outcome::failed;
   Value best = candidates.front();
@@ -30,6 +36,16 @@ Outcome extreme(ActionCall& call, int sign) {
 // Each character of a text, as a string of its own, by its index.
 Value character_string(ActionCall& call, std::string_view text, std::size_t index) {
   return call.heap().text(utf16_slice(text, index, index + 1));
+}
+
+std::string reversed_text(std::string_view text) {
+  std::string reversed(text.size(), '\0');
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < text.size(); i += size) {
+    (void)character_at(text, i, size);
+    text.copy(reversed.data() + (text.size() - i - size), size, i);
+  }
+  return reversed;
 }
 
 Outcome nth_of_all(ActionCall& call, std::vector<Value> all) {
@@ -51,10 +67,17 @@ using SetOperation = std::vector<Value> (*)(const std::vector<Value>& a,
                                             const SymbolTable& symbols);
 
 Outcome combine_sets(ActionCall& call, SetOperation operation) {
-  std::vector<Value> a;
-  std::vector<Value> b;
-  if (!collection_in(call.arg(0), a)) return call.wrong_argument(0, "a list");
-  if (!collection_in(call.arg(1), b)) return call.wrong_argument(1, "a list");
+  const auto not_a_list = [&](std::string_view place, Value arg, std::string_view end) {
+    return call.wrong_arguments(fmt::format("{} argument '{}'is not a list{}.", place,
+                                            term_text(arg, call.symbols()), end));
+  };
+  if (!call.arg(0).is_list()) return not_a_list("first", call.arg(0), "");
+  if (!call.arg(1).is_list()) return not_a_list("second", call.arg(1), "");
+  if (!call.arg(2).is_list() && !call.arg(2).is_variable()) {
+    return not_a_list("last", call.arg(2), " nor a variable");
+  }
+  std::vector<Value> a = elements(call.arg(0));
+  std::vector<Value> b = elements(call.arg(1));
   sort_as_set(a, call.symbols());
   sort_as_set(b, call.symbols());
   return call.result(2, call.heap().list(operation(a, b, call.symbols())));
@@ -96,7 +119,7 @@ Outcome member(ActionCall& call) {
     });
   }
   std::vector<Value> all;
-  if (!collection_in(list, all)) return call.wrong_argument(1, "a list, set or queue");
+  if (!collection_in(list, all)) return call.wrong_argument(1, "a list or a set");
   if (!is_ground(call.arg(0)))
     return call.many(std::make_unique<ValueSolutions>(0, std::move(all)));
   return when(std::any_of(all.begin(), all.end(),
@@ -123,13 +146,22 @@ Outcome nth(ActionCall& call) {
   const Value index = call.arg(0);
   const Value whole = call.arg(1);
   if (!index.is_number() && !index.is_variable()) {
-    return call.wrong_argument(0, "a number or a variable");
+    return call.wrong_arguments(
+        fmt::format("the first argument should be numeric or a variable -- not '{}'.",
+                    term_text(index, call.symbols())));
   }
-  if (!whole.is_list() && !whole.is_text()) return call.wrong_argument(1, "a list or a string");
+  if (!whole.is_list() && !whole.is_text()) {
+    return call.wrong_arguments(
+        fmt::format("the second argument should be a list or string and not '{}'.",
+                    term_text(whole, call.symbols())));
+  }
   if (index.is_number()) {
     const std::int32_t at = java_int(index.as_number());
     const auto out_of_range = [&] {
-      return call.fail("internal_action", "nth: index " + std::to_string(at) + " is out of bounds");
+      const std::size_t size =
+          whole.is_text() ? utf16_length(whole.text()->view()) : elements(whole).size();
+      return call.fail("internal_action",
+                       fmt::format("nth: index {} is out of bounds ({})", at, size));
     };
     if (at < 0) return out_of_range();
     if (whole.is_text()) {
@@ -152,27 +184,27 @@ Outcome nth(ActionCall& call) {
   return nth_of_all(call, std::move(characters));
 }
 
+// What is not a list is reversed as text.
 Outcome reverse(ActionCall& call) {
   const Value value = call.arg(0);
-  if (value.is_text()) {
-    const std::string_view text = value.text()->view();
-    std::string reversed(text.size(), '\0');
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < text.size(); i += size) {
-      (void)character_at(text, i, size);
-      text.copy(reversed.data() + (text.size() - i - size), size, i);
-    }
-    return call.result(1, call.heap().text(reversed));
+  const Value result = call.arg(1);
+  const bool fits = value.is_list() ? result.is_list() : result.is_text();
+  if (!fits && !result.is_variable()) {
+    return call.wrong_arguments(fmt::format("last argument '{}' must be a {} or a variable.",
+                                            term_text(result, call.symbols()),
+                                            value.is_list() ? "list" : "string"));
   }
-  if (!value.is_list()) return call.wrong_argument(0, "a list or a string");
+  if (!value.is_list()) {
+    return call.result(1, call.heap().text(reversed_text(text_of(value, call.symbols()))));
+  }
   std::vector<Value> all = elements(value);
   std::reverse(all.begin(), all.end());
   return call.result(1, call.heap().list(all));
 }
 
 Outcome sort(ActionCall& call) {
-  std::vector<Value> all;
-  if (!collection_in(call.arg(0), all)) return call.wrong_argument(0, "a list");
+  if (!call.arg(0).is_list()) return call.wrong_argument(0, "a list");
+  std::vector<Value> all = elements(call.arg(0));
   std::stable_sort(all.begin(), all.end(), less_than(call.symbols()));
   return call.result(1, call.heap().list(all));
 }
@@ -219,8 +251,11 @@ Outcome set_difference(ActionCall& call) {
 }
 
 Outcome range(ActionCall& call) {
+  constexpr std::array<std::string_view, 4> kPlaces{"first", "second", "third", "fourth"};
   for (std::size_t i = 1; i < call.count(); ++i) {
-    if (!call.arg(i).is_number()) return call.wrong_argument(i, "a number");
+    if (call.arg(i).is_number()) continue;
+    return call.wrong_arguments(fmt::format("{} parameter ('{}') must be a number!", kPlaces.at(i),
+                                            term_text(call.arg(i), call.symbols())));
   }
   // Jason counts in whole numbers.
   const std::int64_t first = java_int(call.arg(1).as_number());

@@ -18,7 +18,7 @@ Outcome map_put(ActionCall& call) {
 }
 
 Outcome map_get(ActionCall& call) {
-  const MapObject* const map = Maps::get(call);
+  const MapObject* const map = Maps::get_or_make(call);
   if (map == nullptr) return Maps::wrong(call);
   const Value* const value = map->find(call.arg(1), call.symbols());
   if (value != nullptr) return call.result(2, *value);
@@ -26,7 +26,7 @@ Outcome map_get(ActionCall& call) {
 }
 
 Outcome map_remove(ActionCall& call) {
-  MapObject* const map = Maps::get(call);
+  MapObject* const map = Maps::get_or_make(call);
   if (map == nullptr) return Maps::wrong(call);
   const Value* const found = map->find(call.arg(1), call.symbols());
   if (found == nullptr) return Outcome::failed;
@@ -36,7 +36,7 @@ Outcome map_remove(ActionCall& call) {
 }
 
 Outcome map_key(ActionCall& call) {
-  const MapObject* const map = Maps::get(call);
+  const MapObject* const map = Maps::get_or_make(call);
   if (map == nullptr) return Maps::wrong(call);
   std::vector<Value> keys;
   for (const auto& [key, value] : map->entries()) keys.push_back(key);
@@ -44,7 +44,7 @@ Outcome map_key(ActionCall& call) {
 }
 
 Outcome map_value(ActionCall& call) {
-  const MapObject* const map = Maps::get(call);
+  const MapObject* const map = Maps::get_or_make(call);
   if (map == nullptr) return Maps::wrong(call);
   std::vector<Value> values;
   for (const auto& [key, value] : map->entries()) values.push_back(value);

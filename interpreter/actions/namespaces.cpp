@@ -16,7 +16,7 @@ Outcome namespaces(ActionCall& call) {
   Agent* const agent = call.agent();
   if (agent == nullptr) return Outcome::failed;
   if (!call.arg(0).is_atom() && !call.arg(0).is_variable()) {
-    return call.wrong_argument(0, "an atom or a variable");
+    return call.wrong_argument(0, "an atom or variable.");
   }
   std::vector<Symbol> names{names::default_ns};
   const auto add = [&](Symbol ns) {
@@ -34,7 +34,7 @@ Outcome namespaces(ActionCall& call) {
 }
 
 Outcome namespace_set_prop(ActionCall& call) {
-  if (!call.arg(0).is_atom()) return call.wrong_argument(0, "an atom, the namespace");
+  if (!call.arg(0).is_atom()) return call.wrong_argument(0, "an atom (the namespace id).");
   if (!call.arg(1).is_atom()) return call.wrong_argument(1, "an atom, the key");
   if (call.agent() == nullptr) return Outcome::failed;
   const Symbol ns = call.symbols().signature(call.arg(0).atom_id()).functor;
@@ -45,7 +45,7 @@ Outcome namespace_set_prop(ActionCall& call) {
 }
 
 Outcome namespace_get_prop(ActionCall& call) {
-  if (!call.arg(0).is_atom()) return call.wrong_argument(0, "an atom, the namespace");
+  if (!call.arg(0).is_atom()) return call.wrong_argument(0, "an atom (the namespace id).");
   const Value key = call.arg(1);
   if (!key.is_atom() && !key.is_variable()) return call.wrong_argument(1, "an atom or a variable");
   if (call.agent() == nullptr) return Outcome::failed;

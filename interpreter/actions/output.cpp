@@ -121,7 +121,7 @@ Outcome print(ActionCall& call) { return print_line(call, joined(call, 0), ""); 
 Outcome println(ActionCall& call) { return print_line(call, joined(call, 0)); }
 
 Outcome printf(ActionCall& call) {
-  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string, the format");
+  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string (the format)");
   std::vector<FormatArgument> args;
   for (std::size_t i = 1; i < call.count(); ++i) {
     args.push_back(format_argument(call.arg(i), call.symbols()));
@@ -149,7 +149,7 @@ Outcome puts(ActionCall& call) {
 Outcome log(ActionCall& call) {
   const Value level = call.arg(0);
   if (!level.is_atom()) {
-    return call.wrong_argument(0, "severe, warning, info, fine, finer or finest");
+    return call.wrong_argument(0, "an atom: severe, warning, info, fine, finer or finest");
   }
   const std::string_view name = call.symbols().functor(level.atom_id());
   const bool is_fine = name == "fine" || name == "finer" || name == "finest";

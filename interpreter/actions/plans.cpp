@@ -3,6 +3,8 @@
 #include <array>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
 #include "interpreter/compile/plan_reader.h"
@@ -84,6 +86,12 @@ bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) 
   return true;
 }
 
+Outcome no_trigger(ActionCall& call) {
+  return call.wrong_arguments(
+      fmt::format("first argument '{}' must follow the syntax of a trigger.",
+                  term_text(call.arg(0), call.symbols())));
+}
+
 Value bare_label(ActionCall& call, const Plan& plan) {
   return call.unifier().apply(call.agent()->label_of(plan));
 }
@@ -151,7 +159,7 @@ Outcome plan_label(ActionCall& call) {
 
 Outcome relevant_plans(ActionCall& call) {
   std::vector<const Plan*> plans;
-  if (!relevant(call, call.arg(0), plans)) return call.wrong_argument(0, "a trigger like {+!g}");
+  if (!relevant(call, call.arg(0), plans)) return no_trigger(call);
   std::vector<Value> terms;
   std::vector<Value> labels;
   for (const Plan* const plan : plans) {
@@ -167,14 +175,14 @@ Outcome relevant_plan(ActionCall& call) {
     return call.result(0, plan_parts(call.arg(1)).trigger);
   }
   std::vector<const Plan*> plans;
-  if (!relevant(call, call.arg(0), plans)) return call.wrong_argument(0, "a trigger like {+!g}");
+  if (!relevant(call, call.arg(0), plans)) return no_trigger(call);
   return call.many(std::make_unique<PlanSolutions>(1, call.count(), std::move(plans)));
 }
 
 Outcome list_plans(ActionCall& call) {
   std::vector<const Plan*> plans;
   if (call.count() == 1) {
-    if (!relevant(call, call.arg(0), plans)) return call.wrong_argument(0, "a trigger like {+!g}");
+    if (!relevant(call, call.arg(0), plans)) return no_trigger(call);
   } else {
     for (const auto& plan : call.agent()->library().plans()) plans.push_back(plan.get());
   }

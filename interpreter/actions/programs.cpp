@@ -157,14 +157,16 @@ std::string new_namespace(const SymbolTable& symbols) {
 }  // namespace
 
 Outcome include(ActionCall& call) {
-  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string, the name of a file");
+  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string.");
   ProgramRequest request{
       .file = std::string(call.arg(0).text()->view()), .included = true, .ns = {}};
   const bool is_open = call.count() > 1 && call.arg(1).is_variable();
   if (is_open) {
     request.ns = new_namespace(call.symbols());
   } else if (call.count() > 1) {
-    if (!call.arg(1).is_atom()) return call.wrong_argument(1, "an atom or a variable");
+    if (!call.arg(1).is_atom()) {
+      return call.wrong_arguments("second argument (the namespace) must be an atom or a variable.");
+    }
     request.ns = call.symbols().functor(call.arg(1).atom_id());
   }
   Agent& agent = *call.agent();

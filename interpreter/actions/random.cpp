@@ -10,10 +10,10 @@ Outcome random(ActionCall& call) {
   const bool from_list = call.arg(0).is_list();
   const std::size_t result = from_list ? 1 : 0;
   if (call.count() <= result) return java_exception(call, ".random needs a variable");
-  if (!call.arg(result).is_variable()) return call.wrong_argument(result, "a variable");
+  if (!call.arg(result).is_variable()) return call.wrong_argument(result, "a variable.");
   std::int32_t count = 1;
   if (call.count() > result + 1) {
-    if (!call.arg(result + 1).is_number()) return call.wrong_argument(result + 1, "a number");
+    if (!call.arg(result + 1).is_number()) return call.wrong_argument(result + 1, "a number.");
     count = java_int(call.arg(result + 1).as_number());
   }
   std::vector<Value> from = elements(call.arg(0));

@@ -23,7 +23,7 @@ Outcome add_elements(ActionCall& call) {
 }
 
 Outcome keep_elements(ActionCall& call, SetObject::Keep which) {
-  SetObject* const set = Sets::get(call);
+  SetObject* const set = Sets::get_or_make(call);
   if (set == nullptr) return Sets::wrong(call);
   SetObject other;
   if (!as_set(call, call.arg(1), other)) return call.wrong_argument(1, "a list or a set");
@@ -48,14 +48,14 @@ Outcome set_intersect(ActionCall& call) { return keep_elements(call, SetObject::
 Outcome set_subtract(ActionCall& call) { return keep_elements(call, SetObject::Keep::others); }
 
 Outcome set_remove(ActionCall& call) {
-  SetObject* const set = Sets::get(call);
+  SetObject* const set = Sets::get_or_make(call);
   if (set == nullptr) return Sets::wrong(call);
   set->remove(call.arg(1), call.symbols());
   return Outcome::succeeded;
 }
 
 Outcome set_to_list(ActionCall& call) {
-  const SetObject* const set = Sets::get(call);
+  const SetObject* const set = Sets::get_or_make(call);
   if (set == nullptr) return Sets::wrong(call);
   return call.result(1, call.heap().list(set->elements()));
 }

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "interpreter/actions/actions.h"
 #include "interpreter/actions/java_regex.h"
 #include "interpreter/actions/java_text.h"
@@ -22,25 +24,32 @@ std::string unquoted(Value value, const SymbolTable& symbols) {
 
 Outcome concat_lists(ActionCall& call) {
   const std::size_t last = call.count() - 1;
+  if (!call.arg(last).is_list() && !call.arg(last).is_variable()) {
+    return call.fail("internal_action",
+                     fmt::format("Last argument of concat '{}'is not a list nor a variable.",
+                                 term_text(call.arg(last), call.symbols())));
+  }
   std::vector<Value> all;
   for (std::size_t i = 0; i < last; ++i) {
-    if (!call.arg(i).is_list()) return call.wrong_argument(i, "a list");
+    if (!call.arg(i).is_list()) {
+      return call.wrong_arguments(fmt::format("arg[{}] is not a list", i));
+    }
     // The last list is shared, not copied.
     if (i + 1 == last) return call.result(last, call.heap().list(all, call.arg(i)));
     const std::vector<Value> part = elements(call.arg(i));
     all.insert(all.end(), part.begin(), part.end());
   }
-  return Outcome::failed;
+  return Outcome::succeeded;  // a lone list
 }
 
-Outcome replace_all(ActionCall& call, const std::string& text, const std::string& pattern,
-                    const std::string& by) {
+Outcome replace_all(ActionCall& call, std::size_t result, const std::string& text,
+                    const std::string& pattern, const std::string& by) {
   std::string error;
   const std::optional<Regex> regex = Regex::parse(pattern, error);
   if (!regex) return java_exception(call, error);
   const std::optional<std::string> replaced = regex->replace_all(text, by, error);
   if (!replaced) return java_exception(call, error);
-  return call.result(call.count() - 1, call.heap().text(*replaced));
+  return call.result(result, call.heap().text(*replaced));
 }
 
 Outcome delete_range(ActionCall& call, std::int32_t start, std::int32_t end, std::size_t whole) {
@@ -67,8 +76,13 @@ Outcome delete_range(ActionCall& call, std::int32_t start, std::int32_t end, std
 Outcome delete_elements(ActionCall& call) {
   const std::size_t trail = call.unifier().mark();
   std::vector<Value> kept;
+  bool found = false;
   for (const Value element : elements(call.arg(1))) {
-    if (!call.unifier().unify(call.arg(0), element)) kept.push_back(element);
+    const std::size_t before = call.unifier().mark();
+    const bool same = call.unifier().unify(call.arg(0), element);
+    if (!same) kept.push_back(element);
+    if (!same || found) call.unifier().undo(before);
+    found = found || same;
   }
   call.unifier().undo(trail);
   return call.result(2, call.heap().list(kept));
@@ -102,12 +116,11 @@ Outcome substring_positions(ActionCall& call, std::string part, std::string text
 
 // The part from a start up to, and not with, an end.
 Outcome extract(ActionCall& call, std::size_t whole, std::size_t part) {
-  if (!call.arg(2).is_number()) return call.wrong_argument(2, "a number");
-  if (call.count() == 4 && !call.arg(3).is_number()) return call.wrong_argument(3, "a number");
   const std::string text = text_of(call.arg(whole), call.symbols());
   const auto length = static_cast<std::int64_t>(utf16_length(text));
   const std::int64_t start = java_int(call.arg(2).as_number());
-  const std::int64_t end = call.count() == 4 ? java_int(call.arg(3).as_number()) : length;
+  const bool has_end = call.count() == 4 && call.arg(3).is_number();
+  const std::int64_t end = has_end ? java_int(call.arg(3).as_number()) : length;
   if (start < 0 || end > length || start > end) {
     return java_exception(call, "substring: the positions are out of bounds");
   }
@@ -120,13 +133,13 @@ Outcome extract(ActionCall& call, std::size_t whole, std::size_t part) {
 Outcome concat(ActionCall& call) {
   if (call.arg(0).is_list()) return concat_lists(call);
   const std::size_t last = call.count() - 1;
-  std::string text;
-  for (std::size_t i = 0; i < last; ++i) {
+  std::string text = unquoted(call.arg(0), call.symbols());
+  for (std::size_t i = 1; i < last; ++i) {
     text += unquoted(call.arg(i), call.symbols());
     if (text.size() > kMaxTextBytes) return too_long(call);
   }
   if (call.arg(last).is_variable()) return call.result(last, call.heap().text(text));
-  return when(unquoted(call.arg(last), call.symbols()) == text);
+  return when(text_of(call.arg(last), call.symbols()) == text);
 }
 
 Outcome delete_from(ActionCall& call) {
@@ -140,34 +153,29 @@ Outcome delete_from(ActionCall& call) {
       return delete_range(call, start, end, whole);
     }
   }
-  if (call.count() == 4) return call.wrong_argument(0, "a number");
   if (first.is_text()) {
-    return replace_all(call, text_of(call.arg(1), call.symbols()),
+    return replace_all(call, 2, text_of(call.arg(1), call.symbols()),
                        std::string(first.text()->view()), "");
   }
   if (call.arg(1).is_list()) return delete_elements(call);
-  return call.fail("internal_action", "delete: argument 2 must be a list or a string");
+  return call.fail("internal_action",
+                   "Incorrect use of the internal action '.delete' (see documentation).");
 }
 
 Outcome substring(ActionCall& call) {
-  const bool known = !call.arg(0).is_variable();
   if (call.count() == 2) {
-    if (!known || call.arg(1).is_variable()) return call.wrong_argument(known ? 1 : 0, "a text");
     const std::string text = text_of(call.arg(1), call.symbols());
     return when(text.find(text_of(call.arg(0), call.symbols())) != text.npos);
   }
-  if (!known) {
-    if (call.arg(1).is_variable()) return call.wrong_argument(1, "a text");
-    return extract(call, 1, 0);
-  }
-  if (call.arg(1).is_variable()) return extract(call, 0, 1);
+  if (call.arg(2).is_number() && call.arg(0).is_variable()) return extract(call, 1, 0);
+  if (call.arg(2).is_number() && call.arg(1).is_variable()) return extract(call, 0, 1);
   return substring_positions(call, text_of(call.arg(0), call.symbols()),
                              text_of(call.arg(1), call.symbols()));
 }
 
 Outcome replace(ActionCall& call) {
   const SymbolTable& symbols = call.symbols();
-  return replace_all(call, text_of(call.arg(0), symbols), text_of(call.arg(1), symbols),
+  return replace_all(call, 3, text_of(call.arg(0), symbols), text_of(call.arg(1), symbols),
                      text_of(call.arg(2), symbols));
 }
 
@@ -185,18 +193,17 @@ Outcome term2string(ActionCall& call) {
   const Value term = call.arg(0);
   const Value text = call.arg(1);
   if (!term.is_variable()) {
-    if (!text.is_text() && !text.is_variable()) return call.wrong_argument(1, "a string");
-    std::string written;
-    append_term(written, term, call.symbols());
+    if (!text.is_text() && !text.is_variable()) {
+      return call.fail("internal_action", "invalid case of term2string");
+    }
+    const std::string written = term_text(term, call.symbols());
     if (text.is_variable()) return call.result(1, call.heap().text(written));
     return when(written == text.text()->view());
   }
-  if (!text.is_text()) {
-    return call.fail("internal_action", "term2string: one of the arguments must be known");
-  }
-  const std::optional<Value> read = read_term(text.text()->view(), call);
+  const std::string written = text_of(text, call.symbols());
+  const std::optional<Value> read = read_term(written, call);
   if (read) return call.result(0, call.unifier().apply(*read));
-  return call.result(0, Value::atom(call.symbols().predicate(text.text()->view(), 0)));
+  return call.result(0, Value::atom(call.symbols().predicate(written, 0)));
 }
 
 }  // namespace jaywalk::actions

@@ -18,15 +18,20 @@ std::vector<std::size_t> character_starts(std::string_view text) {
   return starts;
 }
 
+constexpr std::string_view kPart = "a list, string, or a variable";
+constexpr std::string_view kWhole = "either a list or a string";
+
+bool fits(Value part) { return part.is_list() || part.is_text() || part.is_variable(); }
+
 }  // namespace
 
 Outcome prefix(ActionCall& call) {
   const Value part = call.arg(0);
   const Value whole = call.arg(1);
+  if (!fits(part)) return call.wrong_argument(0, kPart);
   if (whole.is_text()) {
     const std::string_view text = whole.text()->view();
     if (part.is_text()) return when(text.starts_with(part.text()->view()));
-    if (!part.is_variable()) return call.wrong_argument(0, "a string or a variable");
     return each(call, [whole, starts = character_starts(text)](ActionCall& inner) mutable {
       if (starts.empty()) return false;
       const std::size_t end = starts.back();
@@ -34,8 +39,7 @@ Outcome prefix(ActionCall& call) {
       return inner.unify(0, inner.heap().text(whole.text()->view().substr(0, end)));
     });
   }
-  if (!whole.is_list()) return call.wrong_argument(1, "a list or a string");
-  if (!part.is_list() && !part.is_variable()) return call.wrong_argument(0, "a list or a variable");
+  if (!whole.is_list()) return call.wrong_argument(1, kWhole);
   const std::vector<Value> all = elements(whole);
   return each(call, [all, length = all.size() + 1](ActionCall& inner) mutable {
     while (length > 0) {
@@ -51,18 +55,17 @@ Outcome prefix(ActionCall& call) {
 Outcome suffix(ActionCall& call) {
   const Value part = call.arg(0);
   const Value whole = call.arg(1);
+  if (!fits(part)) return call.wrong_argument(0, kPart);
   if (whole.is_text()) {
     const std::string_view text = whole.text()->view();
     if (part.is_text()) return when(text.ends_with(part.text()->view()));
-    if (!part.is_variable()) return call.wrong_argument(0, "a string or a variable");
     return each(call, [whole, starts = character_starts(text),
                        i = std::size_t{0}](ActionCall& inner) mutable {
       if (i == starts.size()) return false;
       return inner.unify(0, inner.heap().text(whole.text()->view().substr(starts[i++])));
     });
   }
-  if (!whole.is_list()) return call.wrong_argument(1, "a list or a string");
-  if (!part.is_list() && !part.is_variable()) return call.wrong_argument(0, "a list or a variable");
+  if (!whole.is_list()) return call.wrong_argument(1, kWhole);
   return each(call, [all = elements(whole), start = std::size_t{0}](ActionCall& inner) mutable {
     while (start <= all.size()) {
       const Heap::Mark mark = inner.heap().mark();
@@ -75,8 +78,8 @@ Outcome suffix(ActionCall& call) {
 
 Outcome sublist(ActionCall& call) {
   const Value part = call.arg(0);
-  if (!call.arg(1).is_list()) return call.wrong_argument(1, "a list");
   if (!part.is_list() && !part.is_variable()) return call.wrong_argument(0, "a list or a variable");
+  if (!call.arg(1).is_list()) return call.wrong_argument(1, "a list");
   const std::vector<Value> all = elements(call.arg(1));
   return each(call, [all, start = std::size_t{0}, length = all.size()](ActionCall& inner) mutable {
     for (;;) {

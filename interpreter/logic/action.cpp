@@ -1,5 +1,7 @@
 #include "interpreter/logic/action.h"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "interpreter/logic/machine.h"
@@ -10,7 +12,24 @@ namespace {
 
 Outcome call_own(ActionCall& call) { return call.goal().action->own(call); }
 
+// Jason's actions are classes: `.set.add` is the class `add`.
+std::string_view class_name(const ActionDefinition& action) {
+  return std::string_view(action.name).substr(action.name.rfind('.') + 1);
+}
+
 }  // namespace
+
+std::string wrong_number_of_arguments(const ActionDefinition& action) {
+  const int least = action.least_args;
+  const int most = action.most_args < 0 ? std::numeric_limits<int>::max() : action.most_args;
+  const std::string expected = least != most
+                                   ? fmt::format("From {} to {} arguments are", least, most)
+                               : least == 1 ? "One argument is"
+                                            : fmt::format("{} arguments are", least);
+  return fmt::format(
+      "The internal action '{}' has not received the required number of argument(s). {} expected.",
+      class_name(action), expected);
+}
 
 ActionDefinition own_action(std::string name, int least_args, int most_args,
                             std::function<Outcome(ActionCall& call)> body) {
@@ -92,10 +111,16 @@ Outcome ActionCall::fail(std::string id, std::string message) {
   return Outcome::error;
 }
 
-Outcome ActionCall::wrong_argument(std::size_t index, std::string_view expected) {
+Outcome ActionCall::wrong_arguments(std::string_view reason) {
   return fail("wrong_arguments",
-              fmt::format("argument {} of {} must be {}", index + 1,
-                          goal_.action == nullptr ? "the action" : goal_.action->name, expected));
+              fmt::format("Wrong argument for internal action '{}': {}",
+                          goal_.action == nullptr ? "" : class_name(*goal_.action), reason));
+}
+
+Outcome ActionCall::wrong_argument(std::size_t index, std::string_view expected) {
+  constexpr std::array<std::string_view, 5> kPlaces{"first", "second", "third", "fourth", "fifth"};
+  const std::string_view place = index < kPlaces.size() ? kPlaces.at(index) : "an";
+  return wrong_arguments(fmt::format("{} argument must be {}", place, expected));
 }
 
 void ActionCall::solve(std::size_t index, const std::function<bool()>& solution) {

@@ -78,6 +78,9 @@ struct FunctionDefinition {
   std::string summary;
 };
 
+/// What error_msg says when an action is called with another number of arguments.
+[[nodiscard]] std::string wrong_number_of_arguments(const ActionDefinition& action);
+
 /// All known actions and functions, by name. Immutable once programs are compiled against it. What
 /// is added later stands before what has the same name.
 class ActionRegistry {
@@ -140,6 +143,8 @@ class ActionCall {
   }
   /// error(id), error_msg(message).
   [[nodiscard]] Outcome fail(std::string id, std::string message);
+  /// error(wrong_arguments), in the words of Jason's own checks.
+  [[nodiscard]] Outcome wrong_arguments(std::string_view reason);
   [[nodiscard]] Outcome wrong_argument(std::size_t index, std::string_view expected);
 
   /// Calls `solution` for each answer to the formula in an argument; it may return false to stop.

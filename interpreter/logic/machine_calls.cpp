@@ -69,7 +69,7 @@ Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, Acti
   if (count < goal.action->least_args ||
       (goal.action->most_args >= 0 && count > goal.action->most_args)) {
     error.id = "wrong_arguments";
-    error.message = fmt::format("wrong number of arguments: {}", goal.action->signature);
+    error.message = wrong_number_of_arguments(*goal.action);
     return Outcome::error;
   }
   Outcome outcome = goal.action->function(call);

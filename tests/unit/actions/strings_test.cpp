@@ -16,7 +16,7 @@ TEST(StringActions, JoinTextsAndLists) {
       {".concat([1], [], [2,3], R); .print(R)", {"[1,2,3]"}},
       {".concat([1], T, R); T = [2]; .print(R)", {"failed: wrong_arguments"}},
       {".concat([1], a, R)", {"failed: wrong_arguments"}},
-      {".concat(a)", {"failed: wrong_arguments"}},
+      {".concat(a); .concat([a]); .print(yes)", {"yes"}},
   });
 }
 
@@ -97,7 +97,8 @@ TEST(StringActions, TurnTermsIntoTextsAndBack) {
       {".term2string(b, \"b\"); .print(yes)", {"yes"}},
       {".term2string(b, \"c\")", {"failed: ia_failed"}},
       {".term2string(\"text\", S); .print(S)", {"\"text\""}},
-      {".term2string(_, _)", {"failed: internal_action"}},
+      {".term2string(T, f(a)); .print(T)", {"f(a)"}},
+      {".term2string(a, b)", {"failed: internal_action"}},
   });
 }
 

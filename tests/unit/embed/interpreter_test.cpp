@@ -177,8 +177,11 @@ TEST_F(Embedded, HasActionsOfItsOwn) {
                           ".findall(X, my.upto(3, X), L); .print(L); !bad. "
                           "+!bad <- my.add(a). -!bad[error_msg(M)] <- .print(M).");
   interpreter.run();
-  EXPECT_THAT(printed, ElementsAre("[ann] 7 14", "[ann] [1,2,3]",
-                                   "[ann] argument 1 of my.add must be a number"));
+  EXPECT_THAT(
+      printed,
+      ElementsAre(
+          "[ann] 7 14", "[ann] [1,2,3]",
+          "[ann] Wrong argument for internal action 'add': first argument must be a number"));
   EXPECT_THAT(ask(ann, "my.upto(2, X)"), ElementsAre("X=1 ", "X=2 "));
 }
 

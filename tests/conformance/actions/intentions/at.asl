@@ -14,5 +14,5 @@
 // expect: not believed
 // expect: now +1 s wrong_arguments
 // expect: now internal_action
-// expect: now + 3s internal_action
+// expect: now + 3s unknown
 // expect: tomorrow internal_action
