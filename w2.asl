@@ -1,1 +1,0 @@
-!g. +!g <- .relevant_plans("+!h",L); .length(L,N); .print(N). +!h <- .print(h).

@@ -1,1 +1,0 @@
-!g. +!g <- .drop_event("+!h"); .print(a). 
