@@ -199,6 +199,12 @@ void Agent::end_ask(const PendingAsk& ask, Value answer) {
 }
 
 Value Agent::add_source(Value literal, Value sender) {
+  if (is_form(literal, Form::plan)) {  // its label has its sources
+    const Structure& plan = *literal.structure();
+    std::vector<Value> parts(plan.arg_span().begin(), plan.arg_span().end());
+    parts[0] = add_source(deref(parts[0]), sender);
+    return heap_.structure(plan.predicate(), parts, plan.annots(), Form::plan);
+  }
   if (!is_literal(literal)) return literal;
   if (literal_parts(literal).annots.is_empty_list()) {
     const Value source = heap_.structure(predicates::source, std::span(&sender, 1));

@@ -8,8 +8,8 @@
 +p(X)[source(S)] <- .print("told ", X, " by ", S).
 +!g[source(S)] <- .print("asked by ", S).
 // expect [plans]: tell p(1)
-// expect [plans]: achieve g
 // expect [plans]: told 1 by sender
+// expect [plans]: achieve g
 // expect [plans]: asked by sender
 // agent direct
 ^!kqml_received(_, P, C, _)[state(executing)] <- .print(P, " ", C).
