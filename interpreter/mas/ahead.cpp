@@ -15,7 +15,9 @@
 // by step, so that it ends where it would have ended.
 
 #include <algorithm>
+#include <iterator>
 
+#include "interpreter/mas/beside.h"
 #include "interpreter/mas/system.h"
 #include "interpreter/program/solitary.h"
 
@@ -29,35 +31,55 @@ void Mas::Implementation::look_whether_solitary(const Program& program) {
 
 bool Mas::Implementation::can_run_ahead(std::uint64_t most) const {
   const bool is_near_limit = options_.max_cycles != 0 && steps_ + most >= options_.max_cycles;
-  return most > 1 && all_keep_to_themselves_ && lanes_ == nullptr && !options_.realtime &&
-         !is_near_limit && options_.observer == nullptr;
+  return most > 1 && all_keep_to_themselves_ && !options_.realtime && !is_near_limit &&
+         options_.observer == nullptr;
 }
 
-// Up to `most` cycles of every active agent; the result is how many the longest took.
+// Up to `most` cycles of every active agent; the result is how many the longest took. On several
+// threads what is logged comes in the same order: block after block, and then by step.
 std::uint64_t Mas::Implementation::run_ahead(std::uint64_t most) {
-  std::uint64_t longest = 0;
-  for (const std::uint32_t number : residents_.begin_round()) {
-    Resident& resident = residents_[number];
-    if (ended_) break;
-    if (resident.is_leaving || !resident.agent->is_active()) continue;
-    ahead_ = resident.agent.get();
-    ahead_since_ = ahead_->cycles();
-    const std::uint64_t before = outcome_.cycles;
-    reason(resident, most);
-    longest = std::max(longest, outcome_.cycles - before);
+  ahead_.longest = 0;
+  const std::span<const std::uint32_t> active = residents_.begin_round();
+  if (lanes_ != nullptr && active.size() >= options_.fewest_beside) {
+    run_ahead_beside(active, most);
+  } else {
+    for (const std::uint32_t number : active) {
+      if (ended_) break;
+      reason_ahead(residents_[number], most, ahead_);
+    }
   }
-  ahead_ = nullptr;
   residents_.end_round();
-  if (!held_log_.empty()) write_held_log();
-  return longest;
+  if (!ahead_.lines.empty()) write_held_log(ahead_);
+  return ahead_.longest;
+}
+
+void Mas::Implementation::run_ahead_beside(std::span<const std::uint32_t> numbers,
+                                           std::uint64_t most) {
+  reason_beside(
+      numbers,
+      [&](Resident& resident, Beside& beside) { reason_ahead(resident, most, beside.ahead); },
+      [&](Beside& beside) {
+        ahead_.longest = std::max(ahead_.longest, beside.ahead.longest);
+        std::move(beside.ahead.lines.begin(), beside.ahead.lines.end(),
+                  std::back_inserter(ahead_.lines));
+      });
+}
+
+void Mas::Implementation::reason_ahead(Resident& resident, std::uint64_t most, Ahead& ahead) {
+  if (resident.is_leaving || !resident.agent->is_active()) return;
+  ahead.agent = resident.agent.get();
+  ahead.since = ahead.agent->cycles();
+  reason(resident, most);
+  ahead.longest = std::max(ahead.longest, ahead.agent->cycles() - ahead.since);
+  ahead.agent = nullptr;
 }
 
 // In the order in which it would have been written step by step.
-void Mas::Implementation::write_held_log() {
-  std::stable_sort(held_log_.begin(), held_log_.end(),
-                   [](const HeldLine& a, const HeldLine& b) { return a.step < b.step; });
-  for (const HeldLine& line : held_log_) options_.log(line.text);
-  held_log_.clear();
+void Mas::Implementation::write_held_log(Ahead& ahead) {
+  std::stable_sort(ahead.lines.begin(), ahead.lines.end(),
+                   [](const Ahead::Line& a, const Ahead::Line& b) { return a.step < b.step; });
+  for (const Ahead::Line& line : ahead.lines) options_.log(line.text);
+  ahead.lines.clear();
 }
 
 }  // namespace jaywalk

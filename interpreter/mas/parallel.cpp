@@ -21,15 +21,10 @@
 
 #include <algorithm>
 
+#include "interpreter/mas/beside.h"
 #include "interpreter/mas/system.h"
 
 namespace jaywalk {
-namespace {
-
-/// So many blocks for each thread, so that none waits long for the last one.
-constexpr std::size_t kBlocksPerLane = 8;
-
-}  // namespace
 
 thread_local Mas::Implementation::Beside* Mas::Implementation::beside_ = nullptr;
 
@@ -75,29 +70,13 @@ bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
 
 std::uint64_t Mas::Implementation::take_turns_beside(std::span<const std::uint32_t> numbers,
                                                      Turn turn) {
-  const std::size_t lanes = lanes_->count();
-  const std::size_t size = std::max<std::size_t>(1, numbers.size() / (lanes * kBlocksPerLane));
-  const std::size_t blocks = (numbers.size() + size - 1) / size;
-  std::vector<std::unique_ptr<Outbox>> outboxes(blocks);
-  lanes_->run(blocks, [&](std::size_t lane, std::size_t block) {
-    outboxes[block] = std::make_unique<Outbox>();
-    Outbox& outbox = *outboxes[block];
-    Beside beside{*workspaces_of_lanes_[lane], outbox};
-    beside_ = &beside;
-    const std::size_t first = block * size;
-    for (const std::uint32_t number :
-         numbers.subspan(first, std::min(size, numbers.size() - first))) {
-      if (outbox.end) break;
-      if (take_turn(residents_[number], turn)) ++outbox.turns;
-    }
-    beside_ = nullptr;
-  });
   std::uint64_t turns = 0;
-  for (const auto& outbox : outboxes) {
-    empty(*outbox);
-    turns += outbox->turns;
-    if (ended_) break;
-  }
+  reason_beside(
+      numbers,
+      [&](Resident& resident, Beside& beside) {
+        if (take_turn(resident, turn)) ++beside.outbox.turns;
+      },
+      [&](Beside& beside) { turns += beside.outbox.turns; });
   return turns;
 }
 

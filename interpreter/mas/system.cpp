@@ -211,8 +211,9 @@ void Mas::Implementation::write(std::string_view text) {
 void Mas::Implementation::log(Agent& agent, std::string_view text) {
   if (!options_.log) return;
   std::string line = fmt::format("[{}] {}", agent.name(), text);
-  if (&agent == ahead_) {
-    held_log_.push_back({agent.cycles() - ahead_since_, std::move(line)});
+  Ahead& ahead = beside_ != nullptr ? beside_->ahead : ahead_;
+  if (&agent == ahead.agent) {
+    ahead.lines.push_back({agent.cycles() - ahead.since, std::move(line)});
   } else {
     put_out(Outbox::Kind::log, line);
   }

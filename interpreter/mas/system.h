@@ -92,8 +92,20 @@ class Mas::Implementation : public AgentHost, public Society {
   // Several steps at once (ahead.cpp).
   void look_whether_solitary(const Program& program);
   [[nodiscard]] bool can_run_ahead(std::uint64_t most) const;
+  /// Who reasons for several steps in a row, and what has been logged meanwhile.
+  struct Ahead {
+    struct Line {
+      std::uint64_t step;
+      std::string text;
+    };
+    const Agent* agent = nullptr;  // null: nobody
+    std::uint64_t since = 0;       // its cycles before
+    std::vector<Line> lines;
+    std::uint64_t longest = 0;  // cycles that an agent has taken
+  };
   std::uint64_t run_ahead(std::uint64_t most);
-  void write_held_log();
+  void reason_ahead(Resident& resident, std::uint64_t most, Ahead& ahead);
+  void write_held_log(Ahead& ahead);
 
   void reason_alone(Resident& resident);
   void pass_busy_ms();
@@ -115,15 +127,22 @@ class Mas::Implementation : public AgentHost, public Society {
   bool round(Turn turn);
   bool take_turn(Resident& resident, Turn turn);
   std::uint64_t take_turns_beside(std::span<const std::uint32_t> numbers, Turn turn);
+  void run_ahead_beside(std::span<const std::uint32_t> numbers, std::uint64_t most);
   [[nodiscard]] bool can_reason_beside(Resident& resident);
   void empty(Outbox& outbox);
   /// Where this thread's agents reason and what they ask for goes, beside others; null: it is done
   /// at once.
   struct Beside {
+    explicit Beside(WorkspacePool& pool) : workspaces(pool) {}
     WorkspacePool& workspaces;
-    Outbox& outbox;
+    Outbox outbox;
+    Ahead ahead;
   };
   static thread_local Beside* beside_;
+  /// On all threads, `take_turn(resident, beside)` for each of these; then, in order, what they
+  /// asked for is done, and `is_done(beside)` is called for each block of them.
+  template <class TakeTurn, class IsDone>
+  void reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn, IsDone is_done);
 
   void put_out(Outbox::Kind kind, const std::string& text);
   void wake(Resident& resident);
@@ -172,14 +191,7 @@ class Mas::Implementation : public AgentHost, public Society {
   // Agents of which none can tell when another reasons (program/solitary.h).
   bool all_keep_to_themselves_ = true;
   const Program* known_solitary_ = nullptr;  // the last program that was looked at
-  // What they log while each of them reasons for several steps in a row, by step.
-  struct HeldLine {
-    std::uint64_t step;
-    std::string text;
-  };
-  std::vector<HeldLine> held_log_;
-  const Agent* ahead_ = nullptr;   // the one that does; null: nobody
-  std::uint64_t ahead_since_ = 0;  // its cycles before
+  Ahead ahead_;
   std::vector<ActionRequest> requests_;
   std::vector<ActionResult> results_;
   std::vector<Agent*> actors_;

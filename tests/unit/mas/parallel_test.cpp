@@ -113,6 +113,24 @@ TEST(Threads, StopAtTheSameLimit) {
   EXPECT_EQ(run(team, 4).message, "agent a0 has reasoned for 100 cycles, the limit");
 }
 
+// Such agents take many steps in a row; their warnings come as if they took turns.
+TEST(Threads, DoNotChangeWhatAgentsThatKeepToThemselvesLog) {
+  Team team;
+  for (int i = 0; i < 30; ++i) {
+    team.members.push_back(
+        {fmt::format("a{}", i),
+         fmt::format("!s(0). +!s(N) : N < {} <- +b(N); !!odd(N mod 7); !s(N + 1). +!s(_). "
+                     "+!odd(N) : N < 5.",
+                     20 + i)});
+  }
+  expect_same_on_threads(team);
+  EXPECT_GT(run(team, 4).logged.size(), 100U);
+  team.members[7].program = "!s(0). +!s(N) <- !s(N + 1).";
+  team.options.max_cycles_per_tick = 70;
+  expect_same_on_threads(team);
+  EXPECT_EQ(run(team, 4).end, RunEnd::looping);
+}
+
 TEST(Threads, LetAgentsComeAndGoInTheirTurn) {
   Team team{.members = crowd(10, std::string(kTalker))};
   team.members[3].program += "!c. +!c <- .create_agent(kid, \"child.asl\"); .send(kid, tell, x).";
