@@ -49,6 +49,7 @@ jaywalk_add_library(engine
     agent/messages.cpp
     agent/options.cpp
     agent/perception.cpp
+    agent/plain.cpp
     agent/plan_terms.cpp
     agent/services.cpp
     agent/step_guard.cpp
@@ -92,7 +93,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp
     logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
-    agent/context.cpp agent/messages.cpp agent/perception.cpp agent/stride.cpp
+    agent/context.cpp agent/messages.cpp agent/perception.cpp agent/plain.cpp
+    agent/stride.cpp
     mas/mail.cpp mas/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp
     PROPERTIES UNITY_GROUP core)
 endif()
