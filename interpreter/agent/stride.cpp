@@ -314,4 +314,3 @@ Agent::Executed Agent::take_up(Intention& intention, const Event& event) {
 }
 
 }  // namespace jaywalk
-
