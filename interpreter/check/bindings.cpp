@@ -1,11 +1,10 @@
 #include "interpreter/check/bindings.h"
 
 #include "interpreter/check/traversal.h"
+#include "interpreter/support/characters.h"
 
 namespace jaywalk {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // `_12abc` is the variable `_12`; every other `_x` is a variable of its own, wherever it stands.
 std::string_view identity(std::string_view name) {

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/characters.h"
+
 namespace jaywalk {
 namespace {
 
 constexpr std::size_t kShortestMisspelt = 5;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

@@ -7,15 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/characters.h"
+
 namespace jaywalk {
 namespace {
 
 using enum TokenKind;
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-constexpr bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-constexpr bool is_name(char c) { return is_lower(c) || is_upper(c) || is_digit(c) || c == '_'; }
 
 struct Spelling {
   std::string_view text;
@@ -213,7 +210,7 @@ class Lexer {
     if (is_lower(c)) return read_word();
     if (is_upper(c) || c == '_') return read_variable();
     if (is_digit(c)) return read_number();
-    if (c == '.' && is_name(peek(1))) return read_dotted();
+    if (c == '.' && is_name_character(peek(1))) return read_dotted();
     if (c == '"') return read_string();
     if (c == '\'') return read_quoted_atom();
     for (std::size_t i = kFirstOperator[static_cast<unsigned char>(c)]; i < kOperators.size();
@@ -239,7 +236,7 @@ class Lexer {
 
   // A name whose dots each stand before a name character: `a.b`, `.print`.
   void skip_atom() {
-    while (is_name(peek()) || (peek() == '.' && is_name(peek(1)))) ++at_;
+    while (is_name_character(peek()) || (peek() == '.' && is_name_character(peek(1)))) ++at_;
   }
 
   TokenKind read_word() {
@@ -254,7 +251,7 @@ class Lexer {
   }
 
   TokenKind read_variable() {
-    while (is_name(peek())) ++at_;
+    while (is_name_character(peek())) ++at_;
     return variable;
   }
 

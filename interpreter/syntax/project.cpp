@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "interpreter/syntax/project_lexer.h"
+
 namespace jaywalk {
 namespace {
-
-enum class Kind : std::uint8_t { end_of_text, word, number, string, path, symbol, bad };
-
-struct Token {
-  Kind kind = Kind::end_of_text;
-  Span span;
-  std::string_view text;
-};
 
 constexpr std::array<std::string_view, 8> kSections = {
     "infrastructure", "environment", "executionControl", "agents",
@@ -45,125 +38,6 @@ bool contains(const Range& range, std::string_view name) {
   return std::find(range.begin(), range.end(), name) != range.end();
 }
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-constexpr bool is_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-constexpr bool is_slash(char c) { return c == '/' || c == '\\'; }
-
-class Lexer {
- public:
-  Lexer(const SourcePtr& source, Diagnostics& diagnostics)
-      : source_(source), text_(source->text()), diagnostics_(diagnostics) {}
-
-  std::vector<Token> run() {
-    std::vector<Token> tokens;
-    for (skip_blanks(); at_ < text_.size(); skip_blanks()) {
-      begin_ = at_;
-      const Kind kind = read();
-      tokens.push_back({kind, span(), text_.substr(begin_, at_ - begin_)});
-      if (tokens.back().text == "}") break;  // as Jason, which reads no further
-    }
-    skip_blanks();
-    begin_ = at_;
-    at_ = text_.size();
-    if (begin_ < at_) {
-      diagnostics_.warning({source_, {span().begin, span().begin + 1}}, "after-project",
-                           "what stands behind the project is left out");
-    }
-    begin_ = at_;
-    tokens.push_back({Kind::end_of_text, span(), {}});
-    return tokens;
-  }
-
- private:
-  [[nodiscard]] char peek(std::size_t ahead = 0) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-  }
-  [[nodiscard]] Span span() const {
-    return {static_cast<std::uint32_t>(begin_), static_cast<std::uint32_t>(at_)};
-  }
-
-  void skip_blanks() {
-    while (at_ < text_.size()) {
-      if (text_.substr(at_).starts_with("//")) {
-        at_ = std::min(text_.find_first_of("\n\r", at_), text_.size());
-      } else if (text_.substr(at_).starts_with("/*")) {
-        begin_ = at_;
-        const std::size_t end = text_.find("*/", at_ + 2);
-        at_ = end == std::string_view::npos ? text_.size() : end + 2;
-        if (end == std::string_view::npos) {
-          diagnostics_.error({source_, {span().begin, span().begin + 2}},
-                             "this comment is not closed", "close it with */");
-        }
-      } else if (peek() == ' ' || peek() == '\n' || peek() == '\t' || peek() == '\r') {
-        ++at_;
-      } else {
-        return;
-      }
-    }
-  }
-
-  Kind read() {
-    const char c = peek();
-    if (is_slash(c) || (c == '.' && is_slash(peek(1))) || is_drive()) return read_path();
-    if (is_letter(c)) {
-      while (is_name(peek())) ++at_;
-      return Kind::word;
-    }
-    if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return read_number();
-    if (c == '"') return read_string();
-    ++at_;
-    if (std::string_view("{}()[]:;,#=.").find(c) != std::string_view::npos) return Kind::symbol;
-    while ((static_cast<unsigned char>(peek()) & 0xC0U) == 0x80U) ++at_;
-    diagnostics_.error({source_, span()}, "unexpected character in a project");
-    return Kind::bad;
-  }
-
-  // d+ | d*.d+([eE][+-]?d+)? | d+[eE][+-]?d+
-  Kind read_number() {
-    while (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
-    const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
-    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign))) {
-      at_ += 1 + sign;
-      while (is_digit(peek())) ++at_;
-    }
-    return Kind::number;
-  }
-
-  [[nodiscard]] bool is_drive() const {
-    return is_letter(peek()) && peek(1) == ':' && is_slash(peek(2));
-  }
-
-  // The folders of a path, up to and with the last slash.
-  Kind read_path() {
-    std::size_t end = at_ + (is_drive() ? 3 : is_slash(peek()) ? 1 : 2);
-    for (std::size_t i = end; i < text_.size() && (is_name(text_[i]) || is_slash(text_[i])); ++i) {
-      if (is_slash(text_[i])) end = i + 1;
-    }
-    at_ = end;
-    return Kind::path;
-  }
-
-  Kind read_string() {
-    for (++at_; peek() != '"'; ++at_) {
-      if (at_ >= text_.size() || peek() == '\n') {
-        diagnostics_.error({source_, {span().begin, span().begin + 1}},
-                           "this string is not closed on its line");
-        return Kind::bad;
-      }
-      if (peek() == '\\' && peek(1) == '"') ++at_;
-    }
-    ++at_;
-    return Kind::string;
-  }
-
-  const SourcePtr& source_;
-  std::string_view text_;
-  Diagnostics& diagnostics_;
-  std::size_t begin_ = 0;
-  std::size_t at_ = 0;
-};
-
 // A string's content, `\"` converted.
 std::string content_of(std::string_view quoted) {
   std::string value;
@@ -177,28 +51,29 @@ std::string content_of(std::string_view quoted) {
 class ProjectParser {
  public:
   ProjectParser(const SourcePtr& source, Diagnostics& diagnostics)
-      : source_(source), diagnostics_(diagnostics), tokens_(Lexer(source, diagnostics).run()) {
+      : source_(source), diagnostics_(diagnostics), tokens_(project_tokens(source, diagnostics)) {
     project_.source = source;
   }
 
   Project run() {
     if (!expect("MAS", "a project begins with MAS and its name")) return std::move(project_);
-    if (const Token* name = expect_name("the name of the system")) project_.name = name->text;
+    if (const ProjectToken* name = expect_name("the name of the system"))
+      project_.name = name->text;
     if (!expect("{")) return std::move(project_);
-    while (!is("}") && !is(Kind::end_of_text)) section();
+    while (!is("}") && !is(ProjectTokenKind::end_of_text)) section();
     (void)expect("}");
     return std::move(project_);
   }
 
  private:
-  [[nodiscard]] const Token& next() const { return tokens_[at_]; }
-  [[nodiscard]] bool is(Kind kind) const { return next().kind == kind; }
+  [[nodiscard]] const ProjectToken& next() const { return tokens_[at_]; }
+  [[nodiscard]] bool is(ProjectTokenKind kind) const { return next().kind == kind; }
   [[nodiscard]] bool is(std::string_view text) const {
-    return (is(Kind::word) || is(Kind::symbol)) && next().text == text;
+    return (is(ProjectTokenKind::word) || is(ProjectTokenKind::symbol)) && next().text == text;
   }
-  const Token& take() {
-    const Token& token = tokens_[at_];
-    if (token.kind != Kind::end_of_text) ++at_;
+  const ProjectToken& take() {
+    const ProjectToken& token = tokens_[at_];
+    if (token.kind != ProjectTokenKind::end_of_text) ++at_;
     return token;
   }
   bool take_if(std::string_view text) {
@@ -210,9 +85,9 @@ class ProjectParser {
 
   // Reports what stands here in place of something else; a bad token has been reported.
   void unexpected(std::string_view expected, std::string hint = {}) {
-    if (is(Kind::bad)) return;
-    const std::string found =
-        is(Kind::end_of_text) ? "the end of the text" : fmt::format("'{}'", next().text);
+    if (is(ProjectTokenKind::bad)) return;
+    const std::string found = is(ProjectTokenKind::end_of_text) ? "the end of the text"
+                                                                : fmt::format("'{}'", next().text);
     diagnostics_.error(where(next().span), fmt::format("expected {}, found {}", expected, found),
                        std::move(hint));
   }
@@ -223,18 +98,18 @@ class ProjectParser {
     return false;
   }
 
-  const Token* expect_kind(Kind kind, std::string_view what) {
+  const ProjectToken* expect_kind(ProjectTokenKind kind, std::string_view what) {
     if (is(kind)) return &take();
     unexpected(what);
     return nullptr;
   }
 
-  const Token* expect_name(std::string_view what) {
-    if (!is(Kind::word)) {
+  const ProjectToken* expect_name(std::string_view what) {
+    if (!is(ProjectTokenKind::word)) {
       unexpected(what);
       return nullptr;
     }
-    const Token& token = next();
+    const ProjectToken& token = next();
     if (contains(kSections, token.text) || contains(kOtherReserved, token.text)) {
       unexpected(what, fmt::format("'{}' is a reserved word", token.text));
       return nullptr;
@@ -245,19 +120,20 @@ class ProjectParser {
 
   // To behind the next ';', or before what ends the section.
   void skip_entry() {
-    while (!is(Kind::end_of_text) && !is("}") && !begins_section()) {
+    while (!is(ProjectTokenKind::end_of_text) && !is("}") && !begins_section()) {
       if (take().text == ";") return;
     }
   }
 
   [[nodiscard]] bool begins_section() const {
-    return is(Kind::word) && contains(kSections, next().text) && tokens_[at_ + 1].text == ":";
+    return is(ProjectTokenKind::word) && contains(kSections, next().text) &&
+           tokens_[at_ + 1].text == ":";
   }
 
   void section() {
-    const Token name = next();
+    const ProjectToken name = next();
     const auto* const found = std::find(kSections.begin(), kSections.end() - 1, name.text);
-    if (!is(Kind::word) || found == kSections.end() - 1) {
+    if (!is(ProjectTokenKind::word) || found == kSections.end() - 1) {
       const std::vector<std::string> names(kSections.begin(), kSections.end() - 1);
       unexpected("a section such as 'agents'", did_you_mean(name.text, names));
       take();
@@ -300,19 +176,19 @@ class ProjectParser {
   // What stands between here and the next section, each with a semicolon.
   template <class Entry>
   void entries(Entry entry) {
-    while (!is("}") && !is(Kind::end_of_text) && !begins_section()) {
+    while (!is("}") && !is(ProjectTokenKind::end_of_text) && !begins_section()) {
       if (!entry() || !expect(";")) skip_entry();
     }
   }
 
   bool path_entry(std::vector<std::string>& paths) {
-    const Token* const path = expect_kind(Kind::string, "a folder in quotes");
+    const ProjectToken* const path = expect_kind(ProjectTokenKind::string, "a folder in quotes");
     if (path != nullptr) paths.push_back(content_of(path->text));
     return path != nullptr;
   }
 
   bool directive() {
-    const Token* const name = expect_name("the name of a directive");
+    const ProjectToken* const name = expect_name("the name of a directive");
     if (name == nullptr || !expect("=")) return false;
     std::optional<ProjectClass> java = class_name();
     if (!java) return false;
@@ -323,9 +199,9 @@ class ProjectParser {
   std::optional<ProjectClass> located_class() {
     std::optional<ProjectClass> java = class_name();
     if (!java) {
-      while (!is(Kind::end_of_text) && !is("}") && !begins_section()) take();
+      while (!is(ProjectTokenKind::end_of_text) && !is("}") && !begins_section()) take();
     } else if (take_if("at")) {
-      expect_kind(Kind::string, "a host in quotes");
+      expect_kind(ProjectTokenKind::string, "a host in quotes");
     }
     return java;
   }
@@ -355,7 +231,7 @@ class ProjectParser {
 
   bool skip_dotted_name() {
     do {
-      if (expect_kind(Kind::word, "the name of a class") == nullptr) return false;
+      if (expect_kind(ProjectTokenKind::word, "the name of a class") == nullptr) return false;
     } while (take_if("."));
     return true;
   }
@@ -366,12 +242,12 @@ class ProjectParser {
       diagnostics_.error(where(next().span), "parameters are nested too deeply");
       return false;
     }
-    if (is(Kind::number) || is(Kind::string)) {
+    if (is(ProjectTokenKind::number) || is(ProjectTokenKind::string)) {
       take();
       return true;
     }
     if (take_if("[")) return skip_parameters("]", depth);
-    if (!is(Kind::word)) {
+    if (!is(ProjectTokenKind::word)) {
       unexpected("a parameter");
       return false;
     }
@@ -388,7 +264,7 @@ class ProjectParser {
   }
 
   bool agent() {
-    const Token* const name = expect_name("the name of an agent");
+    const ProjectToken* const name = expect_name("the name of an agent");
     if (name == nullptr) return false;
     ProjectAgent agent;
     agent.name = name->text;
@@ -403,19 +279,19 @@ class ProjectParser {
 
   // [ PATH ] ASID [ "." ASID ]
   bool agent_file(ProjectAgent& agent) {
-    const bool is_attribute = is(Kind::word) && contains(kOtherReserved, next().text);
-    if (!is(Kind::path) && (!is(Kind::word) || is_attribute)) return true;
+    const bool is_attribute = is(ProjectTokenKind::word) && contains(kOtherReserved, next().text);
+    if (!is(ProjectTokenKind::path) && (!is(ProjectTokenKind::word) || is_attribute)) return true;
     const Span begin = next().span;
-    if (is(Kind::path)) take();
+    if (is(ProjectTokenKind::path)) take();
     if (expect_name("the name of a file") == nullptr) return false;
-    if (is(Kind::path)) {
+    if (is(ProjectTokenKind::path)) {
       unexpected("'.asl', '[' or ';'",
                  fmt::format("a file in a folder is written './{}...'", text_from(begin)));
       return false;
     }
     bool has_extension = false;
     if (take_if(".")) {
-      if (expect_kind(Kind::word, "the extension of a file") == nullptr) return false;
+      if (expect_kind(ProjectTokenKind::word, "the extension of a file") == nullptr) return false;
       has_extension = true;
     }
     agent.file = text_from(begin) + (has_extension ? "" : ".asl");
@@ -431,10 +307,11 @@ class ProjectParser {
   }
 
   bool agent_option(ProjectAgent& agent) {
-    const Token* const name = expect_kind(Kind::word, "the name of an option");
+    const ProjectToken* const name = expect_kind(ProjectTokenKind::word, "the name of an option");
     if (name == nullptr || !expect("=")) return false;
-    const Token value = next();
-    if (!is(Kind::word) && !is(Kind::number) && !is(Kind::string)) {
+    const ProjectToken value = next();
+    if (!is(ProjectTokenKind::word) && !is(ProjectTokenKind::number) &&
+        !is(ProjectTokenKind::string)) {
       unexpected(fmt::format("the value of the option '{}'", name->text));
       return false;
     }
@@ -442,7 +319,7 @@ class ProjectParser {
     ProjectOption option{.name = std::string(name->text),
                          .value = std::string(value.text),
                          .where = where(value.span)};
-    if (value.kind == Kind::string) {
+    if (value.kind == ProjectTokenKind::string) {
       option.value = content_of(value.text);
       option.where = where({value.span.begin + 1, value.span.end - 1});
     }
@@ -461,7 +338,7 @@ class ProjectParser {
     }
     const bool needs_number = option.name == "verbose" || option.name == "nrcbp";
     if (needs_number && (option.value.empty() ||
-                         !std::all_of(option.value.begin(), option.value.end(), is_digit))) {
+                         option.value.find_first_not_of("0123456789") != std::string::npos)) {
       diagnostics_.error(option.where, fmt::format("the option '{}' must be a number, not '{}'",
                                                    option.name, option.value));
     }
@@ -473,7 +350,7 @@ class ProjectParser {
     if (take_if("beliefBaseClass")) return (agent.belief_base_class = class_name()).has_value();
     if (take_if("#")) return agent_count(agent);
     if (take_if("at")) {
-      const Token* const host = expect_kind(Kind::string, "a host in quotes");
+      const ProjectToken* const host = expect_kind(ProjectTokenKind::string, "a host in quotes");
       if (host != nullptr) agent.at = content_of(host->text);
       return host != nullptr;
     }
@@ -485,7 +362,8 @@ class ProjectParser {
   }
 
   bool agent_count(ProjectAgent& agent) {
-    const Token* const number = expect_kind(Kind::number, "the number of agents");
+    const ProjectToken* const number =
+        expect_kind(ProjectTokenKind::number, "the number of agents");
     if (number == nullptr) return false;
     const std::string_view text = number->text;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), agent.count);
@@ -496,7 +374,7 @@ class ProjectParser {
 
   const SourcePtr& source_;
   Diagnostics& diagnostics_;
-  std::vector<Token> tokens_;
+  std::vector<ProjectToken> tokens_;
   std::size_t at_ = 0;
   int last_section_ = -1;
   Project project_;
