@@ -99,10 +99,6 @@ bool is_keyword(std::string_view name, std::size_t arity) {
   return arity == 0 && std::find(kWords.begin(), kWords.end(), name) != kWords.end();
 }
 
-bool is_dotted(std::string_view name) {
-  return !name.starts_with('\'') && name.find('.') != name.npos;
-}
-
 }  // namespace
 
 Value VariableScope::variable(std::string_view name) {

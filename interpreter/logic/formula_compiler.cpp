@@ -3,16 +3,6 @@
 #include <array>
 
 namespace jaywalk {
-namespace {
-
-bool is_evaluable(Value value) {
-  if (!value.is_structure()) return false;
-  const Form form = value.structure()->form();
-  return form == Form::expression || form == Form::function;
-}
-
-}  // namespace
-
 Goal& FormulaCompiler::add(Goal::Kind kind, Value term, const Goal* next) {
   Goal& goal = code_.goals.emplace_back();
   goal.kind = kind;

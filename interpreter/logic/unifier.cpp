@@ -6,14 +6,6 @@
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
-namespace {
-
-bool is_evaluable(Value value) {
-  return is_form(value, Form::expression) || is_form(value, Form::function);
-}
-
-}  // namespace
-
 Value with_annotations(Heap& heap, Value literal, Value annots) {
   if (literal.is_atom()) {
     return annots.is_empty_list() ? literal : heap.structure(literal.atom_id(), {}, annots);

@@ -66,6 +66,11 @@ struct Structure {
   return value.is_structure() && value.structure()->form() == form;
 }
 
+/// Whether a dereferenced value is something to be computed, `X + 1` or `math.abs(X)`.
+[[nodiscard]] inline bool is_evaluable(Value value) {
+  return is_form(value, Form::expression) || is_form(value, Form::function);
+}
+
 struct Pair {
   Value head;
   Value tail;

@@ -20,11 +20,11 @@ constexpr std::array kPredicates{
 #include "interpreter/term/names.def"
 };
 
-bool is_dotted(std::string_view functor) {
-  return !functor.empty() && functor.front() != '\'' && functor.find('.') != functor.npos;
-}
-
 }  // namespace
+
+bool is_dotted(std::string_view functor) {
+  return !functor.starts_with('\'') && functor.find('.') != functor.npos;
+}
 
 std::size_t SymbolTable::SignatureHash::operator()(const Signature& signature) const {
   std::uint64_t key = static_cast<std::uint64_t>(signature.functor) << 32U |

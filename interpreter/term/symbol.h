@@ -63,6 +63,9 @@ struct Signature {
   friend bool operator==(const Signature&, const Signature&) = default;
 };
 
+/// Whether a functor names an internal action, `.print`; not if it is quoted.
+[[nodiscard]] bool is_dotted(std::string_view functor);
+
 /// Interns texts and signatures. A table may extend another, frozen one: programs that are shared
 /// by many runs are compiled into one base table; each run adds its own names in a layer above it,
 /// so that runs on several threads never write to shared memory. Where one run has several threads,
