@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario_layer.h"
+#include "experiment/scenario_ranges.h"
 
 namespace jaywalk {
 namespace {
-
-constexpr NumberRange kSpeed{0.01, 10'000};
 
 class ActorsReader : LayerPart {
  public:

@@ -5,17 +5,13 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario_layer.h"
+#include "experiment/scenario_ranges.h"
 
 namespace jaywalk {
 namespace {
 
-constexpr IntegerRange kCells{1, 100'000};
-constexpr IntegerRange kCellsFromAnywhere{-100'000, 100'000};
-constexpr IntegerRange kRows{0, 999};
 constexpr NumberRange kMetresFar{0, 1e6};
 constexpr NumberRange kStandoff{0, 100};
-constexpr NumberRange kWindow{0, 3600};
-constexpr NumberRange kSpeed{0.01, 10'000};
 constexpr NumberRange kAcceleration{0.01, 100};
 
 class AvReader : LayerPart {

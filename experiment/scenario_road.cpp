@@ -6,12 +6,12 @@
 
 #include "env/crossing/layout.h"
 #include "experiment/scenario_layer.h"
+#include "experiment/scenario_ranges.h"
 
 namespace jaywalk {
 namespace {
 
 constexpr IntegerRange kCellsFromZero{0, 99'999};
-constexpr IntegerRange kRows{0, 999};
 constexpr IntegerRange kBandRows{1, 100};
 constexpr std::size_t kMaxBands = 50;
 

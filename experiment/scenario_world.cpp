@@ -5,18 +5,15 @@
 
 #include "env/environments.h"
 #include "experiment/scenario_layer.h"
+#include "experiment/scenario_ranges.h"
 
 namespace jaywalk {
 namespace {
 
 // What a scenario may ask for; generous, but safe to multiply.
-constexpr IntegerRange kCells{1, 100'000};
-constexpr IntegerRange kCellsFromAnywhere{-100'000, 100'000};
-constexpr IntegerRange kRows{0, 999};
 constexpr NumberRange kMoney{0, 1e9};
 constexpr NumberRange kMetres{0.01, 1000};
 constexpr NumberRange kSeconds{0.001, 3600};
-constexpr NumberRange kWindow{0, 3600};
 constexpr NumberRange kTimeLimit{0, 86'400};
 constexpr NumberRange kPace{0.001, 100};
 constexpr IntegerRange kAftermath{0, 1000};
