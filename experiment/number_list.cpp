@@ -17,7 +17,7 @@ struct Range {
   std::uint32_t last = 0;
 };
 
-std::optional<std::uint32_t> parse_number(std::string_view text) {
+std::optional<std::uint32_t> parse_count(std::string_view text) {
   text = trimmed(text);
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -27,8 +27,8 @@ std::optional<std::uint32_t> parse_number(std::string_view text) {
 
 std::optional<Range> parse_range(std::string_view text) {
   const auto dots = text.find("..");
-  const auto first = parse_number(text.substr(0, dots));
-  const auto last = dots == std::string_view::npos ? first : parse_number(text.substr(dots + 2));
+  const auto first = parse_count(text.substr(0, dots));
+  const auto last = dots == std::string_view::npos ? first : parse_count(text.substr(dots + 2));
   if (!first || !last || *first > *last) return std::nullopt;
   return Range{.first = *first, .last = *last};
 }

@@ -83,10 +83,9 @@ jaywalk_add_library(engine
   PRIVATE fmt::fmt)
 
 # What every cycle passes through is compiled as one: the compiler may then inline across files, and
-# the headers are read once.
+# the headers are read once. The other files are groups of eight, or alone.
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  set_target_properties(jaywalk_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  set_source_files_properties(
+  set(hot
     term/compare.cpp term/heap.cpp term/transfer.cpp
     logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/fact_index.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
@@ -95,6 +94,17 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
     agent/context.cpp agent/messages.cpp agent/perception.cpp agent/plain.cpp
     agent/stride.cpp
-    mas/mail.cpp mas/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp
-    PROPERTIES UNITY_GROUP core)
+    mas/mail.cpp mas/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
+  set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)
+  if(JAYWALK_UNITY)
+    get_target_property(others jaywalk_engine SOURCES)
+    list(REMOVE_ITEM others ${hot})
+    set(count 0)
+    foreach(source IN LISTS others)
+      math(EXPR group "${count} / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP others_${group})
+      math(EXPR count "${count} + 1")
+    endforeach()
+  endif()
+  set_target_properties(jaywalk_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endif()

@@ -12,13 +12,13 @@ namespace jaywalk {
 namespace {
 
 // Keeps a whole number that came out a little less (0.1 · 3 / 0.3) from being rounded away.
-constexpr double kEpsilon = 1e-9;
+constexpr double kRounding = 1e-9;
 // Beyond any grid, and small enough to be added up.
 constexpr double kFar = 1e9;
 
 int to_cell(double whole) { return static_cast<int>(std::clamp(whole, -kFar, kFar)); }
-int floor_to_cell(double value) { return to_cell(std::floor(value + kEpsilon)); }
-int ceil_to_cell(double value) { return to_cell(std::ceil(value - kEpsilon)); }
+int floor_to_cell(double value) { return to_cell(std::floor(value + kRounding)); }
+int ceil_to_cell(double value) { return to_cell(std::ceil(value - kRounding)); }
 
 void check_av(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const AvParameters& av = parameters.av;
@@ -224,7 +224,7 @@ int zone_origin_at(const CrossingParameters& parameters, double driven) {
 
 int max_ticks(const CrossingParameters& parameters) {
   const auto ticks = [](double value) {
-    return static_cast<int>(std::clamp(std::ceil(value - kEpsilon), 1.0, kFar));
+    return static_cast<int>(std::clamp(std::ceil(value - kRounding), 1.0, kFar));
   };
   if (parameters.time_limit_s > 0) return ticks(parameters.time_limit_s / parameters.tick_s);
   if (parameters.av.vehicle.model == "constant") return 0;

@@ -10,7 +10,7 @@
 namespace jaywalk {
 namespace {
 
-constexpr double kEpsilon = 1e-9;
+constexpr double kReached = 1e-9;
 
 // Ten steps of a tenth of a cell lead to the next one, not a hair's breadth beside it.
 GridPoint rounded(GridPoint place) {
@@ -84,7 +84,7 @@ BoxSize half_extent(const RoadUser& body) {
 std::string step(RoadUser& body, const Layout& layout, Direction direction, double cells,
                  int tick) {
   const double free = room(body.place, layout.grid(), direction);
-  if (free < kEpsilon) {
+  if (free < kReached) {
     return fmt::format("a step {} from ({:.6g},{:.6g}) leaves the grid", name(direction),
                        body.place.x, body.place.y);
   }

@@ -14,9 +14,9 @@
 namespace jaywalk::reporting {
 namespace {
 
-constexpr double kWidth = 360;
-constexpr double kLeft = 28;
-constexpr double kRight = 346;
+constexpr double kBarsWidth = 360;
+constexpr double kBarsLeft = 28;
+constexpr double kBarsRight = 346;
 constexpr double kBoxLine = 11;
 constexpr double kNameLine = 18;
 
@@ -35,13 +35,13 @@ Axis value_axis(const std::vector<BoxGroup>& groups) {
       }
     }
   }
-  if (!(least <= most)) return {.begin = kLeft, .end = kRight};
+  if (!(least <= most)) return {.begin = kBarsLeft, .end = kBarsRight};
   if (least > 0 && least < 0.3 * most) least = 0;
   if (most <= least) {
     most += 0.5;
     least -= 0.5;
   }
-  return {.least = least, .most = most, .begin = kLeft, .end = kRight};
+  return {.least = least, .most = most, .begin = kBarsLeft, .end = kBarsRight};
 }
 
 std::string arrow(double x, double y, double way) {
@@ -51,7 +51,7 @@ std::string arrow(double x, double y, double way) {
 
 std::string box_row(const Box& box, std::string_view noun, const Axis& axis, double y) {
   const Distribution& of = box.values;
-  std::string row = svg_text(kLeft - 6, y + 3.5, "end", box.label, "class=\"small\"");
+  std::string row = svg_text(kBarsLeft - 6, y + 3.5, "end", box.label, "class=\"small\"");
   if (of.count == 0) return row;
   std::string drawn = svg_line(axis.at(of.least), y, axis.at(of.greatest), y);
   const double from = axis.at(of.lower_quartile);
@@ -61,8 +61,8 @@ std::string box_row(const Box& box, std::string_view noun, const Axis& axis, dou
                   from, y - 3.5, std::max(0.8, to - from));
   const double median = axis.at(of.median);
   drawn += svg_line(median, y - 4.5, median, y + 4.5, "stroke-width=\"2.5\"");
-  if (std::isinf(of.greatest) && of.greatest > 0) drawn += arrow(kRight + 6, y, 1);
-  if (std::isinf(of.least) && of.least < 0) drawn += arrow(kLeft - 3, y, -1);
+  if (std::isinf(of.greatest) && of.greatest > 0) drawn += arrow(kBarsRight + 6, y, 1);
+  if (std::isinf(of.least) && of.least < 0) drawn += arrow(kBarsLeft - 3, y, -1);
   const std::string lead = box.label.empty() ? "" : escaped(box.label) + ": ";
   return row + fmt::format(
                    "<g>{}<title>{}median {}, quartiles {} and {}, from {} to {}, {}</title></g>\n",
@@ -80,7 +80,7 @@ std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& gro
   double y = 4;
   for (const BoxGroup& group : groups) {
     boxes += fmt::format("<g {}>", series_attributes(group.number));
-    boxes += svg_text(kLeft, y + 11, "start", group.name, "class=\"name\"") + '\n';
+    boxes += svg_text(kBarsLeft, y + 11, "start", group.name, "class=\"name\"") + '\n';
     y += kNameLine;
     for (const Box& box : group.boxes) {
       boxes += box_row(box, noun, axis, y + kBoxLine / 2);
@@ -94,12 +94,12 @@ std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& gro
     frame += svg_line(axis.at(mark), 4, axis.at(mark), y + 2, "class=\"grid\"");
     frame += svg_text(axis.at(mark), y + 16, "middle", compact(mark)) + '\n';
   }
-  frame += svg_text((kLeft + kRight) / 2, y + 34, "middle", x_title);
-  return svg(kWidth, y + 42, x_title, frame + boxes);
+  frame += svg_text((kBarsLeft + kBarsRight) / 2, y + 34, "middle", x_title);
+  return svg(kBarsWidth, y + 42, x_title, frame + boxes);
 }
 
 std::string stacked_bars(const std::vector<std::string>& classes, const std::vector<Bar>& bars) {
-  const Axis axis{.least = 0, .most = 100, .begin = 4, .end = kRight + 6};
+  const Axis axis{.least = 0, .most = 100, .begin = 4, .end = kBarsRight + 6};
   std::string content;
   double y = 2;
   for (const Bar& bar : bars) {
@@ -126,7 +126,7 @@ std::string stacked_bars(const std::vector<std::string>& classes, const std::vec
     }
     y += 20;
   }
-  return svg(kWidth, y, "shares of tests", content);
+  return svg(kBarsWidth, y, "shares of tests", content);
 }
 
 }  // namespace jaywalk::reporting

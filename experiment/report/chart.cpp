@@ -28,7 +28,7 @@ constexpr double kLeft = 60;
 constexpr double kTop = 50;
 constexpr double kLegendLine = 20;
 
-struct Point {
+struct ChartPoint {
   double x = 0;
   Estimate y;
 };
@@ -37,8 +37,8 @@ struct Point {
 struct Series {
   std::string name;
   std::string_view colour;
-  std::vector<Point> ours;
-  std::vector<Point> paper;
+  std::vector<ChartPoint> ours;
+  std::vector<ChartPoint> paper;
 };
 
 struct Panel {
@@ -69,7 +69,7 @@ std::vector<Series> series_of(const Comparison& comparison, const Measure& measu
     const auto paper = published_figure(measure, summary.behaviour, summary.agents);
     if (paper) all.back().paper.push_back({.x = x, .y = *paper});
   }
-  const auto by_x = [](const Point& a, const Point& b) { return a.x < b.x; };
+  const auto by_x = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
   for (Series& series : all) {
     std::ranges::sort(series.ours, by_x);
     std::ranges::sort(series.paper, by_x);
@@ -80,7 +80,7 @@ std::vector<Series> series_of(const Comparison& comparison, const Measure& measu
 void fit(Panel& panel, const std::vector<Series>& all) {
   for (const Series& series : all) {
     for (const auto* points : {&series.ours, &series.paper}) {
-      for (const Point& point : *points) {
+      for (const ChartPoint& point : *points) {
         panel.max_x = std::max(panel.max_x, point.x);
         panel.min_y = std::min(panel.min_y, *point.y.value);
         panel.max_y = std::max(panel.max_y, *point.y.value);
@@ -129,10 +129,11 @@ std::string axes(const Panel& panel) {
   return svg;
 }
 
-std::string polyline(const Panel& panel, const std::vector<Point>& points, std::string_view style) {
+std::string polyline(const Panel& panel, const std::vector<ChartPoint>& points,
+                     std::string_view style) {
   if (points.empty()) return {};
   std::string svg = "<polyline points=\"";
-  for (const Point& point : points) {
+  for (const ChartPoint& point : points) {
     svg += fmt::format("{:.1f},{:.1f} ", panel.x(point.x), panel.y(*point.y.value));
   }
   return svg + fmt::format("\" {}/>\n", style);
@@ -142,7 +143,7 @@ std::string curves(const Panel& panel, const Series& series) {
   std::string svg = fmt::format("<g stroke=\"{}\" fill=\"none\">\n", series.colour);
   svg += polyline(panel, series.paper, "stroke-width=\"1.5\" stroke-dasharray=\"5 4\"");
   svg += polyline(panel, series.ours, "stroke-width=\"2\"");
-  for (const Point& point : series.ours) {
+  for (const ChartPoint& point : series.ours) {
     if (point.y.low && point.y.high) {
       svg += line(panel.x(point.x), panel.y(std::max(*point.y.low, panel.min_y)), panel.x(point.x),
                   panel.y(std::min(*point.y.high, panel.max_y)), "stroke-width=\"1\"");

@@ -13,10 +13,10 @@
 namespace jaywalk::reporting {
 namespace {
 
-constexpr double kWidth = 360;
+constexpr double kPlotWidth = 360;
 constexpr double kHeight = 250;
-constexpr double kLeft = 48;
-constexpr double kRight = 350;
+constexpr double kPlotLeft = 48;
+constexpr double kPlotRight = 350;
 constexpr double kTop = 10;
 constexpr double kBottom = 208;
 
@@ -57,16 +57,16 @@ Axis horizontal_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series
   for (const PlotSeries& each : series) {
     for (const PlotPoint& point : each.points) most = std::max(most, point.x);
   }
-  return {.least = axes.x_least, .most = most, .begin = kLeft + 8, .end = kRight - 8};
+  return {.least = axes.x_least, .most = most, .begin = kPlotLeft + 8, .end = kPlotRight - 8};
 }
 
 std::string frame(const PlotAxes& axes, const Axis& x, const Axis& y) {
   std::string content;
   for (const double mark : y.marks(6)) {
-    content += svg_line(kLeft, y.at(mark), kRight, y.at(mark), "class=\"grid\"");
-    content += svg_text(kLeft - 6, y.at(mark) + 4, "end", compact(mark)) + '\n';
+    content += svg_line(kPlotLeft, y.at(mark), kPlotRight, y.at(mark), "class=\"grid\"");
+    content += svg_text(kPlotLeft - 6, y.at(mark) + 4, "end", compact(mark)) + '\n';
   }
-  content += svg_line(kLeft, kBottom, kRight, kBottom, "class=\"axis\"");
+  content += svg_line(kPlotLeft, kBottom, kPlotRight, kBottom, "class=\"axis\"");
   std::vector<double> marks = x.marks(x.most <= 10 ? 10 : 5);
   if (marks.empty() || marks.front() > x.least) marks.insert(marks.begin(), x.least);
   for (const double mark : marks) {
@@ -74,7 +74,8 @@ std::string frame(const PlotAxes& axes, const Axis& x, const Axis& y) {
     content += svg_line(x.at(mark), kBottom, x.at(mark), kBottom + 4, "class=\"axis\"");
     content += svg_text(x.at(mark), kBottom + 18, "middle", compact(mark)) + '\n';
   }
-  return content + svg_text((kLeft + kRight) / 2, kBottom + 36, "middle", axes.x_title) + '\n';
+  return content + svg_text((kPlotLeft + kPlotRight) / 2, kBottom + 36, "middle", axes.x_title) +
+         '\n';
 }
 
 std::string curve(const PlotSeries& series, const PlotAxes& axes, const Axis& x, const Axis& y) {
@@ -116,7 +117,7 @@ std::string curves(const PlotAxes& axes, const std::vector<PlotSeries>& series) 
   for (const PlotSeries& each : series) {
     if (!each.published) content += curve(each, axes, x, y);
   }
-  return svg(kWidth, kHeight, axes.y_title, content);
+  return svg(kPlotWidth, kHeight, axes.y_title, content);
 }
 
 }  // namespace jaywalk::reporting

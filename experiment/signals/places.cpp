@@ -9,7 +9,7 @@
 namespace jaywalk::signal {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// The time to collision (TTC) that the paper's precondition zone covers.
 constexpr double kZoneS = 1;
 
@@ -27,7 +27,7 @@ void av_lateral_offset(const TestView& view, ActorIndex, std::span<double> value
 
 void av_in_lane(const TestView& view, ActorIndex, std::span<double> values) {
   const Area* const lane = view.ground().av_lane();
-  const auto [left, right] = lane == nullptr ? std::pair(kInf, -kInf) : [&] {
+  const auto [left, right] = lane == nullptr ? std::pair(kUnbounded, -kUnbounded) : [&] {
     const auto ends = std::ranges::minmax(lane->corners, {}, &Point::x_m);
     return std::pair(ends.min.x_m, ends.max.x_m);
   }();
@@ -62,7 +62,7 @@ void time_gap(const TestView& view, ActorIndex actor, std::span<double> values) 
   for (std::size_t tick = 0; tick < view.ticks(); ++tick) {
     const ActorState& av = view.state(kAv, tick == 0 ? 0 : tick - 1);
     const double ahead = dot(displacement(av, view.state(actor, tick)), heading(av)) - half_length;
-    values[tick] = ahead > 0 && av.speed_mps > 0 ? ahead / av.speed_mps : kInf;
+    values[tick] = ahead > 0 && av.speed_mps > 0 ? ahead / av.speed_mps : kUnbounded;
   }
 }
 

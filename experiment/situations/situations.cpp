@@ -24,7 +24,7 @@ struct Single {
   std::string_view summary;
   std::optional<std::uint32_t> (*bin)(const Situation&);
 };
-struct Pair {
+struct SituationPair {
   std::string_view name;
   std::string_view first;
   std::string_view second;
@@ -40,7 +40,7 @@ constexpr std::array kSingles = {
 
 constexpr std::array kPairs = {
 #define JAYWALK_SITUATION(name, bins, summary)
-#define JAYWALK_SITUATION_PAIR(name, first, second) Pair{#name, #first, #second},
+#define JAYWALK_SITUATION_PAIR(name, first, second) SituationPair{#name, #first, #second},
 #include "experiment/situations/situations.def"
 #undef JAYWALK_SITUATION
 #undef JAYWALK_SITUATION_PAIR
@@ -57,7 +57,7 @@ std::vector<SituationItem> make_items() {
   for (const Single& single : kSingles) {
     items.push_back({single.name, std::string(single.summary), split(single.bins)});
   }
-  for (const Pair& pair : kPairs) {
+  for (const SituationPair& pair : kPairs) {
     const SituationItem& first = items[index_of(pair.first)];
     const SituationItem& second = items[index_of(pair.second)];
     SituationItem item{pair.name, fmt::format("{} with {}", pair.first, pair.second), {}};

@@ -46,15 +46,15 @@ how often its plan was chosen, its condition asked or its formula executed.</p>
 style="background:var(--part)">in part</span><span style="background:var(--none)">not</span></p>
 )page";
 
-std::string cell(const Share& share) {
+std::string html_cell(const Share& share) {
   if (share.of == 0) return "<td>-</td><td></td>";
   return fmt::format("<td>{} of {}</td><td><meter value=\"{}\" max=\"{}\"></meter> {}</td>",
                      share.covered, share.of, share.covered, share.of, percent(share));
 }
 
 void add_row(std::string& out, const std::string& name, const CoverageTotals& totals) {
-  out += fmt::format("<tr><td>{}</td>{}{}{}</tr>\n", name, cell(totals.plans),
-                     cell(totals.outcomes), cell(totals.formulas));
+  out += fmt::format("<tr><td>{}</td>{}{}{}</tr>\n", name, html_cell(totals.plans),
+                     html_cell(totals.outcomes), html_cell(totals.formulas));
 }
 
 void add_line(std::string& out, const Source& source, std::uint32_t number,

@@ -12,7 +12,7 @@ namespace jaywalk {
 namespace {
 
 // One line, white space as single blanks.
-std::string plain(std::string_view text) {
+std::string on_one_line(std::string_view text) {
   std::string result;
   for (const char c : text) {
     const bool is_space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
@@ -103,7 +103,7 @@ class WrittenFile {
     Places places{.whole = plan.span};
     if (plan.context != nullptr) add_conditions(*plan.context, places.conditions);
     add_formulas(plan.body, places.formulas);
-    triggers_.emplace(plan.span.begin, plain(source_->text(plan.trigger.span)));
+    triggers_.emplace(plan.span.begin, on_one_line(source_->text(plan.trigger.span)));
     plans_[source_->position(plan.span.begin).line].push_back(std::move(places));
     for (const ast::Plan* const inner : plan.subplans) add(*inner);
   }
@@ -165,7 +165,7 @@ class Finder {
     const Places* const places = file == nullptr ? nullptr : file->rule(rule.where.span.begin);
     if (places == nullptr) return;
     texts_.rules[index] = {file->source(), place_of(*file->source(), places->whole),
-                           plain(file->source()->text(rule.where.span))};
+                           on_one_line(file->source()->text(rule.where.span))};
     set(texts_.conditions, rule.first_condition, rule.conditions, *file, places->conditions);
   }
 
@@ -175,7 +175,8 @@ class Finder {
     if (spans.size() != count) return;
     const Source& source = *file.source();
     for (std::size_t i = 0; i < count; ++i) {
-      texts[first + i] = {file.source(), place_of(source, spans[i]), plain(source.text(spans[i]))};
+      texts[first + i] = {file.source(), place_of(source, spans[i]),
+                          on_one_line(source.text(spans[i]))};
     }
   }
 

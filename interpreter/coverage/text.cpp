@@ -9,13 +9,13 @@
 namespace jaywalk {
 namespace {
 
-std::string cell(const Share& share) {
+std::string text_cell(const Share& share) {
   return fmt::format("{:>5}/{:<5}{:>8}", share.covered, share.of, percent(share));
 }
 
 std::string row(std::string_view name, const CoverageTotals& totals, std::size_t width) {
-  return fmt::format("{:<{}} {} {} {}\n", name, width, cell(totals.plans), cell(totals.outcomes),
-                     cell(totals.formulas));
+  return fmt::format("{:<{}} {} {} {}\n", name, width, text_cell(totals.plans),
+                     text_cell(totals.outcomes), text_cell(totals.formulas));
 }
 
 void list(std::string& out, const CoveredFile& file) {

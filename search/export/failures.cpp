@@ -11,11 +11,11 @@
 namespace jaywalk::search {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json point_list(const lane::Polyline& points) {
-  Json list = Json::array();
-  for (const Point& point : points) list.push_back(Json::array({point.x_m, point.y_m}));
+OrderedJson point_list(const lane::Polyline& points) {
+  OrderedJson list = OrderedJson::array();
+  for (const Point& point : points) list.push_back(OrderedJson::array({point.x_m, point.y_m}));
   return list;
 }
 
@@ -35,15 +35,15 @@ std::string to_competition_json(const TestRow& row, const lane::Polyline& points
   const lane::RoadVerdict verdict = lane::validate(points);
   const ExecutedTest& test = row.test;
   const char* outcome = !test.outcome.executed() ? "ERROR" : test.failed ? "FAIL" : "PASS";
-  const Json json{
-      {"id", id},
-      {"is_valid", verdict.valid()},
-      {"validation_message", std::string(verdict.message)},
-      {"road_points", point_list(points)},
-      {"interpolated_points", verdict.road ? point_list(verdict.road->middle) : Json::array()},
-      {"test_outcome", outcome},
-      {"description", fmt::format("fitness {:.4f}", test.fitness)},
-      {"execution_data", Json::array()}};
+  const OrderedJson json{{"id", id},
+                         {"is_valid", verdict.valid()},
+                         {"validation_message", std::string(verdict.message)},
+                         {"road_points", point_list(points)},
+                         {"interpolated_points",
+                          verdict.road ? point_list(verdict.road->middle) : OrderedJson::array()},
+                         {"test_outcome", outcome},
+                         {"description", fmt::format("fitness {:.4f}", test.fitness)},
+                         {"execution_data", OrderedJson::array()}};
   return json.dump(1) + '\n';
 }
 

@@ -9,7 +9,7 @@
 namespace jaywalk::search {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string cell(const GeneratorResults& generator, const SummaryColumn& column) {
   const MeanAndDeviation value = mean_and_deviation(generator.values(column.value));
@@ -126,27 +126,29 @@ std::string to_csv(const std::vector<GeneratorResults>& generators) {
 
 namespace {
 
-Json test_json(const TestRow& row) {
-  Json json{{"form", std::string(name(row.test.input.form))},
-            {"input", row.test.input.values},
-            {"fitness", row.test.fitness},
-            {"failed", row.test.failed},
-            {"simulated_s", row.test.outcome.simulated_s},
-            {"measures", row.test.outcome.measures},
-            {"candidates", row.candidates},
-            {"invalid", row.invalid}};
+OrderedJson test_json(const TestRow& row) {
+  OrderedJson json{{"form", std::string(name(row.test.input.form))},
+                   {"input", row.test.input.values},
+                   {"fitness", row.test.fitness},
+                   {"failed", row.test.failed},
+                   {"simulated_s", row.test.outcome.simulated_s},
+                   {"measures", row.test.outcome.measures},
+                   {"candidates", row.candidates},
+                   {"invalid", row.invalid}};
   if (!row.test.outcome.executed()) json["error"] = row.test.outcome.error;
   return json;
 }
 
-Json generator_json(const GeneratorResults& generator) {
-  Json json{{"name", generator.name}, {"summary", Json::object()}, {"searches", Json::array()}};
+OrderedJson generator_json(const GeneratorResults& generator) {
+  OrderedJson json{{"name", generator.name},
+                   {"summary", OrderedJson::object()},
+                   {"searches", OrderedJson::array()}};
   for (const SummaryColumn& column : summary_columns()) {
     const MeanAndDeviation value = mean_and_deviation(generator.values(column.value));
     json["summary"][std::string(column.name)] = {{"mean", value.mean}, {"sd", value.deviation}};
   }
   for (const SearchRun* run : generator.runs) {
-    Json tests = Json::array();
+    OrderedJson tests = OrderedJson::array();
     for (const TestRow& row : run->tests) tests.push_back(test_json(row));
     json["searches"].push_back({{"repetition", run->repetition},
                                 {"seed", run->seed},
@@ -160,23 +162,23 @@ Json generator_json(const GeneratorResults& generator) {
 
 std::string to_json(const SearchExperiment& experiment,
                     const std::vector<GeneratorResults>& generators) {
-  Json measures = Json::array();
+  OrderedJson measures = OrderedJson::array();
   for (const MeasureKind& measure : experiment.plan.model->measures()) {
     measures.push_back(std::string(measure.name));
   }
   const Fitness& fitness = experiment.plan.fitness;
-  Json json{{"experiment", experiment.name},
-            {"sut", experiment.sut},
-            {"seed", experiment.plan.seed},
-            {"repetitions", experiment.plan.repetitions},
-            {"fitness",
-             {{"measure", experiment.measure},
-              {"harmless", fitness.harmless},
-              {"worst", fitness.worst},
-              {"fails_at", fitness.fails_at}}},
-            {"measures", std::move(measures)},
-            {"generators", Json::array()},
-            {"comparisons", Json::array()}};
+  OrderedJson json{{"experiment", experiment.name},
+                   {"sut", experiment.sut},
+                   {"seed", experiment.plan.seed},
+                   {"repetitions", experiment.plan.repetitions},
+                   {"fitness",
+                    {{"measure", experiment.measure},
+                     {"harmless", fitness.harmless},
+                     {"worst", fitness.worst},
+                     {"fails_at", fitness.fails_at}}},
+                   {"measures", std::move(measures)},
+                   {"generators", OrderedJson::array()},
+                   {"comparisons", OrderedJson::array()}};
   for (const GeneratorResults& generator : generators) {
     json["generators"].push_back(generator_json(generator));
   }

@@ -15,7 +15,7 @@ namespace {
 using testing_scenario::behaviour;
 using testing_scenario::paper;
 
-constexpr std::uint64_t kTests = 2000;
+constexpr std::uint64_t kAccuracyTests = 2000;
 
 double measured_accuracy(const PreparedScenario& prepared, const std::string& program,
                          std::size_t agents) {
@@ -24,7 +24,7 @@ double measured_accuracy(const PreparedScenario& prepared, const std::string& pr
   std::atomic<std::uint64_t> successes = 0;
   std::atomic<bool> completed = true;
   const auto work = [&] {
-    for (std::uint64_t test = next++; test < kTests; test = next++) {
+    for (std::uint64_t test = next++; test < kAccuracyTests; test = next++) {
       const TrialResult result = run_trial(prepared, {.behaviour = index,
                                                       .agents = static_cast<std::uint32_t>(agents),
                                                       .seed = 0,
@@ -37,7 +37,7 @@ double measured_accuracy(const PreparedScenario& prepared, const std::string& pr
   work();
   other.join();
   EXPECT_TRUE(completed);
-  return static_cast<double>(successes) / static_cast<double>(kTests);
+  return static_cast<double>(successes) / static_cast<double>(kAccuracyTests);
 }
 
 TEST(Accuracy, OfIndependentAgentsIsExact) {
@@ -47,7 +47,7 @@ TEST(Accuracy, OfIndependentAgentsIsExact) {
     for (const std::size_t agents : {1, 3, 10}) {
       const double expected = exact::accuracy(answer.probability, agents);
       EXPECT_NEAR(measured_accuracy(*prepared, answer.program, agents), expected,
-                  exact::tolerance(expected, kTests) + 1e-12)
+                  exact::tolerance(expected, kAccuracyTests) + 1e-12)
           << answer.program << ", " << agents;
     }
   }
@@ -60,7 +60,7 @@ TEST(Accuracy, OfElectionsIsAsSimulated) {
   for (const exact::ElectionAnswer& answer : exact::kElection) {
     if (answer.agents != 1 && answer.agents != 3 && answer.agents != 10) continue;
     EXPECT_NEAR(measured_accuracy(*prepared, "election", answer.agents), answer.accuracy,
-                exact::tolerance(answer.accuracy, kTests) + 0.009)
+                exact::tolerance(answer.accuracy, kAccuracyTests) + 0.009)
         << answer.agents;
   }
 }

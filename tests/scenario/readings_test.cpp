@@ -10,7 +10,7 @@ namespace {
 using testing_scenario::outcome;
 using testing_scenario::paper;
 
-constexpr std::uint64_t kTests = 200;
+constexpr std::uint64_t kReadingTests = 200;
 
 struct Results {
   std::uint64_t successes = 0;
@@ -21,7 +21,7 @@ struct Results {
 Results run(const std::string& program, const ScenarioOptions& options) {
   const auto prepared = paper(options);
   Results results;
-  for (std::uint64_t test = 0; test < kTests; ++test) {
+  for (std::uint64_t test = 0; test < kReadingTests; ++test) {
     const CrossingResult result = outcome(*prepared, program, 2, test);
     results.tests.emplace_back(result.success, result.ticks);
     if (!result.success) continue;

@@ -16,19 +16,19 @@ namespace {
 using testing_scenario::behaviour;
 using testing_scenario::paper;
 
-struct Summary {
+struct RunSummary {
   bool success = false;
   int ticks = 0;
   double score = 0;
   std::uint64_t cycles = 0;
 
-  friend bool operator==(const Summary&, const Summary&) = default;
+  friend bool operator==(const RunSummary&, const RunSummary&) = default;
 };
 
 using Key = std::pair<std::size_t, std::uint64_t>;
 
-std::map<Key, Summary> run_all(const PreparedScenario& prepared, const std::vector<Key>& order) {
-  std::map<Key, Summary> results;
+std::map<Key, RunSummary> run_all(const PreparedScenario& prepared, const std::vector<Key>& order) {
+  std::map<Key, RunSummary> results;
   for (const auto& [index, test] : order) {
     const TrialResult result =
         run_trial(prepared, {.behaviour = index, .agents = 4, .seed = 9, .test = test});
@@ -56,10 +56,10 @@ TEST(Trials, GiveTheSameResultsInAnyOrder) {
 TEST(Trials, GiveTheSameResultsOnSeveralThreads) {
   const auto prepared = paper();
   const std::vector<Key> order = all_trials(*prepared);
-  const std::map<Key, Summary> alone = run_all(*prepared, order);
-  std::map<Key, Summary> beside;
+  const std::map<Key, RunSummary> alone = run_all(*prepared, order);
+  std::map<Key, RunSummary> beside;
   std::thread thread([&] { beside = run_all(*prepared, order); });
-  const std::map<Key, Summary> again = run_all(*prepared, order);
+  const std::map<Key, RunSummary> again = run_all(*prepared, order);
   thread.join();
   EXPECT_EQ(beside, alone);
   EXPECT_EQ(again, alone);

@@ -16,7 +16,7 @@ using testing_scenario::run;
 using testing_scenario::scenario;
 using testing_scenario::verdicts;
 
-constexpr std::uint64_t kTests = 60;
+constexpr std::uint64_t kRequirementTests = 60;
 
 double mean_naturalness(const PreparedScenario& prepared, const std::string& name) {
   const Ground on = ground(prepared.scenario().world);
@@ -37,21 +37,21 @@ TEST(Naturalness, TellsPedestriansWhoMoveAsPeopleDoFromThoseWhoDoAnything) {  //
 }
 
 TEST(RulesOfTheRoad, AreBrokenByAnAvThatIsTooFast) {  // F22
-  EXPECT_EQ(
-      verdicts(*scenario("rules_of_the_road"), "near", "speed_limit", kTests).of(Verdict::fail),
-      0U);
+  EXPECT_EQ(verdicts(*scenario("rules_of_the_road"), "near", "speed_limit", kRequirementTests)
+                .of(Verdict::fail),
+            0U);
   const auto fast = scenario("rules_of_the_road", {"world.av.speed_mps=12"});
-  EXPECT_EQ(verdicts(*fast, "near", "speed_limit", kTests).of(Verdict::pass), 0U);
-  EXPECT_EQ(verdicts(*fast, "near", "lane_keeping", kTests).of(Verdict::fail), 0U);
+  EXPECT_EQ(verdicts(*fast, "near", "speed_limit", kRequirementTests).of(Verdict::pass), 0U);
+  EXPECT_EQ(verdicts(*fast, "near", "lane_keeping", kRequirementTests).of(Verdict::fail), 0U);
 }
 
 TEST(Avoidability, TellsCollisionsThatNobodyAvoidsFromThoseOfABadDriver) {  // F23
   const auto constant = scenario("rules_of_the_road", {"world.av.model=constant"});
-  const VerdictCounts bad = verdicts(*constant, "near", "avoidability", kTests);
+  const VerdictCounts bad = verdicts(*constant, "near", "avoidability", kRequirementTests);
   EXPECT_GT(bad.of(Verdict::fail), 0U);
   EXPECT_GT(bad.of(Verdict::unavoidable), 0U);
   const VerdictCounts good =
-      verdicts(*scenario("rules_of_the_road"), "near", "avoidability", kTests);
+      verdicts(*scenario("rules_of_the_road"), "near", "avoidability", kRequirementTests);
   EXPECT_EQ(good.of(Verdict::fail), 0U);
   EXPECT_EQ(good.of(Verdict::unavoidable), bad.of(Verdict::unavoidable))
       << "what nobody avoids does not depend on who drives";

@@ -48,7 +48,7 @@ TEST(World, GivesTheExactAccuracyOfDeterministicBehaviours) {
 }
 
 TEST(World, GivesTheAccuracyOfRandomBehavioursWithinChance) {
-  constexpr std::uint64_t kTests = 5000;
+  constexpr std::uint64_t kWorldTests = 5000;
   for (const exact::Answer& answer : exact::kAnswers) {
     if (answer.behaviour != Behaviour::random_action &&
         answer.behaviour != Behaviour::random_behaviour) {
@@ -56,18 +56,18 @@ TEST(World, GivesTheAccuracyOfRandomBehavioursWithinChance) {
     }
     for (const std::size_t agents : {1, 3, 10}) {
       const double expected = exact::accuracy(answer.probability, agents);
-      EXPECT_NEAR(simulated_accuracy(answer.behaviour, agents, kTests), expected,
-                  exact::tolerance(expected, kTests) + 1e-12)
+      EXPECT_NEAR(simulated_accuracy(answer.behaviour, agents, kWorldTests), expected,
+                  exact::tolerance(expected, kWorldTests) + 1e-12)
           << answer.program << ", " << agents;
     }
   }
 }
 
 TEST(World, GivesTheAccuracyOfElectionsWithinChance) {
-  constexpr std::uint64_t kTests = 5000;
+  constexpr std::uint64_t kWorldTests = 5000;
   for (const exact::ElectionAnswer& answer : exact::kElection) {
-    EXPECT_NEAR(simulated_accuracy(Behaviour::election, answer.agents, kTests), answer.accuracy,
-                exact::tolerance(answer.accuracy, kTests) + 0.009)
+    EXPECT_NEAR(simulated_accuracy(Behaviour::election, answer.agents, kWorldTests),
+                answer.accuracy, exact::tolerance(answer.accuracy, kWorldTests) + 0.009)
         << answer.agents;
   }
 }

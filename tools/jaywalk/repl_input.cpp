@@ -4,19 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "experiment/trimmed.h"
 #include "interpreter/syntax/lexer.h"
 #include "interpreter/syntax/parser.h"
 
 namespace jaywalk {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 std::string_view without_stop(std::string_view text) {
   text = trimmed(text);

@@ -38,7 +38,7 @@ std::string test_case(const UnitTest& test, const UnitTestReport& report) {
   return xml + "    </testcase>\n";
 }
 
-struct Counts {
+struct AssertionCounts {
   std::size_t tests = 0;
   std::size_t failures = 0;
   std::size_t errors = 0;
@@ -62,10 +62,10 @@ struct Counts {
 
 std::string junit_xml(const std::vector<UnitTest>& tests,
                       const std::vector<UnitTestReport>& reports) {
-  Counts all;
+  AssertionCounts all;
   std::string suites;
   for (std::size_t begin = 0; begin < tests.size();) {
-    Counts counts;
+    AssertionCounts counts;
     std::string cases;
     std::size_t end = begin;
     for (; end < tests.size() && tests[end].file == tests[begin].file; ++end) {

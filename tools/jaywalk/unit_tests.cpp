@@ -27,7 +27,7 @@ using Verdict = UnitTestReport::Verdict;
 
 /// What else goes on in the program under test ends so many steps after the test's goal.
 constexpr std::uint64_t kStepsAfterTest = 10'000;
-constexpr std::uint64_t kStepsBetweenLooks = 64;
+constexpr std::uint64_t kStepsBetweenLooksOfTests = 64;
 constexpr std::size_t kMaxOutputLines = 1000;
 constexpr std::uint64_t kMaxHeapBytes = std::uint64_t{256} << 20U;
 constexpr std::uint64_t kMaxInferences = 10'000'000;
@@ -248,7 +248,7 @@ class TestRun {
     std::optional<std::uint64_t> last_step;
     for (std::uint64_t step = 1; mas.step(); ++step) {
       if (last_step && step >= *last_step) return {};
-      if (step % kStepsBetweenLooks != 0) continue;
+      if (step % kStepsBetweenLooksOfTests != 0) continue;
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
       if (passed.count() > limits_.timeout_s) {
         return fmt::format("the test took longer than {:g} s", limits_.timeout_s);

@@ -42,7 +42,7 @@ struct Situation {
   Interval zone;
 };
 
-Situation situation(const Crossing& crossing) {
+Situation av_situation(const Crossing& crossing) {
   if (!crossing.result().success) return {crossing.av_edge(), crossing.zone_cells()};
   const CrossingParameters& parameters = crossing.parameters();
   const int origin = zone_origin(parameters, crossing.result().ticks - 1);
@@ -53,7 +53,7 @@ Situation situation(const Crossing& crossing) {
 
 Glyph ground(const Crossing& crossing, Position cell) {
   const CrossingParameters& parameters = crossing.parameters();
-  const auto [edge, zone] = situation(crossing);
+  const auto [edge, zone] = av_situation(crossing);
   if (parameters.av.rows.contains(cell.x) && cell.y <= edge &&
       cell.y > edge - parameters.av.length) {
     return {.letter = cell.y == edge ? '>' : '=', .style = kAv};
@@ -84,7 +84,7 @@ std::string band_label(const Band& band) {
 Interval visible_cells(const Crossing& crossing, int columns) {
   const int length = crossing.parameters().length;
   const int fitting = columns <= 0 ? length : std::clamp(columns - kLabelWidth, 10, length);
-  const int first = std::clamp(situation(crossing).edge - fitting / 4, 0, length - fitting);
+  const int first = std::clamp(av_situation(crossing).edge - fitting / 4, 0, length - fitting);
   return {.first = first, .last = first + fitting - 1};
 }
 
@@ -143,7 +143,7 @@ std::string pedestrian_lines(const Crossing& crossing, const Mas& mas) {
 
 std::string draw_frame(const Crossing& crossing, const Mas& mas,
                        const std::vector<std::string>& printed, const FrameOptions& options) {
-  const auto [edge, zone] = situation(crossing);
+  const auto [edge, zone] = av_situation(crossing);
   std::string text = fmt::format("{}\ntick {}: AV at {}", options.title, crossing.ticks(), edge);
   if (crossing.result().success) {
     text += fmt::format(", precondition met in its zone, {} to {}", zone.first, zone.last);

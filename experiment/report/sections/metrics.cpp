@@ -12,7 +12,7 @@
 namespace jaywalk::reporting {
 namespace {
 
-/// Few enough numbers of agents to draw: evenly spread, with the first and the last.
+/// Few enough metric_numbers of agents to draw: evenly spread, with the first and the last.
 std::vector<std::uint32_t> drawn_agents(const std::vector<std::uint32_t>& all) {
   constexpr std::size_t kMost = 4;
   if (all.size() <= kMost) return all;
@@ -42,7 +42,7 @@ std::vector<BoxGroup> groups_of(const Comparison& comparison, std::size_t metric
   return groups;
 }
 
-std::string numbers(const Comparison& comparison, std::size_t metric) {
+std::string metric_numbers(const Comparison& comparison, std::size_t metric) {
   Table table;
   for (const char* title : {"agents", "tests", "mean", "least", "lower quartile", "median",
                             "upper quartile", "greatest"}) {
@@ -88,7 +88,7 @@ std::string section::metrics(const ReportData& data) {
         unit.empty() ? std::string(metric.name) : fmt::format("{}, {}", metric.name, unit);
     figures += figure(fmt::format("{}<small>{}</small>", escaped(title), escaped(metric.formula)),
                       box_plots(title, groups_of(comparison, i)));
-    tables += details(title, numbers(comparison, i));
+    tables += details(title, metric_numbers(comparison, i));
   }
   return paragraph(
              "Of each test the worst road user’s value; tests in which a metric does not exist "

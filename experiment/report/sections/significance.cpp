@@ -18,7 +18,7 @@ constexpr double kLevel = 0.05;
 /// Of more behaviours only the first is compared with each of the others.
 constexpr std::size_t kAllPairs = 10;
 
-struct Pair {
+struct BehaviourPair {
   std::string first;
   std::string second;
 };
@@ -33,8 +33,8 @@ struct Row {
   std::optional<MeanComparison> score;
 };
 
-std::vector<Pair> pairs_of(const std::vector<std::string>& behaviours) {
-  std::vector<Pair> pairs;
+std::vector<BehaviourPair> pairs_of(const std::vector<std::string>& behaviours) {
+  std::vector<BehaviourPair> pairs;
   for (std::size_t i = 0; i < behaviours.size(); ++i) {
     for (std::size_t j = i + 1; j < behaviours.size(); ++j) {
       if (i == 0 || behaviours.size() <= kAllPairs) pairs.push_back({behaviours[i], behaviours[j]});
@@ -54,7 +54,7 @@ PairedOutcomes paired(const CellFacts& first, const CellFacts& second, std::uint
   return outcomes;
 }
 
-std::vector<Row> compare(const ReportData& data, const std::vector<Pair>& pairs) {
+std::vector<Row> compare(const ReportData& data, const std::vector<BehaviourPair>& pairs) {
   const Comparison& comparison = data.comparison;
   const auto facts_of = [&](const Summary& summary) -> const CellFacts& {
     return data.facts[static_cast<std::size_t>(&summary - comparison.summaries.data())];
@@ -93,7 +93,7 @@ std::vector<Row> compare(const ReportData& data, const std::vector<Pair>& pairs)
   return rows;
 }
 
-std::string pair_name(const Pair& pair) {
+std::string pair_name(const BehaviourPair& pair) {
   return fmt::format("{} − {}", escaped(pair.first), escaped(pair.second));
 }
 
@@ -105,7 +105,7 @@ std::string difference_cell(const Row& row) {
   return fmt::format("<mark class=\"{}\">{}</mark>", points > 0 ? "better" : "worse", text);
 }
 
-std::string overview(const ReportData& data, const std::vector<Pair>& pairs,
+std::string overview(const ReportData& data, const std::vector<BehaviourPair>& pairs,
                      const std::vector<Row>& rows) {
   Table table;
   table.column("accuracy, points", Align::left);
@@ -123,7 +123,7 @@ std::string overview(const ReportData& data, const std::vector<Pair>& pairs,
   return table.html();
 }
 
-std::string all_numbers(const std::vector<Pair>& pairs, const std::vector<Row>& rows) {
+std::string all_numbers(const std::vector<BehaviourPair>& pairs, const std::vector<Row>& rows) {
   Table table;
   for (const char* title : {"agents", "accuracy, points", "95 % interval", "first only",
                             "second only", "p", "ticks: A₁₂", "p", "score: g", "p"}) {
@@ -152,7 +152,7 @@ std::string all_numbers(const std::vector<Pair>& pairs, const std::vector<Row>& 
 std::string section::significance(const ReportData& data) {
   const std::vector<std::string> behaviours = behaviours_of(data.comparison);
   if (behaviours.size() < 2 || data.facts.size() != data.comparison.summaries.size()) return {};
-  const std::vector<Pair> pairs = pairs_of(behaviours);
+  const std::vector<BehaviourPair> pairs = pairs_of(behaviours);
   const std::vector<Row> rows = compare(data, pairs);
   std::string html = paragraph(fmt::format(
       "Accuracy of the first behaviour less that of the second, in percentage points, by the "

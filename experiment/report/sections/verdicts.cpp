@@ -30,7 +30,7 @@ std::string key() {
   return html + "</p>\n";
 }
 
-/// All numbers of agents together.
+/// All verdict_numbers of agents together.
 std::vector<Bar> bars_of(const Comparison& comparison, std::size_t assertion) {
   std::vector<Bar> bars;
   for (const std::string& behaviour : behaviours_of(comparison)) {
@@ -62,7 +62,7 @@ std::string caption(const ReportData& data, const std::string& id) {
   return fmt::format("{}<small>{}, {}</small>", escaped(id), name(assertion->severity), said);
 }
 
-std::string numbers(const Comparison& comparison, std::size_t assertion) {
+std::string verdict_numbers(const Comparison& comparison, std::size_t assertion) {
   Table table;
   for (const char* title : {"agents", "exercised, %", "pass", "fail", "unavoidable", "vacuous",
                             "robustness: least", "median", "greatest"}) {
@@ -126,10 +126,11 @@ std::string section::verdicts(const ReportData& data) {
   for (std::size_t i = 0; i < comparison.assertions.size(); ++i) {
     figures += figure(caption(data, comparison.assertions[i]),
                       stacked_bars(classes(), bars_of(comparison, i)));
-    tables += details(comparison.assertions[i], numbers(comparison, i));
+    tables += details(comparison.assertions[i], verdict_numbers(comparison, i));
   }
   return paragraph(
-             "Shares of the tests, all numbers of agents together. Vacuous: the precondition was "
+             "Shares of the tests, all verdict_numbers of agents together. Vacuous: the "
+             "precondition was "
              "not met, so nothing was asked of the vehicle. Unavoidable: the requirement was "
              "violated, but nobody could have kept it.") +
          key() + gallery(figures) + violations(data) + "<h3>The same as tables</h3>\n" + tables;

@@ -16,9 +16,9 @@
 namespace jaywalk {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260102;
+constexpr std::uint64_t kProgramSeed = 20260102;
 constexpr int kPrograms = 2000;
-constexpr int kDepth = 4;
+constexpr int kProgramDepth = 4;
 
 // A program of some components, with blanks, line breaks and comments strewn between its tokens.
 class StrewnProgram {
@@ -27,7 +27,7 @@ class StrewnProgram {
     SyntaxGenerator generator(seed);
     std::string printed;
     for (std::uint64_t i = 0; i <= seed % 3; ++i)
-      printed += print(generator.component(kDepth)) + "\n";
+      printed += print(generator.component(kProgramDepth)) + "\n";
     const auto source = std::make_shared<const Source>("printed", printed);
     // Some programs have few comments: their lines stay whole.
     const auto rarity = static_cast<unsigned>(1 + seed % 40);
@@ -71,7 +71,7 @@ std::string outline_of(const std::string& text, std::uint64_t seed) {
 }
 
 TEST(Format, KeepsProgramAndComments) {
-  for (std::uint64_t seed = kSeed; seed < kSeed + kPrograms; ++seed) {
+  for (std::uint64_t seed = kProgramSeed; seed < kProgramSeed + kPrograms; ++seed) {
     const StrewnProgram program(seed);
     const auto once = format_agent(std::make_shared<const Source>("text", program.text));
     ASSERT_TRUE(once) << "seed " << seed << "\n" << program.text << once.diagnostics().render();
@@ -89,7 +89,7 @@ TEST(Format, KeepsProgramAndComments) {
 }
 
 TEST(Format, LeavesNoBlanksAtTheEndsOfLines) {
-  for (std::uint64_t seed = kSeed; seed < kSeed + kPrograms / 10; ++seed) {
+  for (std::uint64_t seed = kProgramSeed; seed < kProgramSeed + kPrograms / 10; ++seed) {
     const StrewnProgram program(seed);
     const auto once = format_agent(std::make_shared<const Source>("text", program.text));
     ASSERT_TRUE(once) << "seed " << seed;

@@ -12,14 +12,14 @@
 namespace jaywalk {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
+constexpr std::uint64_t kTreeSeed = 20260101;
 constexpr int kTrees = 3000;
-constexpr int kDepth = 4;
+constexpr int kTreeDepth = 4;
 
 TEST(PrintThenParse, IsIdentityForTerms) {
-  for (std::uint64_t seed = kSeed; seed < kSeed + kTrees; ++seed) {
+  for (std::uint64_t seed = kTreeSeed; seed < kTreeSeed + kTrees; ++seed) {
     SyntaxGenerator generator(seed);
-    const ast::Node* const tree = generator.term(kDepth);
+    const ast::Node* const tree = generator.term(kTreeDepth);
     const std::string text = print(*tree);
     Diagnostics diagnostics;
     ast::Arena arena;
@@ -32,9 +32,9 @@ TEST(PrintThenParse, IsIdentityForTerms) {
 }
 
 TEST(PrintThenParse, IsIdentityForPrograms) {
-  for (std::uint64_t seed = kSeed; seed < kSeed + kTrees; ++seed) {
+  for (std::uint64_t seed = kTreeSeed; seed < kTreeSeed + kTrees; ++seed) {
     SyntaxGenerator generator(seed);
-    const ast::Component tree = generator.component(kDepth);
+    const ast::Component tree = generator.component(kTreeDepth);
     const std::string text = print(tree);
     Diagnostics diagnostics;
     const ast::File parsed =
@@ -51,10 +51,10 @@ TEST(PrintThenParse, IsIdentityForPrograms) {
 
 // Whatever is done to a program's text, the parser comes back, with a diagnostic or without.
 TEST(Parser, SurvivesDamagedPrograms) {
-  for (std::uint64_t seed = kSeed; seed < kSeed + kTrees; ++seed) {
+  for (std::uint64_t seed = kTreeSeed; seed < kTreeSeed + kTrees; ++seed) {
     SyntaxGenerator generator(seed);
     std::mt19937_64 rng(seed);
-    std::string text = print(generator.component(kDepth)) + "\nafter.";
+    std::string text = print(generator.component(kTreeDepth)) + "\nafter.";
     for (int i = 0; i < 3; ++i) {
       constexpr std::string_view kCharacters = "(){}[].,;:-<>!?+&|@\"'\\/*= \nxX_1~^\xC3";
       text[rng() % text.size()] = kCharacters[rng() % kCharacters.size()];

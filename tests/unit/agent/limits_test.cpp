@@ -23,14 +23,14 @@ MasOptions small_limits() {
   return options;
 }
 
-struct Row {
+struct LimitRow {
   std::string name;
   std::string program;
 };
 
 /// The step fails, and its failure plan runs.
 TEST(AgentLimits, FailTheStepThatHitsThem) {
-  const std::vector<Row> rows{
+  const std::vector<LimitRow> rows{
       {"rule that calls itself", "p :- p. !a. +!a <- ?p."},
       {"rule with a growing argument", "p(X) :- p(f(X)). !a. +!a <- ?p(0)."},
       {"rule with a growing sum", "p(X) :- p(X + 1). !a. +!a <- ?p(0)."},
@@ -52,7 +52,7 @@ TEST(AgentLimits, FailTheStepThatHitsThem) {
       {"goal that contains itself", "!a. +!a <- X = f(X); !b(X). +!b(_)."},
       {"message that contains itself", "!a. +!a <- X = f(X); .send(agent, tell, b(X))."},
   };
-  for (const Row& row : rows) {
+  for (const LimitRow& row : rows) {
     const test::AgentRun run =
         test::run_agents({{"agent", row.program + " -!a <- .print(\"failed\"). !other. "
                                                   "+!other <- .wait(1); .print(\"other\")."}},
@@ -65,7 +65,7 @@ TEST(AgentLimits, FailTheStepThatHitsThem) {
 
 /// The run ends at its limit of cycles, in the memory allowed.
 TEST(AgentLimits, EndRunsWithoutEnd) {
-  const std::vector<Row> rows{
+  const std::vector<LimitRow> rows{
       {"goal that calls itself last", "!a. +!a <- !a."},
       {"new focus for ever", "!a. +!a <- !!a."},
       {"loop", "!a. +!a <- while (true) { +b; -b }."},
@@ -77,7 +77,7 @@ TEST(AgentLimits, EndRunsWithoutEnd) {
       {"plans without end", "!a. +!a <- .add_plan({ +!b(1) <- .print(1) }); !a."},
       {"events without end", "!a. +!a <- ++b; --b; !!a. +b. -b."},
   };
-  for (const Row& row : rows) {
+  for (const LimitRow& row : rows) {
     const test::AgentRun run = test::run_agents({{"agent", row.program}}, small_limits());
     EXPECT_EQ(run.errors.size(), 0U) << row.name;
     EXPECT_TRUE(run.outcome.end == RunEnd::limit || run.outcome.end == RunEnd::idle) << row.name;

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::ElementsAreArray;
 
-struct Row {
+struct StrideRow {
   std::string name;
   std::string program;
 };
@@ -31,7 +31,7 @@ test::AgentRun run(const std::string& program, ReasoningObserver* observer, int 
   return test::run_agents(all, options);
 }
 
-void expect_the_same(const Row& row, int agents) {
+void expect_the_same(const StrideRow& row, int agents) {
   ReasoningObserver nobody;
   const test::AgentRun by_rules = run(row.program, &nobody, agents);
   const test::AgentRun in_strides = run(row.program, nullptr, agents);
@@ -43,7 +43,7 @@ void expect_the_same(const Row& row, int agents) {
   EXPECT_EQ(in_strides.outcome.message, by_rules.outcome.message) << row.name;
 }
 
-const std::vector<Row> kRows{
+const std::vector<StrideRow> kRows{
     {"tail recursion", "!c(50). +!c(0) <- .print(done). +!c(N) : N > 0 <- !c(N-1)."},
     {"sub-goals with results",
      "!s. +!s <- !fib(9, F); .print(F). +!fib(0, 1). +!fib(1, 1)."
@@ -114,20 +114,20 @@ const std::vector<Row> kRows{
 };
 
 TEST(Stride, TakesTheSameCyclesAsTheRules) {
-  for (const Row& row : kRows) expect_the_same(row, 1);
+  for (const StrideRow& row : kRows) expect_the_same(row, 1);
 }
 
 TEST(Stride, TakesTheSameCyclesAmongOthers) {
-  for (const Row& row : kRows) expect_the_same(row, 3);
+  for (const StrideRow& row : kRows) expect_the_same(row, 3);
 }
 
 TEST(Stride, LogsInTheSameOrderWhereAgentsKeepToThemselves) {
-  const std::vector<Row> rows{
+  const std::vector<StrideRow> rows{
       {"failures", "!s(3). +!s(0) <- !t. +!s(N) <- !s(N-1); !u. -!s(2) <- !s(1). +!t <- 1 > 2."},
       {"busy agents", "b(0). !s. +!s : b(N) & N > 90 <- !t. +!s : b(N) <- -+b(N+1); !!u(N); !s."},
       {"agents that never end", "b(0). !s. +!s : b(N) <- -+b(N+1); !s."},
   };
-  for (const Row& row : rows) expect_the_same(row, 5);
+  for (const StrideRow& row : rows) expect_the_same(row, 5);
 }
 
 }  // namespace

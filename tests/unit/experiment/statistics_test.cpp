@@ -38,7 +38,7 @@ TEST(MeanInterval, AgreesWithAHandWorkedExample) {
 }
 
 TEST(MeanInterval, DoesNotExistForFewerThanTwoValues) {
-  EXPECT_FALSE(mean_interval(summarise({})));
+  EXPECT_FALSE(mean_interval(summarise(std::span<const double>{})));
   EXPECT_FALSE(mean_interval(summarise(std::array{4.0})));
 }
 

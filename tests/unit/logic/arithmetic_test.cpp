@@ -12,14 +12,14 @@
 namespace jaywalk {
 namespace {
 
-struct Row {
+struct ArithmeticRow {
   std::string expression;
   std::string value;
 };
 
 // Through the evaluation of terms, as programs see it.
 TEST(Arithmetic, IsJavas) {
-  const std::vector<Row> rows{
+  const std::vector<ArithmeticRow> rows{
       {"1 + 2 * 3", "7"},
       {"(1 + 2) * 3", "9"},
       {"7 - 2 - 1", "4"},
@@ -50,7 +50,7 @@ TEST(Arithmetic, IsJavas) {
       {"-(3)", "-3"},
       {"0 * -1", "0"},
   };
-  for (const Row& row : rows) {
+  for (const ArithmeticRow& row : rows) {
     test::Terms terms;
     EXPECT_EQ(terms.text(row.expression), row.value) << row.expression;
   }

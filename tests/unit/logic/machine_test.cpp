@@ -14,14 +14,14 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-struct Row {
+struct QueryRow {
   std::string formula;
   std::string shown;
   std::vector<std::string> answers;
 };
 
-void expect_answers(std::string_view program, const std::vector<Row>& rows) {
-  for (const Row& row : rows) {
+void expect_answers(std::string_view program, const std::vector<QueryRow>& rows) {
+  for (const QueryRow& row : rows) {
     test::Terms terms;
     terms.believe(program);
     EXPECT_EQ(terms.answers(row.formula, row.shown), row.answers) << row.formula;

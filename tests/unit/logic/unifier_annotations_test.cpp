@@ -9,7 +9,7 @@
 namespace jaywalk {
 namespace {
 
-struct Row {
+struct AnnotationRow {
   std::string a;
   std::string b;
   bool unify = false;
@@ -17,7 +17,7 @@ struct Row {
 
 // The annotations of the first must be among those of the second, in arguments as well.
 TEST(UnifierAnnotations, AreAsymmetric) {
-  const std::vector<Row> rows{
+  const std::vector<AnnotationRow> rows{
       {"p", "p", true},
       {"p", "p[a]", true},
       {"p[a]", "p", false},
@@ -34,7 +34,7 @@ TEST(UnifierAnnotations, AreAsymmetric) {
       {"[q]", "[q[a]]", true},
       {"[q[a]]", "[q]", false},
   };
-  for (const Row& row : rows) {
+  for (const AnnotationRow& row : rows) {
     test::Terms terms;
     EXPECT_EQ(terms.unify(row.a, row.b), row.unify) << row.a << " = " << row.b;
   }

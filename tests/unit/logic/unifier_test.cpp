@@ -10,15 +10,15 @@
 namespace jaywalk {
 namespace {
 
-struct Row {
+struct UnifierRow {
   std::string a;
   std::string b;
   /// `a` afterwards; empty: they do not unify.
   std::string result;
 };
 
-void expect_unified(const std::vector<Row>& rows) {
-  for (const Row& row : rows) {
+void expect_unified(const std::vector<UnifierRow>& rows) {
+  for (const UnifierRow& row : rows) {
     test::Terms terms;
     EXPECT_EQ(terms.unify(row.a, row.b), !row.result.empty()) << row.a << " = " << row.b;
     if (row.result.empty()) continue;

@@ -43,33 +43,33 @@ std::string body(const std::string& text) {
   return parsed.starts_with("+!g <- ") ? parsed.substr(7) : parsed;
 }
 
-struct Row {
+struct ParserRow {
   const char* text;
   const char* tree;
 };
 
 TEST(Parser, BindsOperatorsAsTightlyAsJason) {
   for (const auto& [text, tree] : {
-           Row{"1+2*3", "(+ 1 (* 2 3))"},
-           Row{"(1+2)*3", "(* (+ 1 2) 3)"},
-           Row{"10-3-2", "(- (- 10 3) 2)"},
-           Row{"10-(3-2)", "(- 10 (- 3 2))"},
-           Row{"2**3**2", "(** 2 (** 3 2))"},
-           Row{"-2**2", "(** (neg 2) 2)"},
-           Row{"2**-1", "(** 2 (neg 1))"},
-           Row{"X- -1", "(- X (neg 1))"},
-           Row{"+X*-Y", "(* (pos X) (neg Y))"},
-           Row{"7 div 2 mod 3 / 4", "(/ (mod (div 7 2) 3) 4)"},
-           Row{"a | b & c | d", "(| a (| (& b c) d))"},
-           Row{"a & b & c", "(& a (& b c))"},
-           Row{"(a & b) & c", "(& (& a b) c)"},
-           Row{"not X > 1 & b", "(& (not (> X 1)) b)"},
-           Row{"not (a & b)", "(not (& a b))"},
-           Row{"a & not b | c", "(| (& a (not b)) c)"},
-           Row{"X+1 < Y*2", "(< (+ X 1) (* Y 2))"},
-           Row{"X =.. [ns,f,[1],[]]", "(=.. X [ ns f [ 1 ] [ ] ])"},
-           Row{"[a] \\== \"s\"", "(\\== [ a ] \"s\")"},
-           Row{"math.max(1,2)+.length(L)", "(+ (math.max 1 2) (.length L))"},
+           ParserRow{"1+2*3", "(+ 1 (* 2 3))"},
+           ParserRow{"(1+2)*3", "(* (+ 1 2) 3)"},
+           ParserRow{"10-3-2", "(- (- 10 3) 2)"},
+           ParserRow{"10-(3-2)", "(- 10 (- 3 2))"},
+           ParserRow{"2**3**2", "(** 2 (** 3 2))"},
+           ParserRow{"-2**2", "(** (neg 2) 2)"},
+           ParserRow{"2**-1", "(** 2 (neg 1))"},
+           ParserRow{"X- -1", "(- X (neg 1))"},
+           ParserRow{"+X*-Y", "(* (pos X) (neg Y))"},
+           ParserRow{"7 div 2 mod 3 / 4", "(/ (mod (div 7 2) 3) 4)"},
+           ParserRow{"a | b & c | d", "(| a (| (& b c) d))"},
+           ParserRow{"a & b & c", "(& a (& b c))"},
+           ParserRow{"(a & b) & c", "(& (& a b) c)"},
+           ParserRow{"not X > 1 & b", "(& (not (> X 1)) b)"},
+           ParserRow{"not (a & b)", "(not (& a b))"},
+           ParserRow{"a & not b | c", "(| (& a (not b)) c)"},
+           ParserRow{"X+1 < Y*2", "(< (+ X 1) (* Y 2))"},
+           ParserRow{"X =.. [ns,f,[1],[]]", "(=.. X [ ns f [ 1 ] [ ] ])"},
+           ParserRow{"[a] \\== \"s\"", "(\\== [ a ] \"s\")"},
+           ParserRow{"math.max(1,2)+.length(L)", "(+ (math.max 1 2) (.length L))"},
        }) {
     EXPECT_EQ(term(text), tree) << text;
   }
@@ -77,20 +77,21 @@ TEST(Parser, BindsOperatorsAsTightlyAsJason) {
 
 TEST(Parser, ReadsLiteralsWithNamespacesNegationArgumentsAndAnnotations) {
   for (const auto& [text, tree] : {
-           Row{"p", "p"},
-           Row{"~p(X)", "(~p X)"},
-           Row{"n::p(1)", "(n::p 1)"},
-           Row{"n::~p", "n::~p"},
-           Row{"::p", "::p"},
-           Row{"N::p", "N::p"},
-           Row{"n :: p", "n::p"},
-           Row{"p(a & b, not c)[source(self),X|R]", "(p (& a b) (not c))@[ (source self) X | R ]"},
-           Row{"P[step(N)|R]", "P@[ (step N) | R ]"},
-           Row{"~X", "~X"},
-           Row{"'A b'(1)", "('A b' 1)"},
-           Row{"begin(end)", "(begin end)"},
-           Row{"true", "<true>"},
-           Row{"f(false)", "(f <false>)"},
+           ParserRow{"p", "p"},
+           ParserRow{"~p(X)", "(~p X)"},
+           ParserRow{"n::p(1)", "(n::p 1)"},
+           ParserRow{"n::~p", "n::~p"},
+           ParserRow{"::p", "::p"},
+           ParserRow{"N::p", "N::p"},
+           ParserRow{"n :: p", "n::p"},
+           ParserRow{"p(a & b, not c)[source(self),X|R]",
+                     "(p (& a b) (not c))@[ (source self) X | R ]"},
+           ParserRow{"P[step(N)|R]", "P@[ (step N) | R ]"},
+           ParserRow{"~X", "~X"},
+           ParserRow{"'A b'(1)", "('A b' 1)"},
+           ParserRow{"begin(end)", "(begin end)"},
+           ParserRow{"true", "<true>"},
+           ParserRow{"f(false)", "(f <false>)"},
        }) {
     EXPECT_EQ(term(text), tree) << text;
   }
@@ -98,13 +99,13 @@ TEST(Parser, ReadsLiteralsWithNamespacesNegationArgumentsAndAnnotations) {
 
 TEST(Parser, ReadsLists) {
   for (const auto& [text, tree] : {
-           Row{"[]", "[ ]"},
-           Row{"[a,B,\"c\",4,[5]]", "[ a B \"c\" 4 [ 5 ] ]"},
-           Row{"[H|T]", "[ H | T ]"},
-           Row{"[|T]", "[ | T ]"},
-           Row{"[a|[b|_]]", "[ a | [ b | _ ] ]"},
-           Row{"[X+1,-2,(a & b)]", "[ (+ X 1) (neg 2) (& a b) ]"},
-           Row{"[{a;b},{+!g}]", "[ {body a b} {trigger +!g} ]"},
+           ParserRow{"[]", "[ ]"},
+           ParserRow{"[a,B,\"c\",4,[5]]", "[ a B \"c\" 4 [ 5 ] ]"},
+           ParserRow{"[H|T]", "[ H | T ]"},
+           ParserRow{"[|T]", "[ | T ]"},
+           ParserRow{"[a|[b|_]]", "[ a | [ b | _ ] ]"},
+           ParserRow{"[X+1,-2,(a & b)]", "[ (+ X 1) (neg 2) (& a b) ]"},
+           ParserRow{"[{a;b},{+!g}]", "[ {body a b} {trigger +!g} ]"},
        }) {
     EXPECT_EQ(term(text), tree) << text;
   }
@@ -112,8 +113,9 @@ TEST(Parser, ReadsLists) {
 
 TEST(Parser, ReadsNumbers) {
   for (const auto& [text, tree] :
-       {Row{"42", "42"}, Row{".5", "0.5"}, Row{"1.25e3", "1250"}, Row{"1E-2", "0.01"},
-        Row{"9007199254740993", "9007199254740992"}, Row{"1e999", "inf"}, Row{"1e-999", "0"}}) {
+       {ParserRow{"42", "42"}, ParserRow{".5", "0.5"}, ParserRow{"1.25e3", "1250"},
+        ParserRow{"1E-2", "0.01"}, ParserRow{"9007199254740993", "9007199254740992"},
+        ParserRow{"1e999", "inf"}, ParserRow{"1e-999", "0"}}) {
     EXPECT_EQ(term(text), tree) << text;
   }
 }
@@ -127,26 +129,26 @@ TEST(Parser, ConvertsOnlyLineBreaksAndQuotesInStrings) {
 
 TEST(Parser, TellsTheTermsInBracesApart) {
   for (const auto& [text, tree] : {
-           Row{"{ }", "{body}"},
-           Row{"{ a }", "{body a}"},
-           Row{"{+b}", "{body +b}"},
-           Row{"{-b; c}", "{body -b c}"},
-           Row{"{+b |&| c}", "{body and:(.fork and {body +b} {body c})}"},
-           Row{"{++b}", "{body ++b}"},
-           Row{"{+X}", "{body +X}"},
-           Row{"{+!g}", "{trigger +!g}"},
-           Row{"{-?t(X)}", "{trigger -?(t X)}"},
-           Row{"{^!g[state(S)]}", "{trigger ^!g@[ (state S) ]}"},
-           Row{"{+!g <- a; b}", "{plan +!g <- a b}"},
-           Row{"{+!g : c}", "{plan +!g : c}"},
-           Row{"{+!g <- }", "{plan +!g <-}"},
-           Row{"{+b : c <- d}", "{plan +b : c <- d}"},
-           Row{"{-b <- d}", "{plan -b <- d}"},
-           Row{"{@l[x] +b}", "{plan @l@[ x ] +b}"},
-           Row{"{@L +!g}", "{plan @L +!g}"},
-           Row{"{@[atomic] +!g <- a}", "{plan @[ atomic ] +!g <- a}"},
-           Row{"{h(X) :- b & c}", "{rule (h X) (& b c)}"},
-           Row{"{!g; ?t; .print(1)}", "{body !g ?t (.print 1)}"},
+           ParserRow{"{ }", "{body}"},
+           ParserRow{"{ a }", "{body a}"},
+           ParserRow{"{+b}", "{body +b}"},
+           ParserRow{"{-b; c}", "{body -b c}"},
+           ParserRow{"{+b |&| c}", "{body and:(.fork and {body +b} {body c})}"},
+           ParserRow{"{++b}", "{body ++b}"},
+           ParserRow{"{+X}", "{body +X}"},
+           ParserRow{"{+!g}", "{trigger +!g}"},
+           ParserRow{"{-?t(X)}", "{trigger -?(t X)}"},
+           ParserRow{"{^!g[state(S)]}", "{trigger ^!g@[ (state S) ]}"},
+           ParserRow{"{+!g <- a; b}", "{plan +!g <- a b}"},
+           ParserRow{"{+!g : c}", "{plan +!g : c}"},
+           ParserRow{"{+!g <- }", "{plan +!g <-}"},
+           ParserRow{"{+b : c <- d}", "{plan +b : c <- d}"},
+           ParserRow{"{-b <- d}", "{plan -b <- d}"},
+           ParserRow{"{@l[x] +b}", "{plan @l@[ x ] +b}"},
+           ParserRow{"{@L +!g}", "{plan @L +!g}"},
+           ParserRow{"{@[atomic] +!g <- a}", "{plan @[ atomic ] +!g <- a}"},
+           ParserRow{"{h(X) :- b & c}", "{rule (h X) (& b c)}"},
+           ParserRow{"{!g; ?t; .print(1)}", "{body !g ?t (.print 1)}"},
        }) {
     EXPECT_EQ(term(text), tree) << text;
   }
@@ -154,16 +156,17 @@ TEST(Parser, TellsTheTermsInBracesApart) {
 
 TEST(Parser, ReadsTheFormulasOfBodies) {
   for (const auto& [text, tree] : {
-           Row{"!a; !!b; ?c; +d; ++e; +<f; +>g; -h; --i; -+j",
-               "!a !!b ?c +d ++e +<f +>g -h --i -+j"},
-           Row{"act(1); .print(a); X = 1; X; a.b", "(act 1) (.print a) (= X 1) X a.b"},
-           Row{"?a & b(X)", "?(& a (b X))"},
-           Row{"?(a | b); (X + 1) > 2", "?(| a b) (> (+ X 1) 2)"},
-           Row{"not x; a & b", "(not x) (& a b)"},
-           Row{"!X; !ns::g(1)[a]; -~b", "!X !(ns::g 1)@[ a ] -~b"},
-           Row{"+{+!g <- a}; -{+!g}; +{h :- b}", "+{plan +!g <- a} -{trigger +!g} +{rule h b}"},
-           Row{"a;", "a"},
-           Row{"(a; b); c", "{body a b} c"},
+           ParserRow{"!a; !!b; ?c; +d; ++e; +<f; +>g; -h; --i; -+j",
+                     "!a !!b ?c +d ++e +<f +>g -h --i -+j"},
+           ParserRow{"act(1); .print(a); X = 1; X; a.b", "(act 1) (.print a) (= X 1) X a.b"},
+           ParserRow{"?a & b(X)", "?(& a (b X))"},
+           ParserRow{"?(a | b); (X + 1) > 2", "?(| a b) (> (+ X 1) 2)"},
+           ParserRow{"not x; a & b", "(not x) (& a b)"},
+           ParserRow{"!X; !ns::g(1)[a]; -~b", "!X !(ns::g 1)@[ a ] -~b"},
+           ParserRow{"+{+!g <- a}; -{+!g}; +{h :- b}",
+                     "+{plan +!g <- a} -{trigger +!g} +{rule h b}"},
+           ParserRow{"a;", "a"},
+           ParserRow{"(a; b); c", "{body a b} c"},
        }) {
     EXPECT_EQ(body(text), tree) << text;
   }
@@ -171,19 +174,20 @@ TEST(Parser, ReadsTheFormulasOfBodies) {
 
 TEST(Parser, MakesInternalActionsOfStatements) {
   for (const auto& [text, tree] : {
-           Row{"if (a) { b }", "if:(.if_then_else a {body b})"},
-           Row{"if (a & X > 1) { b; c } else { }",
-               "if:(.if_then_else (& a (> X 1)) {body b c} {body})"},
-           Row{"if (a) {b} elif (c) {d} else {e}",
-               "if:(.if_then_else a {body b} {body if:(.if_then_else c {body d} {body e})})"},
-           Row{"for (.member(X,L)) { !a; }; b", "for:(.foreach (.member X L) {body !a}) b"},
-           Row{"while (not a) { b } c", "while:(.loop (not a) {body b}) c"},
-           Row{"a |&| b |&| c", "and:(.fork and {body a} {body b} {body c})"},
-           Row{"!a ||| !b", "or:(.fork or {body !a} {body !b})"},
-           Row{"a |&| b ||| c", "or:(.fork or {body and:(.fork and {body a} {body b})} {body c})"},
-           Row{"a |&| (b ||| c)",
-               "and:(.fork and {body a} {body or:(.fork or {body b} {body c})})"},
-           Row{"(a; b) |&| (c)", "and:(.fork and {body a b} {body c})"},
+           ParserRow{"if (a) { b }", "if:(.if_then_else a {body b})"},
+           ParserRow{"if (a & X > 1) { b; c } else { }",
+                     "if:(.if_then_else (& a (> X 1)) {body b c} {body})"},
+           ParserRow{"if (a) {b} elif (c) {d} else {e}",
+                     "if:(.if_then_else a {body b} {body if:(.if_then_else c {body d} {body e})})"},
+           ParserRow{"for (.member(X,L)) { !a; }; b", "for:(.foreach (.member X L) {body !a}) b"},
+           ParserRow{"while (not a) { b } c", "while:(.loop (not a) {body b}) c"},
+           ParserRow{"a |&| b |&| c", "and:(.fork and {body a} {body b} {body c})"},
+           ParserRow{"!a ||| !b", "or:(.fork or {body !a} {body !b})"},
+           ParserRow{"a |&| b ||| c",
+                     "or:(.fork or {body and:(.fork and {body a} {body b})} {body c})"},
+           ParserRow{"a |&| (b ||| c)",
+                     "and:(.fork and {body a} {body or:(.fork or {body b} {body c})})"},
+           ParserRow{"(a; b) |&| (c)", "and:(.fork and {body a b} {body c})"},
        }) {
     EXPECT_EQ(body(text), tree) << text;
   }
@@ -198,15 +202,15 @@ TEST(Parser, DropsALeadingTrueOfAPlan) {
 
 TEST(Parser, ReadsPlans) {
   for (const auto& [text, tree] : {
-           Row{"+b", "+b"},
-           Row{"-!g(X)[a] : c <- d.", "-!(g X)@[ a ] : c <- d"},
-           Row{"@l[atomic,cost(1)] +?t <- a", "@l@[ atomic (cost 1) ] +?t <- a"},
-           Row{"@[atomic] ^!g", "@[ atomic ] ^!g"},
-           Row{"@begin +!X", "@begin +!X"},
-           Row{"+!g <: false <- a", "+!g <: <false> <- a"},
-           Row{"+!g : c <: d & e <- .", "+!g : c <: (& d e) <-"},
-           Row{"+!g <- a. { @s +!h. +b <- c. }", "+!g <- a { @s +!h +b <- c }"},
-           Row{"+!g <- a. { +!h <- b. { +!i. } }", "+!g <- a { +!h <- b { +!i } }"},
+           ParserRow{"+b", "+b"},
+           ParserRow{"-!g(X)[a] : c <- d.", "-!(g X)@[ a ] : c <- d"},
+           ParserRow{"@l[atomic,cost(1)] +?t <- a", "@l@[ atomic (cost 1) ] +?t <- a"},
+           ParserRow{"@[atomic] ^!g", "@[ atomic ] ^!g"},
+           ParserRow{"@begin +!X", "@begin +!X"},
+           ParserRow{"+!g <: false <- a", "+!g <: <false> <- a"},
+           ParserRow{"+!g : c <: d & e <- .", "+!g : c <: (& d e) <-"},
+           ParserRow{"+!g <- a. { @s +!h. +b <- c. }", "+!g <- a { @s +!h +b <- c }"},
+           ParserRow{"+!g <- a. { +!h <- b. { +!i. } }", "+!g <- a { +!h <- b { +!i } }"},
        }) {
     EXPECT_EQ(plan(text), tree) << text;
   }

@@ -24,25 +24,25 @@ std::string printed_term(const std::string& text) {
   return node != nullptr ? print(*node) : diagnostics.render();
 }
 
-struct Row {
+struct PrinterRow {
   const char* text;
   const char* printed;
 };
 
 TEST(Printer, WritesTermsInJasonsNotation) {
   for (const auto& [text, printed] : {
-           Row{"f( a , [ 1|T ] ) [ x ]", "f(a,[1|T])[x]"},
-           Row{"n::~p", "n::~p"},
-           Row{"X>1&b|not c", "X > 1 & b | not c"},
-           Row{"(X+1)*2 mod 3", "(X+1)*2 mod 3"},
-           Row{"1 - -2", "1- -2"},
-           Row{"\"a\\nb\\\"c\\t\"", "\"a\\nb\\\"c\\t\""},
-           Row{"1.50", "1.5"},
-           Row{"{}", "{ }"},
-           Row{"{!g;?t;+a}", "{ !g; ?t; +a }"},
-           Row{"{@l +!g:c<-b;d}", "{ @l +!g : c <- b; d }"},
-           Row{"{+!g}", "{ +!g }"},
-           Row{"{h:-b}", "{ h :- b }"},
+           PrinterRow{"f( a , [ 1|T ] ) [ x ]", "f(a,[1|T])[x]"},
+           PrinterRow{"n::~p", "n::~p"},
+           PrinterRow{"X>1&b|not c", "X > 1 & b | not c"},
+           PrinterRow{"(X+1)*2 mod 3", "(X+1)*2 mod 3"},
+           PrinterRow{"1 - -2", "1- -2"},
+           PrinterRow{"\"a\\nb\\\"c\\t\"", "\"a\\nb\\\"c\\t\""},
+           PrinterRow{"1.50", "1.5"},
+           PrinterRow{"{}", "{ }"},
+           PrinterRow{"{!g;?t;+a}", "{ !g; ?t; +a }"},
+           PrinterRow{"{@l +!g:c<-b;d}", "{ @l +!g : c <- b; d }"},
+           PrinterRow{"{+!g}", "{ +!g }"},
+           PrinterRow{"{h:-b}", "{ h :- b }"},
        }) {
     EXPECT_EQ(printed_term(text), printed) << text;
   }

@@ -11,7 +11,7 @@
 namespace jaywalk {
 namespace {
 
-struct Row {
+struct NumberTextRow {
   double number;
   std::string text;
 };
@@ -19,7 +19,7 @@ struct Row {
 // The expectations follow the documentation of Java's Double.toString and Math.round.
 TEST(NumberText, IsJavas) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<Row> rows{
+  const std::vector<NumberTextRow> rows{
       {0, "0"},
       {-0.0, "0"},
       {3, "3"},
@@ -61,7 +61,7 @@ TEST(NumberText, IsJavas) {
       {-infinity, "-Infinity"},
       {std::nan(""), "NaN"},
   };
-  for (const Row& row : rows) EXPECT_EQ(number_text(row.number), row.text);
+  for (const NumberTextRow& row : rows) EXPECT_EQ(number_text(row.number), row.text);
 }
 
 TEST(NumberText, GivesTheNumberBack) {

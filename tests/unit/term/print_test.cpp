@@ -10,13 +10,13 @@
 namespace jaywalk {
 namespace {
 
-struct Row {
+struct PrintRow {
   std::string written;
   std::string printed;
 };
 
-void expect_printed(const std::vector<Row>& rows) {
-  for (const Row& row : rows) {
+void expect_printed(const std::vector<PrintRow>& rows) {
+  for (const PrintRow& row : rows) {
     test::Terms terms;
     EXPECT_EQ(term_text(terms.term(row.written), terms.symbols), row.printed) << row.written;
   }
