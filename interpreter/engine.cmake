@@ -27,6 +27,7 @@ jaywalk_add_library(engine
     logic/unifier_apply.cpp
     logic/unifier_numbers.cpp
     logic/univ.cpp
+    program/plain_code.cpp
     program/plan.cpp
     program/plan_compiler.cpp
     program/solitary.cpp

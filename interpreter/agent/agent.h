@@ -18,6 +18,7 @@
 #include "interpreter/agent/customisation.h"
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/observer.h"
+#include "interpreter/agent/operands.h"
 #include "interpreter/agent/settings.h"
 #include "interpreter/agent/workspace.h"
 #include "interpreter/logic/machine.h"
@@ -259,11 +260,19 @@ class Agent final : public MachineSurroundings {
   Executed ask(Intention& intention, const Step& step);
   Executed call(Intention& intention, const Step& step);
   Executed change_belief(Intention& intention, const Step& step);
+  [[nodiscard]] Verdict decide_step(Intention& intention, const Step& step);
+  void clear_plainly(Intention& intention);
+  [[nodiscard]] bool return_closed_values(Intention& intention);
   [[nodiscard]] bool forget_one(Predicate predicate);
-  Executed take_up(Intention& intention, const Event& event);
-  [[nodiscard]] Structure* literal_for_event(Intention& intention, Value term, bool& is_open);
+  Executed take_up(Intention& intention, const Event& event, const PlanList& plans);
+  [[nodiscard]] Structure* literal_for_event(Intention& intention, const Step& step, bool& is_open);
+  [[nodiscard]] Structure* literal_of_terms(Intention& intention, Value term, bool& is_open);
   void rename_in_call(Intention& intention, Structure& made);
-  [[nodiscard]] const Plan* choose_plain_plan(const Event& event, bool& had_candidates);
+  [[nodiscard]] const PlanList& plans_for(const Event& event);
+  [[nodiscard]] const PlanList& plans_for(const Step& step, const Event& event);
+  [[nodiscard]] const Plan* choose_plain_plan(const PlanList& list, const Event& event);
+  [[nodiscard]] Verdict try_at_a_glance(const PlainPlan& plan, std::uint32_t slot_count,
+                                        Value literal);
   [[nodiscard]] bool try_plain_plan(const Plan& plan, Value literal);
   [[nodiscard]] bool matches(const Plan& plan, Value literal, Value* frame);
   void push_plain_means(Intention& intention, const Plan& plan, const Event& event);

@@ -18,50 +18,19 @@
 #include <optional>
 
 #include "interpreter/agent/numbers.h"
-#include "interpreter/logic/arithmetic.h"
+#include "interpreter/agent/operands.h"
 
 namespace jaywalk {
-[[gnu::always_inline]] inline Context::Verdict Context::compare(const Goal& goal) {
+[[gnu::always_inline]] inline Verdict Context::compare(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value left;
   Value right;
   if (!known_operand(sides[0], frame_, left) || !known_operand(sides[1], frame_, right))
     return Verdict::open;
-  bool holds = false;
-  if (left.is_number() && right.is_number()) {
-    const double a = left.as_number();
-    const double b = right.as_number();
-    if (a != a || b != b) return Verdict::open;
-    switch (goal.predicate) {
-      case predicates::less:
-        holds = a < b;
-        break;
-      case predicates::less_equal:
-        holds = a <= b;
-        break;
-      case predicates::greater:
-        holds = a > b;
-        break;
-      case predicates::greater_equal:
-        holds = a >= b;
-        break;
-      case predicates::equal:
-        holds = a == b;
-        break;
-      default:
-        holds = a != b;
-        break;
-    }
-  } else if (left.is_atom() && right.is_atom() &&
-             (goal.predicate == predicates::equal || goal.predicate == predicates::not_equal)) {
-    holds = left.same_as(right) == (goal.predicate == predicates::equal);
-  } else {
-    return Verdict::open;
-  }
-  return holds ? Verdict::holds : Verdict::fails;
+  return compare_known(goal.predicate, left, right);
 }
 
-Context::Verdict Context::unify(const Goal& goal) {
+Verdict Context::unify(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value right;
   if (!known_operand(sides[1], frame_, right)) return Verdict::open;
@@ -78,18 +47,10 @@ Context::Verdict Context::unify(const Goal& goal) {
     machine_.unifier().bind(left.variable(), right);
     return Verdict::holds;
   }
-  bool equal = false;
-  if (left.is_number() && right.is_number()) {
-    equal = left.as_number() == right.as_number() || left.same_as(right);
-  } else if (left.is_atom() && right.is_atom()) {
-    equal = left.same_as(right);
-  } else {
-    return Verdict::open;
-  }
-  return equal ? Verdict::holds : Verdict::fails;
+  return unify_known(left, right);
 }
 
-[[gnu::always_inline]] inline Context::Verdict Context::test(const Goal& goal) {
+[[gnu::always_inline]] inline Verdict Context::test(const Goal& goal) {
   switch (goal.kind) {
     case Goal::Kind::compare:
       return compare(goal);
@@ -104,7 +65,7 @@ Context::Verdict Context::unify(const Goal& goal) {
   }
 }
 
-Context::Verdict Context::prove(const Goal* goal) {
+Verdict Context::prove(const Goal* goal) {
   const std::size_t mark = count_;
   for (; goal != nullptr; goal = goal->next) {
     if (goal->kind == Goal::Kind::negation_done) break;
@@ -122,7 +83,7 @@ Context::Verdict Context::prove(const Goal* goal) {
 }
 
 // Within it nothing is left to the machine: that would prove what follows the negation, too.
-Context::Verdict Context::negation(const Goal& goal) {
+Verdict Context::negation(const Goal& goal) {
   const std::size_t mark = count_;
   ++choices_;
   const Verdict inner = prove(goal.inner);
@@ -133,7 +94,7 @@ Context::Verdict Context::negation(const Goal& goal) {
 }
 
 // Some row matches, and the rest of the chain holds with it.
-Context::Verdict Context::query(const Goal& goal) {
+Verdict Context::query(const Goal& goal) {
   Relation* const relation = beliefs_.find(goal.predicate);
   if (relation == nullptr) return Verdict::fails;
   if (relation->has_rules()) return Verdict::open;
@@ -154,12 +115,12 @@ Context::Verdict Context::query(const Goal& goal) {
 }
 
 // Without arguments there is one row at most.
-Context::Verdict Context::fact(const Goal& goal, const Relation& relation) {
+Verdict Context::fact(const Goal& goal, const Relation& relation) {
   return relation.size() == 0 ? Verdict::fails : prove(goal.next);
 }
 
 // The same by an index.
-Context::Verdict Context::long_query(const Goal& goal, Relation& relation) {
+Verdict Context::long_query(const Goal& goal, Relation& relation) {
   const std::span<const Value> args = goal.args();
   if (args.size() > kMostArguments) return Verdict::open;
   std::array<Value, kMostArguments> wanted;  // unset: whatever the slot gets
@@ -181,7 +142,7 @@ Context::Verdict Context::long_query(const Goal& goal, Relation& relation) {
 }
 
 // The row matches the query, and the rest of the chain holds.
-Context::Verdict Context::match(const Row& row, const Goal& goal, bool has_more) {
+Verdict Context::match(const Row& row, const Goal& goal, bool has_more) {
   if (!row.fact.is_closed()) return Verdict::open;
   const Value* const known = row.fact.structure()->args();
   const Structure& wanted = *goal.term.structure();

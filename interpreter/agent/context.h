@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "interpreter/agent/operands.h"
 #include "interpreter/logic/machine.h"
 
 namespace jaywalk {
@@ -36,8 +37,6 @@ class Context {
   }
 
  private:
-  enum class Verdict : std::uint8_t { fails, holds, open };
-
   [[nodiscard]] Verdict prove(const Goal* goal);
   [[nodiscard]] Verdict test(const Goal& goal);
   [[nodiscard]] Verdict query(const Goal& goal);

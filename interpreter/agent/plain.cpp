@@ -11,6 +11,7 @@
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/context.h"
 #include "interpreter/agent/numbers.h"
+#include "interpreter/agent/operands.h"
 #include "interpreter/agent/step_guard.h"
 
 namespace jaywalk {
@@ -36,7 +37,32 @@ bool differ(Value constant, Value value) {
 // The literal of a goal or belief, with source(self) and with its variables as they are, if its
 // arguments are constants, variables, numbers and ground terms; else null, and nothing has changed.
 // A variable without a value is, in a goal's literal, the slot itself.
-Structure* Agent::literal_for_event(Intention& intention, Value term, bool& is_open) {
+[[gnu::always_inline]] inline Structure* Agent::literal_for_event(Intention& intention,
+                                                                  const Step& step, bool& is_open) {
+  if (step.plain == nullptr || step.plain->args.empty()) {
+    return literal_of_terms(intention, step.term, is_open);
+  }
+  const Value* const frame = intention.frame(intention.top());
+  const std::vector<Operand>& args = step.plain->args;
+  Structure* const made =
+      heap_.blank_literal(step.term.structure()->predicate(), args.size(), source_self());
+  Value* value = made->cells() + 1;
+  for (const Operand& arg : args) {
+    if (!find_value(arg, frame, *value)) {
+      if (arg.kind != Operand::Kind::slot) return nullptr;
+      if (value->is_unset()) {
+        *value = Value::slot(arg.left_slot);
+      } else if (!value->is_variable()) {
+        return nullptr;
+      }
+      is_open = true;
+    }
+    ++value;
+  }
+  return made;
+}
+
+Structure* Agent::literal_of_terms(Intention& intention, Value term, bool& is_open) {
   if (term.is_atom()) return heap_.blank_literal(term.atom_id(), 0, source_self());
   if (!is_form(term, Form::literal) || term.structure()->is_annotated()) return nullptr;
   const Value* const frame = intention.frame(intention.top());
@@ -126,10 +152,9 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
   return true;
 }
 
-[[gnu::always_inline]] inline bool Agent::try_plain_plan(const Plan& plan, Value literal) {
-  std::vector<Value>& scratch = work().frame;
-  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
-  Value* const frame = scratch.data();
+// Whether a plan is relevant and applicable.
+bool Agent::try_plain_plan(const Plan& plan, Value literal) {
+  Value* const frame = work().frame.data();
   for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
   Unifier& unifier = machine().unifier();
   unifier.set_slot_names(plan.slot_names);
@@ -148,29 +173,134 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
   return applicable;
 }
 
-// Rules RelPl, ApplPl, SelAppl: the first plan that is relevant and applicable; the values of its
-// frame stand in the workspace then.
-const Plan* Agent::choose_plain_plan(const Event& event, bool& had_candidates) {
+namespace {
+
+// The arguments of an event's literal and the head of a plan.
+[[gnu::always_inline]] inline Verdict match_head(const PlainPlan& plan, const Value* args,
+                                                 Value* frame, Unifier& unifier) {
+  for (const HeadArgument& wanted : plan.head) {
+    const Value value = deref(*args++);
+    if (wanted.slot != Operand::kNoSlot) {
+      if (Unifier::is_of_other_namespace(value)) return Verdict::fails;
+      frame[wanted.slot] = value;
+    } else if (value.is_number() || value.is_atom()) {
+      if (differ(wanted.constant, value)) return Verdict::fails;
+    } else if (value.is_variable() && !Unifier::is_of_other_namespace(wanted.constant)) {
+      unifier.bind(value.variable(), wanted.constant);
+    } else {
+      return Verdict::open;
+    }
+  }
+  return Verdict::holds;
+}
+
+}  // namespace
+
+// The same for a plan with a plain head and context, without a look at its terms.
+[[gnu::always_inline]] inline Verdict Agent::try_at_a_glance(const PlainPlan& plan,
+                                                             std::uint32_t slot_count,
+                                                             Value literal) {
+  if (plan.predicate != predicate_of(literal)) return Verdict::fails;
+  Value* const frame = work().frame.data();
+  for (std::uint32_t i = 0; i < slot_count; ++i) frame[i] = Value();
+  Unifier& unifier = machine().unifier();
+  const std::size_t trail = unifier.mark();
+  const Value* const args = literal.is_atom() ? nullptr : literal.structure()->args();
+  Verdict verdict = match_head(plan, args, frame, unifier);
+  for (const PlainTest& test : plan.tests) {
+    if (verdict != Verdict::holds) break;
+    verdict = decide(test, frame);
+  }
+  if (unifier.mark() != trail) {
+    verdict == Verdict::holds ? unifier.commit(trail) : unifier.undo(trail);
+  }
+  return verdict;
+}
+
+// The plans that an event may be for: known from the formula that makes it, as long as the agent
+// has no plans of its own.
+inline const PlanList& Agent::plans_for(const Step& step, const Event& event) {
+  const PlainStep* const plain = step.plain;
+  return plain != nullptr && plain->library == library_ ? *plain->plans : plans_for(event);
+}
+
+const PlanList& Agent::plans_for(const Event& event) {
+  const Predicate predicate =
+      is_literal(event.literal) ? predicate_of(event.literal) : predicates::truth;
+  return library_->list(is_negated(predicate) ? key_of(event)
+                                              : TriggerKey{event.op, event.kind, predicate});
+}
+
+// Rules RelPl, ApplPl, SelAppl: the first plan of a list that is relevant and applicable; the
+// values of its frame stand in the workspace then.
+const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
   const Value literal = event.literal;
-  const Predicate predicate = is_literal(literal) ? predicate_of(literal) : predicates::truth;
-  const TriggerKey key =
-      is_negated(predicate) ? key_of(event) : TriggerKey{event.op, event.kind, predicate};
-  const PlanList& list = library_->list(key);
-  had_candidates = !list.plans().empty();
-  if (!had_candidates) return nullptr;
   deliberating_ = event.intention;
+  const bool is_usual = is_literal(literal);
   const Value first = literal.is_structure() && literal.structure()->arity > 0
                           ? deref(literal.structure()->arg(0))
                           : Value();
-  const Plan* chosen = nullptr;
-  const auto is_chosen = [&](const Plan& plan) {
-    if (differ(plan.first_argument, first) || !try_plain_plan(plan, literal)) return false;
-    chosen = &plan;
-    return true;
+  const auto is_it = [&](const Plan& plan) {
+    if (differ(plan.first_argument, first)) return false;
+    std::vector<Value>& scratch = work().frame;
+    if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
+    if (is_usual && plan.plain.has_plain_head && plan.plain.has_plain_context) {
+      const Verdict verdict = try_at_a_glance(plan.plain, plan.slot_count, literal);
+      if (verdict != Verdict::open) return verdict == Verdict::holds;
+    }
+    return try_plain_plan(plan, literal);
   };
-  (void)list.find(list.is_short() ? 0 : argument_key(first), is_chosen);
+  const Plan* chosen = nullptr;
+  if (list.is_short()) {
+    for (const Plan* const plan : list.plans()) {
+      if (!is_it(*plan)) continue;
+      chosen = plan;
+      break;
+    }
+  } else {
+    (void)list.find(argument_key(first), [&](const Plan& plan) {
+      if (!is_it(plan)) return false;
+      chosen = &plan;
+      return true;
+    });
+  }
   deliberating_ = nullptr;
   return chosen;
+}
+
+// A constraint, or the condition of an `if`, that is a single test. What it sets is for good.
+Verdict Agent::decide_step(Intention& intention, const Step& step) {
+  if (step.plain == nullptr || step.plain->tests.size() != 1) return Verdict::open;
+  Value* const frame = intention.frame(intention.top());
+  const PlainTest& test = step.plain->tests.front();
+  const Verdict verdict = decide(test, frame);
+  if (verdict != Verdict::open || test.op != predicates::unify) return verdict;
+  Value value;
+  if (test.left.kind != Operand::Kind::slot || !find_value(test.right, frame, value)) {
+    return verdict;
+  }
+  const Value open = deref(frame[test.left.left_slot]);  // of the caller perhaps
+  if (!open.is_variable() || !value.is_number()) return verdict;
+  open.variable()->value = value;
+  return Verdict::holds;
+}
+
+// What return_values does if all that comes back is closed and goes into slots without a value.
+// False: something is of another kind, and nothing has happened.
+bool Agent::return_closed_values(Intention& intention) {
+  const IntendedMeans& caller = intention.top();
+  if (!caller.loops.empty()) return false;
+  Value* const frame = intention.frame(caller);
+  const Value* const pairs = frame + caller.plan->slot_count;
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    if (!pairs[i].is_slot() || !frame[pairs[i].slot_index()].is_unset()) return false;
+    const Value returned = deref(pairs[i + 1]);
+    if (!returned.is_closed() || Unifier::is_of_other_namespace(returned)) return false;
+  }
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    frame[pairs[i].slot_index()] = deref(pairs[i + 1]);
+  }
+  return true;
 }
 
 // Rule AddIM for a plan that needs no more than a frame.

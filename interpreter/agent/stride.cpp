@@ -90,10 +90,10 @@ void Agent::plain_cycle(std::uint64_t last) {
     const Event event = c.events.front();
     c.events.pop_front();
     if (event.intention != nullptr) event.intention->has_event = false;
-    bool had_candidates = false;
-    const Plan* const plan = choose_plain_plan(event, had_candidates);
+    const PlanList& plans = plans_for(event);
+    const Plan* const plan = choose_plain_plan(plans, event);
     if (plan == nullptr) {
-      if (no_plan(event, had_candidates)) break;
+      if (no_plan(event, !plans.plans().empty())) break;
       continue;
     }
     if (is_plain(*plan)) {
@@ -118,6 +118,22 @@ void Agent::plain_cycle(std::uint64_t last) {
   }
 }
 
+// Rule ClrInt, for means that need no more than a frame.
+void Agent::clear_plainly(Intention& intention) {
+  while (intention.top().is_finished()) {
+    const IntendedMeans& done = intention.top();
+    const bool is_failure = done.is_goal() && done.op == TriggerOperator::remove;
+    if (intention.stack.size() == 1 || is_failure || !is_plain(*done.plan)) {
+      clear_intention(intention);
+      return;
+    }
+    intention.pop();
+    if (intention.top().is_finished()) continue;
+    if (!return_closed_values(intention)) return_values(intention);
+    intention.advance();
+  }
+}
+
 // Rules ExecInt and ClrInt: one formula of an intention; more, a cycle for each, while it is alone.
 void Agent::plain_steps(Intention& intention, std::uint64_t last) {
   using State = Intention::State;
@@ -128,7 +144,7 @@ void Agent::plain_steps(Intention& intention, std::uint64_t last) {
     if (executed == Executed::elsewhere) return;
     if (executed == Executed::ready) {
       intention.state = State::in_event;  // it is not in the queue
-      clear_intention(intention);
+      clear_plainly(intention);
       if (intention.state != State::in_event) return;
       intention.state = State::running;
       if (!is_alone(last)) {
@@ -177,19 +193,22 @@ Agent::Executed Agent::execute_plainly(Intention& intention, std::uint64_t last)
 
 // `X > 1`, `?b(X)`, and the condition of an `if`.
 Agent::Executed Agent::ask(Intention& intention, const Step& step) {
-  std::unique_ptr<ActionError> error;
-  bool holds = false;
-  const bool completed = guarded(error, [&] {
-    machine().unifier().set_slot_names(intention.top().plan->slot_names);
-    holds = Context(machine(), intention.frame(intention.top())).solve(step.goal);
-    if (!holds && step.kind == Step::Kind::test) fail_test(intention, step);
-    return true;
-  });
-  if (!completed) {
-    fail_at_limit(intention, *error);
-    return Executed::elsewhere;
+  const Verdict verdict = decide_step(intention, step);
+  bool holds = verdict == Verdict::holds;
+  if (verdict == Verdict::open) {
+    std::unique_ptr<ActionError> error;
+    const bool completed = guarded(error, [&] {
+      machine().unifier().set_slot_names(intention.top().plan->slot_names);
+      holds = Context(machine(), intention.frame(intention.top())).solve(step.goal);
+      if (!holds && step.kind == Step::Kind::test) fail_test(intention, step);
+      return true;
+    });
+    if (!completed) {
+      fail_at_limit(intention, *error);
+      return Executed::elsewhere;
+    }
+    machine().unifier().commit(0);
   }
-  machine().unifier().commit(0);
   const Body* const branch = holds ? step.first : step.second;
   if (branch != nullptr) {
     enter_body(intention, *branch, nullptr);
@@ -210,7 +229,7 @@ Agent::Executed Agent::call(Intention& intention, const Step& step) {
   std::unique_ptr<ActionError> error;
   const bool completed = guarded(error, [&] {
     bool is_open = false;
-    Structure* const made = literal_for_event(intention, step.term, is_open);
+    Structure* const made = literal_for_event(intention, step, is_open);
     if (made == nullptr) return true;
     if (is_open) rename_in_call(intention, *made);
     goal = heap_.literal_of(made, !is_open);
@@ -221,7 +240,8 @@ Agent::Executed Agent::call(Intention& intention, const Step& step) {
     return Executed::elsewhere;
   }
   if (goal.is_unset()) return Executed::not_yet;
-  return take_up(intention, {TriggerOperator::add, TriggerKind::achieve, goal, &intention, 0});
+  const Event event{TriggerOperator::add, TriggerKind::achieve, goal, &intention, 0};
+  return take_up(intention, event, plans_for(step, event));
 }
 
 // `+b`, `-b` and `-+b` with a ground b that has no other source than the agent itself.
@@ -232,7 +252,7 @@ Agent::Executed Agent::change_belief(Intention& intention, const Step& step) {
   const bool removes = step.kind == Step::Kind::remove;
   const bool completed = guarded(error, [&] {
     bool is_open = false;
-    const Structure* const made = literal_for_event(intention, step.term, is_open);
+    const Structure* const made = literal_for_event(intention, step, is_open);
     if (made == nullptr || is_open) return true;
     literal = heap_.literal_of(made, true);
     if (step.kind == Step::Kind::replace && !forget_one(made->predicate())) {
@@ -258,7 +278,7 @@ Agent::Executed Agent::change_belief(Intention& intention, const Step& step) {
   }
   const Event event{removes ? TriggerOperator::remove : TriggerOperator::add, TriggerKind::belief,
                     literal, &intention, 0};
-  if (circumstance_.events.empty()) return take_up(intention, event);
+  if (circumstance_.events.empty()) return take_up(intention, event, plans_for(step, event));
   add_event(event);  // behind that of a belief that -+b has removed
   return Executed::elsewhere;
 }
@@ -285,25 +305,24 @@ bool Agent::forget_one(Predicate predicate) {
 }
 
 // From the event of a formula, at the end of ExecInt, to SelInt of the next cycle.
-Agent::Executed Agent::take_up(Intention& intention, const Event& event) {
+Agent::Executed Agent::take_up(Intention& intention, const Event& event, const PlanList& plans) {
   intention.state = Intention::State::in_event;
   executing_ = nullptr;
   ++cycles_;
   beliefs_.compact();
-  bool had_candidates = false;
-  const Plan* const plan = choose_plain_plan(event, had_candidates);
+  const Plan* const plan = choose_plain_plan(plans, event);
   if (plan != nullptr && is_plain(*plan)) {
     push_plain_means(intention, *plan, event);
   } else if (plan == nullptr && event.kind == TriggerKind::belief) {
     intention.advance();  // the change was all that was wanted
-    if (intention.top().is_finished()) clear_intention(intention);
+    clear_plainly(intention);
     if (intention.state != Intention::State::in_event) return Executed::elsewhere;
   } else {
     if (plan != nullptr) {
       work().frame.resize(plan->slot_count);
       add_intended_means(*plan, event, nullptr);
     } else {
-      (void)no_plan(event, had_candidates);
+      (void)no_plan(event, !plans.plans().empty());
     }
     act();
     return Executed::elsewhere;

@@ -43,6 +43,7 @@ class ProgramBuilder {
     }
     add_file(tree.main());
     add_default_plans();
+    for (const auto& plan : plans_) link(*plan, program_.library_);
   }
 
  private:
@@ -147,6 +148,7 @@ class ProgramBuilder {
     if (!in_standard_plans_) check_label(*compiled, plan);
     complete_label(*compiled);
     library.add(compiled);
+    if (enclosing == nullptr) plans_.push_back(compiled);
   }
 
   // A sub-plan sees the enclosing plan's variables by name.
@@ -296,6 +298,7 @@ class ProgramBuilder {
   const ast::File* file_ = nullptr;
   std::unordered_set<std::string> labels_;
   std::vector<std::unique_ptr<ast::File>> expanded_;
+  std::vector<std::shared_ptr<Plan>> plans_;
   bool in_standard_plans_ = false;
   int labelled_ = 0;
   int anonymous_namespaces_ = 0;

@@ -64,4 +64,12 @@ void PlanLibrary::remove(const Plan& plan) {
   rebuild();
 }
 
+void link(Plan& plan, const PlanLibrary& library) {
+  for (const auto& step : plan.code.plain_steps) {
+    if (!step->event) continue;
+    step->library = &library;
+    step->plans = &library.list(*step->event);
+  }
+}
+
 }  // namespace jaywalk

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "interpreter/logic/code.h"
+#include "interpreter/program/plain_code.h"
+#include "interpreter/program/trigger.h"
 #include "interpreter/support/flat_index.h"
 #include "interpreter/term/heap.h"
 
@@ -20,19 +22,6 @@ namespace jaywalk {
 
 struct Plan;
 class PlanLibrary;
-
-enum class TriggerOperator : std::uint8_t { add, remove, goal_state };  // + - ^
-enum class TriggerKind : std::uint8_t { belief, achieve, test };        // (none) ! ?
-
-/// What an event is about, as far as plans can be looked up by it: Jason's trigger indicator, in
-/// which strong negation does not count.
-struct TriggerKey {
-  TriggerOperator op = TriggerOperator::add;
-  TriggerKind kind = TriggerKind::belief;
-  Predicate predicate{};
-
-  friend bool operator==(const TriggerKey&, const TriggerKey&) = default;
-};
 
 struct Body;
 
@@ -72,6 +61,8 @@ struct Step {
   std::uint32_t line = 0;
   /// The formula as a term of form step, for programs as data.
   Value source;
+  /// Of a goal, a change of belief or a constraint: what strides make of it; else null.
+  const PlainStep* plain = nullptr;
   /// Of variable: its operator.
   Kind variable_kind = Kind::action;
 };
@@ -84,6 +75,7 @@ struct Body {
 struct BodyCode {
   std::deque<Body> bodies;
   FormulaCode formulas;
+  std::vector<std::unique_ptr<PlainStep>> plain_steps;
   const Body* entry = nullptr;
 
   template <class Visit>
@@ -111,6 +103,7 @@ struct Plan {
   const Goal* context = nullptr;
   const Goal* goal_condition = nullptr;
   bool has_goal_condition = false;
+  PlainPlan plain;
   BodyCode code;
   std::uint32_t slot_count = 0;
   std::vector<Symbol> slot_names;
@@ -198,6 +191,10 @@ class PlanLibrary {
   std::size_t goal_state_plans_ = 0;
   std::size_t message_plans_ = 0;
 };
+
+/// Shows the formulas of a plan the lists of plans for their events. REQUIRES: the library changes
+/// no more, and outlives the plan.
+void link(Plan& plan, const PlanLibrary& library);
 
 template <class IsIt>
 bool PlanList::find(std::uint64_t first_key, IsIt is_it) const {

@@ -93,7 +93,26 @@ Step BodyCompiler::compile_step(Value term) {
   } else if (step.kind == Step::Kind::test) {
     step.goal = formulas_.compile(step.term, nullptr);
   }
+  prepare(step);
   return step;
+}
+
+void BodyCompiler::prepare(Step& step) {
+  const bool is_goal = step.kind == Step::Kind::achieve;
+  const bool removes = step.kind == Step::Kind::remove;
+  const bool makes_event =
+      is_goal || removes || step.kind == Step::Kind::add || step.kind == Step::Kind::replace;
+  const bool is_condition =
+      step.kind == Step::Kind::constraint || step.kind == Step::Kind::if_statement;
+  if (!makes_event && !is_condition) return;
+  auto plain = std::make_unique<PlainStep>(plain_step(step.term, step.goal));
+  if (makes_event && is_literal(step.term)) {
+    plain->event = trigger_key(removes ? TriggerOperator::remove : TriggerOperator::add,
+                               is_goal ? TriggerKind::achieve : TriggerKind::belief,
+                               predicate_of(step.term), symbols_);
+  }
+  step.plain = plain.get();
+  code_.plain_steps.push_back(std::move(plain));
 }
 
 // A formula without operator: an action, an internal action, a constraint, a statement.
@@ -247,6 +266,7 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);
+  plan->plain = plain_plan(plan->trigger, plan->context);
   if (!parts.goal_condition.is_unset()) {
     plan->has_goal_condition = true;
     plan->goal_condition = compiler.compile_formula(parts.goal_condition);

@@ -22,6 +22,7 @@ class BodyCompiler {
   void compile_steps(const Structure& body, Body& made);
   Step compile_step(Value step);
   void compile_plain(Step& step);
+  void prepare(Step& step);
   bool compile_statement(Step& step);
 
   BodyCode& code_;

@@ -1,0 +1,24 @@
+#pragma once
+
+// What events are about, and plans are for.
+
+#include <cstdint>
+
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+enum class TriggerOperator : std::uint8_t { add, remove, goal_state };  // + - ^
+enum class TriggerKind : std::uint8_t { belief, achieve, test };        // (none) ! ?
+
+/// What an event is about, as far as plans can be looked up by it: Jason's trigger indicator, in
+/// which strong negation does not count.
+struct TriggerKey {
+  TriggerOperator op = TriggerOperator::add;
+  TriggerKind kind = TriggerKind::belief;
+  Predicate predicate{};
+
+  friend bool operator==(const TriggerKey&, const TriggerKey&) = default;
+};
+
+}  // namespace jaywalk
