@@ -104,6 +104,8 @@ class Intention {
   void finish();
 
   [[nodiscard]] bool is_finished() const { return stack.empty(); }
+  /// Whether something suspended it, whatever else it waits for.
+  [[nodiscard]] bool is_suspended() const { return also_suspended || state == State::suspended; }
   [[nodiscard]] IntendedMeans& top() { return stack.back(); }
   [[nodiscard]] const IntendedMeans& top() const { return stack.back(); }
   [[nodiscard]] Value* frame(const IntendedMeans& means) { return values.data() + means.frame; }

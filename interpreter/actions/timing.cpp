@@ -1,0 +1,122 @@
+// What waits for a time or an event, and what makes one.
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "interpreter/actions/actions.h"
+#include "interpreter/agent/agent.h"
+#include "interpreter/compile/term_reader.h"
+#include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk::actions {
+namespace {
+
+bool is_plan_part(Value value, Form form) {
+  return value.is_structure() && value.structure()->form() == form;
+}
+
+// "now +3 s": milliseconds from now; -1: there is no amount; nothing: it is no whole number. As in
+// Jason a unit that is none of its own counts milliseconds, and a blank stands before it.
+std::optional<double> parse_delay(std::string_view text) {
+  const auto trimmed = [](std::string_view part) {
+    const std::size_t first = part.find_first_not_of(' ');
+    return first == part.npos ? std::string_view() : part.substr(first);
+  };
+  text = trimmed(text.substr(3));
+  if (!text.starts_with("+")) return -1;
+  text = trimmed(text.substr(1));
+  std::string_view amount = text.substr(0, text.find(' '));
+  const std::string_view unit = trimmed(text.substr(amount.size()));
+  if (amount.starts_with('+') && !amount.starts_with("+-")) amount.remove_prefix(1);
+  std::int32_t number = 0;
+  const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), number);
+  if (error != std::errc() || end != amount.data() + amount.size()) return std::nullopt;
+  const double ms = number;
+  if (unit == "s" || unit.starts_with("second")) return ms * 1000;
+  if (unit == "m" || unit.starts_with("minute")) return ms * 60'000;
+  if (unit == "h" || unit.starts_with("hour")) return ms * 3'600'000;
+  if (unit == "d" || unit.starts_with("day")) return ms * 86'400'000;
+  return ms;
+}
+
+}  // namespace
+
+Outcome wait(ActionCall& call) {
+  Agent& agent = *call.agent();
+  Wait wait;
+  double ms = -1;
+  const Value what = call.arg(0);
+  TriggerParts trigger;
+  if (what.is_number()) {
+    ms = std::max(0.0, what.as_number());
+  } else if (read_trigger(what, call, trigger)) {
+    wait.has_trigger = true;
+    wait.op = trigger.op;
+    wait.kind = trigger.kind;
+    wait.trigger = trigger.literal;
+  } else if (is_literal(what) || is_plan_part(what, Form::logical) ||
+             is_plan_part(what, Form::relation)) {
+    const std::size_t trail = call.unifier().mark();
+    if (call.machine().solve_term(what)) return Outcome::succeeded;
+    call.unifier().undo(trail);
+    wait.has_formula = true;
+    wait.formula = what;
+  } else {
+    return call.wrong_argument(0, "a time, a trigger or a formula");
+  }
+  if (!what.is_number() && call.count() > 1) {
+    if (!call.arg(1).is_number()) return call.wrong_argument(1, "a number of milliseconds");
+    ms = std::max(0.0, call.arg(1).as_number());
+    if (call.count() > 2) wait.elapsed = call.arg(2);
+  }
+  agent.start_wait(*call.intention(), wait, ms);
+  return Outcome::suspended;
+}
+
+Outcome at(ActionCall& call) {
+  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string like \"now +3 s\"");
+  const std::string_view time = call.arg(0).text()->view();
+  if (!time.starts_with("now")) {
+    return call.fail("internal_action",
+                     fmt::format("The time parameter ('{}') of the internal action 'at' is not "
+                                 "implemented!",
+                                 time));
+  }
+  const std::optional<double> delay = parse_delay(time);
+  if (!delay) return java_exception(call, "the time of .at is no whole number");
+  if (*delay == -1) {
+    return call.fail("internal_action",
+                     fmt::format("The time parameter ('{}') of the internal action 'at' did not "
+                                 "parse correctly!",
+                                 term_text(call.arg(0), call.symbols())));
+  }
+  TriggerParts trigger;
+  if (!read_trigger(call.arg(1), call, trigger) || !is_literal(trigger.literal)) {
+    return call.wrong_argument(1, "a trigger like {+!g}");
+  }
+  call.agent()->schedule(
+      {trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal), nullptr, 0},
+      std::max(0.0, *delay));
+  return Outcome::succeeded;
+}
+
+Outcome signal(ActionCall& call) {
+  TriggerParts trigger;
+  if (!read_trigger(call.arg(0), call, trigger) || !is_literal(trigger.literal)) {
+    return call.wrong_argument(0, "a trigger like {+b}");
+  }
+  Value literal = call.unifier().fresh_copy(trigger.literal);
+  const Value annots = literal_parts(literal).annots;
+  if (!has_source(annots)) {
+    literal = with_annotations(call.heap(), literal,
+                               union_of(call.heap(), annots, source_self(), call.symbols()));
+  }
+  call.agent()->add_event({trigger.op, trigger.kind, literal, nullptr, 0});
+  return Outcome::succeeded;
+}
+
+}  // namespace jaywalk::actions
