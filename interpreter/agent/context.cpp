@@ -7,14 +7,26 @@
 // solution is found in the order in which the machine finds it. What a row binds are slots of the
 // frame, noted in a little array of their own for when the next row is tried.
 //
-// A third verdict, `open`, says that a goal is of another kind: a rule, an internal action, a term
-// with variables, annotations. Then the machine has to be asked, and where it has to begin follows
-// from the order of solutions: as long as no query before the goal can have another row (choices_
-// is 0), what has been proved stands, and the machine goes on at the goal; else it begins at the
-// first query that can. Work that is done twice is bounded by kMostRows.
+// A query whose relation has one row needs no loop and no call. A rule is proved the same way, over
+// a frame of its own; at the end of its body the chain goes on behind the query, in the frame of
+// who asked:
+//
+//   danger(X, D) & lane(K)                      frame of the plan
+//        |            ^
+//        v            | D
+//   hazard(H) & D = H - X & D > 0               frame of danger(X, D) :- ...
+//
+// A third verdict, `open`, says that a goal is of another kind: an internal action, a term with
+// variables, annotations, a rule that asks for more than there is room for. Then the machine has to
+// be asked, and where it has to begin follows from the order of solutions: as long as no query
+// before the goal can have another row (choices_ is 0), what has been proved stands, and the
+// machine goes on at the goal; else it begins at the first query that can. Work that is done twice
+// is bounded by kMostRows.
 
 #include "interpreter/agent/context.h"
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "interpreter/agent/numbers.h"
@@ -36,7 +48,7 @@ Verdict Context::unify(const Goal& goal) {
   if (!known_operand(sides[1], frame_, right)) return Verdict::open;
   if (sides[0].is_slot() && frame_[sides[0].slot_index()].is_unset()) {
     if (Unifier::is_of_other_namespace(right) || count_ == kMostSlots) return Verdict::open;
-    set(sides[0].slot_index(), right);
+    set(frame_ + sides[0].slot_index(), right);
     return Verdict::holds;
   }
   Value left;
@@ -65,21 +77,36 @@ Verdict Context::unify(const Goal& goal) {
   }
 }
 
+// The rest of a chain from some goal on; in a rule's body, what follows the query for the rule,
+// too.
 Verdict Context::prove(const Goal* goal) {
   const std::size_t mark = count_;
   for (; goal != nullptr; goal = goal->next) {
-    if (goal->kind == Goal::Kind::negation_done) break;
-    const bool is_query = goal->kind == Goal::Kind::query;
-    const Verdict verdict = is_query ? query(*goal) : test(*goal);
+    if (goal->kind == Goal::Kind::negation_done) return Verdict::holds;
+    bool is_rest_proved = false;
+    Verdict verdict = Verdict::open;
+    if (goal->kind == Goal::Kind::query) {
+      verdict = query(*goal, is_rest_proved);
+    } else {
+      verdict = test(*goal);
+    }
     if (verdict == Verdict::holds) {
-      if (is_query) break;  // and so does the rest
+      if (is_rest_proved) return verdict;
       continue;
     }
-    if (verdict == Verdict::open && choices_ == 0 && machine_.solve(goal, frame_)) break;
+    if (verdict == Verdict::open && choices_ == 0 && solve_by_machine(*goal)) return Verdict::holds;
     undo(mark);
     return choices_ == 0 ? Verdict::fails : verdict;
   }
-  return Verdict::holds;
+  if (call_ == nullptr) return Verdict::holds;
+  const Verdict verdict = leave_rule();
+  if (verdict != Verdict::holds) undo(mark);
+  return verdict;
+}
+
+bool Context::solve_by_machine(const Goal& goal) {
+  number_variables();
+  return machine_.solve(&goal, frame_);
 }
 
 // Within it nothing is left to the machine: that would prove what follows the negation, too.
@@ -93,30 +120,40 @@ Verdict Context::negation(const Goal& goal) {
   return inner == Verdict::holds ? Verdict::fails : Verdict::holds;
 }
 
-// Some row matches, and the rest of the chain holds with it.
-Verdict Context::query(const Goal& goal) {
+// Some row matches; where another one might, too, the rest of the chain holds with it.
+[[gnu::always_inline]] inline Verdict Context::query(const Goal& goal, bool& is_rest_proved) {
   Relation* const relation = beliefs_.find(goal.predicate);
   if (relation == nullptr) return Verdict::fails;
-  if (relation->has_rules()) return Verdict::open;
+  if (rules_ > 0) count_variables(goal);
+  if (relation->has_rules()) {
+    is_rest_proved = true;
+    return rule_query(goal, *relation);
+  }
   const std::int64_t first = relation->first_seq();
-  std::int64_t seq = relation->end_seq();
-  if (!goal.term.is_structure()) return seq == first ? Verdict::fails : fact(goal, *relation);
-  if (seq - first > kFewRows) return long_query(goal, *relation);
+  const std::int64_t end = relation->end_seq();
+  if (!goal.term.is_structure()) {  // there is one row at most
+    return relation->size() == 0 ? Verdict::fails : Verdict::holds;
+  }
+  if (end - first == 1) {
+    const Row& row = relation->row(first);
+    return row.is_hole() ? Verdict::fails : match(row, goal);
+  }
+  is_rest_proved = true;
+  return end - first > kFewRows ? long_query(goal, *relation) : short_query(goal, *relation);
+}
+
+Verdict Context::short_query(const Goal& goal, const Relation& relation) {
+  const std::int64_t first = relation.first_seq();
   const std::size_t mark = count_;
-  while (--seq >= first) {
-    const Row& row = relation->row(seq);
+  for (std::int64_t seq = relation.end_seq(); --seq >= first;) {
+    const Row& row = relation.row(seq);
     if (row.is_hole()) continue;
-    const Verdict verdict = match(row, goal, seq > first);
+    const Verdict verdict = match_and_go_on(row, goal, seq > first);
     if (verdict == Verdict::holds) return verdict;
     undo(mark);
     if (verdict == Verdict::open) return verdict;
   }
   return Verdict::fails;
-}
-
-// Without arguments there is one row at most.
-Verdict Context::fact(const Goal& goal, const Relation& relation) {
-  return relation.size() == 0 ? Verdict::fails : prove(goal.next);
 }
 
 // The same by an index.
@@ -133,7 +170,7 @@ Verdict Context::long_query(const Goal& goal, Relation& relation) {
   std::int64_t seq = 0;
   while (const Row* const row = relation.advance(cursor, seq, nullptr)) {
     if (++rows_ > kMostRows) return Verdict::open;
-    const Verdict verdict = match(*row, goal, cursor.has_more());
+    const Verdict verdict = match_and_go_on(*row, goal, cursor.has_more());
     if (verdict == Verdict::holds) return verdict;
     undo(mark);
     if (verdict == Verdict::open) return verdict;
@@ -141,8 +178,8 @@ Verdict Context::long_query(const Goal& goal, Relation& relation) {
   return Verdict::fails;
 }
 
-// The row matches the query, and the rest of the chain holds.
-Verdict Context::match(const Row& row, const Goal& goal, bool has_more) {
+// The row matches the query.
+[[gnu::always_inline]] inline Verdict Context::match(const Row& row, const Goal& goal) {
   if (!row.fact.is_closed()) return Verdict::open;
   const Value* const known = row.fact.structure()->args();
   const Structure& wanted = *goal.term.structure();
@@ -150,7 +187,7 @@ Verdict Context::match(const Row& row, const Goal& goal, bool has_more) {
   for (std::size_t i = 0; i < wanted.arity; ++i) {
     if (args[i].is_slot() && frame_[args[i].slot_index()].is_unset()) {
       if (count_ == kMostSlots) return Verdict::open;
-      set(args[i].slot_index(), known[i]);
+      set(frame_ + args[i].slot_index(), known[i]);
       continue;
     }
     Value value;
@@ -164,10 +201,137 @@ Verdict Context::match(const Row& row, const Goal& goal, bool has_more) {
       return Verdict::fails;
     }
   }
+  return Verdict::holds;
+}
+
+Verdict Context::match_and_go_on(const Row& row, const Goal& goal, bool has_more) {
+  Verdict verdict = match(row, goal);
+  if (verdict != Verdict::holds) return verdict;
   choices_ += has_more ? 1U : 0U;
-  const Verdict verdict = prove(goal.next);
+  verdict = prove(goal.next);
   choices_ -= has_more ? 1U : 0U;
   return verdict;
+}
+
+// A query for which there are rules and nothing else, one after another.
+Verdict Context::rule_query(const Goal& goal, Relation& relation) {
+  const std::span<const Relation::Candidate> rules = relation.candidates();
+  const std::size_t count = rules.size();
+  if (count == 0 || rules_ == kMostRules) return Verdict::open;
+  const std::size_t variables = variables_;
+  if (rules_ == 0) count_variables(goal);
+  Verdict verdict = Verdict::fails;
+  for (std::size_t i = 0; i < count && verdict == Verdict::fails; ++i) {
+    choices_ += i + 1 < count ? 1U : 0U;
+    ++rules_;
+    verdict = rule(goal, *rules[i].rule);
+    --rules_;
+    choices_ -= i + 1 < count ? 1U : 0U;
+  }
+  if (verdict == Verdict::open) variables_ = variables;  // the machine will make them
+  return verdict;
+}
+
+// The body is proved in a frame of its own, and then, in that of who asks, what follows the query.
+Verdict Context::rule(const Goal& goal, const RuleCode& rule) {
+  if (rule.slot_count > kMostRuleSlots || ++entries_ > kMostEntries) return Verdict::open;
+  std::array<Value, kMostRuleSlots> slots;
+  std::uint32_t open = 0;
+  const std::vector<HeadStep>& head = rule.head_code.steps();
+  for (const HeadStep& step : head) {
+    const Value arg = goal.args()[step.argument];
+    const bool is_free = arg.is_slot() && frame_[arg.slot_index()].is_unset();
+    Value value;
+    if (!is_free && !known_operand(arg, frame_, value)) return Verdict::open;
+    if (step.kind == HeadStep::Kind::any || step.kind == HeadStep::Kind::first) {
+      if (Unifier::is_of_other_namespace(value)) return Verdict::fails;
+      if (step.kind == HeadStep::Kind::first) {
+        slots[step.slot] = value;
+        open |= is_free ? 1U << step.slot : 0U;
+      }
+    } else if (step.kind == HeadStep::Kind::constant && !is_free) {
+      const Verdict verdict = unify_known(step.term, value);
+      if (verdict != Verdict::holds) return verdict;
+    } else {
+      return Verdict::open;
+    }
+  }
+  Call call{&goal, &head, frame_, call_, open};
+  const std::size_t mark = count_;
+  call_ = &call;
+  frame_ = slots.data();
+  ++choices_;  // what is open in the body is so for the whole query
+  const Verdict verdict = prove(rule.body.entry);
+  --choices_;
+  call_ = call.outer;
+  frame_ = call.frame;
+  if (verdict == Verdict::holds) {
+    forget(mark, slots);  // within a negation, the rest may still be undone
+  } else {
+    undo(mark);
+  }
+  return verdict;
+}
+
+// What has been set since a mark in a frame that is about to go.
+void Context::forget(std::size_t mark, std::span<const Value> slots) {
+  const auto is_of_frame = [slots](const Value* slot) {
+    return !std::less<>()(slot, slots.data()) && std::less<>()(slot, slots.data() + slots.size());
+  };
+  Value** const end = set_.data() + count_;
+  Value** const kept = std::remove_if(set_.data() + mark, end, is_of_frame);
+  count_ = static_cast<std::size_t>(kept - set_.data());
+}
+
+// The end of a rule's body: slots of who asks get the values that the rule has found for them.
+Verdict Context::leave_rule() {
+  const Call& done = *call_;
+  Value* const slots = frame_;
+  const std::size_t mark = count_;
+  for (const HeadStep& step : *done.head) {
+    const Value arg = done.query->args()[step.argument];
+    if (!arg.is_slot() || !done.frame[arg.slot_index()].is_unset()) continue;
+    const Value found = step.kind == HeadStep::Kind::first ? deref(slots[step.slot]) : Value();
+    if (found.is_unset() || !found.is_closed() || Unifier::is_of_other_namespace(found) ||
+        count_ == kMostSlots || is_twice(*done.query, arg)) {
+      undo(mark);
+      return Verdict::open;
+    }
+    set(done.frame + arg.slot_index(), found);
+  }
+  const Call* const call = call_;
+  frame_ = done.frame;
+  call_ = done.outer;
+  --choices_;
+  const Verdict verdict = prove(done.query->next);
+  ++choices_;
+  call_ = call;
+  frame_ = slots;
+  return verdict;
+}
+
+// An argument that stands in a query more than once.
+bool Context::is_twice(const Goal& query, Value arg) {
+  const std::span<const Value> args = query.args();
+  return std::count_if(args.begin(), args.end(), [arg](Value v) { return v.same_as(arg); }) > 1;
+}
+
+// A machine makes a variable for each slot without a value that it asks for, unless one of who
+// asks stands there: they count as made, since variables show their numbers.
+void Context::count_variables(const Goal& goal) {
+  const std::span<const Value> args = goal.args();
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    if (!args[i].is_slot() || !frame_[args[i].slot_index()].is_unset()) continue;
+    const bool is_callers = call_ != nullptr && (call_->open >> args[i].slot_index() & 1U) != 0;
+    const auto is_it = [&](Value other) { return other.same_as(args[i]); };
+    if (!is_callers &&
+        std::none_of(args.begin(), args.begin() + static_cast<std::ptrdiff_t>(i), is_it))
+      ++variables_;
+  }
+}
+
+void Context::number_variables() {
+  for (; variables_ > 0; --variables_) machine_.heap().skip_variable();
 }
 
 // The operands are expressions themselves, or the operator is a rarer one.

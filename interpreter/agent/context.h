@@ -1,10 +1,12 @@
 #pragma once
 
-// The usual contexts: conjunctions of facts, comparisons and assignments. They are decided in
-// place, over the frame of the plan: nothing is built, and no machine is started.
+// The usual contexts: conjunctions of facts, simple rules, comparisons and assignments. They are
+// decided in place, over the frame of the plan: nothing is built, and no machine is started.
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "interpreter/agent/operands.h"
 #include "interpreter/logic/machine.h"
@@ -31,33 +33,54 @@ class Context {
   /// Slots that it sets itself are not on the trail, so the frame must be one in which no step will
   /// want to undo them.
   [[nodiscard]] bool solve(const Goal* entry) {
-    if (entry != nullptr && prove(entry) != Verdict::holds) return false;
-    holds_ = true;
-    return true;
+    holds_ = entry == nullptr || prove(entry) == Verdict::holds;
+    if (variables_ > 0) number_variables();
+    return holds_;
   }
 
  private:
   [[nodiscard]] Verdict prove(const Goal* goal);
   [[nodiscard]] Verdict test(const Goal& goal);
-  [[nodiscard]] Verdict query(const Goal& goal);
+  [[nodiscard]] Verdict query(const Goal& goal, bool& is_rest_proved);
   [[nodiscard]] Verdict negation(const Goal& goal);
   [[nodiscard]] Verdict compare(const Goal& goal);
   [[nodiscard]] Verdict unify(const Goal& goal);
-  [[nodiscard]] Verdict fact(const Goal& goal, const Relation& relation);
+  [[nodiscard]] Verdict short_query(const Goal& goal, const Relation& relation);
   [[nodiscard]] Verdict long_query(const Goal& goal, Relation& relation);
-  [[nodiscard]] Verdict match(const Row& row, const Goal& goal, bool has_more);
-  void set(std::uint32_t slot, Value value) {
-    frame_[slot] = value;
+  [[nodiscard]] Verdict match(const Row& row, const Goal& goal);
+  [[nodiscard]] Verdict match_and_go_on(const Row& row, const Goal& goal, bool has_more);
+  [[nodiscard]] Verdict rule_query(const Goal& goal, Relation& relation);
+  [[nodiscard]] Verdict rule(const Goal& goal, const RuleCode& rule);
+  [[nodiscard]] Verdict leave_rule();
+  [[nodiscard]] static bool is_twice(const Goal& query, Value arg);
+  [[nodiscard]] bool solve_by_machine(const Goal& goal);
+  void forget(std::size_t mark, std::span<const Value> slots);
+  void count_variables(const Goal& goal);
+  void number_variables();
+  void set(Value* slot, Value value) {
+    *slot = value;
     set_[count_++] = slot;
   }
   void undo(std::size_t mark) {
-    while (count_ > mark) frame_[set_[--count_]] = Value();
+    while (count_ > mark) *set_[--count_] = Value();
   }
+
+  // A rule whose body is being proved.
+  struct Call {
+    const Goal* query;
+    const std::vector<HeadStep>* head;
+    Value* frame;  // of who asks
+    const Call* outer;
+    std::uint32_t open;  // its slots, as bits, that stand for slots of who asks without a value
+  };
 
   static constexpr std::size_t kMostSlots = 32;
   static constexpr std::size_t kMostArguments = 8;
   static constexpr std::int64_t kFewRows = 8;
   static constexpr std::uint32_t kMostRows = 10'000;
+  static constexpr std::size_t kMostRuleSlots = 8;
+  static constexpr std::uint32_t kMostRules = 6;       // within each other
+  static constexpr std::uint32_t kMostEntries = 1000;  // into rules
 
   Machine& machine_;
   BeliefBase& beliefs_;
@@ -67,7 +90,11 @@ class Context {
   std::size_t count_ = 0;
   std::uint32_t rows_ = 0;     // that have been looked at
   std::uint32_t choices_ = 0;  // queries in progress that may have another solution; negations
-  std::array<std::uint32_t, kMostSlots> set_;
+  std::uint32_t rules_ = 0;    // in progress, what follows them included
+  std::uint32_t entries_ = 0;  // into rules
+  std::size_t variables_ = 0;  // that are still to be counted as made
+  const Call* call_ = nullptr;
+  std::array<Value*, kMostSlots> set_;
 };
 
 }  // namespace jaywalk

@@ -88,6 +88,31 @@ Structure* Agent::literal_of_terms(Intention& intention, Value term, bool& is_op
   return made;
 }
 
+namespace {
+
+// The same as rename_in_call below if one argument is open, and a slot: the usual case.
+[[gnu::always_inline]] inline bool rename_only_slot(Intention& intention, Structure& made,
+                                                    Heap& heap) {
+  Value* open = nullptr;
+  Value* const end = made.args() + made.arity;
+  for (Value* arg = made.args(); arg != end; ++arg) {
+    if (arg->is_closed()) continue;
+    if (open != nullptr || !arg->is_slot()) return false;
+    open = arg;
+  }
+  IntendedMeans& means = intention.top();
+  heap.skip_variable();
+  const Value copy = heap.variable(means.plan->slot_names[open->slot_index()]);
+  Value* const pair = intention.values.extend(2);
+  pair[0] = *open;
+  pair[1] = copy;
+  *open = copy;
+  means.returns = 2;
+  return true;
+}
+
+}  // namespace
+
 // As in prepare_for_event, variables give way to copies, and the pairs are noted behind the frame.
 // The variable of a slot without a value is not made: the slot itself stands in the pair, and gets
 // the value that the copy has in the end. (It counts as made: variables show their numbers.)
@@ -96,6 +121,7 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
   const Plan& plan = *means.plan;
   const std::size_t first = means.frame + plan.slot_count;
   intention.values.cut(first);
+  if (rename_only_slot(intention, made, heap_)) return;
   const auto is_new = [&made](std::size_t index) {
     const Value* const args = made.args();
     const auto is_it = [&](Value arg) { return arg.same_as(args[index]); };
@@ -152,27 +178,6 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
   return true;
 }
 
-// Whether a plan is relevant and applicable.
-bool Agent::try_plain_plan(const Plan& plan, Value literal) {
-  Value* const frame = work().frame.data();
-  for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
-  Unifier& unifier = machine().unifier();
-  unifier.set_slot_names(plan.slot_names);
-  const std::size_t trail = unifier.mark();
-  std::unique_ptr<ActionError> error;
-  const bool applicable = guarded(error, [&] {
-    return matches(plan, literal, frame) &&
-           (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
-  });
-  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
-  if (applicable) {
-    unifier.commit(trail);
-  } else {
-    unifier.undo(trail);
-  }
-  return applicable;
-}
-
 namespace {
 
 // The arguments of an event's literal and the head of a plan.
@@ -194,7 +199,43 @@ namespace {
   return Verdict::holds;
 }
 
+const Value* args_of(Value literal) {
+  return literal.is_atom() ? nullptr : literal.structure()->args();
+}
+
 }  // namespace
+
+// Whether a plan is relevant and applicable.
+bool Agent::try_plain_plan(const Plan& plan, Value literal) {
+  Value* const frame = work().frame.data();
+  std::fill_n(frame, plan.slot_count, Value());
+  Unifier& unifier = machine().unifier();
+  unifier.set_slot_names(plan.slot_names);
+  const std::size_t trail = unifier.mark();
+  Verdict relevant = Verdict::open;
+  if (plan.plain.has_plain_head && is_literal(literal)) {
+    relevant = predicate_of(literal) == plan.plain.predicate
+                   ? match_head(plan.plain, args_of(literal), frame, unifier)
+                   : Verdict::fails;
+    if (relevant == Verdict::open) {
+      unifier.undo(trail);
+      std::fill_n(frame, plan.slot_count, Value());
+    }
+  }
+  std::unique_ptr<ActionError> error;
+  const bool applicable =
+      relevant != Verdict::fails && guarded(error, [&] {
+        return (relevant == Verdict::holds || matches(plan, literal, frame)) &&
+               (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
+      });
+  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
+  if (applicable) {
+    unifier.commit(trail);
+  } else {
+    unifier.undo(trail);
+  }
+  return applicable;
+}
 
 // The same for a plan with a plain head and context, without a look at its terms.
 [[gnu::always_inline]] inline Verdict Agent::try_at_a_glance(const PlainPlan& plan,
@@ -205,8 +246,7 @@ namespace {
   for (std::uint32_t i = 0; i < slot_count; ++i) frame[i] = Value();
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
-  const Value* const args = literal.is_atom() ? nullptr : literal.structure()->args();
-  Verdict verdict = match_head(plan, args, frame, unifier);
+  Verdict verdict = match_head(plan, args_of(literal), frame, unifier);
   for (const PlainTest& test : plan.tests) {
     if (verdict != Verdict::holds) break;
     verdict = decide(test, frame);
@@ -286,7 +326,7 @@ Verdict Agent::decide_step(Intention& intention, const Step& step) {
 }
 
 // What return_values does if all that comes back is closed and goes into slots without a value.
-// False: something is of another kind, and nothing has happened.
+// False: something is of another kind, and all of it is still to be returned.
 bool Agent::return_closed_values(Intention& intention) {
   const IntendedMeans& caller = intention.top();
   if (!caller.loops.empty()) return false;
@@ -296,9 +336,7 @@ bool Agent::return_closed_values(Intention& intention) {
     if (!pairs[i].is_slot() || !frame[pairs[i].slot_index()].is_unset()) return false;
     const Value returned = deref(pairs[i + 1]);
     if (!returned.is_closed() || Unifier::is_of_other_namespace(returned)) return false;
-  }
-  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
-    frame[pairs[i].slot_index()] = deref(pairs[i + 1]);
+    frame[pairs[i].slot_index()] = returned;
   }
   return true;
 }

@@ -291,6 +291,10 @@ void BeliefBase::erase(Relation& rel, std::int64_t seq) {
 // Takes annotations away; the belief goes when no source is left.
 bool BeliefBase::remove_annotations(Relation& rel, std::int64_t seq, Value annots, bool exact) {
   Row& row = rel.row(seq);
+  if (annots.same_as(source_self()) && annots.same_as(literal_parts(row.fact).annots)) {
+    erase(rel, seq);
+    return true;
+  }
   std::vector<Value> kept;
   std::size_t removed = 0;
   for (Value o = literal_parts(row.fact).annots; o.is_pair(); o = o.pair()->tail) {

@@ -74,6 +74,21 @@ const std::vector<StrideRow> kRows{
     {"contexts over many facts",
      "!s(0). +!s(30) : f(_, 7) & f(X, 7) & f(X, Y) & not f(Y, _) <- .print(X, Y). +!s(30)."
      "+!s(N) <- +f(N, N mod 8 + 100); +f(N, 7); !s(N+1)."},
+    {"contexts with rules",
+     "h(17). h(3). k(1). k(2). l(2, a). d(X, D) :- h(H) & D = H - X & D > 0 & D < 20. "
+     "c(X, yes) :- X > 5. c(X, no) :- X <= 5. t(X, Y) :- d(X, Y) & k(X). o(_, Y). e(Z, Z). u(X) :- "
+     "l(X, a). deep(0). deep(N) :- N > 0 & deep(N-1). same(X, X) :- k(X)."
+     "!s(0). !s(1). !s(2). !s(16). !f."
+     "+!s(X) : d(X, D) & D < 3 & k(K) & not K = X <- .print(1, X, D, K)."
+     "+!s(X) : t(X, Y) & not u(X) & c(Y, A) <- .print(2, X, Y, A)."
+     "+!s(X) : not t(X, _) & c(X, A) & deep(3) & e(B, B) <- .print(3, X, A, B)."
+     "+!s(X) : d(X, Y) & k(Z) & Y - Z > 11 & same(Z, W) & o(1, O) <- .print(4, X, Y, Z, W, O)."
+     "+!f : not (d(1, D) & D > 15 & k(2)) <- .print(no)."
+     "+!f : d(A, 2) <- .print(A). +!f : d(1, Y) & deep(9) & .print(in, Y) & Y < 5 <- .print(Y)."},
+    {"rules with errors in contexts",
+     "h(a). h(2). d(X, D) :- h(H) & D = H + X. z(X) :- 1 div X > 0. !s. !t. !u."
+     "+!s : d(1, D) & D > 2 <- .print(D). +!s <- .print(none)."
+     "+!t : z(0). +!t <- .print(zero). +!u : d(1, D) & z(D) <- .print(D). +!u <- .print(u)."},
     {"a context that fails with an error", "a(x). !s. +!s : a(X) & 1 div 0 > 2. +!s <- .print(b)."},
     {"arithmetic on atoms", "a(x). !s. +!s : a(X) & X + 1 > 2 <- .print(a). +!s <- .print(b)."},
     {"failures", "!s. +!s <- !a; .print(s). -!s[error(E)] <- .print(E). +!a <- !b. +!b <- 1 > 2."},
