@@ -260,7 +260,7 @@ class Agent final : public MachineSurroundings {
   Executed ask(Intention& intention, const Step& step);
   Executed call(Intention& intention, const Step& step);
   Executed change_belief(Intention& intention, const Step& step);
-  [[nodiscard]] Verdict decide_step(Intention& intention, const Step& step);
+  [[nodiscard]] Decision decide_step(Intention& intention, const Step& step);
   void clear_plainly(Intention& intention);
   [[nodiscard]] bool return_closed_values(Intention& intention);
   [[nodiscard]] bool forget_one(Predicate predicate);
@@ -271,8 +271,8 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] const PlanList& plans_for(const Event& event);
   [[nodiscard]] const PlanList& plans_for(const Step& step, const Event& event);
   [[nodiscard]] const Plan* choose_plain_plan(const PlanList& list, const Event& event);
-  [[nodiscard]] Verdict try_at_a_glance(const PlainPlan& plan, std::uint32_t slot_count,
-                                        Value literal);
+  [[nodiscard]] Decision try_at_a_glance(const PlainPlan& plan, std::uint32_t slot_count,
+                                         Value literal);
   [[nodiscard]] bool try_plain_plan(const Plan& plan, Value literal);
   [[nodiscard]] bool matches(const Plan& plan, Value literal, Value* frame);
   void push_plain_means(Intention& intention, const Plan& plan, const Event& event);

@@ -16,7 +16,7 @@
 //        v            | D
 //   hazard(H) & D = H - X & D > 0               frame of danger(X, D) :- ...
 //
-// A third verdict, `open`, says that a goal is of another kind: an internal action, a term with
+// A third decision, `open`, says that a goal is of another kind: an internal action, a term with
 // variables, annotations, a rule that asks for more than there is room for. Then the machine has to
 // be asked, and where it has to begin follows from the order of solutions: as long as no query
 // before the goal can have another row (choices_ is 0), what has been proved stands, and the
@@ -33,36 +33,36 @@
 #include "interpreter/agent/operands.h"
 
 namespace jaywalk {
-[[gnu::always_inline]] inline Verdict Context::compare(const Goal& goal) {
+[[gnu::always_inline]] inline Decision Context::compare(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value left;
   Value right;
   if (!known_operand(sides[0], frame_, left) || !known_operand(sides[1], frame_, right))
-    return Verdict::open;
+    return Decision::open;
   return compare_known(goal.predicate, left, right);
 }
 
-Verdict Context::unify(const Goal& goal) {
+Decision Context::unify(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value right;
-  if (!known_operand(sides[1], frame_, right)) return Verdict::open;
+  if (!known_operand(sides[1], frame_, right)) return Decision::open;
   if (sides[0].is_slot() && frame_[sides[0].slot_index()].is_unset()) {
-    if (Unifier::is_of_other_namespace(right) || count_ == kMostSlots) return Verdict::open;
+    if (Unifier::is_of_other_namespace(right) || count_ == kMostSlots) return Decision::open;
     set(frame_ + sides[0].slot_index(), right);
-    return Verdict::holds;
+    return Decision::holds;
   }
   Value left;
   if (!known_operand(sides[0], frame_, left)) {
     // An open variable, of the caller perhaps, is bound where nothing will go back behind it but
     // the failure of the whole.
-    if (!left.is_variable() || !right.is_number() || choices_ > 0) return Verdict::open;
+    if (!left.is_variable() || !right.is_number() || choices_ > 0) return Decision::open;
     machine_.unifier().bind(left.variable(), right);
-    return Verdict::holds;
+    return Decision::holds;
   }
   return unify_known(left, right);
 }
 
-[[gnu::always_inline]] inline Verdict Context::test(const Goal& goal) {
+[[gnu::always_inline]] inline Decision Context::test(const Goal& goal) {
   switch (goal.kind) {
     case Goal::Kind::compare:
       return compare(goal);
@@ -71,37 +71,38 @@ Verdict Context::unify(const Goal& goal) {
     case Goal::Kind::negation:
       return negation(goal);
     case Goal::Kind::truth:
-      return Verdict::holds;
+      return Decision::holds;
     default:
-      return Verdict::open;
+      return Decision::open;
   }
 }
 
 // The rest of a chain from some goal on; in a rule's body, what follows the query for the rule,
 // too.
-Verdict Context::prove(const Goal* goal) {
+Decision Context::prove(const Goal* goal) {
   const std::size_t mark = count_;
   for (; goal != nullptr; goal = goal->next) {
-    if (goal->kind == Goal::Kind::negation_done) return Verdict::holds;
+    if (goal->kind == Goal::Kind::negation_done) return Decision::holds;
     bool is_rest_proved = false;
-    Verdict verdict = Verdict::open;
+    Decision decision = Decision::open;
     if (goal->kind == Goal::Kind::query) {
-      verdict = query(*goal, is_rest_proved);
+      decision = query(*goal, is_rest_proved);
     } else {
-      verdict = test(*goal);
+      decision = test(*goal);
     }
-    if (verdict == Verdict::holds) {
-      if (is_rest_proved) return verdict;
+    if (decision == Decision::holds) {
+      if (is_rest_proved) return decision;
       continue;
     }
-    if (verdict == Verdict::open && choices_ == 0 && solve_by_machine(*goal)) return Verdict::holds;
+    if (decision == Decision::open && choices_ == 0 && solve_by_machine(*goal))
+      return Decision::holds;
     undo(mark);
-    return choices_ == 0 ? Verdict::fails : verdict;
+    return choices_ == 0 ? Decision::fails : decision;
   }
-  if (call_ == nullptr) return Verdict::holds;
-  const Verdict verdict = leave_rule();
-  if (verdict != Verdict::holds) undo(mark);
-  return verdict;
+  if (call_ == nullptr) return Decision::holds;
+  const Decision decision = leave_rule();
+  if (decision != Decision::holds) undo(mark);
+  return decision;
 }
 
 bool Context::solve_by_machine(const Goal& goal) {
@@ -110,20 +111,20 @@ bool Context::solve_by_machine(const Goal& goal) {
 }
 
 // Within it nothing is left to the machine: that would prove what follows the negation, too.
-Verdict Context::negation(const Goal& goal) {
+Decision Context::negation(const Goal& goal) {
   const std::size_t mark = count_;
   ++choices_;
-  const Verdict inner = prove(goal.inner);
+  const Decision inner = prove(goal.inner);
   --choices_;
   undo(mark);
-  if (inner == Verdict::open) return inner;
-  return inner == Verdict::holds ? Verdict::fails : Verdict::holds;
+  if (inner == Decision::open) return inner;
+  return inner == Decision::holds ? Decision::fails : Decision::holds;
 }
 
 // Some row matches; where another one might, too, the rest of the chain holds with it.
-[[gnu::always_inline]] inline Verdict Context::query(const Goal& goal, bool& is_rest_proved) {
+[[gnu::always_inline]] inline Decision Context::query(const Goal& goal, bool& is_rest_proved) {
   Relation* const relation = beliefs_.find(goal.predicate);
-  if (relation == nullptr) return Verdict::fails;
+  if (relation == nullptr) return Decision::fails;
   if (rules_ > 0) count_variables(goal);
   if (relation->has_rules()) {
     is_rest_proved = true;
@@ -132,109 +133,109 @@ Verdict Context::negation(const Goal& goal) {
   const std::int64_t first = relation->first_seq();
   const std::int64_t end = relation->end_seq();
   if (!goal.term.is_structure()) {  // there is one row at most
-    return relation->size() == 0 ? Verdict::fails : Verdict::holds;
+    return relation->size() == 0 ? Decision::fails : Decision::holds;
   }
   if (end - first == 1) {
     const Row& row = relation->row(first);
-    return row.is_hole() ? Verdict::fails : match(row, goal);
+    return row.is_hole() ? Decision::fails : match(row, goal);
   }
   is_rest_proved = true;
   return end - first > kFewRows ? long_query(goal, *relation) : short_query(goal, *relation);
 }
 
-Verdict Context::short_query(const Goal& goal, const Relation& relation) {
+Decision Context::short_query(const Goal& goal, const Relation& relation) {
   const std::int64_t first = relation.first_seq();
   const std::size_t mark = count_;
   for (std::int64_t seq = relation.end_seq(); --seq >= first;) {
     const Row& row = relation.row(seq);
     if (row.is_hole()) continue;
-    const Verdict verdict = match_and_go_on(row, goal, seq > first);
-    if (verdict == Verdict::holds) return verdict;
+    const Decision decision = match_and_go_on(row, goal, seq > first);
+    if (decision == Decision::holds) return decision;
     undo(mark);
-    if (verdict == Verdict::open) return verdict;
+    if (decision == Decision::open) return decision;
   }
-  return Verdict::fails;
+  return Decision::fails;
 }
 
 // The same by an index.
-Verdict Context::long_query(const Goal& goal, Relation& relation) {
+Decision Context::long_query(const Goal& goal, Relation& relation) {
   const std::span<const Value> args = goal.args();
-  if (args.size() > kMostArguments) return Verdict::open;
+  if (args.size() > kMostArguments) return Decision::open;
   std::array<Value, kMostArguments> wanted;  // unset: whatever the slot gets
   for (std::size_t i = 0; i < args.size(); ++i) {
     const bool is_free = args[i].is_slot() && frame_[args[i].slot_index()].is_unset();
-    if (!is_free && !known_operand(args[i], frame_, wanted[i])) return Verdict::open;
+    if (!is_free && !known_operand(args[i], frame_, wanted[i])) return Decision::open;
   }
   Relation::Cursor cursor = relation.open(std::span(wanted).first(args.size()));
   const std::size_t mark = count_;
   std::int64_t seq = 0;
   while (const Row* const row = relation.advance(cursor, seq, nullptr)) {
-    if (++rows_ > kMostRows) return Verdict::open;
-    const Verdict verdict = match_and_go_on(*row, goal, cursor.has_more());
-    if (verdict == Verdict::holds) return verdict;
+    if (++rows_ > kMostRows) return Decision::open;
+    const Decision decision = match_and_go_on(*row, goal, cursor.has_more());
+    if (decision == Decision::holds) return decision;
     undo(mark);
-    if (verdict == Verdict::open) return verdict;
+    if (decision == Decision::open) return decision;
   }
-  return Verdict::fails;
+  return Decision::fails;
 }
 
 // The row matches the query.
-[[gnu::always_inline]] inline Verdict Context::match(const Row& row, const Goal& goal) {
-  if (!row.fact.is_closed()) return Verdict::open;
+[[gnu::always_inline]] inline Decision Context::match(const Row& row, const Goal& goal) {
+  if (!row.fact.is_closed()) return Decision::open;
   const Value* const known = row.fact.structure()->args();
   const Structure& wanted = *goal.term.structure();
   const Value* const args = wanted.args();
   for (std::size_t i = 0; i < wanted.arity; ++i) {
     if (args[i].is_slot() && frame_[args[i].slot_index()].is_unset()) {
-      if (count_ == kMostSlots) return Verdict::open;
+      if (count_ == kMostSlots) return Decision::open;
       set(frame_ + args[i].slot_index(), known[i]);
       continue;
     }
     Value value;
-    if (!known_operand(args[i], frame_, value)) return Verdict::open;
+    if (!known_operand(args[i], frame_, value)) return Decision::open;
     if (value.same_as(known[i])) continue;
     if (value.is_number() && known[i].is_number()) {
-      if (value.as_number() != known[i].as_number()) return Verdict::fails;
+      if (value.as_number() != known[i].as_number()) return Decision::fails;
     } else if (value.is_atom() && known[i].is_atom()) {
-      return Verdict::fails;
+      return Decision::fails;
     } else if (!machine_.unifier().unify(value, known[i])) {
-      return Verdict::fails;
+      return Decision::fails;
     }
   }
-  return Verdict::holds;
+  return Decision::holds;
 }
 
-Verdict Context::match_and_go_on(const Row& row, const Goal& goal, bool has_more) {
-  Verdict verdict = match(row, goal);
-  if (verdict != Verdict::holds) return verdict;
+Decision Context::match_and_go_on(const Row& row, const Goal& goal, bool has_more) {
+  Decision decision = match(row, goal);
+  if (decision != Decision::holds) return decision;
   choices_ += has_more ? 1U : 0U;
-  verdict = prove(goal.next);
+  decision = prove(goal.next);
   choices_ -= has_more ? 1U : 0U;
-  return verdict;
+  return decision;
 }
 
 // A query for which there are rules and nothing else, one after another.
-Verdict Context::rule_query(const Goal& goal, Relation& relation) {
+Decision Context::rule_query(const Goal& goal, Relation& relation) {
   const std::span<const Relation::Candidate> rules = relation.candidates();
   const std::size_t count = rules.size();
-  if (count == 0 || rules_ == kMostRules) return Verdict::open;
+  if (count == 0 || rules_ == kMostRules) return Decision::open;
   const std::size_t variables = variables_;
   if (rules_ == 0) count_variables(goal);
-  Verdict verdict = Verdict::fails;
-  for (std::size_t i = 0; i < count && verdict == Verdict::fails; ++i) {
+  Decision decision = Decision::fails;
+  for (std::size_t i = 0; i < count && decision == Decision::fails; ++i) {
     choices_ += i + 1 < count ? 1U : 0U;
     ++rules_;
-    verdict = rule(goal, *rules[i].rule);
+    decision = rule(goal, *rules[i].rule);
     --rules_;
     choices_ -= i + 1 < count ? 1U : 0U;
   }
-  if (verdict == Verdict::open) variables_ = variables;  // the machine will make them
-  return verdict;
+  if (decision == Decision::open) variables_ = variables;  // the machine will make them
+  return decision;
 }
 
 // The body is proved in a frame of its own, and then, in that of who asks, what follows the query.
-Verdict Context::rule(const Goal& goal, const RuleCode& rule) {
-  if (rule.slot_count > kMostRuleSlots || ++entries_ > kMostEntries) return Verdict::open;
+Decision Context::rule(const Goal& goal, const RuleCode& rule) {
+  if (rule.slot_count > kMostRuleSlots || ++entries_ > kMostEntries) return Decision::open;
   std::array<Value, kMostRuleSlots> slots;
   std::uint32_t open = 0;
   const std::vector<HeadStep>& head = rule.head_code.steps();
@@ -242,18 +243,18 @@ Verdict Context::rule(const Goal& goal, const RuleCode& rule) {
     const Value arg = goal.args()[step.argument];
     const bool is_free = arg.is_slot() && frame_[arg.slot_index()].is_unset();
     Value value;
-    if (!is_free && !known_operand(arg, frame_, value)) return Verdict::open;
+    if (!is_free && !known_operand(arg, frame_, value)) return Decision::open;
     if (step.kind == HeadStep::Kind::any || step.kind == HeadStep::Kind::first) {
-      if (Unifier::is_of_other_namespace(value)) return Verdict::fails;
+      if (Unifier::is_of_other_namespace(value)) return Decision::fails;
       if (step.kind == HeadStep::Kind::first) {
         slots[step.slot] = value;
         open |= is_free ? 1U << step.slot : 0U;
       }
     } else if (step.kind == HeadStep::Kind::constant && !is_free) {
-      const Verdict verdict = unify_known(step.term, value);
-      if (verdict != Verdict::holds) return verdict;
+      const Decision decision = unify_known(step.term, value);
+      if (decision != Decision::holds) return decision;
     } else {
-      return Verdict::open;
+      return Decision::open;
     }
   }
   Call call{&goal, &head, frame_, call_, open};
@@ -261,16 +262,16 @@ Verdict Context::rule(const Goal& goal, const RuleCode& rule) {
   call_ = &call;
   frame_ = slots.data();
   ++choices_;  // what is open in the body is so for the whole query
-  const Verdict verdict = prove(rule.body.entry);
+  const Decision decision = prove(rule.body.entry);
   --choices_;
   call_ = call.outer;
   frame_ = call.frame;
-  if (verdict == Verdict::holds) {
+  if (decision == Decision::holds) {
     forget(mark, slots);  // within a negation, the rest may still be undone
   } else {
     undo(mark);
   }
-  return verdict;
+  return decision;
 }
 
 // What has been set since a mark in a frame that is about to go.
@@ -284,7 +285,7 @@ void Context::forget(std::size_t mark, std::span<const Value> slots) {
 }
 
 // The end of a rule's body: slots of who asks get the values that the rule has found for them.
-Verdict Context::leave_rule() {
+Decision Context::leave_rule() {
   const Call& done = *call_;
   Value* const slots = frame_;
   const std::size_t mark = count_;
@@ -295,7 +296,7 @@ Verdict Context::leave_rule() {
     if (found.is_unset() || !found.is_closed() || Unifier::is_of_other_namespace(found) ||
         count_ == kMostSlots || is_twice(*done.query, arg)) {
       undo(mark);
-      return Verdict::open;
+      return Decision::open;
     }
     set(done.frame + arg.slot_index(), found);
   }
@@ -303,11 +304,11 @@ Verdict Context::leave_rule() {
   frame_ = done.frame;
   call_ = done.outer;
   --choices_;
-  const Verdict verdict = prove(done.query->next);
+  const Decision decision = prove(done.query->next);
   ++choices_;
   call_ = call;
   frame_ = slots;
-  return verdict;
+  return decision;
 }
 
 // An argument that stands in a query more than once.

@@ -33,25 +33,25 @@ class Context {
   /// Slots that it sets itself are not on the trail, so the frame must be one in which no step will
   /// want to undo them.
   [[nodiscard]] bool solve(const Goal* entry) {
-    holds_ = entry == nullptr || prove(entry) == Verdict::holds;
+    holds_ = entry == nullptr || prove(entry) == Decision::holds;
     if (variables_ > 0) number_variables();
     return holds_;
   }
 
  private:
-  [[nodiscard]] Verdict prove(const Goal* goal);
-  [[nodiscard]] Verdict test(const Goal& goal);
-  [[nodiscard]] Verdict query(const Goal& goal, bool& is_rest_proved);
-  [[nodiscard]] Verdict negation(const Goal& goal);
-  [[nodiscard]] Verdict compare(const Goal& goal);
-  [[nodiscard]] Verdict unify(const Goal& goal);
-  [[nodiscard]] Verdict short_query(const Goal& goal, const Relation& relation);
-  [[nodiscard]] Verdict long_query(const Goal& goal, Relation& relation);
-  [[nodiscard]] Verdict match(const Row& row, const Goal& goal);
-  [[nodiscard]] Verdict match_and_go_on(const Row& row, const Goal& goal, bool has_more);
-  [[nodiscard]] Verdict rule_query(const Goal& goal, Relation& relation);
-  [[nodiscard]] Verdict rule(const Goal& goal, const RuleCode& rule);
-  [[nodiscard]] Verdict leave_rule();
+  [[nodiscard]] Decision prove(const Goal* goal);
+  [[nodiscard]] Decision test(const Goal& goal);
+  [[nodiscard]] Decision query(const Goal& goal, bool& is_rest_proved);
+  [[nodiscard]] Decision negation(const Goal& goal);
+  [[nodiscard]] Decision compare(const Goal& goal);
+  [[nodiscard]] Decision unify(const Goal& goal);
+  [[nodiscard]] Decision short_query(const Goal& goal, const Relation& relation);
+  [[nodiscard]] Decision long_query(const Goal& goal, Relation& relation);
+  [[nodiscard]] Decision match(const Row& row, const Goal& goal);
+  [[nodiscard]] Decision match_and_go_on(const Row& row, const Goal& goal, bool has_more);
+  [[nodiscard]] Decision rule_query(const Goal& goal, Relation& relation);
+  [[nodiscard]] Decision rule(const Goal& goal, const RuleCode& rule);
+  [[nodiscard]] Decision leave_rule();
   [[nodiscard]] static bool is_twice(const Goal& query, Value arg);
   [[nodiscard]] bool solve_by_machine(const Goal& goal);
   void forget(std::size_t mark, std::span<const Value> slots);

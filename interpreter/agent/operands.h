@@ -9,16 +9,16 @@
 namespace jaywalk {
 
 /// Of a condition. `open`: it is not decided here, and nothing has changed.
-enum class Verdict : std::uint8_t { fails, holds, open };
+enum class Decision : std::uint8_t { fails, holds, open };
 
 /// A comparison of two values that are known; open if it is not one of numbers or atoms.
-[[nodiscard, gnu::always_inline]] inline Verdict compare_known(Predicate op, Value left,
-                                                               Value right) {
+[[nodiscard, gnu::always_inline]] inline Decision compare_known(Predicate op, Value left,
+                                                                Value right) {
   bool holds = false;
   if (left.is_number() && right.is_number()) {
     const double a = left.as_number();
     const double b = right.as_number();
-    if (a != a || b != b) return Verdict::open;
+    if (a != a || b != b) return Decision::open;
     switch (op) {
       case predicates::less:
         holds = a < b;
@@ -43,22 +43,22 @@ enum class Verdict : std::uint8_t { fails, holds, open };
              (op == predicates::equal || op == predicates::not_equal)) {
     holds = left.same_as(right) == (op == predicates::equal);
   } else {
-    return Verdict::open;
+    return Decision::open;
   }
-  return holds ? Verdict::holds : Verdict::fails;
+  return holds ? Decision::holds : Decision::fails;
 }
 
 /// Whether two values that are known unify; open if they are not numbers or atoms.
-[[nodiscard, gnu::always_inline]] inline Verdict unify_known(Value left, Value right) {
+[[nodiscard, gnu::always_inline]] inline Decision unify_known(Value left, Value right) {
   bool equal = false;
   if (left.is_number() && right.is_number()) {
     equal = left.as_number() == right.as_number() || left.same_as(right);
   } else if (left.is_atom() && right.is_atom()) {
     equal = left.same_as(right);
   } else {
-    return Verdict::open;
+    return Decision::open;
   }
-  return equal ? Verdict::holds : Verdict::fails;
+  return equal ? Decision::holds : Decision::fails;
 }
 
 /// The value of an operand, if it has one that is closed.
@@ -91,19 +91,20 @@ enum class Verdict : std::uint8_t { fails, holds, open };
 }
 
 /// A test in a frame that is only being tried: what it sets there need not be undone.
-[[nodiscard, gnu::always_inline]] inline Verdict decide(const PlainTest& test, Value* frame) {
+[[nodiscard, gnu::always_inline]] inline Decision decide(const PlainTest& test, Value* frame) {
   Value left;
   Value right;
-  if (!find_value(test.right, frame, right)) return Verdict::open;
+  if (!find_value(test.right, frame, right)) return Decision::open;
   if (test.op != predicates::unify) {
-    return find_value(test.left, frame, left) ? compare_known(test.op, left, right) : Verdict::open;
+    return find_value(test.left, frame, left) ? compare_known(test.op, left, right)
+                                              : Decision::open;
   }
   if (test.left.kind == Operand::Kind::slot && frame[test.left.left_slot].is_unset()) {
-    if (Unifier::is_of_other_namespace(right)) return Verdict::open;
+    if (Unifier::is_of_other_namespace(right)) return Decision::open;
     frame[test.left.left_slot] = right;
-    return Verdict::holds;
+    return Decision::holds;
   }
-  return find_value(test.left, frame, left) ? unify_known(left, right) : Verdict::open;
+  return find_value(test.left, frame, left) ? unify_known(left, right) : Decision::open;
 }
 
 }  // namespace jaywalk

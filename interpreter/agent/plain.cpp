@@ -181,22 +181,22 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
 namespace {
 
 // The arguments of an event's literal and the head of a plan.
-[[gnu::always_inline]] inline Verdict match_head(const PlainPlan& plan, const Value* args,
-                                                 Value* frame, Unifier& unifier) {
+[[gnu::always_inline]] inline Decision match_head(const PlainPlan& plan, const Value* args,
+                                                  Value* frame, Unifier& unifier) {
   for (const HeadArgument& wanted : plan.head) {
     const Value value = deref(*args++);
     if (wanted.slot != Operand::kNoSlot) {
-      if (Unifier::is_of_other_namespace(value)) return Verdict::fails;
+      if (Unifier::is_of_other_namespace(value)) return Decision::fails;
       frame[wanted.slot] = value;
     } else if (value.is_number() || value.is_atom()) {
-      if (differ(wanted.constant, value)) return Verdict::fails;
+      if (differ(wanted.constant, value)) return Decision::fails;
     } else if (value.is_variable() && !Unifier::is_of_other_namespace(wanted.constant)) {
       unifier.bind(value.variable(), wanted.constant);
     } else {
-      return Verdict::open;
+      return Decision::open;
     }
   }
-  return Verdict::holds;
+  return Decision::holds;
 }
 
 const Value* args_of(Value literal) {
@@ -212,20 +212,20 @@ bool Agent::try_plain_plan(const Plan& plan, Value literal) {
   Unifier& unifier = machine().unifier();
   unifier.set_slot_names(plan.slot_names);
   const std::size_t trail = unifier.mark();
-  Verdict relevant = Verdict::open;
+  Decision relevant = Decision::open;
   if (plan.plain.has_plain_head && is_literal(literal)) {
     relevant = predicate_of(literal) == plan.plain.predicate
                    ? match_head(plan.plain, args_of(literal), frame, unifier)
-                   : Verdict::fails;
-    if (relevant == Verdict::open) {
+                   : Decision::fails;
+    if (relevant == Decision::open) {
       unifier.undo(trail);
       std::fill_n(frame, plan.slot_count, Value());
     }
   }
   std::unique_ptr<ActionError> error;
   const bool applicable =
-      relevant != Verdict::fails && guarded(error, [&] {
-        return (relevant == Verdict::holds || matches(plan, literal, frame)) &&
+      relevant != Decision::fails && guarded(error, [&] {
+        return (relevant == Decision::holds || matches(plan, literal, frame)) &&
                (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
       });
   if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
@@ -238,23 +238,23 @@ bool Agent::try_plain_plan(const Plan& plan, Value literal) {
 }
 
 // The same for a plan with a plain head and context, without a look at its terms.
-[[gnu::always_inline]] inline Verdict Agent::try_at_a_glance(const PlainPlan& plan,
-                                                             std::uint32_t slot_count,
-                                                             Value literal) {
-  if (plan.predicate != predicate_of(literal)) return Verdict::fails;
+[[gnu::always_inline]] inline Decision Agent::try_at_a_glance(const PlainPlan& plan,
+                                                              std::uint32_t slot_count,
+                                                              Value literal) {
+  if (plan.predicate != predicate_of(literal)) return Decision::fails;
   Value* const frame = work().frame.data();
   for (std::uint32_t i = 0; i < slot_count; ++i) frame[i] = Value();
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
-  Verdict verdict = match_head(plan, args_of(literal), frame, unifier);
+  Decision decision = match_head(plan, args_of(literal), frame, unifier);
   for (const PlainTest& test : plan.tests) {
-    if (verdict != Verdict::holds) break;
-    verdict = decide(test, frame);
+    if (decision != Decision::holds) break;
+    decision = decide(test, frame);
   }
   if (unifier.mark() != trail) {
-    verdict == Verdict::holds ? unifier.commit(trail) : unifier.undo(trail);
+    decision == Decision::holds ? unifier.commit(trail) : unifier.undo(trail);
   }
-  return verdict;
+  return decision;
 }
 
 // The plans that an event may be for: known from the formula that makes it, as long as the agent
@@ -285,8 +285,8 @@ const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
     std::vector<Value>& scratch = work().frame;
     if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
     if (is_usual && plan.plain.has_plain_head && plan.plain.has_plain_context) {
-      const Verdict verdict = try_at_a_glance(plan.plain, plan.slot_count, literal);
-      if (verdict != Verdict::open) return verdict == Verdict::holds;
+      const Decision decision = try_at_a_glance(plan.plain, plan.slot_count, literal);
+      if (decision != Decision::open) return decision == Decision::holds;
     }
     return try_plain_plan(plan, literal);
   };
@@ -309,20 +309,20 @@ const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
 }
 
 // A constraint, or the condition of an `if`, that is a single test. What it sets is for good.
-Verdict Agent::decide_step(Intention& intention, const Step& step) {
-  if (step.plain == nullptr || step.plain->tests.size() != 1) return Verdict::open;
+Decision Agent::decide_step(Intention& intention, const Step& step) {
+  if (step.plain == nullptr || step.plain->tests.size() != 1) return Decision::open;
   Value* const frame = intention.frame(intention.top());
   const PlainTest& test = step.plain->tests.front();
-  const Verdict verdict = decide(test, frame);
-  if (verdict != Verdict::open || test.op != predicates::unify) return verdict;
+  const Decision decision = decide(test, frame);
+  if (decision != Decision::open || test.op != predicates::unify) return decision;
   Value value;
   if (test.left.kind != Operand::Kind::slot || !find_value(test.right, frame, value)) {
-    return verdict;
+    return decision;
   }
   const Value open = deref(frame[test.left.left_slot]);  // of the caller perhaps
-  if (!open.is_variable() || !value.is_number()) return verdict;
+  if (!open.is_variable() || !value.is_number()) return decision;
   open.variable()->value = value;
-  return Verdict::holds;
+  return Decision::holds;
 }
 
 // What return_values does if all that comes back is closed and goes into slots without a value.

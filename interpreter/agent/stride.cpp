@@ -193,9 +193,9 @@ Agent::Executed Agent::execute_plainly(Intention& intention, std::uint64_t last)
 
 // `X > 1`, `?b(X)`, and the condition of an `if`.
 Agent::Executed Agent::ask(Intention& intention, const Step& step) {
-  const Verdict verdict = decide_step(intention, step);
-  bool holds = verdict == Verdict::holds;
-  if (verdict == Verdict::open) {
+  const Decision decision = decide_step(intention, step);
+  bool holds = decision == Decision::holds;
+  if (decision == Decision::open) {
     std::unique_ptr<ActionError> error;
     const bool completed = guarded(error, [&] {
       machine().unifier().set_slot_names(intention.top().plan->slot_names);
