@@ -20,9 +20,11 @@ jaywalk_add_library(engine
     logic/machine.cpp
     logic/machine_annotated.cpp
     logic/machine_calls.cpp
+    logic/machine_facts.cpp
     logic/machine_rules.cpp
     logic/machine_tests.cpp
     logic/row_index.cpp
+    logic/rule_table.cpp
     logic/unifier.cpp
     logic/unifier_apply.cpp
     logic/unifier_numbers.cpp
@@ -90,7 +92,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     term/compare.cpp term/heap.cpp term/transfer.cpp
     logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/fact_index.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
-    logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp
+    logic/machine_facts.cpp
+    logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp logic/rule_table.cpp
     logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
     agent/context.cpp agent/messages.cpp agent/perception.cpp agent/plain.cpp

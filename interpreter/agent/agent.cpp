@@ -74,6 +74,9 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
       (void)add_belief(belief.fact, Place::front, nullptr);
     }
   }
+  for (const auto& [predicate, table] : program.rule_tables()) {
+    beliefs_.share_rule_table(predicate, table);
+  }
   for (const Program::Goal& goal : program.goals()) {
     ScratchSlots slots(machine().unifier(), goal.slot_count);
     machine().unifier().set_slot_names(goal.slot_names);

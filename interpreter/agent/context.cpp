@@ -216,9 +216,10 @@ Decision Context::match_and_go_on(const Row& row, const Goal& goal, bool has_mor
 
 // A query for which there are rules and nothing else, one after another.
 Decision Context::rule_query(const Goal& goal, Relation& relation) {
-  const std::span<const Relation::Candidate> rules = relation.candidates();
+  const RuleTable* const table = relation.rule_table();
+  if (table == nullptr || rules_ == kMostRules) return Decision::open;
+  const std::span<const RuleTable::Candidate> rules = table->candidates();
   const std::size_t count = rules.size();
-  if (count == 0 || rules_ == kMostRules) return Decision::open;
   const std::size_t variables = variables_;
   if (rules_ == 0) count_variables(goal);
   Decision decision = Decision::fails;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <unordered_map>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ class ProgramBuilder {
     add_file(tree.main());
     add_default_plans();
     for (const auto& plan : plans_) link(*plan, program_.library_);
+    add_rule_tables();
   }
 
  private:
@@ -109,6 +111,26 @@ class ProgramBuilder {
     program_.rules_.push_back(
         make_rule(head, body, std::move(scope.slot_names()), constants(), actions_, symbols_));
     program_.beliefs_.push_back({Value(), program_.rules_.back().get(), predicate, place});
+  }
+
+  void add_rule_tables() {
+    std::unordered_map<Predicate, std::vector<RuleTable::Candidate>> candidates;
+    std::vector<Predicate> order;
+    for (const Program::Belief& belief : program_.beliefs_) {
+      if (belief.rule == nullptr) continue;
+      const Structure* const head =
+          belief.rule->head.is_structure() ? belief.rule->head.structure() : nullptr;
+      const std::uint32_t key =
+          head == nullptr || head->arity == 0 ? 0 : argument_key(head->arg(0));
+      auto& its = candidates[belief.predicate];
+      if (its.empty()) order.push_back(belief.predicate);
+      its.push_back({key, belief.rule->head_code.has_tests(), belief.rule});
+    }
+    for (const Predicate predicate : order) {
+      auto& its = candidates[predicate];
+      if (its.size() > RuleTable::kMostRules) continue;
+      program_.rule_tables_.emplace_back(predicate, RuleTable(std::move(its)));
+    }
   }
 
   void add_goal(const ast::Component& component) {

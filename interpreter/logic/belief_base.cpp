@@ -124,16 +124,31 @@ void Relation::insert_in_indexes(const Row& r, std::int64_t seq, End end, Hash h
   }
 }
 
-void Relation::make_candidates() {
+const RuleTable* Relation::make_rule_table() {
+  if (rules_ != rows_.size() || rules_ > RuleTable::kMostRules) return nullptr;
+  std::vector<RuleTable::Candidate> candidates;
   for (std::int64_t seq = end_seq() - 1; seq >= first_seq_; --seq) {
     const Row& r = row(seq);
-    candidates_.push_back({r.key, r.rule->head_code.has_tests(), r.rule});
+    candidates.push_back({r.key, r.rule->head_code.has_tests(), r.rule});
   }
+  own_table_ = std::make_unique<RuleTable>(std::move(candidates));
+  table_ = own_table_.get();
+  return table_;
+}
+
+void Relation::share_rule_table(const RuleTable& table) {
+  const std::span<const RuleTable::Candidate> candidates = table.candidates();
+  if (candidates.size() != rows_.size()) return;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (row(end_seq() - 1 - static_cast<std::int64_t>(i)).rule != candidates[i].rule) return;
+  }
+  forget_rule_table();
+  table_ = &table;
 }
 
 std::int64_t Relation::add_front(Row added, Hash hash) {
   if (added.rule != nullptr) ++rules_;
-  candidates_.clear();
+  forget_rule_table();
   if (indexes_ != nullptr) insert_in_indexes(added, end_seq(), End::newest, hash);
   rows_.push_back(added);
   return end_seq() - 1;
@@ -141,7 +156,7 @@ std::int64_t Relation::add_front(Row added, Hash hash) {
 
 std::int64_t Relation::add_back(Row added, Hash hash) {
   if (added.rule != nullptr) ++rules_;
-  candidates_.clear();
+  forget_rule_table();
   if (indexes_ != nullptr) insert_in_indexes(added, first_seq_ - 1, End::oldest, hash);
   rows_.push_front(added);
   --first_seq_;
@@ -157,12 +172,13 @@ void Relation::erase(std::int64_t seq) {
     }
   }
   if (r.rule != nullptr) --rules_;
-  candidates_.clear();
+  forget_rule_table();
   r = Row{};
   ++holes_;
 }
 
 std::optional<std::int64_t> Relation::find(std::span<const Value> args, Hash& hash) {
+  if (rows_.empty()) return std::nullopt;
   if (args.empty() || rows_.size() <= kUnindexedRows) {
     const std::uint32_t key = args.empty() ? 0 : argument_key(args[0]);
     for (std::int64_t seq = end_seq() - 1; seq >= first_seq_; --seq) {
@@ -203,13 +219,21 @@ void Relation::compact() {
 
 void Relation::reset() {
   constexpr std::size_t kMostRowsKept = 16;
-  Ring<Row> rows;
   if (rows_.capacity() <= kMostRowsKept) {
-    rows = std::move(rows_);
-    rows.clear();
+    rows_.clear();
+  } else {
+    rows_ = {};
   }
-  *this = Relation(predicate_);
-  rows_ = std::move(rows);
+  rules_ = 0;
+  first_seq_ = 0;
+  holes_ = 0;
+  forget_rule_table();
+  rules_owned_.clear();
+  indexes_.reset();
+  percepts = 0;
+  has_percepts = false;
+  perceived_since = 0;
+  exists = false;
 }
 
 BeliefBase::Remains BeliefBase::leave_remains() {
@@ -218,6 +242,9 @@ BeliefBase::Remains BeliefBase::leave_remains() {
   if (known_.size() > kMostRelations) return remains;
   for (Relation* const relation : relations_) relation->reset();
   relations_.clear();
+  perceived_.clear();
+  remains.relations_ = std::move(relations_);
+  remains.perceived_ = std::move(perceived_);
   remains.known_ = std::move(known_);
   remains.by_predicate_ = std::move(by_predicate_);
   return remains;

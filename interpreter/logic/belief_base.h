@@ -22,6 +22,7 @@
 #include "interpreter/logic/code.h"
 #include "interpreter/logic/fact_index.h"
 #include "interpreter/logic/row_index.h"
+#include "interpreter/logic/rule_table.h"
 #include "interpreter/logic/unifier.h"
 #include "interpreter/support/flat_index.h"
 
@@ -110,26 +111,18 @@ class Relation {
     return nullptr;
   }
 
-  /// A rule, as a query sees it at first: key of the first argument (0: any), and whether others
-  /// have to be looked at.
-  struct Candidate {
-    std::uint32_t key = 0;
-    bool has_tests = false;
-    const RuleCode* rule = nullptr;
-
-    [[nodiscard]] bool has_key(std::uint32_t wanted) const {
-      return key == wanted || key == 0 || wanted == 0;
-    }
-    [[nodiscard]] bool may_match(std::uint32_t wanted, const Value* args) const {
-      return has_key(wanted) && (!has_tests || !rule->head_code.rejects(args));
-    }
-  };
-  /// All rows, newest first, if they are a few rules and nothing else; else none.
-  [[nodiscard]] std::span<const Candidate> candidates() {
-    if (rules_ != rows_.size() || rules_ > kUnindexedRows) return {};
-    if (candidates_.empty()) make_candidates();
-    return candidates_;
+  /// The only row, if it is a fact; else null.
+  [[nodiscard]] Row* lone_fact() {
+    return rows_.size() == 1 && holes_ == 0 && rules_ == 0 ? &rows_.front() : nullptr;
   }
+  [[nodiscard]] bool is_indexed() const { return indexes_ != nullptr; }
+  [[nodiscard]] bool has_few_facts() const { return rules_ == 0 && rows_.size() <= kUnindexedRows; }
+  /// All rows, newest first, if they are a few rules and nothing else; else null.
+  [[nodiscard]] const RuleTable* rule_table() {
+    return table_ != nullptr || rules_ == 0 ? table_ : make_rule_table();
+  }
+  /// The same table, made for the rules of a program. Taken if these are what the rows are.
+  void share_rule_table(const RuleTable& table);
   /// A cursor whose next candidate is a rule.
   [[nodiscard]] static Cursor cursor_at(std::int64_t seq, std::uint32_t key) {
     Cursor cursor;
@@ -169,7 +162,7 @@ class Relation {
   }
 
  private:
-  static constexpr std::size_t kUnindexedRows = 8;
+  static constexpr std::size_t kUnindexedRows = RuleTable::kMostRules;
   struct Indexes {
     std::unique_ptr<FactIndex> facts;
     std::vector<std::unique_ptr<RowIndex>> arguments;
@@ -205,7 +198,11 @@ class Relation {
   }
   void move_on_indexed(Cursor& cursor) const;
   [[nodiscard]] std::int64_t older(RowIndex& index, std::uint32_t key, std::int64_t seq) const;
-  void make_candidates();
+  [[nodiscard]] const RuleTable* make_rule_table();
+  void forget_rule_table() {
+    table_ = nullptr;
+    own_table_.reset();
+  }
   [[nodiscard]] FactIndex& facts();
   [[nodiscard]] RowIndex& index_of(std::size_t argument);
   enum class End { newest, oldest };
@@ -216,7 +213,8 @@ class Relation {
   Ring<Row> rows_;
   std::int64_t first_seq_ = 0;
   std::size_t holes_ = 0;
-  std::vector<Candidate> candidates_;  // empty: not made yet
+  const RuleTable* table_ = nullptr;  // null: there is none, or it is not made yet
+  std::unique_ptr<RuleTable> own_table_;
   std::vector<std::unique_ptr<RuleCode>> rules_owned_;
   std::unique_ptr<Indexes> indexes_;
 };
@@ -253,12 +251,16 @@ class BeliefBase {
     friend class BeliefBase;
     std::vector<std::unique_ptr<Relation>> known_;
     FlatIndex<std::uint32_t> by_predicate_;
+    std::vector<Relation*> relations_;  // these have room, and nothing in it
+    std::vector<Relation*> perceived_;
   };
   /// Ends the belief base's life.
   [[nodiscard]] Remains leave_remains();
   void use(Remains remains) {
     known_ = std::move(remains.known_);
     by_predicate_ = std::move(remains.by_predicate_);
+    relations_ = std::move(remains.relations_);
+    perceived_ = std::move(remains.perceived_);
   }
 
   /// Adds a literal with its annotations. The result is what is new: the literal with the
@@ -267,6 +269,10 @@ class BeliefBase {
   /// Rules are added without looking for an equal one. Static rules belong to a program.
   void add_rule(const RuleCode& rule, Place place);
   void add_rule(std::unique_ptr<RuleCode> rule, Place place);
+  /// Rules that have been added are those of a table, which outlives them.
+  void share_rule_table(Predicate predicate, const RuleTable& table) {
+    if (Relation* const known = find(predicate)) known->share_rule_table(table);
+  }
 
   /// Jason's deletion. True: something changed. If the literal was not ground, `unifier` has the
   /// bindings of the belief that was found.
@@ -293,6 +299,10 @@ class BeliefBase {
     bool added = false;
   };
   void begin_percepts();
+  /// A percept of the last update that has got other arguments, if it is the only belief of its
+  /// predicate. False: nothing has been done.
+  [[nodiscard]] bool change_percept(Predicate predicate, std::span<const Value> old_args,
+                                    std::span<const Value> args);
   /// True and `change` set if it is news.
   bool perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change);
   /// Removes the percepts not seen since begin_percepts.
@@ -325,6 +335,7 @@ class BeliefBase {
   bool remove_annotations(Relation& relation, std::int64_t seq, Value annots, bool exact);
   void no_percept_any_more(Relation& relation, Row& row);
   void remove_percept(Relation& relation, std::int64_t seq, std::vector<PerceptChange>& changes);
+  [[nodiscard]] Value percept(Predicate predicate, std::span<const Value> args);
 
   Heap& heap_;
   SymbolTable& symbols_;

@@ -28,6 +28,37 @@ void BeliefBase::begin_percepts() {
   seen_again_ = 0;
 }
 
+Value BeliefBase::percept(Predicate predicate, std::span<const Value> args) {
+  Structure* const made = heap_.blank_literal(predicate, args.size(), source_percept());
+  Value* const cells = made->args();
+  bool closed = true;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    cells[i] = args[i];
+    closed = closed && args[i].is_closed();
+  }
+  return heap_.literal_of(made, closed);
+}
+
+// There is no order of rows that could change, and nobody hears of it.
+bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_args,
+                                std::span<const Value> args) {
+  Relation* const rel = find(predicate);
+  Row* const row = rel == nullptr || rel->is_indexed() ? nullptr : rel->lone_fact();
+  if (row == nullptr || row->percept_generation == 0) return false;
+  const LiteralParts old = literal_parts(row->fact);
+  const auto same = [](Value a, Value b) { return a.same_as(b); };
+  const auto equal = [](Value a, Value b) { return equal_terms(a, b); };
+  if (!old.annots.same_as(source_percept()) ||
+      !std::equal(old.args.begin(), old.args.end(), old_args.begin(), old_args.end(), same) ||
+      std::equal(old.args.begin(), old.args.end(), args.begin(), args.end(), equal)) {
+    return false;
+  }
+  row->fact = percept(predicate, args);
+  row->key = args.empty() ? 0 : argument_key(args[0]);
+  row->percept_generation = generation_;
+  return true;
+}
+
 bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
   Relation& rel = relation(predicate);
   Relation::Hash hash = 0;
@@ -45,7 +76,7 @@ bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, Perc
     row.fact = with_annotations(heap_, row.fact, annots);
     change = {with_annotations(heap_, row.fact, source_percept()), true};
   } else {
-    const Value literal = heap_.structure(predicate, args, source_percept());
+    const Value literal = percept(predicate, args);
     rel.add_front({.fact = literal,
                    .rule = nullptr,
                    .key = args.empty() ? 0 : argument_key(args[0]),

@@ -34,6 +34,8 @@ struct Goal {
   };
 
   Kind kind = Kind::truth;
+  /// Of a query: its arguments are constants and slots, each slot once, and not many.
+  bool is_plain = false;
   Predicate predicate{};
   Value term;
   const Goal* next = nullptr;

@@ -1,8 +1,25 @@
 #include "interpreter/logic/formula_compiler.h"
 
+#include <algorithm>
 #include <array>
 
 namespace jaywalk {
+namespace {
+
+// Whether a query can put the arguments of a fact straight into its slots (machine_facts.cpp).
+bool is_plain(std::span<const Value> args) {
+  constexpr std::size_t kMost = 16;
+  if (args.size() > kMost) return false;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    if (args[i].is_closed()) continue;
+    const auto is_same = [&](Value other) { return other.same_as(args[i]); };
+    if (!args[i].is_slot() || std::any_of(args.begin(), args.begin() + i, is_same)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 Goal& FormulaCompiler::add(Goal::Kind kind, Value term, const Goal* next) {
   Goal& goal = code_.goals.emplace_back();
   goal.kind = kind;
@@ -23,6 +40,7 @@ const Goal* FormulaCompiler::compile(Value formula, const Goal* next) {
     if (symbols_.signature(atom).dotted) return compile_action(formula, next);
     Goal& goal = add(Goal::Kind::query, formula, next);
     goal.predicate = atom;
+    goal.is_plain = true;
     return &goal;
   }
   if (formula.is_structure()) return compile_structure(formula, next);
@@ -37,6 +55,7 @@ const Goal* FormulaCompiler::compile_structure(Value formula, const Goal* next) 
       const auto kind = s.is_annotated() ? Goal::Kind::slow_query : Goal::Kind::query;
       Goal& goal = add(kind, formula, next);
       goal.predicate = s.predicate();
+      goal.is_plain = is_plain(s.arg_span());
       return &goal;
     }
     case Form::function:

@@ -35,8 +35,10 @@ class HeadCode::Compiler {
       if (i > 0 && tells_apart) code_.tests_.push_back(step);
       add(step);
       if (!is_list) continue;
+      const std::size_t place = code_.steps_.size() - 1;
       add(step_for(head.arg(i).pair()->head));
       add(step_for(head.arg(i).pair()->tail));
+      code_.steps_[place].kind = kind_of_pair(code_.steps_[place + 1], code_.steps_[place + 2]);
     }
     code_.first_to_clear_ = 0;
     while (code_.first_to_clear_ < is_set_.size() && is_set_[code_.first_to_clear_]) {
@@ -53,6 +55,12 @@ class HeadCode::Compiler {
     const bool is_constant =
         term.is_number() || term.is_empty_list() || (term.is_atom() && !is_foreign(term.atom_id()));
     return {.kind = is_constant ? HeadStep::Kind::constant : HeadStep::Kind::term, .term = term};
+  }
+
+  [[nodiscard]] static HeadStep::Kind kind_of_pair(const HeadStep& head, const HeadStep& tail) {
+    using enum HeadStep::Kind;
+    if (tail.kind != first) return pair;
+    return head.kind == first ? new_pair : head.kind == again ? known_pair : pair;
   }
 
   // A slot that a template mentions before it has a step is left to templates altogether.

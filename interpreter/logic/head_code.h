@@ -11,6 +11,10 @@
 //                                  again H       a later place of H: unify, or copy when making
 //                                  first R       ... a fresh variable when making
 //
+// Two kinds of lists are met so often that they are steps of their own, `new_pair` and
+// `known_pair`: both parts, or the tail alone, are first places of variables. The steps of the
+// parts follow all the same.
+//
 // A slot whose first place is a step of its own needs not be cleared beforehand. What lies deeper
 // than the parts of a list, and what is neither list, constant nor variable, stays a template that
 // Unifier::match walks through (`term`): rare, and then most of the work is elsewhere.
@@ -29,13 +33,17 @@ namespace jaywalk {
 
 struct HeadStep {
   enum class Kind : std::uint8_t {
-    any,       // `_`
-    first,     // the first place of a variable
-    again,     // a later place of a variable
-    constant,  // an atom, a number or the empty list: term
-    pair,      // a list; the steps of its head and its tail follow
-    term,      // a template: term
+    any,         // `_`
+    first,       // the first place of a variable
+    again,       // a later place of a variable
+    constant,    // an atom, a number or the empty list: term
+    new_pair,    // a list; the steps of its head and its tail follow, both `first`
+    known_pair,  // ... `again` and `first`
+    pair,        // ... any two
+    term,        // a template: term
   };
+  [[nodiscard]] bool is_pair() const { return kind >= Kind::new_pair && kind <= Kind::pair; }
+
   Kind kind = Kind::any;
   std::uint16_t argument = 0;  // of the query; parts of a list have none
   std::uint32_t slot = 0;      // of a variable
@@ -76,7 +84,7 @@ class HeadCode {
   // Structures are left alone: they may be expressions, or atoms with annotations.
   [[nodiscard]] static bool rejects(const HeadStep& test, Value value) {
     if (value.is_variable() || value.is_structure() || value.is_object()) return false;
-    if (test.kind == HeadStep::Kind::pair) return !value.is_pair();
+    if (test.is_pair()) return !value.is_pair();
     if (value.same_as(test.term)) return false;
     return !value.is_number() || !test.term.is_number() ||
            value.as_number() != test.term.as_number();

@@ -118,6 +118,7 @@ void Machine::attach(const MachineClient& client) {
   surroundings_ = client.surroundings;
   functions_ = client.functions == nullptr ? &own_functions_ : client.functions;
   max_inferences_ = client.max_inferences;
+  known_functions_ = {};
   unifier_.set_heap(*client.heap);
 }
 
@@ -279,6 +280,8 @@ bool Machine::retry() {
   switch (choice.kind) {
     case ChoicePoint::Kind::rows:
       return retry_rows();
+    case ChoicePoint::Kind::facts:
+      return retry_facts();
     case ChoicePoint::Kind::annotated: {
       const AnnotatedQuery query = *choice.annotated;
       const Goal& goal = *choice.goal;

@@ -17,11 +17,13 @@
 //
 //   machine.cpp            the loop, choice points, frames
 //   machine_rules.cpp      queries over facts and rules
+//   machine_facts.cpp      the usual queries over facts alone
 //   machine_annotated.cpp  queries with annotations, and variables as queries
 //   machine_tests.cpp      comparison and unification
 //   machine_calls.cpp      internal actions and functions
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -113,6 +115,7 @@ class Machine : public FunctionCaller {
   void forget_temporary_code() { temporary_.clear(); }
 
   bool call_function(const Structure& function, Value& result) override;
+  bool call_of_numbers(Predicate function, std::span<const Value> args, Value& result) override;
   void warn(std::string_view message) override;
 
  private:
@@ -136,7 +139,7 @@ class Machine : public FunctionCaller {
     Value literal;
   };
   struct ChoicePoint {
-    enum class Kind : std::uint8_t { rows, annotated, alternative, negation, solutions };
+    enum class Kind : std::uint8_t { rows, facts, annotated, alternative, negation, solutions };
     Kind kind;
     std::uint32_t young;  // the first variable that is newer
     const Goal* goal;
@@ -144,8 +147,11 @@ class Machine : public FunctionCaller {
     std::size_t trail;
     FrameStack::Mark frames;
     Heap::Mark heap;
-    // rows; the arguments begin where the frames do without them
+    // rows, facts
     const Relation* relation = nullptr;
+    // facts: the next candidate
+    std::int64_t seq = 0;
+    // rows; the arguments begin where the frames do without them
     Relation::Cursor cursor;
     Value* args = nullptr;
     std::unique_ptr<AnnotatedQuery> annotated;
@@ -189,15 +195,22 @@ class Machine : public FunctionCaller {
   std::span<const Value> make_arguments(std::span<const Value> terms);
   bool try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal,
                 std::span<const Value> args);
-  bool try_rules(Relation& relation, std::span<const Relation::Candidate> candidates,
-                 const Goal& goal, std::span<const Value> args);
-  bool choose_rule(Relation& relation, const Goal& goal, std::span<const Value> args,
-                   std::uint32_t key);
+  bool choose_rule(Relation& relation, const RuleTable& table, const Goal& goal,
+                   std::span<const Value> args);
   void push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
                  std::span<const Value> args);
   bool retry_rows();
   bool enter_last_row(const Row& row);
   bool unify_fact(Value fact, std::span<const Value> args);
+
+  using SlotSet = std::uint32_t;  // one bit for each argument of a query
+  bool query_facts(const Relation& relation, const Goal& goal);
+  bool retry_facts();
+  bool match_fact(Value fact, const Goal& goal, SlotSet free);
+  enum class Recorded : std::uint8_t { if_needed, always };
+  void record_slots(const Goal& goal, SlotSet free, Recorded recorded);
+  [[nodiscard]] std::int64_t next_fact(const Relation& relation, std::int64_t seq, const Goal& goal,
+                                       SlotSet free) const;
   bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
     return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)
                                       : enter_framed(rule, goal, args);
@@ -205,6 +218,8 @@ class Machine : public FunctionCaller {
   bool enter_framed(const RuleCode& rule, const Goal& goal, const Value* args);
   bool match_bodiless(const RuleCode& rule, const Goal& goal, const Value* args);
   bool match_head(const RuleCode& rule, Value* slots, const Value* args);
+  template <HeadStep::Kind kHead>
+  bool match_usual_pair(const HeadStep* step, Value* slots, Value value);
   bool match_pair(const HeadStep* step, Value* slots, Value value);
   bool match_deep_pair(const HeadStep* step, Value* slots, Value value);
   bool match_part(const HeadStep& step, Value* slots, Value value);
@@ -269,6 +284,12 @@ class Machine : public FunctionCaller {
   int nesting_ = 0;
 
   const std::vector<RuleFunction> own_functions_;  // none
+  // Functions that this client has called lately, by the last bits of their predicates.
+  struct KnownFunction {
+    Predicate predicate{};
+    const FunctionDefinition* definition = nullptr;
+  };
+  std::array<KnownFunction, 4> known_functions_;
 };
 
 }  // namespace jaywalk

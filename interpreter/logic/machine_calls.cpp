@@ -124,6 +124,18 @@ bool Machine::call_function(const Structure& function, Value& result) {
   return true;
 }
 
+// Functions that the agent has defined by rules come first, so they must be none.
+bool Machine::call_of_numbers(Predicate function, std::span<const Value> args, Value& result) {
+  if (!functions_->empty()) return false;
+  KnownFunction& known =
+      known_functions_[static_cast<std::size_t>(function) % known_functions_.size()];
+  if (known.definition == nullptr || known.predicate != function) {
+    known = {function, actions_->function(symbols_.functor(function), args.size())};
+  }
+  return known.definition != nullptr && known.definition->function != nullptr &&
+         known.definition->function(args, heap(), symbols_, result);
+}
+
 void Machine::warn(std::string_view message) {
   if (surroundings_ != nullptr) {
     surroundings_->log(message);

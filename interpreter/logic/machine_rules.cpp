@@ -19,8 +19,8 @@ bool may_be_taken(Value value) { return !Unifier::is_of_other_namespace(value); 
 
 }  // namespace
 
-[[gnu::always_inline]] inline bool Machine::match_part(const HeadStep& step, Value* slots,
-                                                       Value value) {
+// A part of a list.
+bool Machine::match_part(const HeadStep& step, Value* slots, Value value) {
   switch (step.kind) {
     case HeadStep::Kind::any:
       return may_be_taken(value);
@@ -31,8 +31,7 @@ bool may_be_taken(Value value) { return !Unifier::is_of_other_namespace(value); 
       return match_again(value, deref(slots[step.slot]));
     case HeadStep::Kind::constant:
       return value.same_as(step.term) || match_constant(step, slots, value);
-    case HeadStep::Kind::pair:
-    case HeadStep::Kind::term:
+    default:
       break;
   }
   return unifier_.match(step.term, slots, value, Unifier::Direction::value_first);
@@ -56,7 +55,7 @@ bool Machine::match_again(Value value, Value known) {
   return unifier_.unify_no_undo(value, known);
 }
 
-[[gnu::always_inline]] inline Value Machine::make_part(const HeadStep& step, Value* slots) {
+Value Machine::make_part(const HeadStep& step, Value* slots) {
   switch (step.kind) {
     case HeadStep::Kind::any:
       return heap().variable(unifier_.slot_names()[step.slot]);
@@ -66,16 +65,40 @@ bool Machine::match_again(Value value, Value known) {
       return deref(slots[step.slot]);
     case HeadStep::Kind::constant:
       return step.term;
-    case HeadStep::Kind::pair:
-    case HeadStep::Kind::term:
+    default:
       break;
   }
   return unifier_.build(step.term, slots);
 }
 
-// The list is taken apart, or made for a variable.
-[[gnu::always_inline]] inline bool Machine::match_pair(const HeadStep* step, Value* slots,
-                                                       Value value) {
+// The list is taken apart, or made for a variable. Its tail is the first place of a variable.
+template <HeadStep::Kind kHead>
+[[gnu::always_inline]] inline bool Machine::match_usual_pair(const HeadStep* step, Value* slots,
+                                                             Value value) {
+  constexpr bool kIsNew = kHead == HeadStep::Kind::first;
+  if (value.is_pair()) {
+    const Pair& pair = *value.pair();
+    const Value head = deref(pair.head);
+    if constexpr (kIsNew) {
+      slots[step[1].slot] = head;
+      if (!may_be_taken(head)) return false;
+    } else if (!match_again(head, deref(slots[step[1].slot]))) {
+      return false;
+    }
+    const Value tail = deref(pair.tail);
+    slots[step[2].slot] = tail;
+    return may_be_taken(tail);
+  }
+  if (!value.is_variable()) return match_deep_pair(step, slots, value);
+  const std::span<const Symbol> names = unifier_.slot_names();
+  Value& head = slots[step[1].slot];
+  head = kIsNew ? heap().variable(names[step[1].slot]) : deref(head);
+  const Symbol name = names[step[2].slot];
+  unifier_.bind_young(value.variable(), heap().pair_before(slots[step[2].slot], head, name));
+  return true;
+}
+
+bool Machine::match_pair(const HeadStep* step, Value* slots, Value value) {
   if (value.is_pair()) {
     const Pair& pair = *value.pair();
     return match_part(step[1], slots, deref(pair.head)) &&
@@ -84,10 +107,7 @@ bool Machine::match_again(Value value, Value known) {
   if (!value.is_variable()) return match_deep_pair(step, slots, value);
   const Value head = make_part(step[1], slots);
   const Value tail = make_part(step[2], slots);
-  const bool has_fresh =
-      step[2].kind == HeadStep::Kind::first || step[2].kind == HeadStep::Kind::any;
-  unifier_.bind_young(value.variable(),
-                      has_fresh ? heap().open_pair(head, tail) : heap().pair(head, tail));
+  unifier_.bind_young(value.variable(), heap().pair(head, tail));
   return true;
 }
 
@@ -101,41 +121,53 @@ bool Machine::match_deep_pair(const HeadStep* step, Value* slots, Value value) {
 
 [[gnu::always_inline]] inline bool Machine::match_head(const RuleCode& rule, Value* slots,
                                                        const Value* args) {
+  using enum HeadStep::Kind;
   const std::vector<HeadStep>& steps = rule.head_code.steps();
   const HeadStep* const end = steps.data() + steps.size();
   for (const HeadStep* step = steps.data(); step != end; ++step) {
     const Value value = deref(args[step->argument]);
-    if (step->kind == HeadStep::Kind::pair) {
-      if (!match_pair(step, slots, value)) return false;
-      step += 2;
-    } else if (!match_part(*step, slots, value)) {
-      return false;
+    bool matches = false;
+    switch (step->kind) {
+      case any:
+        matches = may_be_taken(value);
+        break;
+      case first:
+        slots[step->slot] = value;
+        matches = may_be_taken(value);
+        break;
+      case again:
+        matches = match_again(value, deref(slots[step->slot]));
+        break;
+      case constant:
+        matches = value.same_as(step->term) || match_constant(*step, slots, value);
+        break;
+      case new_pair:
+        matches = match_usual_pair<first>(step, slots, value);
+        step += 2;
+        break;
+      case known_pair:
+        matches = match_usual_pair<again>(step, slots, value);
+        step += 2;
+        break;
+      case pair:
+        matches = match_pair(step, slots, value);
+        step += 2;
+        break;
+      case term:
+        matches = unifier_.match(step->term, slots, value, Unifier::Direction::value_first);
+        break;
     }
+    if (!matches) return false;
   }
   return true;
 }
 
-// The rules of a relation without facts, newest first. If the first argument leaves only one, that
-// one is entered; else the others are looked at.
-[[gnu::always_inline]] inline bool Machine::try_rules(
-    Relation& relation, std::span<const Relation::Candidate> candidates, const Goal& goal,
-    std::span<const Value> args) {
-  const Relation::Candidate* const end = candidates.data() + candidates.size();
+// The kind of the first argument leaves several rules, or none.
+bool Machine::choose_rule(Relation& relation, const RuleTable& table, const Goal& goal,
+                          std::span<const Value> args) {
+  const std::span<const RuleTable::Candidate> candidates = table.candidates();
   const std::uint32_t key = args.empty() ? 0 : argument_key(args[0]);
-  const Relation::Candidate* first = candidates.data();
-  while (!first->has_key(key)) {
-    if (++first == end) return false;
-  }
-  for (const Relation::Candidate* next = first + 1; next != end; ++next) {
-    if (next->has_key(key)) return choose_rule(relation, goal, args, key);
-  }
-  return enter_rule(*first->rule, goal, args.data());
-}
-
-bool Machine::choose_rule(Relation& relation, const Goal& goal, std::span<const Value> args,
-                          std::uint32_t key) {
-  const std::span<const Relation::Candidate> candidates = relation.candidates();
-  const auto may_match = [&](const Relation::Candidate& candidate) {
+  const auto may_match = [&](const RuleTable::Candidate& candidate) {
     return candidate.may_match(key, args.data());
   };
   const auto first = std::find_if(candidates.begin(), candidates.end(), may_match);
@@ -186,7 +218,7 @@ bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal&
     Value made = terms[i];
     if (made.is_slot()) {
       const Value value = slots[made.slot_index()];
-      made = value.is_unset() ? unifier_.build_term(made, slots) : value;
+      made = value.is_unset() ? unifier_.make_variable(slots, made.slot_index()) : value;
     } else if (!made.is_closed()) {
       made = unifier_.build_term(made, slots);
     }
@@ -198,9 +230,14 @@ bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal&
 bool Machine::query(const Goal& goal) {
   Relation* const relation = beliefs_->find(goal.predicate);
   if (relation == nullptr) return false;
+  if (goal.is_plain && relation->has_few_facts()) return query_facts(*relation, goal);
   const std::span<const Value> args = make_arguments(goal.args());
-  const std::span<const Relation::Candidate> candidates = relation->candidates();
-  if (!candidates.empty()) return try_rules(*relation, candidates, goal, args);
+  if (const RuleTable* const table = relation->rule_table()) {
+    const RuleCode* const rule = table->only(args.empty() ? Value() : deref(args[0]));
+    if (rule == nullptr) return choose_rule(*relation, *table, goal, args);
+    return rule->body.entry == nullptr ? match_bodiless(*rule, goal, args.data())
+                                       : enter_framed(*rule, goal, args.data());
+  }
   Relation::Cursor cursor = relation->open(args);
   return try_rows(*relation, cursor, goal, args);
 }

@@ -26,6 +26,13 @@ class FunctionCaller {
   virtual ~FunctionCaller() = default;
   /// Evaluates a function term whose arguments have been applied. False: it stays as it is.
   virtual bool call_function(const Structure& function, Value& result) = 0;
+  /// The same for a function of these numbers that can be called without further ado.
+  virtual bool call_of_numbers(Predicate function, std::span<const Value> args, Value& result) {
+    static_cast<void>(function);
+    static_cast<void>(args);
+    static_cast<void>(result);
+    return false;
+  }
   virtual void warn(std::string_view message) = 0;
 };
 
@@ -139,6 +146,18 @@ class Unifier {
     trail_.push_back(slot);
     ++slots_recorded_;
   }
+  /// A slot that has been set by hand: its setting can be undone.
+  void record_slot(Value* slot) {
+    trail_.push_back(slot);
+    ++slots_recorded_;
+  }
+  /// A slot without a value gets a variable with its name.
+  Value make_variable(Value* slots, std::uint32_t index) {
+    const Symbol name = index < slot_names_.size() ? slot_names_[index] : names::unnamed;
+    const Value made = heap().variable(name);
+    set_slot(slots + index, made);
+    return made;
+  }
   /// A frame that nothing can go back behind without giving it up: what is set in it need not be
   /// undone. Until the next choice point.
   void begin_fresh_frame(std::span<Value> slots) {
@@ -175,8 +194,8 @@ class Unifier {
 
   /// A variable of no namespace does not take literals of others.
   [[nodiscard]] static bool is_of_other_namespace(Value value) {
-    if (value.is_atom()) return is_foreign(value.atom_id());
-    return value.is_structure() && is_foreign(value.structure()->predicate());
+    if (!value.is_name()) return false;
+    return is_foreign(value.is_atom() ? value.atom_id() : value.structure()->predicate());
   }
 
   [[nodiscard]] Heap& heap() { return *heap_; }
@@ -186,6 +205,7 @@ class Unifier {
   static bool is_sum(const Structure& expression, const Value* slots, double& result, int depth);
   void rename_arguments(std::span<Value> args, std::vector<std::pair<Value, Value>>* renamed);
   bool evaluate_term(Value term, Value* slots, double& result);
+  bool evaluate_function(const Structure& function, const Value* slots, double& result);
   Value instantiate_structure(const Structure& structure, Value* slots);
   Value keep_expression(const Structure& structure, Value* slots);
   Value instantiate_decorated(const Structure& structure, Value* slots);

@@ -1,5 +1,6 @@
 // What expressions come to under a unifier.
 
+#include <array>
 #include <limits>
 
 #include "interpreter/logic/arithmetic.h"
@@ -27,6 +28,25 @@ bool Unifier::is_sum(const Structure& s, const Value* slots, double& result, int
   return calculate_usual(s.predicate(), operands[0], operands[1], result);
 }
 
+// A function of numbers, as most are.
+bool Unifier::evaluate_function(const Structure& function, const Value* slots, double& result) {
+  std::array<Value, 2> args;
+  if (keep_slots_ || function.arity > args.size()) return false;
+  for (std::size_t i = 0; i < function.arity; ++i) {
+    double number = 0;
+    if (!is_number(function.arg(i), slots, number)) return false;
+    args[i] = Value::number(number);
+  }
+  Value value;
+  if (!functions_->call_of_numbers(function.predicate(), std::span(args).first(function.arity),
+                                   value) ||
+      !value.is_number()) {
+    return false;
+  }
+  result = value.as_number();
+  return true;
+}
+
 bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   if (term.is_slot()) {
     if (keep_slots_) return false;
@@ -40,6 +60,7 @@ bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   }
   if (term.is_variable() || term.is_unset() || term.is_slot()) return false;
   if (is_form(term, Form::function) && functions_ != nullptr) {
+    if (evaluate_function(*term.structure(), slots, result)) return true;
     const Value value = instantiate(term, slots);
     if (is_form(value, Form::function)) return false;
     return evaluate(value, slots, result);

@@ -4,9 +4,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/logic/action.h"
+#include "interpreter/logic/rule_table.h"
 #include "interpreter/program/plan.h"
 #include "interpreter/support/diagnostics.h"
 
@@ -39,6 +41,10 @@ class Program {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<Belief>& beliefs() const { return beliefs_; }
+  /// The rules of each predicate that has rules alone, if they are few.
+  [[nodiscard]] const std::vector<std::pair<Predicate, RuleTable>>& rule_tables() const {
+    return rule_tables_;
+  }
   [[nodiscard]] const std::vector<Goal>& goals() const { return goals_; }
   [[nodiscard]] const PlanLibrary& library() const { return library_; }
   [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
@@ -52,6 +58,7 @@ class Program {
   const ActionRegistry* actions_ = nullptr;
   std::vector<Belief> beliefs_;
   std::vector<std::unique_ptr<RuleCode>> rules_;
+  std::vector<std::pair<Predicate, RuleTable>> rule_tables_;
   std::vector<Goal> goals_;
   PlanLibrary library_;
   std::vector<Function> functions_;

@@ -18,7 +18,7 @@ class FlatIndex {
   /// The number for a key; kNone if there is none.
   [[nodiscard]] std::uint32_t find(Key key) const {
     if (entries_.empty()) return kNone;
-    for (std::size_t i = place(key);; i = (i + 1) & mask()) {
+    for (std::size_t i = place(key);; i = (i + 1) & mask_) {
       const Entry& entry = entries_[i];
       if (entry.key == key || entry.value == kNone) return entry.value;
     }
@@ -39,26 +39,26 @@ class FlatIndex {
     Key key{};
     std::uint32_t value = kNone;
   };
-  [[nodiscard]] std::size_t mask() const { return entries_.size() - 1; }
-  // The number of places is a power of two.
   [[nodiscard]] std::size_t place(Key key) const {
     const std::uint64_t mixed = static_cast<std::uint64_t>(key) * 0x9E3779B97F4A7C15U;
-    return static_cast<std::size_t>(mixed >> 32U) & mask();
+    return static_cast<std::size_t>(mixed >> 32U) & mask_;
   }
   void put(Key key, std::uint32_t value) {
     std::size_t i = place(key);
-    while (entries_[i].value != kNone) i = (i + 1) & mask();
+    while (entries_[i].value != kNone) i = (i + 1) & mask_;
     entries_[i] = {key, value};
   }
   void grow() {
     std::vector<Entry> old(entries_.empty() ? 8 : 2 * entries_.size());
     old.swap(entries_);
+    mask_ = entries_.size() - 1;
     for (const Entry& entry : old) {
       if (entry.value != kNone) put(entry.key, entry.value);
     }
   }
 
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_;  // a power of two places
+  std::size_t mask_ = 0;        // one less
   std::size_t size_ = 0;
 };
 

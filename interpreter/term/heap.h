@@ -164,6 +164,19 @@ class Heap {
     made->tail = tail;
     return Value::reference(Value::Kind::pair, made, static_flag_);
   }
+  /// A pair whose tail is a fresh variable, which `tail` receives.
+  [[nodiscard]] [[gnu::always_inline]] Value pair_before(Value& tail, Value head, Symbol name) {
+    std::uint64_t* const words = allocate(4);
+    auto* const variable = reinterpret_cast<Variable*>(words);
+    variable->value = Value();
+    variable->name_id = static_cast<std::uint32_t>(name);
+    variable->serial = static_cast<std::uint32_t>(next_serial_++);
+    auto* const made = reinterpret_cast<Pair*>(words + 2);
+    tail = Value::reference(Value::Kind::variable, variable, 0);
+    made->head = head;
+    made->tail = tail;
+    return Value::reference(Value::Kind::pair, made, static_flag_);
+  }
   [[nodiscard]] Value list(std::span<const Value> elements, Value tail = Value::empty_list());
   [[nodiscard]] Value text(std::string_view bytes);
   [[nodiscard]] [[gnu::always_inline]] Value variable(Symbol name = names::unnamed) {

@@ -57,6 +57,8 @@ class Value {
   }
   [[nodiscard]] constexpr bool is_number() const { return bits_ < tag(Kind::atom); }
   [[nodiscard]] constexpr bool is_atom() const { return has(Kind::atom); }
+  /// An atom or a structure.
+  [[nodiscard]] constexpr bool is_name() const { return (bits_ >> 48U | 2U) == 0xFFFBU; }
   [[nodiscard]] constexpr bool is_text() const { return has(Kind::text); }
   [[nodiscard]] constexpr bool is_structure() const { return has(Kind::structure); }
   [[nodiscard]] constexpr bool is_pair() const { return has(Kind::pair); }
@@ -127,5 +129,7 @@ class Value {
 };
 
 static_assert(sizeof(Value) == 8);
+static_assert((static_cast<unsigned>(Value::Kind::atom) | 2U) == 3U &&
+              static_cast<unsigned>(Value::Kind::structure) == 3U);  // is_name
 
 }  // namespace jaywalk

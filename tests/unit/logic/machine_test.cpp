@@ -211,6 +211,61 @@ TEST(Machine, StopsWhenItIsToldTo) {
   EXPECT_TRUE(terms.holds("p(3)"));
 }
 
+// f has facts alone; g has a rule, too, and so another way is taken.
+TEST(Machine, AnswersFromAFewFactsAsFromAnyRows) {
+  const std::string facts[] = {"(1,a)", "(2,b)", "(1,b)",        "(3,[1,2])",
+                               "(2,a)", "(1,1)", "(a,\"text\")", "(b,s(1))"};
+  std::string program = "g(none,none) :- false. h(1). h(b). k([1,2]). k(s(X)).";
+  for (const std::string& fact : facts) program += " f" + fact + ". g" + fact + ".";
+  const std::string bodies[] = {"f(X,Y)",
+                                "f(1,Y)",
+                                "f(X,b)",
+                                "f(X,Y) & f(Y,Z)",
+                                "f(X,X) & Y = 0",
+                                "h(X) & f(X,Y)",
+                                "f(X,Y) & h(Y)",
+                                "k(Y) & f(X,Y)",
+                                "f(X,Y) & not f(Y,X)",
+                                "f(X,Y) & X < 2",
+                                "(f(X,a) | f(X,b)) & Y = 1",
+                                "f(X,_) & not (f(X,Z) & Z = b) & Y = 2",
+                                "f(X,[Y|_])"};
+  for (const std::string& body : bodies) {
+    std::string other = body;
+    for (char& letter : other) letter = letter == 'f' ? 'g' : letter;
+    test::Terms terms;
+    terms.believe(program + " few(X,Y) :- " + body + ". any(X,Y) :- " + other + ".");
+    const auto answers = terms.answers("few(X,Y)", "a(X,Y)");
+    EXPECT_EQ(answers, terms.answers("any(X,Y)", "a(X,Y)")) << body;
+    EXPECT_FALSE(answers.empty() && body != "f(X,[Y|_])") << body;
+    EXPECT_EQ(terms.answers("few(1,Y)", "Y"), terms.answers("any(1,Y)", "Y")) << body;
+  }
+}
+
+TEST(Machine, FindsTheRuleByTheKindOfTheFirstArgument) {
+  const std::string program =
+      "kind([], empty). kind([_|_], list). kind(X, number) :- X = 1. kind(a, atom). "
+      "kind(s(_), structure). kind(\"t\", text). "
+      "one([], empty) :- true. one([_|_], list) :- true. one(\"t\", text) :- true. "
+      "name(a, bare) :- true. name(s(_), structure) :- true.";
+  expect_answers(program, {{"kind([],K)", "K", {"empty"}},
+                           {"kind([1],K)", "K", {"list"}},
+                           {"kind(1,K)", "K", {"number"}},
+                           {"kind(a,K)", "K", {"atom"}},
+                           {"kind(b,K)", "K", {}},
+                           {"kind(s(2),K)", "K", {"structure"}},
+                           {"kind(\"t\",K)", "K", {"text"}},
+                           {"one([],K)", "K", {"empty"}},
+                           {"one([2],K)", "K", {"list"}},
+                           {"one(\"t\",K)", "K", {"text"}},
+                           {"one(\"u\",K)", "K", {}},
+                           {"one(1,K)", "K", {}},
+                           {"one(X,K)", "K", {"empty", "list", "text"}},
+                           {"name(a,K)", "K", {"bare"}},
+                           {"name(b,K)", "K", {}},
+                           {"name(s(1),K)", "K", {"structure"}}});
+}
+
 TEST(Machine, GivesOpenFactsFreshVariablesEachTime) {
   test::Terms terms;
   (void)terms.beliefs.add(terms.term("p(Z,Z)[source(self)]"), Place::front);
