@@ -162,11 +162,14 @@ void Crossing::advance() {
 }
 
 void Crossing::drive() {
+  const double speed_before = av_.speed();
+  const Interval ahead_before = zone_ahead_;
   std::vector<Collision> collisions =
       av_.drive(ticks_, bodies_, signals_, layout_, result_.collisions);
   result_.collisions.insert(result_.collisions.end(), collisions.begin(), collisions.end());
   origin_ = zone_origin_at(parameters_, av_.driven());
   if (!parameters_.zone.ahead) zone_ahead_ = zone_ahead(parameters_, av_.speed());
+  if (av_.speed() != speed_before || zone_ahead_ != ahead_before) ++rest_number_;
 }
 
 bool Crossing::finished() const {

@@ -10,6 +10,7 @@
 // tick t - 1, cell by cell, until it meets a pedestrian; then it moves (av.h); then the test may
 // end.
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -115,6 +116,8 @@ class Crossing final : public Environment {
   int ticks_ = 0;
   int max_ticks_ = 0;
   int origin_ = 0;
+  // What agents perceive from `id` on has changed so often; see Percepts::keep_rest.
+  std::uint64_t rest_number_ = 1;
   CrossingResult result_;
 };
 

@@ -17,6 +17,7 @@ class Crossing::Perceiver {
     if (!world_.parameters_.crosswalks.empty()) signals();
     if (world_.parameters_.pedestrians.sight > 0) road_users();
     if (world_.parameters_.pedestrians.features) features();
+    if (percepts_.keep_rest(vocabulary().percept(id), world_.rest_number_)) return;
     oneself();
     road();
     vehicle_and_zone();

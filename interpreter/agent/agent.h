@@ -239,6 +239,8 @@ class Agent final : public MachineSurroundings {
   void believe_changes(const Percepts& percepts);
   void believe_percept(const Percepts& percepts, std::size_t index);
   void announce_percepts();
+  [[nodiscard]] bool hears_of_percepts() const;
+  void believe_quietly(const Percepts& percepts);
 
   // Changes of belief as they are without belief revision.
   bool believe(Value literal, Place place, Intention* focus);

@@ -5,6 +5,15 @@
 
 namespace jaywalk {
 
+void Percepts::clear() {
+  entries_.clear();
+  args_.clear();
+  looks_ = 0;
+  rest_number_ = 0;
+  begin_look();
+  looks_ = 0;
+}
+
 void Percepts::begin_look() {
   ++looks_;
   news_.clear();
@@ -13,6 +22,7 @@ void Percepts::begin_look() {
   told_before_ = entries_.size();
   next_ = 0;
   next_arg_ = 0;
+  changed_ = 0;
   news_before_ = gone_before_ = SIZE_MAX;  // the rest has not been dropped
 }
 
@@ -28,6 +38,7 @@ void Percepts::change(std::span<const Value> args) {
   add_gone(entries_[next_].predicate, std::span(args_).subspan(next_arg_, args.size()));
   std::copy(args.begin(), args.end(), known);
   news_.push_back(static_cast<std::uint32_t>(next_));
+  ++changed_;
 }
 
 void Percepts::add_behind(Predicate predicate, std::span<const Value> args) {

@@ -43,8 +43,20 @@ class Percepts {
     }
     add_behind(predicate, args);
   }
+  /// Instead of telling the rest: it is what was told in the last look from the literal of `first`
+  /// on, under the same number, which the environment gives anew when the rest changes. False: that
+  /// was not so, and it has to be told.
+  [[nodiscard]] bool keep_rest(Predicate first, std::uint64_t number) {
+    if (next_ < told_before_ && entries_[next_].predicate == first && rest_number_ == number) {
+      next_ = told_before_;
+      next_arg_ = args_.size();
+      return true;
+    }
+    rest_number_ = number;
+    return false;
+  }
   /// Forgets everything, the last look too.
-  void clear() { *this = Percepts(); }
+  void clear();
 
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   [[nodiscard]] Predicate predicate(std::size_t index) const { return entries_[index].predicate; }
@@ -60,6 +72,9 @@ class Percepts {
   /// What was not told in the last look, in order, as indices; a literal may be among them that has
   /// only changed its place.
   [[nodiscard]] std::span<const std::uint32_t> news() const { return news_; }
+  /// The first of the news, so many, stand where the first of what is gone stood, with the same
+  /// predicates.
+  [[nodiscard]] std::size_t changed_size() const { return changed_; }
   /// What was told in the last look and in its place is not any more.
   [[nodiscard]] std::size_t gone_size() const { return gone_.size(); }
   [[nodiscard]] Predicate gone_predicate(std::size_t index) const { return gone_[index].predicate; }
@@ -94,6 +109,8 @@ class Percepts {
   std::size_t told_before_ = 0;
   std::size_t next_ = 0;
   std::size_t next_arg_ = 0;
+  std::size_t changed_ = 0;
+  std::uint64_t rest_number_ = 0;
   // News and gone ones before the rest was dropped.
   std::size_t news_before_ = 0;
   std::size_t gone_before_ = 0;

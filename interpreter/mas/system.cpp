@@ -27,6 +27,11 @@ std::unique_ptr<SystemStock> Mas::Implementation::dismantle(
     std::unique_ptr<Implementation> system) {
   constexpr std::size_t kMostRemains = 64;
   system->stock_->workspaces.want_remains(kMostRemains);
+  for (Resident& resident : system->residents_.all()) {
+    if (!resident.has_body() || system->stock_->percepts.size() == kMostRemains) continue;
+    resident.percepts->clear();
+    system->stock_->percepts.push_back(std::move(resident.percepts));
+  }
   system->residents_ = {};
   system->mail_.reset();
   std::unique_ptr<SystemStock> stock = std::move(system->stock_);
@@ -69,10 +74,17 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
   if (!agent.is_active()) put_to_sleep(residents_.of(agent));
 }
 
+std::unique_ptr<Percepts> Mas::Implementation::percepts_for_body() {
+  if (stock_->percepts.empty()) return std::make_unique<Percepts>();
+  std::unique_ptr<Percepts> percepts = std::move(stock_->percepts.back());
+  stock_->percepts.pop_back();
+  return percepts;
+}
+
 AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
   Resident& resident = settle(spec.name, spec.program);
   if (spec.customisation != nullptr) all_keep_to_themselves_ = false;
-  if (environment_ != nullptr) resident.percepts = std::make_unique<Percepts>();
+  if (environment_ != nullptr) resident.percepts = percepts_for_body();
   go_on_after_idleness();
   resident.agent->set_settings(spec.settings);
   start(*resident.agent, spec);

@@ -31,6 +31,7 @@ struct SystemStock {
 
   SymbolTable symbols;
   WorkspacePool workspaces{symbols};
+  std::vector<std::unique_ptr<Percepts>> percepts;
 };
 
 class Mas::Implementation : public AgentHost, public Society {
@@ -78,6 +79,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] ServiceDirectory& services() override { return services_; }
 
  private:
+  [[nodiscard]] std::unique_ptr<Percepts> percepts_for_body();
   Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
   [[nodiscard]] bool is_full() const;
   void start(Agent& agent, const AgentSpec& spec);

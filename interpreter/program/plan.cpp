@@ -19,6 +19,7 @@ void PlanList::add(const Plan& plan) {
 
 void PlanLibrary::insert(const Plan& plan) {
   if (plan.key.op == TriggerOperator::goal_state) ++goal_state_plans_;
+  if (plan.key.kind == TriggerKind::belief) ++belief_plans_;
   const TriggerKey message{TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received};
   if (!plan.is_standard && !plan.any_predicate && plan.key == message) ++message_plans_;
   if (!plan.any_predicate) {
@@ -46,6 +47,7 @@ void PlanLibrary::rebuild() {
   any_.fill({});
   goal_state_plans_ = 0;
   message_plans_ = 0;
+  belief_plans_ = 0;
   for (const auto& plan : plans_) insert(*plan);
 }
 

@@ -168,6 +168,8 @@ class PlanLibrary {
   }
   /// Plans for goal states, `^!g`, exist.
   [[nodiscard]] bool has_goal_state_plans() const { return goal_state_plans_ > 0; }
+  /// There are plans for changes of belief.
+  [[nodiscard]] bool has_belief_plans() const { return belief_plans_ > 0; }
   /// There are plans for messages, `+!kqml_received(...)`, beside the standard ones.
   [[nodiscard]] bool has_own_message_plans() const { return message_plans_ > 0; }
 
@@ -190,6 +192,7 @@ class PlanLibrary {
   std::array<PlanList, 9> any_;
   std::size_t goal_state_plans_ = 0;
   std::size_t message_plans_ = 0;
+  std::size_t belief_plans_ = 0;
 };
 
 /// Shows the formulas of a plan the lists of plans for their events. REQUIRES: the library changes

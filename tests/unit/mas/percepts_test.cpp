@@ -91,6 +91,45 @@ TEST_F(Looks, KeepTheEndBehindWhatComesAndGoes) {
   EXPECT_THAT(gone(), ElementsAre("p(2)", "r(7)", "r(8)"));
 }
 
+TEST_F(Looks, KeepTheRestIfItsNumberIsTheSame) {
+  const auto look_at = [&](int first, std::uint64_t number) {
+    percepts.begin_look();
+    percepts.add(predicate(0), {Value::number(first)});
+    if (!percepts.keep_rest(predicate(1), number)) {
+      percepts.add(predicate(1), {Value::number(static_cast<double>(number))});
+      percepts.add(predicate(2), {Value::number(7)});
+    }
+    percepts.end_look();
+  };
+  look_at(1, 5);
+  EXPECT_THAT(news(), ElementsAre("p(1)", "q(5)", "r(7)"));
+  look_at(2, 5);
+  EXPECT_THAT(news(), ElementsAre("p(2)"));
+  EXPECT_THAT(gone(), ElementsAre("p(1)"));
+  EXPECT_EQ(percepts.size(), 3U);
+  look_at(2, 6);
+  EXPECT_THAT(news(), ElementsAre("q(6)"));
+  EXPECT_THAT(gone(), ElementsAre("q(5)"));
+  percepts.clear();
+  look_at(2, 6);
+  EXPECT_THAT(news(), ElementsAre("p(2)", "q(6)", "r(7)"));
+}
+
+TEST_F(Looks, TellTheRestIfWhatStandsBeforeItHasLeft) {
+  look({{0, 1}, {0, 2}, {1, 5}});
+  percepts.begin_look();
+  percepts.add(predicate(0), {Value::number(1)});
+  EXPECT_FALSE(percepts.keep_rest(predicate(1), 0));
+  percepts.end_look();
+}
+
+TEST_F(Looks, SayHowManyHaveChangedInTheirPlaces) {
+  look({{0, 1}, {1, 2}, {2, 3}});
+  EXPECT_EQ(percepts.changed_size(), 0U);
+  look({{0, 1}, {1, 3}, {2, 4}, {2, 5}});
+  EXPECT_EQ(percepts.changed_size(), 2U);
+}
+
 /// Beliefs that are brought up to date in one of the two ways.
 class Beliefs {
  public:
@@ -199,6 +238,61 @@ TEST(BeliefUpdate, IsTheSameByChangesAsByAllPercepts) {
     by_changes += fast.by_changes;
   }
   EXPECT_GT(by_changes, 2000);  // of 9000 updates
+}
+
+/// In each tick every agent perceives what a list says, by name and arguments.
+class World : public Environment {
+ public:
+  World(SymbolTable& symbols, std::vector<Sights> ticks) : ticks_(std::move(ticks)) {
+    for (const char* const name : {"p", "q", "r", "s"})
+      names_.push_back(symbols.predicate(name, 1));
+  }
+
+  void perceive(AgentId, Percepts& percepts) const override {
+    for (const auto& [name, arg] : ticks_[now_]) {
+      percepts.add(names_[static_cast<std::size_t>(name)], {Value::number(arg)});
+    }
+  }
+  void execute(std::span<const ActionRequest>, std::span<ActionResult>) override {}
+  void advance() override { ++now_; }
+  [[nodiscard]] bool finished() const override { return now_ == ticks_.size(); }
+  [[nodiscard]] double tick_ms() const override { return 100; }
+
+ private:
+  std::vector<Predicate> names_;
+  std::vector<Sights> ticks_;
+  std::size_t now_ = 0;
+};
+
+// One agent has a plan for a change of belief, the other has none: so only the first makes events.
+TEST(BeliefUpdate, IsTheSameIfNobodyHearsOfIt) {
+  std::mt19937 random(11);
+  const auto below = [&](std::size_t bound) { return static_cast<int>(random() % bound); };
+  for (int run = 0; run < 200; ++run) {
+    std::vector<Sights> ticks;
+    Sights sights;
+    for (int tick = 0; tick < 12; ++tick) {
+      for (int change = below(3); change >= 0; --change) {
+        const auto place = static_cast<std::ptrdiff_t>(below(sights.size() + 1));
+        const std::pair<int, int> sight{below(4), below(3)};
+        if (place == std::ssize(sights) || below(5) == 0) {
+          sights.insert(sights.begin() + place, sight);
+        } else if (below(4) == 0) {
+          sights.erase(sights.begin() + place);
+        } else {
+          sights[static_cast<std::size_t>(place)].second = sight.second;
+        }
+      }
+      ticks.push_back(sights);
+    }
+    test::System system;
+    system.add("hears", "p(9). !act. +never. +!act <- -q(1); +r(1); act; !act. -!act <- !act.");
+    system.add("deaf", "p(9). !act. +!act <- -q(1); +r(1); act; !act. -!act <- !act.");
+    World world(*system.symbols, ticks);
+    (void)system.run(&world);
+    EXPECT_EQ(system.mas->describe_beliefs(AgentId{0}), system.mas->describe_beliefs(AgentId{1}))
+        << "run " << run;
+  }
 }
 
 }  // namespace
