@@ -49,7 +49,7 @@ std::uint64_t Mas::Implementation::run_ahead(std::uint64_t most) {
     }
   }
   residents_.end_round();
-  if (!ahead_.lines.empty()) write_held_log(ahead_);
+  if (!ahead_.lines.empty()) write_held_log();
   return ahead_.longest;
 }
 
@@ -75,11 +75,11 @@ void Mas::Implementation::reason_ahead(Resident& resident, std::uint64_t most, A
 }
 
 // In the order in which it would have been written step by step.
-void Mas::Implementation::write_held_log(Ahead& ahead) {
-  std::stable_sort(ahead.lines.begin(), ahead.lines.end(),
+void Mas::Implementation::write_held_log() {
+  std::stable_sort(ahead_.lines.begin(), ahead_.lines.end(),
                    [](const Ahead::Line& a, const Ahead::Line& b) { return a.step < b.step; });
-  for (const Ahead::Line& line : ahead.lines) options_.log(line.text);
-  ahead.lines.clear();
+  for (const Ahead::Line& line : ahead_.lines) options_.log(line.text);
+  ahead_.lines.clear();
 }
 
 }  // namespace jaywalk

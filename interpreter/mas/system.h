@@ -107,7 +107,7 @@ class Mas::Implementation : public AgentHost, public Society {
   };
   std::uint64_t run_ahead(std::uint64_t most);
   void reason_ahead(Resident& resident, std::uint64_t most, Ahead& ahead);
-  void write_held_log(Ahead& ahead);
+  void write_held_log();
 
   void reason_alone(Resident& resident);
   void pass_busy_ms();
