@@ -32,6 +32,7 @@ jaywalk_add_library(engine
     program/plain_code.cpp
     program/plan.cpp
     program/plan_compiler.cpp
+    program/program.cpp
     program/solitary.cpp
     compile/compiler.cpp
     compile/goal_patterns.cpp

@@ -126,7 +126,7 @@ Outcome no_pattern(ActionCall& call) {
 
 Outcome fail(ActionCall& call) {
   if (call.count() == 0) return Outcome::failed;
-  for (const Value arg : call.args()) call.error.annots.push_back(deref(arg));
+  for (const Value arg : call.args()) call.error().annots.push_back(deref(arg));
   return call.fail("internal_action", "fail");
 }
 

@@ -46,9 +46,9 @@ class ProgramText {
   explicit ProgramText(Agent& agent) : agent_(agent) {}
 
   std::string write(Value goals) {
-    for (const Program::Function& function : agent_.program().functions()) write(function);
+    for (const RuleFunction& function : agent_.program().functions()) write(function);
     for (const auto& program : agent_.included()) {
-      for (const Program::Function& function : program->functions()) write(function);
+      for (const RuleFunction& function : program->functions()) write(function);
     }
     for (const auto& relation : agent_.beliefs().relations()) write(*relation);
     for (const Value goal : elements(goals)) text_ += fmt::format("!{}.\n", source(goal));
@@ -77,7 +77,7 @@ class ProgramText {
     return i;
   }
 
-  void write(const Program::Function& function) {
+  void write(const RuleFunction& function) {
     text_ += fmt::format("{{ register_function(\"{}\",{},\"{}\") }}\n",
                          agent_.symbols().text(function.name), function.arity,
                          agent_.symbols().functor(function.predicate));

@@ -26,9 +26,6 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
     heap_.use(std::move(remains->heap));
     beliefs_.use(std::move(remains->beliefs));
   }
-  for (const Program::Function& function : program_->functions()) {
-    functions_.push_back({function.name, function.arity, function.predicate});
-  }
 }
 
 Agent::~Agent() {
@@ -44,17 +41,37 @@ void Agent::borrow_workspace() {
                               .actions = &program_->actions(),
                               .agent = this,
                               .surroundings = this,
-                              .functions = &functions_,
+                              .functions = own_ == nullptr || own_->functions.empty()
+                                               ? &program_->functions()
+                                               : &own_->functions,
                               .max_inferences = max_inferences_});
+  workspace_->lend_queues(circumstance_);
 }
 
 void Agent::give_back_workspace() {
+  workspace_->take_back_queues(circumstance_);
   workspace_->machine.unifier().commit(0);
   host_.workspaces().take_back(std::move(workspace_));
 }
 
 void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {
   begin(*program_, replaced, given);
+}
+
+// True: in the nursery.
+bool Agent::begin_first_cycles() {
+  if (!starts_later_) return false;
+  constexpr std::size_t kLeastLimit = 64 * 1024;  // below, the nursery is too large
+  const bool enters = heap_.is_unused() && heap_.limit() >= kLeastLimit;
+  if (enters) heap_.enter(work().nursery);
+  starts_later_ = false;
+  start({}, {});
+  return enters;
+}
+
+void Agent::end_first_cycles() {
+  heap_.leave(work().nursery, work().aside,
+              [this](Heap::Relocator& relocate) { visit_roots(relocate); });
 }
 
 void Agent::begin(const Program& program, std::span<const Predicate> replaced,
@@ -146,7 +163,7 @@ void Agent::add_event(Event event) {
     event.intention->state = Intention::State::in_event;
     event.intention->has_event = true;
     if (event.intention->is_atomic()) {
-      circumstance_.atomic_event = event;
+      circumstance_.atomic_event = std::make_unique<Event>(event);
       return;
     }
   } else {
@@ -231,10 +248,10 @@ void Agent::drop(Intention& intention) {
   for (const IntendedMeans& means : intention.stack) {
     if (means.plan->has_goal_condition) --goal_conditions_;
   }
-  if (!c.pending_events.empty()) std::erase_if(c.pending_events, is_its);
-  if (!c.asks.empty()) std::erase_if(c.asks, is_its);
+  if (!c.pending_events.empty()) erase_if(c.pending_events, is_its);
+  if (!c.asks.empty()) erase_if(c.asks, is_its);
   if (!c.waits.empty())
-    std::erase_if(c.waits, [&](const Wait& wait) {
+    erase_if(c.waits, [&](const Wait& wait) {
       if (wait.intention != intention.id) return false;
       if (wait.has_formula) --formula_waits_;
       return true;
@@ -243,23 +260,23 @@ void Agent::drop(Intention& intention) {
   ++finished_;
 }
 
-void Agent::add_plan(std::shared_ptr<Plan> plan, Place place) {
-  if (own_library_ == nullptr) {
-    own_library_ = std::make_unique<PlanLibrary>(program_->library());
-    library_ = own_library_.get();
+PlanLibrary& Agent::own_library() {
+  if (own().library == nullptr) {
+    own().library = std::make_unique<PlanLibrary>(program_->library());
+    library_ = own().library.get();
   }
-  own_plans_.push_back(plan);
-  place == Place::back ? own_library_->add(std::move(plan))
-                       : own_library_->add_first(std::move(plan));
+  return *own().library;
+}
+
+void Agent::add_plan(std::shared_ptr<Plan> plan, Place place) {
+  own().plans.push_back(plan);
+  place == Place::back ? own_library().add(std::move(plan))
+                       : own_library().add_first(std::move(plan));
 }
 
 void Agent::remove_plan(const Plan& plan) {
-  if (own_library_ == nullptr) {
-    own_library_ = std::make_unique<PlanLibrary>(program_->library());
-    library_ = own_library_.get();
-  }
-  labels_.erase(&plan);
-  own_library_->remove(plan);
+  own().labels.erase(&plan);
+  own_library().remove(plan);
 }
 
 // Not before half of them are finished, so that the cost of one does not grow with their number.
@@ -281,16 +298,25 @@ void Agent::forget_finished() {
   finished_ = 0;
 }
 
-void Agent::collect_garbage() {
-  Circumstance& c = circumstance_;
-  // Plans that were removed stay while some intention uses them.
-  std::erase_if(own_plans_, [&](const std::shared_ptr<Plan>& plan) {
+// Plans that were removed stay while some intention uses them.
+void Agent::forget_removed_plans() {
+  const auto& intentions = circumstance_.intentions;
+  std::erase_if(own_->plans, [&](const std::shared_ptr<Plan>& plan) {
     if (plan.use_count() > 1) return false;
-    return std::none_of(c.intentions.begin(), c.intentions.end(), [&](const auto& intention) {
+    return std::none_of(intentions.begin(), intentions.end(), [&](const auto& intention) {
       return std::any_of(intention->stack.begin(), intention->stack.end(),
                          [&](const IntendedMeans& means) { return means.plan == plan.get(); });
     });
   });
+}
+
+void Agent::collect_garbage() {
+  if (own_ != nullptr) forget_removed_plans();
+  heap_.collect([this](Heap::Relocator& relocate) { visit_roots(relocate); });
+}
+
+void Agent::visit_roots(Heap::Relocator& relocate) {
+  Circumstance& c = circumstance_;
   std::vector<BodyCode*> codes;
   // Shared parts are visited once: a Value that has moved must not be moved again.
   std::unordered_set<Scope*> scopes;
@@ -309,41 +335,41 @@ void Agent::collect_garbage() {
       for (const Cursor& cursor : means.outer) add_code(cursor);
     }
   }
-  heap_.collect([&](Heap::Relocator& relocate) {
-    const auto visit = [&](Value& value) { relocate(value); };
-    beliefs_.visit_terms(visit);
-    for (const auto& plan : own_plans_) plan->visit_terms(visit);
-    for (auto& [plan, label] : labels_) visit(label);
-    for (BodyCode* code : codes) code->visit_terms(visit);
-    for (const auto& intention : c.intentions) intention->visit_terms(visit);
-    for (Event& event : c.events) relocate(event.literal);
-    if (c.atomic_event) relocate(c.atomic_event->literal);
-    for (Event& event : c.pending_events) relocate(event.literal);
-    const auto visit_wait = [&](Wait& wait) {
-      relocate(wait.trigger);
-      relocate(wait.formula);
-      relocate(wait.elapsed);
-    };
-    for (Wait& wait : c.waits) visit_wait(wait);
-    for (PendingAsk& ask : c.asks) {
-      relocate(ask.answer);
-      for (Value& answer : ask.answers) relocate(answer);
-    }
-    for (Task& task : c.tasks) {
-      visit_wait(task.wait);
-      relocate(task.event.literal);
-    }
-    for (auto& [token, event] : c.scheduled) relocate(event.literal);
-    for (GoalDeadline& deadline : c.deadlines) relocate(deadline.goal);
-    for (Scope* const scope : scopes) {
-      for (Value& value : scope->frame) relocate(value);
-    }
-    for (PendingAction& action : c.actions) relocate(action.literal);
-    for (PendingAction& action : c.acting) relocate(action.literal);
-    for (Feedback& feedback : c.feedback) relocate(feedback.literal);
-    for (Message& message : c.mailbox) relocate(message.content);
-    for (Message& message : c.arriving) relocate(message.content);
-  });
+  const auto visit = [&](Value& value) { relocate(value); };
+  beliefs_.visit_terms(visit);
+  if (own_ != nullptr) {
+    for (const auto& plan : own_->plans) plan->visit_terms(visit);
+    for (auto& [plan, label] : own_->labels) visit(label);
+  }
+  for (BodyCode* code : codes) code->visit_terms(visit);
+  for (const auto& intention : c.intentions) intention->visit_terms(visit);
+  for (Event& event : c.events) relocate(event.literal);
+  if (c.atomic_event) relocate(c.atomic_event->literal);
+  for (Event& event : c.pending_events) relocate(event.literal);
+  const auto visit_wait = [&](Wait& wait) {
+    relocate(wait.trigger);
+    relocate(wait.formula);
+    relocate(wait.elapsed);
+  };
+  for (Wait& wait : c.waits) visit_wait(wait);
+  for (PendingAsk& ask : c.asks) {
+    relocate(ask.answer);
+    for (Value& answer : ask.answers) relocate(answer);
+  }
+  for (Task& task : c.tasks) {
+    visit_wait(task.wait);
+    relocate(task.event.literal);
+  }
+  for (auto& [token, event] : c.scheduled) relocate(event.literal);
+  for (GoalDeadline& deadline : c.deadlines) relocate(deadline.goal);
+  for (Scope* const scope : scopes) {
+    for (Value& value : scope->frame) relocate(value);
+  }
+  for (PendingAction& action : c.actions) relocate(action.literal);
+  for (PendingAction& action : c.acting) relocate(action.literal);
+  for (Feedback& feedback : c.feedback) relocate(feedback.literal);
+  for (Message& message : c.mailbox) relocate(message.content);
+  for (Message& message : c.arriving) relocate(message.content);
 }
 
 }  // namespace jaywalk

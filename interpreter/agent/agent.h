@@ -56,6 +56,16 @@ class Agent final : public MachineSurroundings {
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
   void start(std::span<const Predicate> replaced, std::span<const Value> given);
+  /// The same without others, but not before it first reasons or somebody looks at it: so what a
+  /// million agents begin with need not all be there at the same time. REQUIRES: the program's
+  /// start can wait (Program::can_start_later), and nobody observes or customises the agent.
+  void start_later() { starts_later_ = true; }
+  void start_if_due() {
+    if (!starts_later_) return;
+    starts_later_ = false;
+    start({}, {});
+    rest();
+  }
   /// Starts as a copy of another agent with the same program: its beliefs, its plans, its goals and
   /// what it is doing (clone.cpp).
   void copy_from(const Agent& original);
@@ -74,6 +84,7 @@ class Agent final : public MachineSurroundings {
   /// A cycle would do something.
   [[nodiscard]] bool is_active() const {
     const Circumstance& c = circumstance_;
+    if (starts_later_) return true;
     if (!c.mailbox.empty() || !c.feedback.empty() || unseen_ != nullptr) return true;
     if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
     if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
@@ -204,8 +215,9 @@ class Agent final : public MachineSurroundings {
   /// Takes over the beliefs, goals, plans and functions of a program loaded at run time; false,
   /// and nothing of it, if one of its labels is taken: `problem` says so.
   [[nodiscard]] bool include(std::shared_ptr<const Program> program, std::string& problem);
-  [[nodiscard]] const std::vector<std::shared_ptr<const Program>>& included() const {
-    return included_;
+  [[nodiscard]] std::span<const std::shared_ptr<const Program>> included() const {
+    if (own_ == nullptr) return {};
+    return own_->included;
   }
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
@@ -384,6 +396,21 @@ class Agent final : public MachineSurroundings {
   PlanMap copy_plans(const Agent& original, Transfer& transfer);
   void copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans);
 
+  /// What an agent has beyond its program, or instead: plans, functions.
+  struct Own {
+    std::unique_ptr<PlanLibrary> library;      // once the program's has been changed
+    std::vector<std::shared_ptr<Plan>> plans;  // made at run time, perhaps removed again
+    std::vector<std::shared_ptr<const Program>> included;
+    std::vector<RuleFunction> functions;  // if programs are included: those of all
+    std::map<const Plan*, Value> labels;  // of plans whose sources have changed
+    std::uint32_t next_label = 0;
+  };
+  [[nodiscard]] Own& own() {
+    if (own_ == nullptr) own_ = std::make_unique<Own>();
+    return *own_;
+  }
+  [[nodiscard]] PlanLibrary& own_library();
+
   void tidy_up();
   [[nodiscard]] Workspace& work() {
     if (workspace_ == nullptr) borrow_workspace();
@@ -394,6 +421,10 @@ class Agent final : public MachineSurroundings {
   void make_ready(Intention& intention);
   Intention& new_intention();
   void collect_garbage();
+  void visit_roots(Heap::Relocator& relocate);
+  [[nodiscard]] bool begin_first_cycles();
+  void end_first_cycles();
+  void forget_removed_plans();
   void forget_finished();
   void remove_from_running(const Intention& intention);
 
@@ -402,7 +433,7 @@ class Agent final : public MachineSurroundings {
   std::uint32_t cycles_since_look_ = 0;
   std::unique_ptr<Percepts> unseen_;  // of the next cycle that looks, or null
   std::uint64_t seen_looks_ = 0;      // what Percepts::looks was in the last belief update
-  std::size_t seen_mail_ = 0;         // messages of the mailbox that may be handled
+  std::uint32_t seen_mail_ = 0;       // messages of the mailbox that may be handled
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;
   AgentHost& host_;
@@ -411,28 +442,24 @@ class Agent final : public MachineSurroundings {
   BeliefBase beliefs_;
   std::unique_ptr<Workspace> workspace_;  // null while it is at rest
   std::uint64_t max_inferences_;
-  std::vector<RuleFunction> functions_;
   JavaRandom random_;
   Circumstance circumstance_;
   std::shared_ptr<const Customisation> customisation_;
-  const PlanLibrary* library_;
-  std::unique_ptr<PlanLibrary> own_library_;      // once the program's has been changed
-  std::vector<std::shared_ptr<Plan>> own_plans_;  // made at run time, perhaps removed again
-  std::vector<std::shared_ptr<const Program>> included_;
-  std::map<const Plan*, Value> labels_;  // of plans whose sources have changed
-  std::uint32_t next_label_ = 0;
+  const PlanLibrary* library_;  // the program's, or its own
+  std::unique_ptr<Own> own_;    // null: nothing
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
   std::uint32_t number_ = 0;
   std::uint32_t last_message_ = 0;
   std::uint64_t cycles_ = 0;
-  std::size_t finished_ = 0;  // intentions that are finished but not forgotten
+  std::uint32_t finished_ = 0;  // intentions that are finished but not forgotten
   Intention* executing_ = nullptr;
   Intention* deliberating_ = nullptr;  // that of the event for which a plan is looked for
+  bool starts_later_ = false;
   bool uses_subplans_ = false;         // some means has had sub-plans
   bool changed_ = false;               // since waiting formulas were last looked at
-  std::size_t goal_conditions_ = 0;    // means with a goal condition
-  std::size_t formula_waits_ = 0;
+  std::uint32_t goal_conditions_ = 0;  // means with a goal condition
+  std::uint32_t formula_waits_ = 0;
 };
 
 }  // namespace jaywalk

@@ -5,13 +5,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "interpreter/agent/intention.h"
 #include "interpreter/agent/message.h"
 #include "interpreter/support/ring.h"
+#include "interpreter/support/seldom.h"
 
 namespace jaywalk {
 
@@ -81,23 +81,24 @@ struct Feedback {
 };
 
 struct Circumstance {
-  Ring<Event> events;                 // E
-  std::optional<Event> atomic_event;  // of the atomic intention
-  Ring<Intention*> running;           // I, those ready to run
-  Intention* atomic = nullptr;        // the atomic intention, if it is ready to run
-  bool atomic_suspended = false;      // there is one, and it waits
-  Ring<PendingAction> actions;        // PA, for the environment to take, one a tick
-  std::vector<PendingAction> acting;  // PA, taken, awaiting feedback
-  Ring<Feedback> feedback;            // FA
-  std::vector<Event> pending_events;  // PE, of suspended goals
-  std::vector<Wait> waits;
-  std::vector<PendingAsk> asks;
-  std::vector<Task> tasks;
-  std::vector<std::pair<std::uint64_t, Event>> scheduled;  // by timer (.at)
-  std::vector<GoalDeadline> deadlines;
-  Ring<Message> mailbox;          // MB
-  std::vector<Message> arriving;  // sent in this round, to the mailbox at its end
+  Ring<Event> events;                                  // E
+  Ring<Intention*> running;                            // I, those ready to run
   std::vector<std::unique_ptr<Intention>> intentions;  // owns all of them
+  Intention* atomic = nullptr;          // the atomic intention, if it is ready to run
+  std::unique_ptr<Event> atomic_event;  // of the atomic intention, or null
+  bool atomic_suspended = false;        // there is one, and it waits
+  // What many agents never have.
+  Seldom<Ring<Message>> mailbox;              // MB
+  Seldom<std::vector<Message>> arriving;      // sent in this round, to the mailbox at its end
+  Seldom<Ring<PendingAction>> actions;        // PA, for the environment to take, one a tick
+  Seldom<std::vector<PendingAction>> acting;  // PA, taken, awaiting feedback
+  Seldom<Ring<Feedback>> feedback;            // FA
+  Seldom<std::vector<Event>> pending_events;  // PE, of suspended goals
+  Seldom<std::vector<Wait>> waits;
+  Seldom<std::vector<PendingAsk>> asks;
+  Seldom<std::vector<Task>> tasks;
+  Seldom<std::vector<std::pair<std::uint64_t, Event>>> scheduled;  // by timer (.at)
+  Seldom<std::vector<GoalDeadline>> deadlines;
 };
 
 }  // namespace jaywalk

@@ -66,16 +66,18 @@ Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
   PlanMap copies;
   const auto add = [&](const Plan& plan, const Plan& copy) {
     copies.emplace(&plan, &copy);
-    const auto label = original.labels_.find(&plan);
-    if (label != original.labels_.end()) labels_.emplace(&copy, transfer.copy(label->second));
+    if (original.own_ == nullptr) return;
+    const auto label = original.own_->labels.find(&plan);
+    if (label == original.own_->labels.end()) return;
+    own().labels.emplace(&copy, transfer.copy(label->second));
   };
-  if (original.own_library_ == nullptr) {
+  if (original.own_ == nullptr || original.own_->library == nullptr) {
     for (const auto& plan : library_->plans()) add(*plan, *plan);
     return copies;
   }
-  included_ = original.included_;
-  own_library_ = std::make_unique<PlanLibrary>();
-  library_ = own_library_.get();
+  own().included = original.own_->included;
+  own().library = std::make_unique<PlanLibrary>();
+  library_ = own().library.get();
   for (const auto& plan : original.library_->plans()) {
     std::shared_ptr<const Plan> copy = plan;
     if (!plan->source.is_static()) {
@@ -84,11 +86,11 @@ Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
       made->label = transfer.copy(plan->label);
       made->file = plan->file;
       made->line = plan->line;
-      own_plans_.push_back(made);
+      own().plans.push_back(made);
       copy = made;
     }
     add(*plan, *copy);
-    own_library_->add(copy);
+    own().library->add(copy);
   }
   return copies;
 }

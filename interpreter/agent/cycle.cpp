@@ -38,6 +38,7 @@ void Agent::abandon_cycle(const ActionError& error) {
 }
 
 bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
+  start_if_due();
   ActionError error;
   const bool completed = guarded(error, [&] {
     work();
@@ -67,7 +68,7 @@ void Agent::sense() {
   if (++cycles_since_look_ >= settings_.cycles_per_look) {
     cycles_since_look_ = 0;
     perceive_now();
-    seen_mail_ = circumstance_.mailbox.size();
+    seen_mail_ = static_cast<std::uint32_t>(circumstance_.mailbox.size());
   }
   if (seen_mail_ == 0 || circumstance_.mailbox.empty()) return;
   --seen_mail_;

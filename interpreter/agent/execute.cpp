@@ -159,7 +159,7 @@ void Agent::execute_action(Intention& intention, Value term) {
 
 void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   const std::size_t trail = machine().unifier().mark();
-  ActionError error;
+  std::unique_ptr<ActionError> error;
   // The action may drop its own intention, or finish its goal: look at the state afterwards.
   const std::size_t depth = intention.stack.size();
   const Outcome outcome = machine().call(goal, intention.frame(intention.top()), &intention, error);
@@ -181,7 +181,7 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
       return;
     case Outcome::many:
     case Outcome::error:
-      fail(intention, error);
+      fail(intention, error == nullptr ? ActionError{} : *error);
       return;
   }
 }

@@ -66,7 +66,7 @@ void Agent::drop_goal_events(Value goal) {
     return found;
   };
   erase_if(c.events, matches);
-  std::erase_if(c.pending_events, matches);
+  erase_if(c.pending_events, matches);
   if (c.atomic_event && matches(*c.atomic_event)) c.atomic_event.reset();
   for (Intention* const intention : orphaned) drop(*intention);
 }
@@ -80,11 +80,11 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
   if (intention.is_atomic()) c.atomic_suspended = false;
   const auto is_its = [&](const auto& item) { return item.intention == &intention; };
   erase_if(c.events, is_its);
-  std::erase_if(c.pending_events, is_its);
+  erase_if(c.pending_events, is_its);
   if (c.atomic_event && c.atomic_event->intention == &intention) c.atomic_event.reset();
   erase_if(c.actions, is_its);
   erase_if(c.feedback, is_its);
-  std::erase_if(c.waits, [&](const Wait& wait) {
+  erase_if(c.waits, [&](const Wait& wait) {
     if (wait.intention != intention.id) return false;
     if (wait.has_formula) --formula_waits_;
     return true;
@@ -147,7 +147,7 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
     return found;
   };
   erase_if(c.events, take);
-  std::erase_if(c.pending_events, take);
+  erase_if(c.pending_events, take);
   for (const Event& event : ended) {
     if (end == GoalEnd::fail) {
       const ActionError error{.id = "goal_failed", .message = "", .annots = {}};
@@ -213,7 +213,7 @@ void Agent::end_late_goal(Value goal) {
     return is_it;
   };
   erase_if(c.events, take);
-  std::erase_if(c.pending_events, take);
+  erase_if(c.pending_events, take);
   if (c.atomic_event && take(*c.atomic_event)) c.atomic_event.reset();
   for (const Event& event : late) fail_event(event, error);
 }
@@ -270,7 +270,7 @@ void Agent::resume_goal(Value goal) {
     }
   }
   std::vector<Event> moved;
-  std::erase_if(c.pending_events, [&](const Event& event) {
+  erase_if(c.pending_events, [&](const Event& event) {
     const std::size_t trail = machine().unifier().mark();
     const bool found = machine().unifier().unify(goal, event.literal) ||
                        (event.intention != nullptr && has_goal(*event.intention, goal));

@@ -45,14 +45,14 @@ MessageId question_named(std::string_view text) {
 void Agent::process_message() {
   const Message message = circumstance_.mailbox.front();
   circumstance_.mailbox.pop_front();
-  ActionError error;
+  std::unique_ptr<ActionError> error;
   const bool handled = guarded(error, [&] {
     if (answer_arrived(message)) return true;
     const bool is_free = customisation_ == nullptr || !customisation_->accepts_message;
     if (is_free || customisation_->accepts_message(*this, message)) handle_message(message);
     return true;
   });
-  if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error.message));
+  if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error->message));
 }
 
 void Agent::handle_message(const Message& message) {
@@ -103,8 +103,8 @@ MessageId Agent::new_message_id(MessageId::Kind kind) {
 
 void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeout_ms) {
   // An earlier question of this intention is no longer waited for (its goal was ended meanwhile).
-  std::erase_if(circumstance_.asks,
-                [&](const PendingAsk& other) { return other.intention == &intention; });
+  erase_if(circumstance_.asks,
+           [&](const PendingAsk& other) { return other.intention == &intention; });
   if (timeout_ms >= 0) {
     ask.timer = new_token();
     host_.set_timer(*this, host_.now_ms() + timeout_ms, ask.timer);

@@ -7,6 +7,7 @@
 namespace jaywalk {
 
 void Agent::update_percepts(const Percepts& percepts) {
+  start_if_due();
   const bool by_changes = percepts.looks() == seen_looks_ + 1 && beliefs_.knows_percepts();
   seen_looks_ = percepts.looks();
   if (settings_.cycles_per_look > 1) {

@@ -77,9 +77,9 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   }
   if (is_unnamed && plan_with_label(plan->label) != nullptr) plan->label = Value();
   if (!is_literal(plan->label)) {
-    plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++next_label_), 0));
+    plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++own().next_label), 0));
     while (plan_with_label(plan->label) != nullptr) {
-      plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++next_label_), 0));
+      plan->label = Value::atom(symbols_.predicate("p__" + std::to_string(++own().next_label), 0));
     }
   }
   add_plan(plan, place);
@@ -106,17 +106,19 @@ const Plan* Agent::equal_plan(const Plan& plan) const {
 }
 
 Value Agent::label_of(const Plan& plan) const {
-  const auto changed = labels_.find(&plan);
-  return changed == labels_.end() ? plan.label : changed->second;
+  if (own_ == nullptr) return plan.label;
+  const auto changed = own_->labels.find(&plan);
+  return changed == own_->labels.end() ? plan.label : changed->second;
 }
 
 // A plan may be the program's, which others share: what changes is kept apart.
 void Agent::add_plan_source(const Plan& plan, Value source) {
   const Value label = label_of(plan);
   const Value annot = heap_.structure(predicates::source, std::span(&source, 1));
-  labels_[&plan] = with_annotations(heap_, label,
-                                    union_of(heap_, literal_parts(label).annots,
-                                             heap_.pair(annot, Value::empty_list()), symbols_));
+  own().labels[&plan] =
+      with_annotations(heap_, label,
+                       union_of(heap_, literal_parts(label).annots,
+                                heap_.pair(annot, Value::empty_list()), symbols_));
   heap_.protect();
 }
 
@@ -138,7 +140,7 @@ void Agent::remove_plan_source(const Plan& plan, Value source) {
     remove_plan(plan);
     return;
   }
-  labels_[&plan] = with_annotations(heap_, label, annots);
+  own().labels[&plan] = with_annotations(heap_, label, annots);
   heap_.protect();
 }
 
@@ -235,15 +237,12 @@ bool Agent::include(std::shared_ptr<const Program> program, std::string& problem
       return false;
     }
   }
-  if (own_library_ == nullptr) {
-    own_library_ = std::make_unique<PlanLibrary>(program_->library());
-    library_ = own_library_.get();
-  }
-  for (auto& plan : added) own_library_->add(std::move(plan));
-  for (const Program::Function& function : program->functions()) {
-    functions_.push_back({function.name, function.arity, function.predicate});
-  }
-  included_.push_back(program);
+  for (auto& plan : added) own_library().add(std::move(plan));
+  std::vector<RuleFunction>& functions = own().functions;
+  if (functions.empty()) functions = program_->functions();
+  functions.insert(functions.end(), program->functions().begin(), program->functions().end());
+  machine().use_functions(functions);
+  own().included.push_back(program);
   begin(*program, {}, {});
   return true;
 }

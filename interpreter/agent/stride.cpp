@@ -30,9 +30,11 @@ namespace jaywalk {
 std::uint64_t Agent::reason(std::uint64_t most) {
   const std::uint64_t first = cycles_;
   const std::uint64_t last = first + most;
+  const bool is_in_nursery = begin_first_cycles();
   do {
     reasons_plainly() ? stride(last) : cycle();
   } while (cycles_ < last && !host_.has_business() && is_active());
+  if (is_in_nursery) end_first_cycles();
   rest();
   return cycles_ - first;
 }

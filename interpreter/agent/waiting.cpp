@@ -143,8 +143,7 @@ void Agent::check_formulas() {
 }
 
 void Agent::run_tasks() {
-  const std::vector<Task> tasks = std::move(circumstance_.tasks);
-  circumstance_.tasks.clear();
+  const std::vector<Task> tasks = circumstance_.tasks.take();
   std::size_t goal_states = 0;
   for (const Task& task : tasks) {
     if (task.kind == Task::Kind::deadline) {

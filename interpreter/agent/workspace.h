@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/agent/intention.h"
+#include "interpreter/agent/circumstance.h"
 #include "interpreter/logic/machine.h"
 
 namespace jaywalk {
@@ -30,6 +30,31 @@ struct Workspace {
     std::vector<BeliefBase::PerceptChange> news;
   } percept_changes;
   std::vector<std::unique_ptr<Intention>> spare_intentions;
+  // Where an agent's terms stand in the first cycles of its life (term/heap.h).
+  Heap::Remains nursery;
+  Heap::Remains aside;
+
+  /// Memory of queues, which an agent at rest does not need if there is nothing in them.
+  void lend_queues(Circumstance& to) {
+    lend(events_, to.events);
+    lend(running_, to.running);
+    lend(intentions_, to.intentions);
+  }
+  void take_back_queues(Circumstance& from) {
+    lend(from.events, events_);
+    lend(from.running, running_);
+    lend(from.intentions, intentions_);
+  }
+
+ private:
+  template <class Queue>
+  static void lend(Queue& from, Queue& to) {
+    if (from.empty() && to.capacity() == 0) std::swap(from, to);
+  }
+
+  Ring<Event> events_;
+  Ring<Intention*> running_;
+  std::vector<std::unique_ptr<Intention>> intentions_;
 };
 
 /// What is left of an agent: memory for another one with the same program. Nothing that it believed

@@ -106,8 +106,8 @@ bool ActionCall::unify(std::size_t index, Value value) {
 }
 
 Outcome ActionCall::fail(std::string id, std::string message) {
-  error.id = std::move(id);
-  error.message = std::move(message);
+  error().id = std::move(id);
+  error().message = std::move(message);
   return Outcome::error;
 }
 

@@ -163,9 +163,14 @@ class ActionCall {
   [[nodiscard]] Value* slots() { return slots_; }
 
   std::unique_ptr<Solutions> solutions;
-  ActionError error;
+  /// Why it failed, to be filled in; most calls have none.
+  [[nodiscard]] ActionError& error() {
+    if (error_ == nullptr) error_ = std::make_unique<ActionError>();
+    return *error_;
+  }
 
  private:
+  std::unique_ptr<ActionError> error_;
   Machine& machine_;
   const Goal& goal_;
   Value* slots_;

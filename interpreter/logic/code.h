@@ -4,6 +4,7 @@
 // whose slots are filled from the frame of the plan or rule. Made by formula_compiler.h, run by
 // machine.h.
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <vector>
@@ -78,6 +79,13 @@ struct RuleCode {
     head_code.visit_terms(visit);
     body.visit_terms(visit);
   }
+};
+
+/// A function that is a query, `register_function("my.f", Arity, "pred")`.
+struct RuleFunction {
+  Symbol name{};
+  std::uint16_t arity = 0;
+  Predicate predicate{};
 };
 
 }  // namespace jaywalk

@@ -58,13 +58,6 @@ class MachineSurroundings {
   [[nodiscard]] virtual bool interrupted() { return false; }
 };
 
-/// A function that is a query, `register_function("my.f", Arity, "pred")`.
-struct RuleFunction {
-  Symbol name;
-  std::uint16_t arity;
-  Predicate predicate;
-};
-
 /// Whose queries a machine answers.
 struct MachineClient {
   Heap* heap = nullptr;
@@ -95,8 +88,10 @@ class Machine : public FunctionCaller {
   [[nodiscard]] bool solve_term(Value formula);
   void solve_all_terms(Value formula, const std::function<bool()>& solution);
 
-  /// An internal action in a plan body: the first solution's bindings stay.
-  Outcome call(const Goal& goal, Value* slots, Intention* intention, ActionError& error);
+  /// An internal action in a plan body: the first solution's bindings stay. `error` is set with
+  /// Outcome::error.
+  Outcome call(const Goal& goal, Value* slots, Intention* intention,
+               std::unique_ptr<ActionError>& error);
 
   /// Whether a binding on the trail is of a rule's frame, which is gone when the query is done.
   [[nodiscard]] bool is_in_frame(const Value* cell) const { return frames_.contains(cell); }
@@ -106,6 +101,8 @@ class Machine : public FunctionCaller {
   [[nodiscard]] BeliefBase& beliefs() { return *beliefs_; }
   [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
 
+  /// Other functions than those of the client until the next attach().
+  void use_functions(const std::vector<RuleFunction>& functions) { functions_ = &functions; }
   void set_limits(std::uint64_t inferences) { max_inferences_ = inferences; }
   /// Where warnings go if there are no surroundings.
   void set_log(std::function<void(std::string_view)> log) { log_ = std::move(log); }

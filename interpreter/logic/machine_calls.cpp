@@ -9,7 +9,6 @@
 namespace jaywalk {
 
 bool Machine::action(const Goal& goal) {
-  ActionError error;
   if (goal.action == nullptr) {
     warn(fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
     return false;
@@ -37,7 +36,7 @@ bool Machine::action(const Goal& goal) {
     case Outcome::suspended:
       return false;
     case Outcome::error:
-      warn(fmt::format("{}: {}", goal.action->name, call->error.message));
+      warn(fmt::format("{}: {}", goal.action->name, call->error().message));
       return false;
   }
   return false;
@@ -58,25 +57,29 @@ bool Machine::next_solution() {
   return true;
 }
 
-Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention, ActionError& error) {
-  if (goal.action == nullptr) {
-    error.id = "unknown_internal_action";
-    error.message = fmt::format("there is no internal action {}", symbols_.functor(goal.predicate));
+Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention,
+                      std::unique_ptr<ActionError>& error) {
+  const auto give_up = [&error](std::string id, std::string message) {
+    error = std::make_unique<ActionError>();
+    error->id = std::move(id);
+    error->message = std::move(message);
     return Outcome::error;
+  };
+  if (goal.action == nullptr) {
+    return give_up("unknown_internal_action",
+                   fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
   }
   ActionCall call(*this, goal, slots, agent_, intention);
   const auto count = static_cast<int>(call.count());
   if (count < goal.action->least_args ||
       (goal.action->most_args >= 0 && count > goal.action->most_args)) {
-    error.id = "wrong_arguments";
-    error.message = wrong_number_of_arguments(*goal.action);
-    return Outcome::error;
+    return give_up("wrong_arguments", wrong_number_of_arguments(*goal.action));
   }
   Outcome outcome = goal.action->function(call);
   if (outcome == Outcome::many) {
     outcome = call.solutions->next(call) ? Outcome::succeeded : Outcome::failed;
   }
-  if (outcome == Outcome::error) error = std::move(call.error);
+  if (outcome == Outcome::error) error = std::make_unique<ActionError>(std::move(call.error()));
   return outcome;
 }
 

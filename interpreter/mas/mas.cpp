@@ -52,10 +52,14 @@ bool Mas::is_alive(AgentId id) const {
 }
 
 const Agent& Mas::agent(AgentId id) const {
-  return *implementation_->residents()[static_cast<std::uint32_t>(id)].agent;
+  Agent& agent = *implementation_->residents()[static_cast<std::uint32_t>(id)].agent;
+  agent.start_if_due();
+  return agent;
 }
 
-const std::string& Mas::agent_name(AgentId id) const { return agent(id).name(); }
+const std::string& Mas::agent_name(AgentId id) const {
+  return implementation_->residents()[static_cast<std::uint32_t>(id)].agent->name();
+}
 
 std::vector<std::string> Mas::describe_intentions(AgentId id) const {
   const Agent& the_agent = agent(id);

@@ -73,6 +73,10 @@ void Residents::end_round() {
 
 void Residents::list_woken() {
   std::sort(woken_.begin(), woken_.end());
+  if (active_.empty()) {
+    active_.swap(woken_);
+    return;
+  }
   const auto middle = static_cast<std::ptrdiff_t>(active_.size());
   active_.insert(active_.end(), woken_.begin(), woken_.end());
   std::inplace_merge(active_.begin(), active_.begin() + middle, active_.end());

@@ -80,7 +80,6 @@ class Residents {
     if (!woken_.empty()) list_woken();
     return active_.size() == 1 ? &all_[active_.front()] : nullptr;
   }
-  [[nodiscard]] bool has_woken() const { return !woken_.empty(); }
   [[nodiscard]] bool has_leaving() const { return !leaving_.empty(); }
   /// One round: those who may have something to do, in the order of numbers. Whoever is woken until
   /// its end takes part in the next one.

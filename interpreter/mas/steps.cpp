@@ -54,13 +54,15 @@ bool Mas::Implementation::stride() {
   return !ended_;
 }
 
-// Free steps, as long as no other agent takes part and no time passes.
-void Mas::Implementation::reason_alone(Resident& resident) {
+// Free steps, as long as only one agent takes part in each and no time passes: the same one, or one
+// that the last one has sent a message.
+void Mas::Implementation::reason_alone(Resident& first) {
   constexpr std::uint64_t kLongestStride = 64;  // cycles; then the caller may look at the clock
   const std::uint64_t end = outcome_.cycles + kLongestStride;
-  do {
+  Resident* lone = &first;
+  while (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
     const std::uint64_t start = outcome_.cycles;
-    reason(resident, std::min(end - start, kStepsPerMs - busy_steps_));
+    reason(*lone, std::min(end - start, kStepsPerMs - busy_steps_));
     if (ended_) return;
     deliver_messages();
     busy_steps_ += outcome_.cycles - start;
@@ -69,8 +71,10 @@ void Mas::Implementation::reason_alone(Resident& resident) {
       pass_busy_ms();
       return;
     }
-  } while (outcome_.cycles < end && !residents_.has_woken() && !resident.is_leaving &&
-           resident.agent->is_active());
+    residents_.end_round();
+    if (outcome_.cycles >= end || residents_.has_leaving()) return;
+    lone = residents_.lone_active();
+  }
 }
 
 void Mas::Implementation::pass_busy_ms() {

@@ -60,6 +60,11 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
   std::vector<Predicate> replaced;
   std::vector<Value> given;
   agent.customise(spec.customisation);
+  if (spec.parameters.empty() && spec.customisation == nullptr && options_.observer == nullptr &&
+      spec.program->can_start_later()) {
+    agent.start_later();
+    return;
+  }
   ActionError error;
   const bool started = guarded(error, [&] {
     for (const Parameter& parameter : spec.parameters) {
@@ -254,6 +259,7 @@ std::vector<std::string> Mas::Implementation::names() const {
 // Events about the agent itself. Most agents have no plans for them.
 
 void Mas::Implementation::announce(Agent& agent, Predicate predicate, std::span<const Value> args) {
+  agent.start_if_due();
   const Value literal =
       args.empty() ? Value::atom(predicate) : agent.heap().structure(predicate, args);
   agent.add_event({TriggerOperator::add, TriggerKind::belief, literal, nullptr, 0});

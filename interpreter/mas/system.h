@@ -109,7 +109,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason_ahead(Resident& resident, std::uint64_t most, Ahead& ahead);
   void write_held_log();
 
-  void reason_alone(Resident& resident);
+  void reason_alone(Resident& first);
   void pass_busy_ms();
   void look();
   void update_percepts();

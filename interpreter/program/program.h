@@ -28,13 +28,6 @@ class Program {
     std::uint32_t slot_count = 0;
     std::vector<Symbol> slot_names;
   };
-  /// `register_function("my.f", Arity, "pred")`.
-  struct Function {
-    Symbol name;
-    std::uint16_t arity = 0;
-    Predicate predicate{};
-  };
-
   explicit Program(std::string name) : name_(std::move(name)), constants_(Heap::Owner::program) {}
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -47,8 +40,11 @@ class Program {
   }
   [[nodiscard]] const std::vector<Goal>& goals() const { return goals_; }
   [[nodiscard]] const PlanLibrary& library() const { return library_; }
-  [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
+  [[nodiscard]] const std::vector<RuleFunction>& functions() const { return functions_; }
   [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
+  /// There are initial goals, and nobody notices whether an agent starts at once or only when it
+  /// first reasons: it makes no variables and cannot fail, since all goals are ground.
+  [[nodiscard]] bool can_start_later() const;
 
  private:
   friend class ProgramBuilder;
@@ -61,7 +57,7 @@ class Program {
   std::vector<std::pair<Predicate, RuleTable>> rule_tables_;
   std::vector<Goal> goals_;
   PlanLibrary library_;
-  std::vector<Function> functions_;
+  std::vector<RuleFunction> functions_;
 };
 
 }  // namespace jaywalk

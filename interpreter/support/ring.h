@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace jaywalk {
 
@@ -60,7 +60,9 @@ class Ring {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
   /// How many elements there is memory for.
-  [[nodiscard]] std::size_t capacity() const { return slots_.size(); }
+  [[nodiscard]] std::size_t capacity() const {
+    return slots_ == nullptr ? 0 : std::size_t{mask_} + 1;
+  }
 
   /// REQUIRES: there is such an element; so do front(), back() and pop_front().
   [[nodiscard]] T& operator[](std::size_t index) { return slots_[place(index)]; }
@@ -76,7 +78,7 @@ class Ring {
   }
   void push_front(T value) {
     make_room();
-    first_ = static_cast<std::uint32_t>(place(slots_.size() - 1));
+    first_ = static_cast<std::uint32_t>(place(mask_));
     ++size_;
     slots_[first_] = std::move(value);
   }
@@ -119,15 +121,18 @@ class Ring {
   // The number of slots is a power of two.
   [[nodiscard]] std::size_t place(std::size_t index) const { return (first_ + index) & mask_; }
   void make_room() {
-    if (size_ < slots_.size()) return;
-    std::vector<T> wider(std::max<std::size_t>(2, 2 * slots_.size()));
-    std::move(begin(), end(), wider.begin());
+    if (size_ == capacity()) grow();
+  }
+  [[gnu::noinline]] void grow() {
+    const std::size_t capacity = std::max<std::size_t>(1, 2 * std::size_t{size_});
+    auto wider = std::make_unique<T[]>(capacity);
+    std::move(begin(), end(), wider.get());
     slots_ = std::move(wider);
     first_ = 0;
-    mask_ = static_cast<std::uint32_t>(slots_.size() - 1);
+    mask_ = static_cast<std::uint32_t>(capacity - 1);
   }
 
-  std::vector<T> slots_;
+  std::unique_ptr<T[]> slots_;
   std::uint32_t first_ = 0;
   std::uint32_t size_ = 0;
   std::uint32_t mask_ = 0;

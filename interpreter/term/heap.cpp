@@ -52,7 +52,8 @@ Heap::Heap(Owner owner) : static_flag_(owner == Owner::program ? Value::kStatic 
 
 void Heap::grow(std::size_t words) {
   full_bytes_ += used_in_current();
-  const std::size_t last = chunks_.empty() ? kFirstChunkWords / 2 : chunks_.back().size;
+  const std::size_t last =
+      std::max(kFirstChunkWords / 2, chunks_.empty() ? 0 : chunks_.back().size);
   const std::size_t size = std::max(words, std::min(last * 2, kLargestChunkWords));
   if (full_bytes_ + size * sizeof(std::uint64_t) > limit_bytes_) {
     full_bytes_ -= used_in_current();
@@ -67,6 +68,7 @@ Heap::Remains Heap::leave_remains() {
   Remains remains;
   if (!chunks_.empty() && chunks_.front().size == kFirstChunkWords) {
     remains.words_ = std::move(chunks_.front().words);
+    remains.size_ = kFirstChunkWords;
   }
   chunks_.clear();
   objects_.clear();
@@ -76,9 +78,22 @@ Heap::Remains Heap::leave_remains() {
 
 void Heap::use(Remains remains) {
   if (remains.words_ == nullptr) return;
-  chunks_.push_back({std::move(remains.words_), kFirstChunkWords});
+  chunks_.push_back({std::move(remains.words_), remains.size_});
   start_ = top_ = chunks_.back().words.get();
-  end_ = top_ + kFirstChunkWords;
+  end_ = top_ + remains.size_;
+}
+
+Heap::Remains Heap::chunk_of(std::size_t words) {
+  Remains made;
+  if (words == 0) return made;
+  made.words_ = std::make_unique_for_overwrite<std::uint64_t[]>(words);
+  made.size_ = words;
+  return made;
+}
+
+void Heap::enter(Remains& nursery) {
+  if (nursery.words_ == nullptr) nursery = chunk_of(kNurseryWords);
+  use(std::move(nursery));
 }
 
 // The chunk that was current at a mark was full up to where it was left.
@@ -156,7 +171,7 @@ std::vector<Heap::Chunk> Heap::start_collection() {
 }
 
 void Heap::finish_collection() {
-  std::erase_if(objects_, [](const auto& object) { return !object->reached; });
+  erase_if(objects_, [](const auto& object) { return !object->reached; });
   // Before the limit is reached, however much is alive.
   collect_at_ = std::max(kLeastCollection, std::min(2 * bytes(), bytes() / 2 + limit_bytes_ / 2));
 }

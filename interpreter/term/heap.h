@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/support/seldom.h"
 #include "interpreter/term/object.h"
 #include "interpreter/term/value.h"
 
@@ -121,14 +122,32 @@ class Heap {
 
   explicit Heap(Owner owner = Owner::agent);
 
-  /// Memory of a heap that is no more, for one that has not been used yet.
+  /// Memory of a heap, for one that has not been used yet.
   class Remains {
     friend class Heap;
     std::unique_ptr<std::uint64_t[]> words_;  // a first chunk, or null
+    std::size_t size_ = 0;
   };
   /// Ends the heap's life.
   [[nodiscard]] Remains leave_remains();
   void use(Remains remains);
+  /// Nothing has been made here yet.
+  [[nodiscard]] bool is_unused() const { return chunks_.empty(); }
+
+  // Most agents are soon done, and little is left of what they have made until then. So an agent's
+  // heap begins in a nursery that is lent to it, and later moves out into a chunk of just the size
+  // of what is alive.
+  /// Begins in the nursery, which is made if there is none. REQUIRES: is_unused().
+  void enter(Remains& nursery);
+  /// Leaves the nursery; nothing happens if the heap has grown out of it. While it is found out how
+  /// much is alive, that stands in `aside`.
+  template <class VisitRoots>
+  void leave(Remains& nursery, Remains& aside, VisitRoots&& visit_roots) {
+    if (chunks_.size() != 1 || chunks_.front().size != kNurseryWords) return;
+    if (aside.words_ == nullptr) aside = chunk_of(kNurseryWords);
+    nursery = collect_into(std::move(aside), visit_roots);
+    aside = collect_into(chunk_of(bytes() / sizeof(std::uint64_t)), visit_roots);
+  }
 
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
@@ -237,21 +256,37 @@ class Heap {
   };
   template <class VisitRoots>
   void collect(VisitRoots&& visit_roots) {
+    (void)collect_into({}, visit_roots);
+  }
+
+ private:
+  static constexpr std::size_t kNurseryWords = 512;
+  struct Chunk {
+    std::unique_ptr<std::uint64_t[]> words;
+    std::size_t size = 0;
+  };
+
+  /// Moves what is alive into a first chunk of its own, as far as it fits; what is left is the
+  /// first of the old ones.
+  template <class VisitRoots>
+  Remains collect_into(Remains first, VisitRoots& visit_roots) {
     const std::size_t limit = limit_bytes_;
     limit_bytes_ = std::size_t(-1);  // what is alive fits: it was there before
-    const std::vector<Chunk> old = start_collection();
+    std::vector<Chunk> old = start_collection();
+    use(std::move(first));
     Relocator relocate(*this);
     visit_roots(relocate);
     relocate.drain();
     limit_bytes_ = limit;
     finish_collection();
+    Remains left;
+    if (!old.empty()) {
+      left.words_ = std::move(old.front().words);
+      left.size_ = old.front().size;
+    }
+    return left;
   }
-
- private:
-  struct Chunk {
-    std::unique_ptr<std::uint64_t[]> words;
-    std::size_t size = 0;
-  };
+  [[nodiscard]] static Remains chunk_of(std::size_t words);
 
   [[nodiscard]] std::uint64_t* allocate(std::size_t words) {
     if (static_cast<std::size_t>(end_ - top_) < words) grow(words);
@@ -278,7 +313,7 @@ class Heap {
   std::uint64_t static_flag_ = 0;
   std::uint64_t next_serial_ = 1;
   std::uint64_t next_object_ = 1;
-  std::vector<std::unique_ptr<Object>> objects_;
+  Seldom<std::vector<std::unique_ptr<Object>>> objects_;
 };
 
 /// The one-element list [source(self)], [source(percept)]; made once, never moved.

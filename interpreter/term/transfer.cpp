@@ -1,5 +1,6 @@
 #include "interpreter/term/transfer.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -7,6 +8,27 @@
 #include <vector>
 
 namespace jaywalk {
+namespace {
+
+// All parts of the literal are the same in any heap.
+bool is_flat(const Structure& literal) {
+  const Value* const cells = literal.cells();
+  const std::size_t count = literal.arity + (literal.is_annotated() ? 1U : 0U);
+  return std::all_of(cells, cells + count, [](Value part) {
+    return part.is_number() || part.is_atom() || part.is_empty_list() ||
+           (part.is_static() && part.is_closed());
+  });
+}
+
+}  // namespace
+
+Value transfer(Value term, Heap& to) {
+  if (is_form(term, Form::literal) && !term.is_static() && is_flat(*term.structure())) {
+    const Structure& literal = *term.structure();
+    return to.structure(literal.predicate(), literal.arg_span(), literal.annots());
+  }
+  return Transfer(to).copy(term);
+}
 
 Value Transfer::copy(Value term) {
   term = deref(term);

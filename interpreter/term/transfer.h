@@ -25,6 +25,6 @@ class Transfer {
   int depth_ = 0;
 };
 
-[[nodiscard]] inline Value transfer(Value term, Heap& to) { return Transfer(to).copy(term); }
+[[nodiscard]] Value transfer(Value term, Heap& to);
 
 }  // namespace jaywalk

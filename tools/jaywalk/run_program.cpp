@@ -111,15 +111,16 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Sy
 }
 
 /// `folder` is the one of the program or project.
-ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::string& folder,
+ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
                      const Limits& limits, const Arguments& arguments, Console& console) {
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
-  const std::vector<AgentSpec> agents = compile_all(sources, *symbols, diagnostics);
+  std::vector<AgentSpec> agents = compile_all(sources, *symbols, diagnostics);
   console.report(diagnostics);
   if (agents.empty() && diagnostics.has_errors()) return ExitCode::usage;
   MasOptions options = limits.mas;
   const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
+  sources = {};  // which has a name for each of perhaps very many agents, as the agents have
   options.load_program =
       [loader = std::make_shared<ProgramLoader>(std::vector{folder}, include_path)](
           const ProgramRequest& request, SymbolTable& run_symbols, std::string& error) {
@@ -138,6 +139,7 @@ ExitCode run_sources(const std::vector<ProgramSource>& sources, const std::strin
   }
   Mas mas(symbols, std::move(options), nullptr);
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
+  agents = {};
   const ExitCode code = run_to_end(mas, limits, console);
   if (observer &&
       !write_coverage(arguments, locate_in_files(probes, observer->counts()), console)) {
@@ -170,10 +172,10 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   if (!limits || !include_path) return ExitCode::usage;
   Diagnostics diagnostics;
   const JavaParts java = arguments.has("ignore-java") ? JavaParts::ignored : JavaParts::refused;
-  const auto sources = read_project_agents(path, *include_path, java, diagnostics);
+  auto sources = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
   if (!sources) return ExitCode::usage;
-  return run_sources(*sources, folder_of(path), *limits, arguments, console);
+  return run_sources(std::move(*sources), folder_of(path), *limits, arguments, console);
 }
 
 }  // namespace jaywalk

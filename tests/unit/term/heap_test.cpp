@@ -155,6 +155,43 @@ TEST(Heap, CollectsObjectsThatNameOneAnotherInACircle) {
   EXPECT_EQ(alive, 0);
 }
 
+TEST(Heap, TakesWhatIsAliveAlongWhenItLeavesItsNursery) {
+  Heap::Remains nursery;
+  Heap::Remains aside;
+  Heap heap;
+  heap.enter(nursery);
+  const Value first = heap.pair(Value::number(1), Value::empty_list());
+  Value kept = heap.pair(heap.text("alive"), first);
+  Value none = Value::number(2);
+  for (int i = 0; i < 50; ++i) (void)heap.text("rubbish");
+  heap.leave(nursery, aside, [&](Heap::Relocator& relocate) {
+    relocate(kept);
+    relocate(none);
+  });
+  EXPECT_EQ(heap.bytes(), 6 * sizeof(std::uint64_t));
+  EXPECT_EQ(kept.pair()->head.text()->view(), "alive");
+  EXPECT_EQ(kept.pair()->tail.pair()->head.as_number(), 1);
+  // Another heap lives where it has lived.
+  Heap second;
+  second.enter(nursery);
+  for (int i = 0; i < 50; ++i) (void)second.text("others");
+  EXPECT_EQ(kept.pair()->head.text()->view(), "alive");
+  EXPECT_EQ(heap.text("more").text()->view(), "more");
+}
+
+TEST(Heap, StaysInANurseryThatItHasGrownOutOf) {
+  Heap::Remains nursery;
+  Heap::Remains aside;
+  Heap heap;
+  heap.enter(nursery);
+  Value kept = heap.text("alive");
+  for (int i = 0; i < 500; ++i) (void)heap.text("very much");
+  const std::size_t bytes = heap.bytes();
+  heap.leave(nursery, aside, [&](Heap::Relocator& relocate) { relocate(kept); });
+  EXPECT_EQ(heap.bytes(), bytes);
+  EXPECT_EQ(kept.text()->view(), "alive");
+}
+
 TEST(Heap, CollectsAgainAndAgain) {
   test::Terms terms;
   Value root = terms.term("[1,f(X,[2,3]),\"s\"]");

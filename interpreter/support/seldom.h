@@ -1,0 +1,73 @@
+#pragma once
+
+// A container that most of its owners never put anything into: a single pointer until the first
+// element comes. It has as much of the container's interface as is needed.
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace jaywalk {
+
+template <class Container>
+class Seldom {
+ public:
+  using value_type = typename Container::value_type;
+  using iterator = typename Container::iterator;
+  using const_iterator = typename Container::const_iterator;
+
+  [[nodiscard]] bool empty() const { return all_ == nullptr || all_->empty(); }
+  [[nodiscard]] std::size_t size() const { return all_ == nullptr ? 0 : all_->size(); }
+
+  [[nodiscard]] iterator begin() { return all_ == nullptr ? iterator{} : all_->begin(); }
+  [[nodiscard]] iterator end() { return all_ == nullptr ? iterator{} : all_->end(); }
+  [[nodiscard]] const_iterator begin() const {
+    return all_ == nullptr ? const_iterator{} : std::as_const(*all_).begin();
+  }
+  [[nodiscard]] const_iterator end() const {
+    return all_ == nullptr ? const_iterator{} : std::as_const(*all_).end();
+  }
+
+  /// REQUIRES: there is such an element; so do the others as far as they take one.
+  [[nodiscard]] value_type& operator[](std::size_t index) { return (*all_)[index]; }
+  [[nodiscard]] value_type& front() { return all_->front(); }
+  [[nodiscard]] value_type& back() { return all_->back(); }
+  void pop_front() { all_->pop_front(); }
+  void pop_back() { all_->pop_back(); }
+  void erase(iterator position) { all_->erase(position); }
+
+  void push_back(value_type value) { all().push_back(std::move(value)); }
+  template <class... Parts>
+  void emplace_back(Parts&&... parts) {
+    all().emplace_back(std::forward<Parts>(parts)...);
+  }
+  void clear() {
+    if (all_ != nullptr) all_->clear();
+  }
+  /// The elements, which leave.
+  [[nodiscard]] Container take() {
+    return all_ == nullptr ? Container{} : std::exchange(*all_, Container{});
+  }
+  /// The container itself, from now on.
+  [[nodiscard]] Container& all() {
+    if (all_ == nullptr) all_ = std::make_unique<Container>();
+    return *all_;
+  }
+
+ private:
+  std::unique_ptr<Container> all_;
+};
+
+/// As std::erase_if and std::erase for the standard containers.
+template <class Container, class Predicate>
+std::size_t erase_if(Seldom<Container>& seldom, Predicate predicate) {
+  if (seldom.empty()) return 0;
+  using std::erase_if;
+  return erase_if(seldom.all(), predicate);
+}
+template <class Container, class T>
+std::size_t erase(Seldom<Container>& seldom, const T& value) {
+  return erase_if(seldom, [&](const auto& element) { return element == value; });
+}
+
+}  // namespace jaywalk
