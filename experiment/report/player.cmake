@@ -3,5 +3,3 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS report/player.htm
 file(READ report/player.html JAYWALK_PLAYER_HTML)
 configure_file(report/player.html.h.in ${generated}/experiment/report/player.html.h @ONLY)
 target_sources(jaywalk_experiment PRIVATE report/player.cpp)
-# It alone looks into agents, whose contexts have a Verdict of their own (agent/operands.h).
-set_source_files_properties(report/player.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -33,19 +33,50 @@
 #include "interpreter/agent/operands.h"
 
 namespace jaywalk {
+// A number, an expression, or a function of numbers, `math.abs(Y - A) + R`.
+bool Context::evaluate(Value term, double& number) {
+  if (is_known_number(term, frame_, number)) return true;
+  if (!term.is_structure() || term.structure()->arity > 2) return false;
+  const Structure& s = *term.structure();
+  std::array<double, 2> operands{};
+  for (std::size_t i = 0; i < s.arity; ++i) {
+    if (!evaluate(s.arg(i), operands[i])) return false;
+  }
+  if (s.form() == Form::expression && s.arity == 2) {
+    const std::optional<double> value = calculate(s.predicate(), operands[0], operands[1]);
+    number = value.value_or(0);
+    return value.has_value();
+  }
+  const std::array<Value, 2> args{Value::number(operands[0]), Value::number(operands[1])};
+  Value value;
+  if (s.form() != Form::function ||
+      !machine_.call_of_numbers(s.predicate(), std::span(args).first(s.arity), value)) {
+    return false;
+  }
+  number = value.is_number() ? value.as_number() : 0;
+  return value.is_number();
+}
+
+[[gnu::always_inline]] inline bool Context::find_operand(Value term, Value& value) {
+  if (known_operand(term, frame_, value)) return true;
+  double number = 0;
+  if (!term.is_structure() || !evaluate(term, number)) return false;
+  value = Value::number(number);
+  return true;
+}
+
 [[gnu::always_inline]] inline Decision Context::compare(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value left;
   Value right;
-  if (!known_operand(sides[0], frame_, left) || !known_operand(sides[1], frame_, right))
-    return Decision::open;
+  if (!find_operand(sides[0], left) || !find_operand(sides[1], right)) return Decision::open;
   return compare_known(goal.predicate, left, right);
 }
 
 Decision Context::unify(const Goal& goal) {
   const Value* const sides = goal.term.structure()->args();
   Value right;
-  if (!known_operand(sides[1], frame_, right)) return Decision::open;
+  if (!find_operand(sides[1], right)) return Decision::open;
   if (sides[0].is_slot() && frame_[sides[0].slot_index()].is_unset()) {
     if (Unifier::is_of_other_namespace(right) || count_ == kMostSlots) return Decision::open;
     set(frame_ + sides[0].slot_index(), right);
@@ -105,10 +136,7 @@ Decision Context::prove(const Goal* goal) {
   return decision;
 }
 
-bool Context::solve_by_machine(const Goal& goal) {
-  number_variables();
-  return machine_.solve(&goal, frame_);
-}
+bool Context::solve_by_machine(const Goal& goal) { return machine_.solve(&goal, frame_); }
 
 // Within it nothing is left to the machine: that would prove what follows the negation, too.
 Decision Context::negation(const Goal& goal) {
@@ -125,7 +153,6 @@ Decision Context::negation(const Goal& goal) {
 [[gnu::always_inline]] inline Decision Context::query(const Goal& goal, bool& is_rest_proved) {
   Relation* const relation = beliefs_.find(goal.predicate);
   if (relation == nullptr) return Decision::fails;
-  if (rules_ > 0) count_variables(goal);
   if (relation->has_rules()) {
     is_rest_proved = true;
     return rule_query(goal, *relation);
@@ -220,8 +247,6 @@ Decision Context::rule_query(const Goal& goal, Relation& relation) {
   if (table == nullptr || rules_ == kMostRules) return Decision::open;
   const std::span<const RuleTable::Candidate> rules = table->candidates();
   const std::size_t count = rules.size();
-  const std::size_t variables = variables_;
-  if (rules_ == 0) count_variables(goal);
   Decision decision = Decision::fails;
   for (std::size_t i = 0; i < count && decision == Decision::fails; ++i) {
     choices_ += i + 1 < count ? 1U : 0U;
@@ -230,7 +255,6 @@ Decision Context::rule_query(const Goal& goal, Relation& relation) {
     --rules_;
     choices_ -= i + 1 < count ? 1U : 0U;
   }
-  if (decision == Decision::open) variables_ = variables;  // the machine will make them
   return decision;
 }
 
@@ -238,7 +262,6 @@ Decision Context::rule_query(const Goal& goal, Relation& relation) {
 Decision Context::rule(const Goal& goal, const RuleCode& rule) {
   if (rule.slot_count > kMostRuleSlots || ++entries_ > kMostEntries) return Decision::open;
   std::array<Value, kMostRuleSlots> slots;
-  std::uint32_t open = 0;
   const std::vector<HeadStep>& head = rule.head_code.steps();
   for (const HeadStep& step : head) {
     const Value arg = goal.args()[step.argument];
@@ -249,16 +272,16 @@ Decision Context::rule(const Goal& goal, const RuleCode& rule) {
       if (Unifier::is_of_other_namespace(value)) return Decision::fails;
       if (step.kind == HeadStep::Kind::first) {
         slots[step.slot] = value;
-        open |= is_free ? 1U << step.slot : 0U;
       }
-    } else if (step.kind == HeadStep::Kind::constant && !is_free) {
+    } else if (step.kind == HeadStep::Kind::constant) {
+      if (is_free) continue;  // who asks gets it at the end
       const Decision decision = unify_known(step.term, value);
       if (decision != Decision::holds) return decision;
     } else {
       return Decision::open;
     }
   }
-  Call call{&goal, &head, frame_, call_, open};
+  Call call{&goal, &head, frame_, call_};
   const std::size_t mark = count_;
   call_ = &call;
   frame_ = slots.data();
@@ -293,7 +316,9 @@ Decision Context::leave_rule() {
   for (const HeadStep& step : *done.head) {
     const Value arg = done.query->args()[step.argument];
     if (!arg.is_slot() || !done.frame[arg.slot_index()].is_unset()) continue;
-    const Value found = step.kind == HeadStep::Kind::first ? deref(slots[step.slot]) : Value();
+    Value found;
+    if (step.kind == HeadStep::Kind::first) found = deref(slots[step.slot]);
+    if (step.kind == HeadStep::Kind::constant) found = step.term;
     if (found.is_unset() || !found.is_closed() || Unifier::is_of_other_namespace(found) ||
         count_ == kMostSlots || is_twice(*done.query, arg)) {
       undo(mark);
@@ -316,24 +341,6 @@ Decision Context::leave_rule() {
 bool Context::is_twice(const Goal& query, Value arg) {
   const std::span<const Value> args = query.args();
   return std::count_if(args.begin(), args.end(), [arg](Value v) { return v.same_as(arg); }) > 1;
-}
-
-// A machine makes a variable for each slot without a value that it asks for, unless one of who
-// asks stands there: they count as made, since variables show their numbers.
-void Context::count_variables(const Goal& goal) {
-  const std::span<const Value> args = goal.args();
-  for (std::size_t i = 0; i < args.size(); ++i) {
-    if (!args[i].is_slot() || !frame_[args[i].slot_index()].is_unset()) continue;
-    const bool is_callers = call_ != nullptr && (call_->open >> args[i].slot_index() & 1U) != 0;
-    const auto is_it = [&](Value other) { return other.same_as(args[i]); };
-    if (!is_callers &&
-        std::none_of(args.begin(), args.begin() + static_cast<std::ptrdiff_t>(i), is_it))
-      ++variables_;
-  }
-}
-
-void Context::number_variables() {
-  for (; variables_ > 0; --variables_) machine_.heap().skip_variable();
 }
 
 // The operands are expressions themselves, or the operator is a rarer one.

@@ -34,13 +34,14 @@ class Context {
   /// want to undo them.
   [[nodiscard]] bool solve(const Goal* entry) {
     holds_ = entry == nullptr || prove(entry) == Decision::holds;
-    if (variables_ > 0) number_variables();
     return holds_;
   }
 
  private:
   [[nodiscard]] Decision prove(const Goal* goal);
   [[nodiscard]] Decision test(const Goal& goal);
+  [[nodiscard]] bool evaluate(Value term, double& number);
+  [[nodiscard]] bool find_operand(Value term, Value& value);
   [[nodiscard]] Decision query(const Goal& goal, bool& is_rest_proved);
   [[nodiscard]] Decision negation(const Goal& goal);
   [[nodiscard]] Decision compare(const Goal& goal);
@@ -55,8 +56,6 @@ class Context {
   [[nodiscard]] static bool is_twice(const Goal& query, Value arg);
   [[nodiscard]] bool solve_by_machine(const Goal& goal);
   void forget(std::size_t mark, std::span<const Value> slots);
-  void count_variables(const Goal& goal);
-  void number_variables();
   void set(Value* slot, Value value) {
     *slot = value;
     set_[count_++] = slot;
@@ -71,7 +70,6 @@ class Context {
     const std::vector<HeadStep>* head;
     Value* frame;  // of who asks
     const Call* outer;
-    std::uint32_t open;  // its slots, as bits, that stand for slots of who asks without a value
   };
 
   static constexpr std::size_t kMostSlots = 32;
@@ -92,7 +90,6 @@ class Context {
   std::uint32_t choices_ = 0;  // queries in progress that may have another solution; negations
   std::uint32_t rules_ = 0;    // in progress, what follows them included
   std::uint32_t entries_ = 0;  // into rules
-  std::size_t variables_ = 0;  // that are still to be counted as made
   const Call* call_ = nullptr;
   std::array<Value*, kMostSlots> set_;
 };

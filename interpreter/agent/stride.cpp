@@ -297,8 +297,6 @@ bool Agent::forget_one(Predicate predicate) {
     const Structure& fact = *row.fact.structure();
     if (fact.arity == 0 || !fact.annots().same_as(source_self())) return false;
     const Value forgotten = row.fact;
-    // Elsewhere the pattern of what goes has variables.
-    for (std::size_t i = 0; i < fact.arity; ++i) heap_.skip_variable();
     beliefs_.erase(*relation, seq);
     add_event({TriggerOperator::remove, TriggerKind::belief, forgotten, nullptr, 0});
     return true;

@@ -97,7 +97,6 @@ void Machine::record_slots(const Goal& goal, SlotSet free, Recorded recorded) {
 
 bool Machine::query_facts(const Relation& relation, const Goal& goal) {
   const SlotSet free = free_slots(goal, environment_->slots);
-  for (SlotSet left = free; left != 0; left &= left - 1) heap().skip_variable();
   std::int64_t seq = next_fact(relation, relation.end_seq(), goal, free);
   while (seq != RowIndex::kNone) {
     const std::int64_t next = next_fact(relation, seq, goal, free);

@@ -1,8 +1,10 @@
 #include "interpreter/term/print.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -76,7 +78,7 @@ class Printer {
         out_ += '"';
         return;
       case Value::Kind::variable:
-        append_variable_name(out_, *value.variable(), symbols_);
+        variable(*value.variable());
         return;
       case Value::Kind::special:
         special(value);
@@ -97,6 +99,18 @@ class Printer {
   }
 
  private:
+  // What has no name gets a number, in the order of the text: that of its making would tell how the
+  // engine came to it, which differs with and without observers.
+  void variable(const Variable& variable) {
+    if (variable.name() != names::unnamed) {
+      out_ += symbols_.text(variable.name());
+      return;
+    }
+    auto found = std::find(unnamed_.begin(), unnamed_.end(), &variable);
+    if (found == unnamed_.end()) found = unnamed_.insert(found, &variable);
+    out_ += fmt::format("_{}", found - unnamed_.begin() + 1);
+  }
+
   void text(std::string_view content) {
     if (strings_ == Strings::as_they_are) {
       out_ += content;
@@ -331,6 +345,7 @@ class Printer {
   const SymbolTable& symbols_;
   Strings strings_;
   TermWalk walk_;
+  std::vector<const Variable*> unnamed_;
 };
 
 }  // namespace
@@ -357,14 +372,6 @@ std::string number_text(double value) {
   return out;
 }
 
-void append_variable_name(std::string& out, const Variable& variable, const SymbolTable& symbols) {
-  if (variable.name() == names::unnamed) {
-    out += fmt::format("_{}", variable.serial);
-  } else {
-    out += symbols.text(variable.name());
-  }
-}
-
 void append_term(std::string& out, Value term, const SymbolTable& symbols) {
   Printer(out, symbols).term(term);
 }
@@ -386,7 +393,7 @@ void append_argument(std::string& out, Value term, const SymbolTable& symbols) {
   if (term.is_text()) {
     out += term.text()->view();
   } else if (term.is_variable()) {
-    append_variable_name(out, *term.variable(), symbols);
+    append_term(out, term, symbols);
     out += "<no-value>";
   } else {
     append_term(out, term, symbols);

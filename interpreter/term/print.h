@@ -15,15 +15,13 @@ namespace jaywalk {
 void append_number(std::string& out, double value);
 [[nodiscard]] std::string number_text(double value);
 
-/// Appends a term. Strings stand in quotes, their content as it is; bound variables are followed.
+/// Appends a term. Strings stand in quotes, their content as it is; bound variables are followed,
+/// unbound ones have their names, or are `_1`, `_2`, ... in the order of the text.
 void append_term(std::string& out, Value term, const SymbolTable& symbols);
 [[nodiscard]] std::string term_text(Value term, const SymbolTable& symbols);
 
 /// The term as it would be written in a program: strings are escaped so that they read back.
 [[nodiscard]] std::string source_text(Value term, const SymbolTable& symbols);
-
-/// The name of an unbound variable: as written, or `_12` if it was renamed or unnamed.
-void append_variable_name(std::string& out, const Variable& variable, const SymbolTable& symbols);
 
 /// As `.print` and `.concat` show an argument: strings without quotes, an unbound variable as
 /// `X<no-value>`.

@@ -50,6 +50,15 @@ const std::vector<StrideRow> kRows{
      "+!fib(N, F) : N > 1 <- !fib(N-1, A); !fib(N-2, B); F = A+B."},
     {"a result that stays open", "!s. +!s <- !g(X, Y); .print(X, Y). +!g(A, A)."},
     {"a result in a structure", "!s. +!s <- !g(X); .print(X). +!g(f(A, 1, _))."},
+    {"what has no name",
+     "b(1). b(2). d(_, 7). r(X) :- b(X) & d(_, _)."
+     "!s(2). +!s(0). +!s(N) : b(X) & d(P, _) & r(X) <- L = [_, P, _]; .print(L); !s(N-1)."},
+    {"rules with functions and constants",
+     "at(3, 8). dist(D) :- at(X, Y) & row(X, R) & D = math.abs(X - Y) + R. "
+     "row(X, 1) :- X < 2. row(X, R) :- X > 5 & R = X - 5. row(X, 0) :- X >= 2 & X <= 5. "
+     "!s(9). +!s(0). +!s(N) : dist(D) & D < N <- .print(far, N, D); !s(N-1). "
+     "+!s(N) : dist(D) & not D == math.max(N, 2) <- .print(near, N, D); !s(N-1). "
+     "+!s(N) : row(3, R) <- .print(at, N, R); !s(N-1)."},
     {"the same variable twice", "!s. +!s <- !g(X, X); .print(X). +!g(A, B) <- A = 3; .print(B)."},
     {"two variables that are one", "!s. +!s <- X = Y; !g(X, Y); .print(X, Y). +!g(1, B)."},
     {"a result of several levels",

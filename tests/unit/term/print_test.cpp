@@ -44,6 +44,14 @@ TEST(Print, LiteralsAndLists) {
   });
 }
 
+// Not by when they were made: that depends on how the engine came to them.
+TEST(Print, NumbersWhatHasNoNameInTheOrderOfTheText) {
+  expect_printed({
+      {"f(_, X, [_, a])", "f(_1,X,[_2,a])"},
+      {"_", "_1"},
+  });
+}
+
 TEST(Print, ExpressionsAndFormulas) {
   expect_printed({
       {"X + 1", "(X+1)"},
