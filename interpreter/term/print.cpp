@@ -100,8 +100,9 @@ class Printer {
 
  private:
   // What has no name gets a number, in the order of the text: that of its making would tell how the
-  // engine came to it, which differs with and without observers.
-  void variable(const Variable& variable) {
+  // engine came to it, which differs with and without observers. Not in line: the stack it takes
+  // would be taken on every level of a term.
+  [[gnu::noinline]] void variable(const Variable& variable) {
     if (variable.name() != names::unnamed) {
       out_ += symbols_.text(variable.name());
       return;
