@@ -270,9 +270,7 @@ Decision Context::rule(const Goal& goal, const RuleCode& rule) {
     if (!is_free && !known_operand(arg, frame_, value)) return Decision::open;
     if (step.kind == HeadStep::Kind::any || step.kind == HeadStep::Kind::first) {
       if (Unifier::is_of_other_namespace(value)) return Decision::fails;
-      if (step.kind == HeadStep::Kind::first) {
-        slots[step.slot] = value;
-      }
+      if (step.kind == HeadStep::Kind::first) slots[step.slot] = value;
     } else if (step.kind == HeadStep::Kind::constant) {
       if (is_free) continue;  // who asks gets it at the end
       const Decision decision = unify_known(step.term, value);
