@@ -36,9 +36,11 @@ bool differ(Value constant, Value value) {
 
 // The literal of a goal or belief, with source(self) and with its variables as they are, if its
 // arguments are constants, variables, numbers and ground terms; else null, and nothing has changed.
-// A variable without a value is, in a goal's literal, the slot itself.
-[[gnu::always_inline]] inline Structure* Agent::literal_for_event(Intention& intention,
-                                                                  const Step& step, bool& is_open) {
+// A variable without a value is, in a goal's literal, the slot itself. Used by stride.cpp as well,
+// which in builds that compile each file alone links to the copy that is emitted here.
+[[gnu::always_inline, gnu::used]] inline Structure* Agent::literal_for_event(Intention& intention,
+                                                                             const Step& step,
+                                                                             bool& is_open) {
   if (step.plain == nullptr || step.plain->args.empty()) {
     return literal_of_terms(intention, step.term, is_open);
   }
@@ -258,8 +260,8 @@ bool Agent::try_plain_plan(const Plan& plan, Value literal) {
 }
 
 // The plans that an event may be for: known from the formula that makes it, as long as the agent
-// has no plans of its own.
-inline const PlanList& Agent::plans_for(const Step& step, const Event& event) {
+// has no plans of its own. stride.cpp links to the copy that is emitted here.
+[[gnu::used]] inline const PlanList& Agent::plans_for(const Step& step, const Event& event) {
   const PlainStep* const plain = step.plain;
   return plain != nullptr && plain->library == library_ ? *plain->plans : plans_for(event);
 }
