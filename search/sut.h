@@ -12,6 +12,10 @@
 
 #include "search/test_input.h"
 
+namespace jaywalk::lane {
+struct DriveSettings;
+}
+
 namespace jaywalk::search {
 
 class RoadSpace;
@@ -63,6 +67,8 @@ class SutModel {
   [[nodiscard]] virtual std::unique_ptr<Sut> make() const = 0;
   /// The same space if it is one of roads, which have pictures and exports; else null.
   [[nodiscard]] virtual const RoadSpace* road_space() const { return nullptr; }
+  /// How the car drives if this program simulates it; else null.
+  [[nodiscard]] virtual const lane::DriveSettings* drive() const { return nullptr; }
 };
 
 /// The index of a measure of that name, if there is one.

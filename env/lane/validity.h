@@ -18,6 +18,8 @@ struct RoadRules {
   double least_length_m = 20;
   /// In feet, as the competition has it: 14.3256 m.
   double least_radius_ft = 47;
+
+  friend bool operator==(const RoadRules&, const RoadRules&) = default;
 };
 
 struct RoadVerdict {

@@ -11,6 +11,7 @@
 #include "experiment/report/page.h"
 #include "experiment/report/plot.h"
 #include "interpreter/support/markup.h"
+#include "search/report/published.h"
 #include "search/report/roads.h"
 
 namespace jaywalk::search {
@@ -19,21 +20,6 @@ namespace {
 using Generators = std::vector<GeneratorResults>;
 
 constexpr std::size_t kCurvePoints = 20;
-
-/// Table 1 of Peltomäki, Spencer and Porres 2022: means and standard deviations over 20 runs.
-struct Published {
-  std::string_view quantity;
-  std::string_view random;
-  std::string_view wogan;
-  std::string_view frenetic;
-};
-constexpr std::array kPublished = {
-    Published{"executed tests", "337.7 (2.28)", "253.8 (14.54)", "201.25 (11.56)"},
-    Published{"failing tests", "8.70 (3.81)", "31.30 (11.61)", "21.50 (6.74)"},
-    Published{"mean fitness, final 80 %", "0.25 (0.01)", "0.50 (0.04)", "0.65 (0.03)"},
-    Published{"mean fitness, final 20 %", "0.26 (0.03)", "0.59 (0.03)", "0.68 (0.04)"},
-    Published{"diversity of failing tests", "16.41 (4.66)", "11.51 (4.59)", "16.85 (2.05)"},
-};
 
 std::vector<std::string> names_of(const Generators& generators) {
   std::vector<std::string> names;
@@ -79,19 +65,6 @@ std::string results(const Generators& generators) {
             reporting::paragraph("p-values of Wilcoxon’s signed-rank test.") + pairs.html();
   }
   return html;
-}
-
-std::string published() {
-  reporting::Table table;
-  table.column("", reporting::Align::left);
-  for (const std::string_view name : {"Random", "WOGAN", "Frenetic"}) table.column(name);
-  for (const Published& row : kPublished) {
-    table.row({std::string(row.quantity), std::string(row.random), std::string(row.wogan),
-               std::string(row.frenetic)});
-  }
-  return reporting::paragraph(
-             "Table 1 of Peltomäki, Spencer and Porres, SBST 2022, for BeamNG.tech.") +
-         table.html();
 }
 
 /// A figure with a box for each generator.
@@ -244,7 +217,7 @@ std::string to_html(const SearchExperiment& experiment, const Generators& genera
   const std::array sections = {
       reporting::PageSection{"overview", "Overview", settings(experiment, generators)},
       reporting::PageSection{"results", "Results", results(generators)},
-      reporting::PageSection{"published", "Published", roads == nullptr ? "" : published()},
+      reporting::PageSection{"published", "Published", published_table(experiment)},
       reporting::PageSection{"failures", "Failing tests", failures(generators)},
       reporting::PageSection{"diversity", "Diversity", diversity(generators)},
       reporting::PageSection{"fitness", "Fitness over time", fitness(generators)},

@@ -17,6 +17,7 @@ class LaneKeeping : public SutModel {
   [[nodiscard]] std::span<const MeasureKind> measures() const override;
   [[nodiscard]] std::unique_ptr<Sut> make() const override;
   [[nodiscard]] const RoadSpace* road_space() const override { return &space_; }
+  [[nodiscard]] const lane::DriveSettings* drive() const override { return &drive_; }
 
  private:
   RoadSpace space_;

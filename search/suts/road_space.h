@@ -21,6 +21,8 @@ struct RoadSpaceSettings {
   std::size_t sequence_length = 20;
   std::size_t sequence_spread = 5;
   lane::RoadRules rules;
+
+  friend bool operator==(const RoadSpaceSettings&, const RoadSpaceSettings&) = default;
 };
 
 class RoadSpace : public SearchSpace {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "search/experiment.h"
 #include "search/export/exports.h"
 #include "search/report/page.h"
 #include "tests/unit/search/toy.h"
@@ -106,6 +107,32 @@ TEST(Page, HasTheFiguresOfASearchThatIsNotAboutRoads) {
   EXPECT_THAT(page, testing::Not(HasSubstr("nan")));
   EXPECT_THAT(page, testing::Not(HasSubstr("<corner>")));
   EXPECT_THAT(page, testing::Not(HasSubstr("Failing roads"))) << "and nothing of roads";
+}
+
+/// The page of a scenario's search before anything has run.
+std::string empty_page(const std::string& file, std::vector<std::string> sets = {}) {
+  auto experiment = read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/" + file,
+                                {.sets = std::move(sets), .generators = {}});
+  EXPECT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+  return to_html(experiment.value(), group(experiment.value(), {}));
+}
+
+// Failing from 85 % on at 70 km/h, in half the time or for another measure is another experiment.
+TEST(Page, HasThePublishedTableOnlyIfTheSearchIsSetUpAsThePublishedOne) {
+  const auto published = HasSubstr("Table 1 of Peltomäki");
+  const auto left_out = HasSubstr("Left out: the published results");
+  EXPECT_THAT(empty_page("lane-keeping.yaml"), published);
+  EXPECT_THAT(empty_page("lane-keeping.yaml", {"repetitions=2", "seed=1"}), published);
+  for (const std::string& page :
+       {empty_page("lane-keeping-beamng.yaml"),
+        empty_page("lane-keeping.yaml", {"sut.speed_limit_kmh=70"}),
+        empty_page("lane-keeping.yaml", {"fitness.fails_at=0.85"}),
+        empty_page("lane-keeping.yaml", {"budget.virtual_s=3600"}),
+        empty_page("lane-keeping.yaml", {"fitness.measure=max_lateral_error_m"})}) {
+    EXPECT_THAT(page, testing::Not(published));
+    EXPECT_THAT(page, left_out);
+  }
+  EXPECT_THAT(empty_page("crossing-search.yaml"), testing::Not(left_out)) << "it has no roads";
 }
 
 TEST(Page, HasTheLooksOfTheOtherReports) {
