@@ -14,11 +14,11 @@ namespace jaywalk::reporting {
 namespace {
 
 constexpr double kPlotWidth = 360;
-constexpr double kHeight = 250;
+constexpr double kHeight = 266;
 constexpr double kPlotLeft = 48;
 constexpr double kPlotRight = 350;
-constexpr double kTop = 10;
-constexpr double kBottom = 208;
+constexpr double kTop = 26;
+constexpr double kBottom = 224;
 
 bool is_shown(double value, Scale scale) {
   return std::isfinite(value) && (scale == Scale::linear || value > 0);
@@ -61,7 +61,8 @@ Axis horizontal_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series
 }
 
 std::string frame(const PlotAxes& axes, const Axis& x, const Axis& y) {
-  std::string content;
+  // Above the marks, not turned: the room beside them is too narrow on a phone.
+  std::string content = svg_text(2, kTop - 13, "start", axes.y_title) + '\n';
   for (const double mark : y.marks(6)) {
     content += svg_line(kPlotLeft, y.at(mark), kPlotRight, y.at(mark), "class=\"grid\"");
     content += svg_text(kPlotLeft - 6, y.at(mark) + 4, "end", compact(mark)) + '\n';

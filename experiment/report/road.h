@@ -22,6 +22,9 @@ class RoadPicture {
   [[nodiscard]] double length(double metres) const { return metres * along_; }
   [[nodiscard]] double breadth(double metres) const { return metres * sideways_; }
 
+  /// The middle of the line below the marks, whose left half is free.
+  [[nodiscard]] double legend_line() const { return height_ + 34; }
+
   /// Lanes and pavements; `content` on them, metres below.
   [[nodiscard]] std::string draw(std::string_view label, const std::string& content) const;
 

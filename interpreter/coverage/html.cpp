@@ -14,14 +14,17 @@ namespace {
 constexpr std::string_view kHead = R"page(<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{0}</title>
+<title>Coverage of {0}</title>
 <style>
 :root {{ color-scheme: light dark; --text: #1b1f24; --paper: #fff; --quiet: #667; --line: #d5d9e0;
   --full: #d9f2dd; --part: #fff0c2; --none: #ffd9d6; --bar: #2f9e44; }}
 @media (prefers-color-scheme: dark) {{ :root {{ --text: #e4e7eb; --paper: #14171b; --quiet: #99a;
   --line: #333a44; --full: #16351e; --part: #453a10; --none: #4d1f1c; --bar: #51cf66; }} }}
 body {{ margin: 1.5rem auto; max-width: 76rem; padding: 0 1rem; background: var(--paper);
-  color: var(--text); font: 15px/1.5 system-ui, sans-serif; }}
+  color: var(--text); font: 15px/1.5 system-ui, sans-serif;
+  /* The colours are the message: browsers leave backgrounds out of print unless told otherwise. */
+  -webkit-print-color-adjust: exact; print-color-adjust: exact; }}
+.subject {{ font-weight: 600; overflow-wrap: anywhere; }}
 h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.1rem; margin-top: 2.5rem; overflow-wrap: anywhere; }}
 .wide {{ overflow-x: auto; }}
 table {{ border-collapse: collapse; }}
@@ -38,7 +41,8 @@ tr.none td {{ background: var(--none); }}
 .key span {{ padding: 0 .5rem; margin-right: .5rem; }}
 @media print {{ tr {{ break-inside: avoid; }} .source {{ font-size: 9px; }} }}
 </style></head><body>
-<h1>{0}</h1>
+<h1>Coverage of agents' programs</h1>
+<p class="subject">{0}</p>
 <p>Plans are covered when one of their instances was chosen, conditions of contexts and rules when
 they were seen to hold and to fail, formulas when they were executed. The number before a line counts
 how often its plan was chosen, its condition asked or its formula executed.</p>
@@ -90,8 +94,8 @@ void add_source(std::string& out, const CoveredFile& file) {
 
 }  // namespace
 
-std::string coverage_html(const SourceCoverage& coverage, const std::string& title) {
-  std::string out = fmt::format(fmt::runtime(kHead), escaped(title));
+std::string coverage_html(const SourceCoverage& coverage, const std::string& subject) {
+  std::string out = fmt::format(fmt::runtime(kHead), escaped(subject));
   out +=
       "<div class=\"wide\"><table class=\"files\">\n<tr><th>file</th><th colspan=\"2\">plans "
       "chosen</th><th colspan=\"2\">outcomes seen</th><th colspan=\"2\">formulas executed</th>"

@@ -95,7 +95,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!comparison) return ExitCode::failed;
   bool written = write_files(arguments, *request, *comparison, facts, console);
   if (request->coverage != nullptr) {
-    written = write_coverage(arguments, request->coverage->total(), console) && written;
+    const std::string subject = coverage_subject(describe_experiment(*request, arguments), {});
+    written = write_coverage(arguments, request->coverage->total(), subject, console) && written;
   }
   const bool quiet = arguments.has("quiet");
   if (!quiet) console.print(render_tables(*comparison));

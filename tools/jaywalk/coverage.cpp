@@ -110,7 +110,10 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     const auto plans = stored_plan_coverage(*store, options->wanted, options->threads, progress);
     line.clear();
     if (!plans.ok()) return report_failure(plans, interrupt, console);
-    written = write_coverage(arguments, plans.value(), console) && written;
+    const std::string subject =
+        fmt::format("{}, {}", arguments.operands().front(),
+                    coverage_subject(store->description(), options->wanted));
+    written = write_coverage(arguments, plans.value(), subject, console) && written;
   }
   return written ? ExitCode::success : ExitCode::failed;
 }

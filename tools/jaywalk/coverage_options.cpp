@@ -3,14 +3,16 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/jaywalk/output_files.h"
 
 namespace jaywalk {
 namespace {
 
-std::string render(const std::string& path, const SourceCoverage& coverage) {
-  if (path.ends_with(".html")) return coverage_html(coverage, "Coverage of agents' programs");
+std::string render(const std::string& path, const SourceCoverage& coverage,
+                   const std::string& subject) {
+  if (path.ends_with(".html")) return coverage_html(coverage, subject);
   if (path.ends_with(".info")) return coverage_lcov(coverage);
   return coverage_text(coverage);
 }
@@ -25,12 +27,28 @@ void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics
   }
 }
 
-bool write_coverage(const Arguments& arguments, const SourceCoverage& coverage, Console& console) {
+bool write_coverage(const Arguments& arguments, const SourceCoverage& coverage,
+                    const std::string& subject, Console& console) {
   bool written = true;
   for (const std::string& path : arguments.texts("coverage")) {
-    written = write_output(path, render(path, coverage), console) && written;
+    written = write_output(path, render(path, coverage, subject), console) && written;
   }
   return written;
+}
+
+std::string coverage_subject(const ExperimentDescription& experiment,
+                             const CoverageWanted& wanted) {
+  std::vector<std::string> behaviours;
+  for (const StoredBehaviour& behaviour : experiment.behaviours) {
+    if (wanted.behaviour.value_or(behaviour.name) == behaviour.name) {
+      behaviours.push_back(behaviour.name);
+    }
+  }
+  const auto agents = wanted.agents ? std::vector{*wanted.agents} : experiment.agents;
+  return fmt::format(
+      "{}: {}; {} {}; tests {} to {} of seed {}", experiment.scenario, fmt::join(behaviours, ", "),
+      fmt::join(agents, ", "), agents == std::vector<std::uint32_t>{1} ? "agent" : "agents",
+      experiment.first_test, experiment.first_test + experiment.tests - 1, experiment.seed);
 }
 
 SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts) {

@@ -2,6 +2,8 @@
 
 // `--coverage`: what of the agents' programs was used, written to files.
 
+#include "experiment/results/description.h"
+#include "experiment/stored_coverage.h"
 #include "interpreter/coverage/source_coverage.h"
 #include "tools/jaywalk/arguments.h"
 #include "tools/jaywalk/console.h"
@@ -17,9 +19,14 @@ inline constexpr OptionSpec kCoverageOption{
 /// Adds an error for each file whose ending says nothing.
 void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics);
 
-/// Writes the files; false after reporting what could not be written.
+/// Writes the files; `subject` says on the page what ran. False after reporting what could not be
+/// written.
 [[nodiscard]] bool write_coverage(const Arguments& arguments, const SourceCoverage& coverage,
-                                  Console& console);
+                                  const std::string& subject, Console& console);
+
+/// What ran: "scenarios/paper.yaml: election; 1, 3 agents; tests 0 to 199 of seed 0".
+[[nodiscard]] std::string coverage_subject(const ExperimentDescription& experiment,
+                                           const CoverageWanted& wanted);
 
 /// As `locate`, of programs whose files are read again.
 [[nodiscard]] SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts);

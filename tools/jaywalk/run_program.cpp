@@ -141,8 +141,8 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
   agents = {};
   const ExitCode code = run_to_end(mas, limits, console);
-  if (observer &&
-      !write_coverage(arguments, locate_in_files(probes, observer->counts()), console)) {
+  if (observer && !write_coverage(arguments, locate_in_files(probes, observer->counts()),
+                                  arguments.operands().front(), console)) {
     return ExitCode::failed;
   }
   // As in Jason, the agents of a project whose programs are in order run without the others.

@@ -213,7 +213,11 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     console.note(fmt::format("{}: {}", title_of(*request), outcome));
     if (!found.empty()) console.note(found);
   }
-  if (coverage && !write_coverage(arguments, coverage->total(), console)) return ExitCode::failed;
+  if (coverage) {
+    const std::string subject =
+        fmt::format("{}: {}", arguments.operands().front(), title_of(*request));
+    if (!write_coverage(arguments, coverage->total(), subject, console)) return ExitCode::failed;
+  }
   return conclude(*request, arguments, result, findings, console);
 }
 

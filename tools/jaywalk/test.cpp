@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "experiment/export/write_file.h"
 #include "tools/jaywalk/command.h"
@@ -280,7 +281,10 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (options->limits.coverage) {
     SourceCoverage coverage;
     for (const UnitTestReport& report : *reports) coverage.add(report.coverage);
-    if (!write_coverage(arguments, coverage, console)) return ExitCode::failed;
+    if (!write_coverage(arguments, coverage,
+                        fmt::format("the tests of {}", fmt::join(arguments.operands(), ", ")),
+                        console))
+      return ExitCode::failed;
   }
   if (const auto file = arguments.text("junit")) {
     if (const auto problem = write_file(*file, junit_xml(tests, *reports))) {

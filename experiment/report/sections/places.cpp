@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
+#include "experiment/report/axis.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
 #include "experiment/report/road.h"
@@ -44,22 +47,41 @@ Places coarsened(const Places& places, double size_m) {
   return coarse;
 }
 
+/// The root lets rare places be seen beside frequent ones.
+double opacity(std::uint64_t count, std::uint64_t most) {
+  return std::max(0.06, std::sqrt(static_cast<double>(count) / static_cast<double>(most)));
+}
+
+/// What the colours of a picture stand for: samples with their numbers of pedestrians.
+std::string scale(std::uint64_t most, const RoadPicture& road) {
+  std::string drawn;
+  double x = 6;
+  for (const std::uint64_t count : std::set<std::uint64_t>{1, (most + 3) / 4, most}) {
+    drawn += fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"12\" class=\"heat\" "
+        "fill-opacity=\"{:.2f}\"/>",
+        x, road.legend_line() - 7, opacity(count, most));
+    const std::string label = grouped(count);
+    drawn += svg_text(x + 18, road.legend_line() + 4, "start", label) + '\n';
+    x += 30 + 7 * static_cast<double>(label.size());
+  }
+  return drawn + svg_text(x, road.legend_line() + 4, "start", "pedestrians") + '\n';
+}
+
 std::string heat(const Places& places, double size_m, std::uint64_t most, std::uint64_t all,
                  const RoadPicture& road) {
   std::string drawn;
   for (const auto& [square, count] : places) {
-    // The root lets rare places be seen beside frequent ones.
-    const double share = std::sqrt(static_cast<double>(count) / static_cast<double>(most));
     drawn += fmt::format(
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"heat\" "
         "fill-opacity=\"{:.2f}\"><title>{:g} m along, {:g} m from the left: {} ({:.1f} "
         "%)</title></rect>\n",
         road.across(square.second * size_m), road.down(square.first * size_m), road.length(size_m),
-        road.breadth(size_m), std::max(0.06, share), (square.second + 0.5) * size_m,
+        road.breadth(size_m), opacity(count, most), (square.second + 0.5) * size_m,
         (square.first + 0.5) * size_m, grouped(count),
         100 * static_cast<double>(count) / static_cast<double>(all));
   }
-  return drawn;
+  return most == 0 ? drawn : drawn + scale(most, road);
 }
 
 }  // namespace

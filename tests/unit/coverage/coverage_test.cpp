@@ -187,9 +187,18 @@ TEST(ATracefile, HasPlansAsFunctionsConditionsAsBranchesAndFormulasAsLines) {
 
 TEST(ACoveragePage, EscapesWhatProgramsSay) {
   const std::string page = coverage_html(covered("!a.\n+!a <- .print(\"<script>\").\n"), "a & b");
-  EXPECT_THAT(page, HasSubstr("<title>a &amp; b</title>"));
+  EXPECT_THAT(page, HasSubstr("<title>Coverage of a &amp; b</title>"));
   EXPECT_THAT(page, HasSubstr(".print(&quot;&lt;script&gt;&quot;)"));
   EXPECT_THAT(page, testing::Not(HasSubstr("<script>")));
+}
+
+TEST(ACoveragePage, SaysWhatRan) {
+  const std::string page = coverage_html(covered("!a.\n+!a.\n"), "paper.gpkg: election; 3 agents");
+  EXPECT_THAT(page, HasSubstr("<p class=\"subject\">paper.gpkg: election; 3 agents</p>"));
+}
+
+TEST(ACoveragePage, KeepsItsColoursInPrint) {
+  EXPECT_THAT(coverage_html(covered("!a.\n+!a.\n"), "a"), HasSubstr("print-color-adjust: exact"));
 }
 
 }  // namespace

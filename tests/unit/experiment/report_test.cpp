@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/report/chart.h"
+#include "experiment/report/plot.h"
 #include "experiment/report/table.h"
 
 namespace jaywalk {
@@ -110,6 +111,14 @@ TEST(Report, DrawsEachOfThePapersFiguresAndSetsThePublishedValuesBesideOurs) {
   EXPECT_THAT(html, HasSubstr("class=\"published\""));
   EXPECT_THAT(html, HasSubstr("<td>48.0</td><td>38.5 to 57.7</td><td>46.9</td>"));
   EXPECT_THAT(html, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
+}
+
+TEST(Plot, NamesBothAxes) {
+  const std::string svg =
+      reporting::curves({.x_title = "tests", .y_title = "bins covered"},
+                        {{.name = "mine", .points = {{1, 2, {}, {}}, {5, 8, {}, {}}}}});
+  EXPECT_THAT(svg, HasSubstr(">tests</text>"));
+  EXPECT_THAT(svg, HasSubstr(">bins covered</text>"));
 }
 
 TEST(Report, ComparesBehavioursTestByTest) {
