@@ -67,6 +67,12 @@ void record_events(const Crossing& crossing, const TrialInput& input, Recording&
     recording.add(RecordedEvent{
         .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(input.feedback)});
   }
+  for (const SignalChange& each : crossing.result().signals) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
+                                .actor = static_cast<std::uint32_t>(each.body + 1),
+                                .kind = "signal",
+                                .text = std::string(name(each.colour))});
+  }
   for (const std::size_t pedestrian : crossing.result().hit_by) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(crossing.result().ticks),
                                 .actor = static_cast<std::uint32_t>(pedestrian + 1),

@@ -91,8 +91,9 @@ using TrialObserver = std::function<void(const Crossing& crossing, const Mas& ma
 struct TrialOptions {
   TrialObserver observe;
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
-  /// the first in the zone, `collision`, of whoever the AV touched, and `feedback`, what the
-  /// pedestrians were told of earlier tests. Null: nothing is recorded.
+  /// the first in the zone, `collision`, of whoever the AV touched, `signal`, the colour that one
+  /// begins to show, and `feedback`, what the pedestrians were told of earlier tests. Null: nothing
+  /// is recorded.
   Recording* record = nullptr;
   /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
   ReasoningObserver* observer = nullptr;

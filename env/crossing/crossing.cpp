@@ -102,7 +102,9 @@ ActionResult Crossing::show(std::size_t agent, std::span<const Value> args) {
   const ActorParameters& actor = parameters_.actors[agent - pedestrians_];
   for (const auto colour : {SignalColour::green, SignalColour::amber, SignalColour::red}) {
     if (!args[0].same_as(vocabulary_.atom(colour))) continue;
-    signals_[actor.crosswalk] = colour;
+    if (std::exchange(signals_[actor.crosswalk], colour) != colour) {
+      result_.signals.push_back({ticks_ + 1, agent, colour});
+    }
     return {};
   }
   return refusal("unknown colour, expected green, amber or red");

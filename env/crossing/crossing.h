@@ -30,6 +30,14 @@ struct PedestrianOutcome {
   double reward = 0;
 };
 
+/// A signal begins to show another colour in a tick. The bodies are the pedestrians and then the
+/// other actors.
+struct SignalChange {
+  int tick = 0;
+  std::size_t body = 0;
+  SignalColour colour = SignalColour::green;
+};
+
 /// What came of a test.
 struct CrossingResult {
   /// The precondition was met.
@@ -46,6 +54,8 @@ struct CrossingResult {
   /// Whom the AV has touched, each once, in the order of time. The bodies are the pedestrians and
   /// then the other actors. Nobody is stopped by it: assertions judge it.
   std::vector<Collision> collisions;
+  /// In the order of time; all signals are green before.
+  std::vector<SignalChange> signals;
 
   /// Rewards less costs, as mean over all agents.
   [[nodiscard]] double score() const;

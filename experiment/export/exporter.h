@@ -22,13 +22,22 @@ struct ExportRequest {
   /// Where the files go; it exists.
   std::string folder;
   ScenarioDialect dialect = ScenarioDialect::standard;
-  /// Of `postgis`: what `ogr2ogr` is to connect to.
+  /// Of `postgis`: what `ogr2ogr` is to connect to; the schema for the tables (empty: named after
+  /// the store), and whether those that it has may be replaced.
   std::string connection;
+  std::string schema;
+  bool overwrite = false;
 };
 
-/// The files that were written, in their order. Errors: the store cannot be read, a file cannot be
-/// written.
-using ExportedFiles = Result<std::vector<std::string>>;
+struct Exported {
+  /// What was written, in its order.
+  std::vector<std::string> files;
+  /// What of the tests could not be said in them.
+  Diagnostics warnings;
+};
+
+/// Errors: the store cannot be read, a file cannot be written.
+using ExportedFiles = Result<Exported>;
 
 struct Exporter {
   std::string_view name;

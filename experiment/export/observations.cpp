@@ -67,14 +67,16 @@ ExportedFiles export_csv(const ExportRequest& request) {
     text += rows(test, request.store.description().behaviours[test.test.behaviour].name,
                  recording.value());
   }
-  std::vector<std::string> written;
+  Exported exported;
   Diagnostics diagnostics;
-  if (!write_export(request, "observations.csv", text, written, diagnostics)) return diagnostics;
-  return written;
+  if (!write_export(request, "observations.csv", text, exported.files, diagnostics)) {
+    return diagnostics;
+  }
+  return exported;
 }
 
 ExportedFiles export_json(const ExportRequest& request) {
-  std::vector<std::string> written;
+  Exported exported;
   Diagnostics diagnostics;
   for (const StoredTest& test : request.tests) {
     const Result<Recording> recording = request.store.recording(test.id);
@@ -82,9 +84,9 @@ ExportedFiles export_json(const ExportRequest& request) {
     const std::string& behaviour = request.store.description().behaviours[test.test.behaviour].name;
     const std::string text = to_json(test, behaviour, recording.value()).dump(1) + '\n';
     const std::string name = file_stem(request.store, test.test) + ".json";
-    if (!write_export(request, name, text, written, diagnostics)) return diagnostics;
+    if (!write_export(request, name, text, exported.files, diagnostics)) return diagnostics;
   }
-  return written;
+  return exported;
 }
 
 }  // namespace jaywalk

@@ -1,16 +1,16 @@
 #pragma once
 
-// The road of a crossing world as ASAM OpenDRIVE 1.6 has it.
+// The ground of a crossing world as ASAM OpenDRIVE 1.6 has it.
 
 #include <string>
 
-#include "env/crossing/parameters.h"
+#include "experiment/export/road_plan.h"
 
 namespace jaywalk {
 
-/// One straight road along y in the plane of env/scene.h. The reference line runs between the lanes
-/// that go forward and the others; traffic keeps to the left, so that lane 1 drives along the road.
-/// A world that is drawn as a map is exported with the bands that its rows begin with.
-[[nodiscard]] std::string to_opendrive(const CrossingParameters& parameters);
+/// Roads in the plane of env/scene.h, the AV's along y. The reference line runs between the lanes
+/// that go the road's way and the others; traffic keeps to the left, so that lane 1 drives along
+/// the road.
+[[nodiscard]] std::string to_opendrive(const RoadPlan& plan, double cell_m);
 
 }  // namespace jaywalk

@@ -52,10 +52,14 @@ SCENARIO = {
         "name": text, "value": text,
         "parameterType": words("double", "string", "unsignedInt", "unsignedShort", "boolean", "dateTime")}),
     "CatalogLocations": ("all", [], {}),
-    "RoadNetwork": ("seq", [("LogicFile", 0, 1), ("SceneGraphFile", 0, 1)], {}),
+    "RoadNetwork": ("seq", [("LogicFile", 0, 1), ("SceneGraphFile", 0, 1), ("TrafficSignals", 0, 1)], {}),
+    "TrafficSignals": ("seq", [("TrafficSignalController", 0, 0)], {}),
+    "TrafficSignalController": ("seq", [("Phase", 0, 0)], {"name": text, "delay": number}),
+    "Phase": ("seq", [("TrafficSignalState", 0, 0)], {"name": text, "duration": number}),
+    "TrafficSignalState": ("seq", [], {"trafficSignalId": text, "state": text}),
     "LogicFile": ("seq", [], {"filepath": text}),
     "Entities": ("seq", [("ScenarioObject", 0, 0)], {}),
-    "ScenarioObject": ("one", [("Vehicle", 1, 1), ("Pedestrian", 1, 1)], {"name": text}),
+    "ScenarioObject": ("one", [("Vehicle", 1, 1), ("Pedestrian", 1, 1), ("MiscObject", 1, 1)], {"name": text}),
     "Vehicle": ("all", [("ParameterDeclarations", 0, 1), ("BoundingBox", 1, 1), ("Performance", 1, 1),
                         ("Axles", 1, 1), ("Properties", 1, 1)],
                 {"name": text, "vehicleCategory": words("car", "van", "truck", "trailer", "semitrailer", "bus",
@@ -63,6 +67,10 @@ SCENARIO = {
     "Pedestrian": ("all", [("ParameterDeclarations", 0, 1), ("BoundingBox", 1, 1), ("Properties", 1, 1)],
                    {"name": text, "model": text, "mass": number,
                     "pedestrianCategory": words("pedestrian", "wheelchair", "animal")}),
+    "MiscObject": ("all", [("ParameterDeclarations", 0, 1), ("BoundingBox", 1, 1), ("Properties", 1, 1)],
+                   {"name": text, "mass": number,
+                    "miscObjectCategory": words("barrier", "building", "none", "obstacle", "parkingSpace", "pole",
+                                                "tree", "vegetation")}),
     "BoundingBox": ("all", [("Center", 1, 1), ("Dimensions", 1, 1)], {}),
     "Center": ("seq", [], {"x": number, "y": number, "z": number}),
     "Dimensions": ("seq", [], {"width": number, "length": number, "height": number}),
@@ -151,8 +159,34 @@ ROAD = {
                      ("lateralProfile", 0, 1), ("lanes", 1, 1), ("objects", 0, 1), ("signals", 0, 1)],
              {"name?": text, "length": number, "id": text, "junction": text, "rule?": words("LHT", "RHT")}),
     "planView": ("seq", [("geometry", 1, 0)], {}),
-    "geometry": ("one", [("line", 1, 1)], {"s": number, "x": number, "y": number, "hdg": number, "length": number}),
+    "geometry": ("one", [("line", 1, 1), ("paramPoly3", 1, 1)], {"s": number, "x": number, "y": number, "hdg": number, "length": number}),
     "line": ("seq", [], {}),
+    "paramPoly3": ("seq", [], {"pRange": words("normalized", "arcLength"),
+                               **{name: number for name in ("aU", "bU", "cU", "dU", "aV", "bV", "cV", "dV")}}),
+    "road/link": ("seq", [("predecessor", 0, 1), ("successor", 0, 1)], {}),
+    **{f"link/{end}": ("seq", [], {"elementType?": words("road", "junction"), "elementId?": text,
+                                   "contactPoint?": words("start", "end"), "id?": text})
+       for end in ("predecessor", "successor")},
+    "lane/link": ("seq", [("predecessor", 0, 0), ("successor", 0, 0)], {}),
+    "laneOffset": ("seq", [], {name: number for name in ("s", "a", "b", "c", "d")}),
+    "objects": ("seq", [("object", 0, 0)], {}),
+    "object": ("seq", [("outlines", 0, 1)],
+               {"id": text, "s": number, "t": number, "zOffset": number, "name?": text,
+                "type?": words("none", "obstacle", "building", "crosswalk"), "orientation?": words("+", "-", "none"),
+                **{f"{name}?": number for name in ("length", "width", "height", "hdg", "pitch", "roll")}}),
+    "outlines": ("seq", [("outline", 1, 0)], {}),
+    "outline": ("seq", [("cornerLocal", 0, 0)], {"id?": natural, "outer?": BOOLEAN, "closed?": BOOLEAN}),
+    "cornerLocal": ("seq", [], {"id?": natural, **{name: number for name in ("u", "v", "z", "height")}}),
+    "signals": ("seq", [("signal", 0, 0)], {}),
+    "signal": ("seq", [], {"s": number, "t": number, "id": text, "name?": text, "dynamic": words("yes", "no"),
+                           "orientation": words("+", "-", "none"), "zOffset": number, "country?": text,
+                           "type": text, "subtype": text, "height?": number, "width?": number}),
+    "controller": ("seq", [("control", 1, 0)], {"id": text, "name?": text}),
+    "control": ("seq", [], {"signalId": text, "type?": text}),
+    "junction": ("seq", [("connection", 1, 0)], {"id": text, "name?": text}),
+    "connection": ("seq", [("laneLink", 0, 0)], {"id": text, "incomingRoad?": text, "connectingRoad?": text,
+                                                 "contactPoint?": words("start", "end")}),
+    "laneLink": ("seq", [], {"from": text, "to": text}),
     "lanes": ("seq", [("laneOffset", 0, 0), ("laneSection", 1, 0)], {}),
     "laneSection": ("seq", [("left", 0, 1), ("center", 1, 1), ("right", 0, 1)], {"s": number, "singleSide?": BOOLEAN}),
     "left": ("seq", LANES, {}), "right": ("seq", LANES, {}), "center": ("seq", [("lane", 1, 1)], {}),
@@ -227,11 +261,14 @@ def references(root):
 
 def lanes(root):
     """Lanes stand from left to right: ids fall by one from lane to lane."""
-    ids = [each.get("id", "") for each in root.iter("lane")]
-    if not all(re.match(r"-?\d+$", each) for each in ids):
-        return ["a lane without a number"]
-    ids = [int(each) for each in ids]
-    return [] if ids == list(range(ids[0], ids[0] - len(ids), -1)) else [f"lanes are numbered {ids}"]
+    for section in root.iter("laneSection"):
+        ids = [each.get("id", "") for each in section.iter("lane")]
+        if not all(re.match(r"-?\d+$", each) for each in ids):
+            return ["a lane without a number"]
+        ids = [int(each) for each in ids]
+        if ids != list(range(ids[0], ids[0] - len(ids), -1)):
+            return [f"lanes are numbered {ids}"]
+    return []
 
 
 def check(path):

@@ -62,7 +62,9 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
                               .tests = tests.value(),
                               .folder = arguments.text("out").value_or("."),
                               .dialect = dialect,
-                              .connection = arguments.text("connection").value_or("")};
+                              .connection = arguments.text("connection").value_or(""),
+                              .schema = arguments.text("schema").value_or(""),
+                              .overwrite = arguments.has("overwrite")};
   std::error_code error;
   std::filesystem::create_directories(request.folder, error);
   if (error) {
@@ -74,37 +76,49 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
     console.report(files.diagnostics());
     return ExitCode::failed;
   }
+  console.report(files.value().warnings);
   console.note(fmt::format("{} tests exported", request.tests.size()));
-  for (const std::string& file : files.value()) console.print(file + '\n');
+  for (const std::string& file : files.value().files) console.print(file + '\n');
   Diagnostics invalid;
-  if (const auto schemas = arguments.text("validate")) validate(files.value(), *schemas, invalid);
-  if (invalid.has_errors()) console.report(invalid);
+  if (const auto schemas = arguments.text("validate"))
+    validate(files.value().files, *schemas, invalid);
+  console.report(invalid);
   return invalid.has_errors() ? ExitCode::failed : ExitCode::success;
 }
 
 }  // namespace
 
 CommandHelp help() {
-  return {
-      .usage = "STORE [OPTIONS]",
-      .description =
-          "Writes the tests of a store as files for other programs: those that met the\n"
-          "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
-      .options =
-          {
-              {"format", "NAME", "what to write: openscenario (default), csv, json, postgis"},
-              {"out", "DIR", "where to; made if it is not there (default: here)"},
-              {"test", "N", "the tests of this number alone"},
-              {"all", "", "all tests"},
-              {"dialect", "NAME", "of openscenario: standard (default) or carla"},
-              {"validate", "DIR", "check the files against ASAM's .xsd files in DIR, by xmllint"},
-              {"connection", "TEXT", "of postgis: the database, as ogr2ogr wants it"},
-              {"list", "", "name the formats"},
-          },
-      .examples =
-          "  jaywalk export runs.gpkg --out found\n"
-          "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
-          "  jaywalk export runs.gpkg --format csv --all --out tables\n"};
+  return {.usage = "STORE [OPTIONS]",
+          .description =
+              "Writes the tests of a store as files for other programs: those that met the\n"
+              "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
+          .options =
+              {
+                  {"format", "NAME",
+                   "what to write: openscenario (default), csv, trace, json,\n"
+                   "postgis"},
+                  {"out", "DIR", "where to; made if it is not there (default: here)"},
+                  {"test", "N", "the tests of this number alone"},
+                  {"all", "", "all tests"},
+                  {"dialect", "NAME", "of openscenario: standard (default) or carla"},
+                  {"validate", "DIR",
+                   "check the files against ASAM's .xsd files in DIR, each against\n"
+                   "the schema of its own version, by xmllint"},
+                  {"connection", "TEXT",
+                   "of postgis: the database, as ogr2ogr wants it, with or without\n"
+                   "PG: before it"},
+                  {"schema", "NAME",
+                   "of postgis: the schema for the tables (default: the store's\n"
+                   "name); it must be new"},
+                  {"overwrite", "", "of postgis: replace the store's tables in an existing schema"},
+                  {"list", "", "name the formats"},
+              },
+          .examples =
+              "  jaywalk export runs.gpkg --out found\n"
+              "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
+              "  jaywalk export runs.gpkg --format csv --all --out tables\n"
+              "  jaywalk export runs.gpkg --format postgis --connection 'PG:dbname=tests'\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {

@@ -1,0 +1,110 @@
+#pragma once
+
+// The ground of a crossing world as roads, junctions, objects and signals: what OpenDRIVE can say
+// of it, before it is written (opendrive.h). Axes and units are those of env/scene.h.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "env/crossing/parameters.h"
+
+namespace jaywalk {
+
+enum class LaneType { driving, sidewalk, none };
+
+struct PlannedLane {
+  LaneType type = LaneType::none;
+  double width_m = 0;
+  /// Traffic goes the road's way; of no meaning unless it is driven on.
+  bool forward = true;
+};
+
+enum class ObjectType { crosswalk, obstacle, building };
+
+/// A box on the ground, with its sides along the axes.
+struct PlannedObject {
+  ObjectType type = ObjectType::obstacle;
+  std::string name;
+  Interval rows;
+  Interval cells;
+};
+
+/// A traffic light for those who come along the road, or against it.
+struct PlannedSignal {
+  int id = 0;
+  std::string name;
+  double s_m = 0;
+  double t_m = 0;
+  bool forward = true;
+};
+
+struct PlannedRoad {
+  int id = 1;
+  std::string name;
+  /// Where the reference line begins, and its way; it is straight.
+  double x_m = 0;
+  double y_m = 0;
+  double heading_rad = 0;
+  double length_m = 0;
+  /// From left to right; so many of them lie on the left of the reference line.
+  std::vector<PlannedLane> lanes;
+  std::size_t left = 0;
+  /// The junctions that it begins and ends at, by their ids.
+  std::optional<int> from;
+  std::optional<int> to;
+  std::vector<PlannedObject> objects;
+  std::vector<PlannedSignal> signals;
+};
+
+/// The end of a lane at a junction; the heading is that of the traffic.
+struct LaneEnd {
+  int road = 0;
+  /// As OpenDRIVE counts them: 1, 2, … to the left of the reference line, -1, -2, … to its right.
+  int lane = 0;
+  /// At the end of the road, not at its beginning.
+  bool at_end = true;
+  double x_m = 0;
+  double y_m = 0;
+  double heading_rad = 0;
+  double width_m = 0;
+};
+
+/// A way through a junction.
+struct Connection {
+  int road = 0;
+  LaneEnd from;
+  LaneEnd to;
+};
+
+struct PlannedJunction {
+  int id = 0;
+  std::vector<Connection> connections;
+};
+
+/// The lights of one crosswalk, which show the same.
+struct SignalGroup {
+  int id = 0;
+  std::string name;
+  std::vector<int> signals;
+};
+
+struct RoadPlan {
+  double width_m = 0;
+  double length_m = 0;
+  /// The AV's road, in as many parts as junctions leave, then the side roads.
+  std::vector<PlannedRoad> roads;
+  std::vector<PlannedJunction> junctions;
+  /// Of each signalled crosswalk, in their order.
+  std::vector<SignalGroup> signals;
+  /// What of the world is not in it, each as a sentence.
+  std::vector<std::string> unsaid;
+};
+
+/// REQUIRES: parameters without problems().
+[[nodiscard]] RoadPlan plan_roads(const CrossingParameters& parameters);
+
+/// `1`, `2`, … on the left of the reference line, `-1`, `-2`, … on its right.
+[[nodiscard]] int lane_id(const PlannedRoad& road, std::size_t lane);
+
+}  // namespace jaywalk

@@ -1,0 +1,21 @@
+// Each test as a table that `jaywalk judge --trace` reads.
+
+#include "experiment/export/exporters.h"
+#include "experiment/trace_file.h"
+
+namespace jaywalk {
+
+ExportedFiles export_trace(const ExportRequest& request) {
+  Exported exported;
+  Diagnostics diagnostics;
+  for (const StoredTest& test : request.tests) {
+    const Result<Recording> recording = request.store.recording(test.id);
+    if (!recording.ok()) return recording.diagnostics();
+    const std::string name = file_stem(request.store, test.test) + ".csv";
+    const std::string text = print_trace(recording.value());
+    if (!write_export(request, name, text, exported.files, diagnostics)) return diagnostics;
+  }
+  return exported;
+}
+
+}  // namespace jaywalk
