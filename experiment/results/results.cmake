@@ -3,6 +3,7 @@ target_sources(jaywalk_experiment PRIVATE
   results/assessment_writer.cpp
   results/database.cpp
   results/description.cpp
+  results/excerpt.cpp
   results/geometry.cpp
   results/merge.cpp
   results/new_file.cpp

@@ -1,0 +1,18 @@
+#pragma once
+
+// Some tests of a store as a store of its own.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace jaywalk {
+
+/// Copies the store `from` to a new file `to` and leaves out all tests but those of these ids.
+/// The copy says of the experiment what the original says; it is for programs that read its tables.
+/// Returns why that was not possible.
+[[nodiscard]] std::optional<std::string> copy_tests(const std::string& from, const std::string& to,
+                                                    std::span<const std::int64_t> ids);
+
+}  // namespace jaywalk
