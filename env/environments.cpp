@@ -2,10 +2,28 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <sstream>
 
 #include "env/crossing/vocabulary.h"
 
 namespace jaywalk {
+namespace {
+
+// "a b" of "Other: x; Name: a b".
+std::vector<std::string> words_behind(std::string_view name, std::string_view lists) {
+  while (!lists.empty()) {
+    std::string_view list = lists.substr(0, lists.find(';'));
+    lists.remove_prefix(std::min(lists.size(), list.size() + 1));
+    while (list.starts_with(' ')) list.remove_prefix(1);
+    if (!list.starts_with(name) || list.substr(name.size(), 1) != ":") continue;
+    std::istringstream words{std::string(list.substr(name.size() + 1))};
+    return {std::istream_iterator<std::string>(words), {}};
+  }
+  return {};
+}
+
+}  // namespace
 
 std::span<const EnvironmentKind> environments() {
 #define JAYWALK_ENVIRONMENT(name, summary, percepts, actions) \
@@ -31,6 +49,18 @@ std::string_view functor(const EnvironmentWord& word) {
 int arity(const EnvironmentWord& word) {
   if (word.form.find('(') == std::string_view::npos) return 0;
   return 1 + static_cast<int>(std::count(word.form.begin(), word.form.end(), ','));
+}
+
+std::vector<std::vector<std::string>> argument_values(const EnvironmentWord& word) {
+  std::vector<std::vector<std::string>> values(static_cast<std::size_t>(arity(word)));
+  std::string_view arguments = word.form.substr(functor(word).size());
+  for (std::vector<std::string>& own : values) {
+    arguments.remove_prefix(1);  // the bracket or comma before it
+    const std::string_view argument = arguments.substr(0, arguments.find_first_of(",)"));
+    arguments.remove_prefix(argument.size());
+    own = words_behind(argument, word.values);
+  }
+  return values;
 }
 
 }  // namespace jaywalk

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace jaywalk {
 
@@ -14,6 +15,8 @@ namespace jaywalk {
 struct EnvironmentWord {
   std::string_view form;
   std::string_view meaning;
+  /// The atoms that arguments of the form take, by the arguments' names: "Way: left right; ...".
+  std::string_view values = {};
 };
 
 struct EnvironmentKind {
@@ -30,5 +33,8 @@ struct EnvironmentKind {
 /// The functor of a form, `at` of `at(X,Y)`, and its number of arguments.
 [[nodiscard]] std::string_view functor(const EnvironmentWord& word);
 [[nodiscard]] int arity(const EnvironmentWord& word);
+
+/// The atoms that each argument takes, in the order of the form; none where it takes numbers.
+[[nodiscard]] std::vector<std::vector<std::string>> argument_values(const EnvironmentWord& word);
 
 }  // namespace jaywalk

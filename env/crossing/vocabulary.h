@@ -13,24 +13,24 @@
 
 namespace jaywalk {
 
-#define JAYWALK_PERCEPT(id, form, meaning) id,
-#define JAYWALK_ACTION(id, form, meaning)
+#define JAYWALK_PERCEPT(id, form, ...) id,
+#define JAYWALK_ACTION(id, form, ...)
 enum class CrossingPercept : std::size_t {
 #include "env/crossing/percepts.def"
 };
 #undef JAYWALK_PERCEPT
 #undef JAYWALK_ACTION
 
-#define JAYWALK_PERCEPT(id, form, meaning) EnvironmentWord{form, meaning},
-#define JAYWALK_ACTION(id, form, meaning)
+#define JAYWALK_PERCEPT(id, form, ...) EnvironmentWord{form, __VA_ARGS__},
+#define JAYWALK_ACTION(id, form, ...)
 inline constexpr std::array kCrossingPercepts{
 #include "env/crossing/percepts.def"
 };
 #undef JAYWALK_PERCEPT
 #undef JAYWALK_ACTION
 
-#define JAYWALK_PERCEPT(id, form, meaning)
-#define JAYWALK_ACTION(id, form, meaning) EnvironmentWord{form, meaning},
+#define JAYWALK_PERCEPT(id, form, ...)
+#define JAYWALK_ACTION(id, form, ...) EnvironmentWord{form, __VA_ARGS__},
 inline constexpr std::array kCrossingActions{
 #include "env/crossing/percepts.def"
 };

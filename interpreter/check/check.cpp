@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::array kChecks = {
 #define JAYWALK_CHECK(function, code, summary) CheckInfo{code, summary},
+#define JAYWALK_READING(code, summary) CheckInfo{code, summary},
 #include "interpreter/check/checks.def"
-#undef JAYWALK_CHECK
 };
 
 }  // namespace
@@ -24,7 +24,6 @@ void check_program(const SourceTree& program, const Vocabulary& vocabulary,
   checking.begin(code);                        \
   function(checking);
 #include "interpreter/check/checks.def"
-#undef JAYWALK_CHECK
   diagnostics.append(checking.finish());
 }
 

@@ -5,8 +5,7 @@
 // a program's beliefs, goals and plans may come from other agents. Each warning has a code, a row
 // of checks.def; CHECKS.md shows when it is given.
 //
-// A comment `// jaywalk: allow unknown-goal` on the line or the line before silences a code there,
-// `// jaywalk: allow-file unknown-goal` in the whole file.
+// Comments silence them (support/silenced.h).
 
 #include <set>
 #include <span>
@@ -26,6 +25,19 @@ struct Vocabulary {
     int least_args = 0;
     int most_args = 0;  // -1: any number
     std::string summary;
+    /// The atoms that each argument takes; none, or no entry, where it takes others, too.
+    std::vector<std::vector<std::string>> values = {};
+    /// Of internal actions: its value can stand in a term.
+    bool is_function = false;
+  };
+  /// What a scenario sets an initial belief to: `radius: 15` is radius(15).
+  struct Setting {
+    std::string name;
+    /// Of its values those that are atoms; others are empty.
+    std::vector<std::string> atoms;
+    /// Where that stands, or the option that says so.
+    SourceSpan where;
+    std::string option = {};
   };
 
   /// Whether the environment is known: its percepts and actions are those below and no others.
@@ -34,6 +46,9 @@ struct Vocabulary {
   std::vector<Entry> actions;
   /// With their dots, functions such as math.abs included. Empty: they are not checked.
   std::vector<Entry> internal_actions;
+  /// Of messages. Empty: they are not checked.
+  std::vector<std::string> performatives = {};
+  std::vector<Setting> settings = {};
   /// Whether the program may be all there is: it is not, if it lies among those of a project.
   bool may_be_alone = true;
   /// Whether all agents of the system are known: what the others may post, tell or ask for bears
@@ -42,7 +57,7 @@ struct Vocabulary {
   std::set<std::string, std::less<>> named_by_others;
 };
 
-/// A row of checks.def.
+/// A row of checks.def: a warning that `check` or the reading of a program gives.
 struct CheckInfo {
   std::string_view name;  // the code
   std::string_view summary;

@@ -3,35 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "interpreter/support/silenced.h"
+
 namespace jaywalk {
 namespace {
 
-// The codes in a comment that has the mark, "allow " or "allow-file ", as a list after it.
-bool names_code(std::string_view line, std::string_view mark, std::string_view code) {
-  const std::size_t comment = line.find("//");
-  if (comment == std::string_view::npos) return false;
-  const std::size_t at = line.find(mark, comment);
-  if (at == std::string_view::npos) return false;
-  std::string_view codes = line.substr(at + mark.size());
-  while (!codes.empty()) {
-    const std::size_t end = codes.find_first_of(", \t\r");
-    if (codes.substr(0, end) == code) return true;
-    if (end == std::string_view::npos) return false;
-    codes.remove_prefix(end + 1);
-  }
-  return false;
-}
-
 std::set<std::string, std::less<>> allowed_in(const Source& source) {
-  constexpr std::string_view kMark = "jaywalk: allow-file ";
   std::set<std::string, std::less<>> codes;
-  std::string_view text = source.text();
-  for (std::size_t at = text.find(kMark); at != std::string_view::npos;
-       at = text.find(kMark, at + 1)) {
-    const std::uint32_t line = source.position(static_cast<std::uint32_t>(at)).line;
-    for (const CheckInfo& check : checks()) {
-      if (names_code(source.line(line), kMark, check.name)) codes.emplace(check.name);
-    }
+  for (const AllowedCode& allowed : allowed_codes(source)) {
+    if (allowed.in_whole_file) codes.emplace(allowed.code);
   }
   return codes;
 }
@@ -76,19 +56,23 @@ bool Checking::is_mentioned(std::string_view name) const {
 }
 
 void Checking::warn(CheckedFile& file, Span where, std::string message, std::string hint) {
-  constexpr std::string_view kMark = "jaywalk: allow ";
-  const SourcePtr& source = file.file->source;
-  const std::uint32_t line = source->position(where.begin).line;
-  if (file.allowed.contains(code_) || names_code(source->line(line), kMark, code_) ||
-      (line > 1 && names_code(source->line(line - 1), kMark, code_))) {
-    return;
-  }
+  if (file.allowed.contains(code_)) return;
   if (!file.told.emplace(where.begin, code_).second) return;
-  file.found.warning({source, where}, std::string(code_), std::move(message), std::move(hint));
+  file.found.warning({file.file->source, where}, std::string(code_), std::move(message),
+                     std::move(hint));
+}
+
+void Checking::warn(const Vocabulary::Setting& setting, std::string message, std::string hint) {
+  about_settings_.add({.severity = Severity::warning,
+                       .message = std::move(message),
+                       .where = setting.where,
+                       .hint = std::move(hint),
+                       .code = std::string(code_),
+                       .subject = setting.option});
 }
 
 Diagnostics Checking::finish() {
-  Diagnostics all;
+  Diagnostics all = std::move(about_settings_);
   for (CheckedFile& file : files_) {
     file.found.sort_by_place();
     all.append(std::move(file.found));

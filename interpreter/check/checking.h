@@ -57,6 +57,7 @@ class Checking {
   /// From here on, warnings bear that code.
   void begin(std::string_view code) { code_ = code; }
   void warn(CheckedFile& file, Span where, std::string message, std::string hint = {});
+  void warn(const Vocabulary::Setting& setting, std::string message, std::string hint = {});
   /// Whether further warnings are only counted, so that no hints need be looked for.
   [[nodiscard]] static bool is_full(const CheckedFile& file) {
     return file.found.items().size() >= Diagnostics::kLimit;
@@ -70,12 +71,12 @@ class Checking {
   Mentions mentions_;
   NameSet answers_;
   std::vector<CheckedFile> files_;
+  Diagnostics about_settings_;
   bool has_initial_goal_ = false;
   std::string_view code_;
 };
 
 #define JAYWALK_CHECK(function, code, summary) void function(Checking& checking);
 #include "interpreter/check/checks.def"
-#undef JAYWALK_CHECK
 
 }  // namespace jaywalk

@@ -46,6 +46,8 @@ std::string_view type_of(const Node& node) {
   return {};
 }
 
+bool is_bare_word(const Node& node) { return node.kind == Kind::literal && node.args.empty(); }
+
 std::optional<double> value_of(const Node& node) {
   if (node.kind == Kind::number) return node.number;
   if (!ast::is_arithmetic(node)) return std::nullopt;
@@ -199,9 +201,10 @@ void incompatible_types(Checking& checking) {
       each_relation(*condition.node, [&](const Node& relation) {
         const std::string_view left = type_of(*relation.args[0]);
         const std::string_view right = type_of(*relation.args[1]);
-        if (!left.empty() && !right.empty() && left != right) {
-          checking.warn(file, relation.span, fmt::format("{} is compared with {}", left, right));
-        }
+        if (left.empty() || right.empty() || left == right) return;
+        const bool has_atom = is_bare_word(*relation.args[0]) || is_bare_word(*relation.args[1]);
+        checking.warn(file, relation.span, fmt::format("{} is compared with {}", left, right),
+                      has_atom ? "variables begin with an upper-case letter" : "");
       });
     }
   }

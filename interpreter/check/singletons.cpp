@@ -44,7 +44,8 @@ class Occurrences {
   void tell(Checking& checking, CheckedFile& file) const {
     for (const auto& [name, node] : first_) {
       // One warning for a variable is enough.
-      const bool told = file.told.contains({node->span.begin, "unbound-variable"});
+      const bool told = file.told.contains({node->span.begin, "unbound-variable"}) ||
+                        file.told.contains({node->span.begin, "variable-goal"});
       if (told || repeated_.contains(name)) continue;
       std::string hint = checking.is_full(file) ? "" : did_you_mean(name, others(name));
       if (hint.empty()) hint = fmt::format("write '_{}' if that is meant", name);

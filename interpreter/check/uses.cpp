@@ -172,6 +172,16 @@ class Collector {
 
 Uses uses_in(std::span<const ast::Component> components) { return Collector().run(components); }
 
+std::set<std::string_view> handled_performatives(const Uses& uses) {
+  std::set<std::string_view> handled;
+  for (const ast::Plan* plan : uses.plans) {
+    const Node& trigger = *plan->trigger.literal;
+    if (trigger.text != "kqml_received" || trigger.args.size() != 4) continue;
+    if (trigger.args[1]->kind == Kind::literal) handled.insert(trigger.args[1]->text);
+  }
+  return handled;
+}
+
 const ast::Node* query_argument(const ast::Node& action) {
   if (action.kind != Kind::literal) return nullptr;
   for (const auto& [name, arguments, index] : kQueryArguments) {

@@ -4,7 +4,9 @@
 // walking the syntax tree themselves.
 
 #include <cstdint>
+#include <set>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/syntax/ast.h"
@@ -45,6 +47,9 @@ struct Uses {
 };
 
 [[nodiscard]] Uses uses_in(std::span<const ast::Component> components);
+
+/// The performatives of messages that the plans handle, `+!kqml_received(_, tell, _, _)`.
+[[nodiscard]] std::set<std::string_view> handled_performatives(const Uses& uses);
 
 /// The argument of an internal action that is a query, or null.
 [[nodiscard]] const ast::Node* query_argument(const ast::Node& action);

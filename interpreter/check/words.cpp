@@ -1,6 +1,7 @@
 #include "interpreter/check/words.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,17 @@ bool is_misspelling(std::string_view name, std::string_view meant) {
   if (plural) return false;
   return std::none_of(name.begin(), name.end(), is_digit) ||
          std::none_of(meant.begin(), meant.end(), is_digit);
+}
+
+bool is_one_slip(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  if (b.size() > a.size() + 1) return false;
+  const auto at = static_cast<std::size_t>(std::ranges::mismatch(a, b).in2 - b.begin());
+  if (at == b.size()) return false;  // equal
+  if (a.size() < b.size()) return a.substr(at) == b.substr(at + 1);
+  if (a.substr(at + 1) == b.substr(at + 1)) return true;
+  return at + 1 < a.size() && a[at] == b[at + 1] && a[at + 1] == b[at] &&
+         a.substr(at + 2) == b.substr(at + 2);
 }
 
 std::string counted(const std::set<int>& arities) {

@@ -16,6 +16,10 @@ namespace jaywalk {
 /// `left1` and `left2` are, `pos_x` and `pos_y`, `bid` and `bids`.
 [[nodiscard]] bool is_misspelling(std::string_view name, std::string_view meant);
 
+/// Whether one word becomes the other by one letter more, less or changed, or by two neighbours
+/// that change places: a Damerau-Levenshtein distance of 1.
+[[nodiscard]] bool is_one_slip(std::string_view a, std::string_view b);
+
 /// "1 or 2 arguments"
 [[nodiscard]] std::string counted(const std::set<int>& arities);
 [[nodiscard]] std::string counted(const Vocabulary::Entry& entry);

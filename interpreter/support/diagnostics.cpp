@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/silenced.h"
+
 namespace jaywalk {
 namespace {
 
@@ -158,6 +160,9 @@ void Diagnostics::error(SourceSpan where, std::string message, std::string hint)
 
 void Diagnostics::warning(SourceSpan where, std::string code, std::string message,
                           std::string hint) {
+  // Beyond the limit nothing is shown, so that no comments need be looked for.
+  const bool is_shown = items_.size() < kLimit;
+  if (where.source && is_shown && is_silenced(*where.source, where.span.begin, code)) return;
   add({.severity = Severity::warning,
        .message = std::move(message),
        .where = std::move(where),

@@ -11,11 +11,13 @@
 
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/read_program.h"
+#include "interpreter/support/silenced.h"
 
 namespace jaywalk {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{64} << 10U;
+constexpr std::string_view kEncoding = "encoding";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 Diagnostics failure(const std::string& path, std::string message, std::string hint = {}) {
@@ -130,13 +132,15 @@ Result<SourcePtr> read_any_encoding(const std::string& path, Diagnostics& diagno
   if (!text) return std::move(text.diagnostics());
   const std::optional<std::size_t> bad = first_bad_byte(text.value());
   if (!bad) return as_source(path, std::move(text).value());
+  SourcePtr source = as_source(path, with_replacements(text.value()));
+  if (is_silenced(*source, 0, kEncoding)) return source;
   diagnostics.add({.severity = Severity::warning,
                    .message = encoding_problem(text.value(), *bad),
                    .where = {},
                    .hint = std::string(kSaveAsUtf8),
-                   .code = "encoding",
+                   .code = std::string(kEncoding),
                    .subject = path});
-  return as_source(path, with_replacements(text.value()));
+  return source;
 }
 
 }  // namespace jaywalk

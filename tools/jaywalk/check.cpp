@@ -3,9 +3,12 @@
 #include "interpreter/check/check.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <functional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +21,7 @@
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/program_check.h"
+#include "tools/jaywalk/program_files.h"
 #include "tools/jaywalk/project_agents.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/shipped.h"
@@ -25,6 +29,9 @@
 
 namespace jaywalk::command::check {
 namespace {
+
+/// What of a folder is checked: its programs and projects. A file .yaml may be anything.
+constexpr std::array<std::string_view, 2> kEndings{".asl", ".mas2j"};
 
 /// Checks files, each program once however many scenarios and projects name it.
 class Checker {
@@ -65,6 +72,10 @@ class Checker {
     return loaded;
   }
 
+  bool is_new(const std::string& path) {
+    return checked_.insert(std::filesystem::path(path).lexically_normal().string()).second;
+  }
+
   void check_program(LoadedProgram program, const EnvironmentKind* environment,
                      const std::function<void(Vocabulary&)>& complete) {
     check_loaded(program.tree, environment, complete, program.found);
@@ -73,7 +84,7 @@ class Checker {
 
   /// A program by itself, for the environment that it seems to be written for.
   void check_alone(const std::string& path) {
-    if (!checked_.insert(path).second) return;
+    if (!is_new(path)) return;
     LoadedProgram program = load({.path = path, .text = {}, .include_path = include_path_});
     jaywalk::check_alone(program.tree, path, program.found);
     diagnostics_.append(std::move(program.found));
@@ -94,7 +105,7 @@ class Checker {
       named.merge(names_in(loaded.back().tree));
     }
     for (std::size_t i = 0; i < loaded.size(); ++i) {
-      if (!(*programs)[i].text && !checked_.insert((*programs)[i].path).second) continue;
+      if (!(*programs)[i].text && !is_new((*programs)[i].path)) continue;
       const EnvironmentKind* const environment = environment_of(loaded[i].tree);
       check_program(std::move(loaded[i]), environment, [&](Vocabulary& vocabulary) {
         vocabulary.others_known = all_known;
@@ -117,9 +128,11 @@ class Checker {
     }
     const std::size_t errors = diagnostics_.error_count();
     for (const BehaviourSpec& behaviour : scenario.value().behaviours) {
-      if (!checked_.insert(behaviour.program).second) continue;
+      if (!is_new(behaviour.program)) continue;
       check_program(load({.path = behaviour.program, .text = {}, .include_path = include_path_}),
-                    find_environment("crossing"), [](Vocabulary&) {});
+                    find_environment("crossing"), [&](Vocabulary& vocabulary) {
+                      vocabulary.settings = settings_of(scenario.value(), behaviour.program);
+                    });
     }
     if (diagnostics_.error_count() > errors) return;
     // What remains is how parameters and programs fit together.
@@ -151,19 +164,20 @@ std::string names_of_checks() {
 
 CommandHelp help() {
   CommandHelp help{
-      .usage = "FILE... [OPTIONS]",
+      .usage = "FILE|FOLDER... [OPTIONS]",
       .description =
           "Diagnoses agents (.asl), Jason projects (.mas2j) and scenarios (.yaml), with the\n"
-          "programs that they name, without running them: mistakes of syntax, misspelt\n"
-          "goals, percepts, actions and keys, variables without a value, plans that are\n"
-          "never reached ... `jaywalk check --list` names the warnings; a comment\n"
-          "`// jaywalk: allow CODE` silences one in its line and the next, `allow-file\n"
-          "CODE` in the file. Exits with 2 if there are errors.\n",
+          "programs that they name, and the agents and projects of folders, without running\n"
+          "them: mistakes of syntax, misspelt goals, percepts, actions, atoms and keys,\n"
+          "variables without a value, plans that are never reached ... `jaywalk check\n"
+          "--list` names the warnings; a comment `// jaywalk: allow CODE` silences one in\n"
+          "its line and the next, `allow-file CODE` in the file. Exits with 2 if there are\n"
+          "errors.\n",
       .options = {{"werror", "", "treat warnings as errors"},
                   {"list", "", "name the warnings that there are, and check nothing"}},
       .examples =
           "  jaywalk check agents/crossing/proximity.asl\n"
-          "  jaywalk check agents/crossing/*.asl scenarios/*.yaml --werror\n"};
+          "  jaywalk check agents scenarios/*.yaml --werror\n"};
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   return help;
 }
@@ -179,17 +193,23 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const auto include_path = read_include_path(arguments, console);
   if (!include_path) return ExitCode::usage;
+  std::vector<std::string> operands;
+  for (const std::string& operand : arguments.operands()) operands.push_back(located(operand));
+  std::vector<std::string> files;
+  const bool all_found = expand_folders(operands, kEndings, console, files);
+  // Projects know more about their agents than these show by themselves.
+  std::ranges::stable_partition(
+      files, [](const std::string& path) { return path.ends_with(kEndings[1]); });
   Checker checker(*include_path);
   std::size_t checked = 0;
-  for (const std::string& operand : arguments.operands()) {
-    const std::string path = located(operand);
+  for (const std::string& path : files) {
     if (checker.check_file(path)) {
       ++checked;
     } else {
       console.error(fmt::format("expected a file .asl, .mas2j or .yaml, found '{}'", path));
     }
   }
-  const bool all_checked = checked == arguments.operands().size();
+  const bool all_checked = all_found && checked == files.size();
   const Diagnostics& found = checker.diagnostics();
   console.report(found);
   console.print(fmt::format("{} checked: {}, {}\n", counted(checked, "file"),

@@ -3,7 +3,11 @@
 // The words that the checker takes as known: internal actions, and the percepts and actions of the
 // world that a program is for.
 
+#include <string>
+#include <vector>
+
 #include "env/environments.h"
+#include "experiment/scenario.h"
 #include "interpreter/check/check.h"
 
 namespace jaywalk {
@@ -11,8 +15,12 @@ namespace jaywalk {
 /// For a program in that environment; without one, for a program in a world that we do not know.
 [[nodiscard]] Vocabulary vocabulary_for(const EnvironmentKind* environment);
 
-/// The environment that a program seems to be written for, since it takes one of its actions; null
-/// if there is none.
+/// The environment that a program seems to be written for: it takes its actions and no others, and
+/// has its percepts or the values of its actions, too. Null if there is none.
 [[nodiscard]] const EnvironmentKind* environment_of(const SourceTree& program);
+
+/// The values that a scenario gives the initial beliefs of a program.
+[[nodiscard]] std::vector<Vocabulary::Setting> settings_of(const Scenario& scenario,
+                                                           const std::string& program);
 
 }  // namespace jaywalk

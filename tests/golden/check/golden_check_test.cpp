@@ -23,15 +23,31 @@ const fs::path kFolder = fs::path(JAYWALK_SOURCE_DIR) / "tests" / "golden" / "ch
 const Vocabulary kVocabulary = {
     .environment_known = true,
     .percepts = {{.name = "at", .least_args = 2, .most_args = 2, .summary = {}},
-                 {.name = "grid", .least_args = 2, .most_args = 2, .summary = {}}},
-    .actions = {{.name = "move", .least_args = 1, .most_args = 1, .summary = {}},
+                 {.name = "grid", .least_args = 2, .most_args = 2, .summary = {}},
+                 {.name = "ground",
+                  .least_args = 1,
+                  .most_args = 1,
+                  .summary = {},
+                  .values = {{"lane", "pavement"}}}},
+    .actions = {{.name = "move",
+                 .least_args = 1,
+                 .most_args = 1,
+                 .summary = {},
+                 .values = {{"left", "right"}}},
                 {.name = "stay", .least_args = 0, .most_args = 0, .summary = {}}},
-    .internal_actions = {{.name = ".print", .least_args = 0, .most_args = -1, .summary = {}},
-                         {.name = ".wait", .least_args = 1, .most_args = 3, .summary = {}},
-                         {.name = ".fail", .least_args = 0, .most_args = -1, .summary = {}},
-                         {.name = ".findall", .least_args = 3, .most_args = 3, .summary = {}},
-                         {.name = ".range", .least_args = 3, .most_args = 4, .summary = {}},
-                         {.name = ".random", .least_args = 1, .most_args = 3, .summary = {}}}};
+    .internal_actions =
+        {{.name = ".print", .least_args = 0, .most_args = -1, .summary = {}},
+         {.name = ".wait", .least_args = 1, .most_args = 3, .summary = {}},
+         {.name = ".fail", .least_args = 0, .most_args = -1, .summary = {}},
+         {.name = ".findall", .least_args = 3, .most_args = 3, .summary = {}},
+         {.name = ".range", .least_args = 3, .most_args = 4, .summary = {}},
+         {.name = ".random", .least_args = 1, .most_args = 3, .summary = {}},
+         {.name = ".concat", .least_args = 1, .most_args = -1, .summary = {}},
+         {.name = ".length", .least_args = 2, .most_args = 2, .summary = {}},
+         {.name = ".length", .least_args = 1, .most_args = 1, .summary = {}, .is_function = true},
+         {.name = ".send", .least_args = 3, .most_args = 5, .summary = {}},
+         {.name = ".broadcast", .least_args = 2, .most_args = 2, .summary = {}}},
+    .performatives = {"achieve", "askOne", "tell", "untell"}};
 
 std::vector<std::string> programs() {
   std::vector<std::string> names;
