@@ -1,7 +1,11 @@
 #include "experiment/scenario_yaml.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -31,6 +35,71 @@ ConfigNode::Kind kind_of(const YAML::Node& node) {
   return ConfigNode::Kind::null;
 }
 
+// yaml-cpp's sentences, as ours: without a capital and a final stop.
+std::string as_message(std::string text) {
+  while (text.ends_with('.')) text.pop_back();
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] + 32);
+  return text;
+}
+
+/// What people write who do not know YAML well, and why it is not read as it was meant.
+struct Slip {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::string message;
+  std::string hint;
+};
+
+bool is_key_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '.' || c == '-';
+}
+
+// `length:60`: the length of the key, if a text is of that form, as far as its first blank.
+std::size_t glued_key(std::string_view text) {
+  std::size_t key = 0;
+  while (key < text.size() && is_key_character(text[key])) ++key;
+  const bool glued = key > 0 && key + 1 < text.size() && text[key] == ':' &&
+                     std::string_view(" \t\r\n/").find(text[key + 1]) == std::string_view::npos;
+  return glued ? key : 0;
+}
+
+Slip glued_slip(std::string_view text, std::size_t begin, std::size_t key) {
+  const std::size_t end = std::min(text.find_first_of(" \t\r\n,}", begin + key), text.size());
+  return {begin, end, "expected a blank behind the ':' of a key",
+          fmt::format("write '{}: {}'", text.substr(begin, key),
+                      text.substr(begin + key + 1, end - begin - key - 1))};
+}
+
+// In a line of a text that is no YAML.
+std::optional<Slip> slip_in(std::string_view text, std::size_t begin) {
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  const std::size_t first = std::min(text.find_first_not_of(" \t-", begin), end);
+  const std::size_t tab = text.find('\t', begin);
+  if (tab < first) {
+    return Slip{tab, tab + 1, "a tab in the indentation", "YAML wants blanks there"};
+  }
+  const std::size_t key = glued_key(text.substr(first, end - first));
+  if (key == 0) return std::nullopt;
+  return glued_slip(text, first, key);
+}
+
+// The nearest one at or shortly above the line, from 0, in which yaml-cpp noticed the trouble.
+std::optional<Slip> slip_above(std::string_view text, int line) {
+  constexpr int kLinesAbove = 2;
+  std::optional<Slip> slip;
+  std::size_t begin = 0;
+  for (int i = 0; i <= line && begin < text.size(); ++i) {
+    if (i + kLinesAbove >= line) {
+      if (auto found = slip_in(text, begin)) slip = std::move(found);
+    }
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) break;
+    begin = end + 1;
+  }
+  return slip;
+}
+
 /// Copies yaml-cpp's nodes; an option's text has no lines and columns worth naming.
 class Converter {
  public:
@@ -42,12 +111,31 @@ class Converter {
     return {span_of(source_, mark, std::max<std::size_t>(length, 1)), {}};
   }
 
+  void report_slip(Slip slip) {
+    diagnostics_.error(
+        {source_, {static_cast<std::uint32_t>(slip.begin), static_cast<std::uint32_t>(slip.end)}},
+        std::move(slip.message), std::move(slip.hint));
+  }
+
+  // What is wrong with a text that yaml-cpp refuses.
+  void report_failure(const YAML::Exception& error) {
+    auto slip = source_ == nullptr ? std::nullopt : slip_above(source_->text(), error.mark.line);
+    if (slip) {
+      report_slip(std::move(*slip));
+    } else {
+      report(diagnostics_, origin(error.mark, 1), as_message(error.msg));
+    }
+  }
+
   ConfigNode convert(const YAML::Node& node, int depth) {
     ConfigNode result;
     result.kind = kind_of(node);
     if (result.kind == ConfigNode::Kind::scalar) result.text = node.Scalar();
     result.origin = origin(node.Mark(), result.text.size());
     if (!within_limits(result, depth)) return result;
+    if (result.kind == ConfigNode::Kind::scalar && begins_line(result.origin)) {
+      look_for_glued_key(result.origin);
+    }
     if (result.kind == ConfigNode::Kind::list) {
       for (const YAML::Node& item : node) result.items.push_back(convert(item, depth + 1));
     } else if (result.kind == ConfigNode::Kind::map) {
@@ -80,6 +168,7 @@ class Converter {
         continue;
       }
       const ValueOrigin where = origin(key.Mark(), key.Scalar().size());
+      if (entry.second.IsNull() && look_for_glued_key(where)) continue;
       if (result.find(key.Scalar()) != nullptr) {
         report(diagnostics_, where, fmt::format("the key '{}' is given twice", key.Scalar()));
         continue;
@@ -88,19 +177,30 @@ class Converter {
     }
   }
 
+  // A text that stands alone on its line, `length:60`, was meant as an entry.
+  [[nodiscard]] static bool begins_line(const ValueOrigin& origin) {
+    if (origin.where.source == nullptr) return false;
+    const std::string_view before = origin.where.source->text().substr(0, origin.where.span.begin);
+    const std::size_t last = before.find_last_not_of(' ');
+    return last == std::string_view::npos || before[last] == '\n';
+  }
+
+  bool look_for_glued_key(const ValueOrigin& origin) {
+    if (origin.where.source == nullptr) return false;
+    const std::string_view text = origin.where.source->text();
+    const std::size_t begin = origin.where.span.begin;
+    const std::size_t key = glued_key(text.substr(begin, text.find('\n', begin) - begin));
+    if (key == 0) return false;
+    report_slip(glued_slip(text, begin, key));
+    return true;
+  }
+
   SourcePtr source_;
   std::string option_;
   Diagnostics& diagnostics_;
   std::size_t values_ = 0;
   bool refused_ = false;
 };
-
-// yaml-cpp's sentences, as ours: without a capital and a final stop.
-std::string as_message(std::string text) {
-  while (text.ends_with('.')) text.pop_back();
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] + 32);
-  return text;
-}
 
 /// Notes where the documents of a text begin.
 class DocumentStarts : public YAML::EventHandler {
@@ -148,7 +248,7 @@ std::optional<ConfigNode> convert_text(const std::string& text, Converter& conve
     if (diagnostics.error_count() > errors) return std::nullopt;
     return result;
   } catch (const YAML::Exception& error) {
-    report(diagnostics, converter.origin(error.mark, 1), as_message(error.msg));
+    converter.report_failure(error);
     return std::nullopt;
   }
 }

@@ -137,7 +137,10 @@ class ProgramBuilder {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
     Value literal = translator_.literal(*component.literal, scope);
     if (!is_literal(literal)) {
-      diagnostics_.error(where(component.literal->span), "an initial goal must be a literal");
+      diagnostics_.error(where(component.literal->span), "an initial goal must be a literal",
+                         component.literal->kind == ast::Kind::variable
+                             ? "names begin with a lower-case letter"
+                             : "");
       return;
     }
     if (!has_source(literal_parts(literal).annots)) {

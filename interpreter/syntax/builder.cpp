@@ -347,8 +347,12 @@ void Builder::check_number(const Node& operand, Span operation) {
   std::string what = operand.kind == Kind::literal
                          ? fmt::format("'{}'", source_->text(operand.span))
                          : std::string(description_of(operand));
-  error(operand.span, fmt::format("{} is not numeric or a variable, as an operand of '{}' must be",
-                                  what, source_->text(operation)));
+  error(operand.span,
+        fmt::format("{} is not numeric or a variable, as an operand of '{}' must be", what,
+                    source_->text(operation)),
+        operand.kind == Kind::literal && operand.args.empty()
+            ? "variables begin with an upper-case letter"
+            : "");
 }
 
 bool Builder::end_expression() {

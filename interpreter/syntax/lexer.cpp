@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/characters.h"
+#include "interpreter/syntax/typographic.h"
 
 namespace jaywalk {
 namespace {
@@ -84,71 +85,6 @@ constexpr std::array kWords = {
 
 constexpr std::size_t kLongestWord = 5;
 
-// What diagnostics call the tokens, in the order of TokenKind.
-constexpr std::array<std::string_view, static_cast<std::size_t>(power) + 1> kNames = {
-    "the end of the text",
-    "something else",
-    "a name",
-    "a variable",
-    "a number",
-    "a string",
-    "'true'",
-    "'false'",
-    "'not'",
-    "'div'",
-    "'mod'",
-    "'if'",
-    "'elif'",
-    "'else'",
-    "'for'",
-    "'while'",
-    "'begin'",
-    "'end'",
-    "'('",
-    "'('",
-    "')'",
-    "'['",
-    "']'",
-    "'{'",
-    "'}'",
-    "'~'",
-    "'@'",
-    "':'",
-    "'<:'",
-    "'<-'",
-    "':-'",
-    "'::'",
-    "'.'",
-    "','",
-    "';'",
-    "'|'",
-    "'&'",
-    "'|&|'",
-    "'|||'",
-    "'!'",
-    "'!!'",
-    "'?'",
-    "'+'",
-    "'-'",
-    "'++'",
-    "'--'",
-    "'-+'",
-    "'+<'",
-    "'+>'",
-    "'^'",
-    "'<'",
-    "'<='",
-    "'>'",
-    "'>='",
-    "'=='",
-    "'\\=='",
-    "'='",
-    "'=..'",
-    "'*'",
-    "'/'",
-    "'**'"};
-static_assert(!kNames.back().empty(), "every kind has a name");
-
 class Lexer {
  public:
   Lexer(const SourcePtr& source, Diagnostics& diagnostics)
@@ -181,6 +117,10 @@ class Lexer {
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == ' ' || c == '\n' || c == '\t' || c == '\r') continue;
+      if (is_foreign_comment()) {
+        skip_foreign_comment();
+        continue;
+      }
       if (c != '/') return;
       if (peek(1) == '/') {
         at_ = std::min(text_.find_first_of("\n\r", at_), text_.size() - 1);
@@ -190,6 +130,35 @@ class Lexer {
         return;
       }
     }
+  }
+
+  [[nodiscard]] static bool may_end_operand(TokenKind kind) {
+    return kind == variable || kind == number || kind == close || kind == atom;
+  }
+
+  // `# text` and `% text`, which other languages have: behind a blank, where no operator could
+  // stand.
+  [[nodiscard]] bool is_foreign_comment() const {
+    if (text_[at_] != '#' && text_[at_] != '%') return false;
+    if (at_ > 0 && is_name_character(text_[at_ - 1])) return false;
+    if (text_[at_] == '#') return true;
+    if (tokens_.empty() || !may_end_operand(tokens_.back().kind)) return true;
+    const std::size_t last = tokens_.back().span.end;
+    return text_.substr(last, at_ - last).find('\n') != std::string_view::npos;
+  }
+
+  // Leaves `at_` at the last character of the line. Of neighbouring lines, the first is reported.
+  void skip_foreign_comment() {
+    const std::size_t begin = at_;
+    const std::uint32_t line = source_->position(static_cast<std::uint32_t>(begin)).line;
+    const bool goes_on = foreign_comment_line_ != 0 && foreign_comment_line_ + 1 == line;
+    foreign_comment_line_ = line;
+    ++at_;
+    if (!goes_on) {
+      error(begin, fmt::format("unexpected character '{}'", text_[begin]),
+            "comments begin with '//'");
+    }
+    at_ = std::min(text_.find_first_of("\n\r", at_), text_.size()) - 1;
   }
 
   // Leaves `at_` at the last character of the comment.
@@ -334,12 +303,44 @@ class Lexer {
     return atom;
   }
 
+  // What word processors and web pages make of plain characters. A text between such quotes is read
+  // as a string or quoted atom, so that the rest is read as it was meant.
+  TokenKind read_typographic(const Typographic& written) {
+    const std::size_t begin = at_;
+    at_ += written.text.size();
+    TokenKind kind = bad;
+    if (written.meant == "\"" || written.meant == "'") {
+      kind = written.meant == "'" ? atom : string;
+      skip_to_closing_quote(written.meant);
+    }
+    error(begin, fmt::format("unexpected '{}'", written.text), std::string(written.hint));
+    return kind;
+  }
+
+  // Behind the quote of the same kind, typographic or not, that ends it on its line.
+  void skip_to_closing_quote(std::string_view meant) {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    for (std::size_t i = at_; i < end; ++i) {
+      const Typographic* const quote = typographic_at(text_.substr(i));
+      const bool is_plain = text_.substr(i).starts_with(meant);
+      if (!is_plain && (quote == nullptr || quote->meant != meant)) continue;
+      at_ = i + (is_plain ? 1 : quote->text.size());
+      return;
+    }
+  }
+
   // One diagnostic for a run of characters that begin no token.
   TokenKind read_garbage() {
+    if (const Typographic* const written = typographic_at(text_.substr(at_))) {
+      return read_typographic(*written);
+    }
     const std::size_t begin = at_;
     const auto is_foreign = [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; };
     ++at_;
-    while (is_foreign(text_[begin]) && is_foreign(peek())) ++at_;
+    while (is_foreign(text_[begin]) && is_foreign(peek()) &&
+           typographic_at(text_.substr(at_)) == nullptr) {
+      ++at_;
+    }
     const std::string_view found = text_.substr(begin, at_ - begin);
     if (found == "\\") {
       if (peek() == '+' || peek() == '=') ++at_;
@@ -353,9 +354,22 @@ class Lexer {
     } else if (static_cast<unsigned char>(found.front()) < 0x20U) {
       error(begin, fmt::format("unexpected control character {}", static_cast<int>(found.front())));
     } else {
-      error(begin, fmt::format("unexpected character '{}'", found));
+      error(begin, fmt::format("unexpected character '{}'", found), hint_for(found.front()));
     }
     return bad;
+  }
+
+  static std::string hint_for(char found) {
+    switch (found) {
+      case '%':
+        return "the remainder of a division is X mod Y; comments begin with '//'";
+      case '$':
+        return "variables begin with an upper-case letter";
+      case '`':
+        return "write a string in \" and a quoted atom in '";
+      default:
+        return {};
+    }
   }
 
   // Keeps the brackets that are open, to tell a '(' around a body from one around a formula: there
@@ -417,6 +431,7 @@ class Lexer {
   std::size_t at_ = 0;
   std::vector<Token> tokens_;
   std::vector<Bracket> open_;
+  std::uint32_t foreign_comment_line_ = 0;  // the last one's, from 1
 };
 
 }  // namespace
@@ -424,7 +439,5 @@ class Lexer {
 std::vector<Token> tokenize(const SourcePtr& source, Diagnostics& diagnostics) {
   return Lexer(source, diagnostics).run();
 }
-
-std::string_view name_of(TokenKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
 }  // namespace jaywalk

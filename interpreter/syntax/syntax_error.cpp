@@ -64,7 +64,7 @@ constexpr std::array kMisspellings = {
     Misspelling{"=:=", "equal is written '=='"},
     Misspelling{"<--", "the body of a plan begins with '<-'"},
     Misspelling{"-->", "the body of a plan begins with '<-'"},
-    Misspelling{":=", "the body of a plan begins with '<-'"},
+    Misspelling{":=", ""},  // it depends on the place
     Misspelling{"->", "the body of a plan begins with '<-'"},
     Misspelling{"=>", "the body of a plan begins with '<-', greater or equal is '>='"},
     Misspelling{"!=", "unequal is written '\\=='"},
@@ -233,7 +233,7 @@ class Reporter {
     if (const auto misspelt = misspelling_at(text_, span.begin)) {
       span = misspelt->span;
       what = fmt::format("'{}'", error_.source->text(span));
-      hint = misspelt->hint;
+      hint = misspelt->hint.empty() ? hint_for_assignment(span.begin) : misspelt->hint;
       if (span.begin < error_.found->span.begin) {
         add(span, fmt::format("unexpected {}", what), std::move(hint));
         return;
@@ -251,6 +251,7 @@ class Reporter {
   }
 
   [[nodiscard]] std::string hint_for(const Token& token) const {
+    if (std::string hint = hint_for_block(); !hint.empty()) return hint;
     if (token.kind == comma && error_.expected.starts_with('\'')) return hint_for_comma();
     if (is_closing(token.kind) && place_.brackets.empty()) {
       return fmt::format("there is no bracket that this {} could close", name_of(token.kind));
@@ -262,9 +263,6 @@ class Reporter {
     if (token.kind == close && &token > error_.clause && (&token)[-1].kind == open &&
         error_.expected == "a term") {
       return "without arguments, there are no parentheses";
-    }
-    if (token.kind == if_word && &token > error_.clause && (&token)[-1].kind == else_word) {
-      return "'else if' is written 'elif'";
     }
     if (is_word(token.kind) && token.kind != begin_word && token.kind != end_word &&
         token.kind != not_word && token.kind != else_word && token.kind != elif_word) {
@@ -285,6 +283,35 @@ class Reporter {
       return "goals belong in the body of a plan, not in its context";
     }
     return place_.brackets.empty() ? std::string() : hint_for_bracket(token);
+  }
+
+  // What `:=` at an offset of the clause is meant for.
+  [[nodiscard]] std::string hint_for_assignment(std::uint32_t offset) const {
+    const Token* token = error_.clause;
+    while (token->span.begin < offset && token != error_.found) ++token;
+    const Place place = place_of(error_.clause, token);
+    if (place.part != Place::Part::head || !place.brackets.empty()) {
+      return "a variable gets its value by '=', as in X = Y + 1, and keeps it";
+    }
+    const TokenKind first = error_.clause->kind;
+    return first == atom || first == tilde ? "a rule is written with ':-'"
+                                           : "the body of a plan begins with '<-'";
+  }
+
+  // What stands between `if (C)` or `else` and what they do is a brace.
+  [[nodiscard]] std::string hint_for_block() const {
+    if (error_.found == error_.clause) return {};
+    const TokenKind before = error_.found[-1].kind;
+    const bool is_else_if = before == else_word && error_.found->kind == if_word;
+    if (is_else_if) return "'else if' is written 'elif'";
+    if (error_.expected == "'{'" && (before == close || before == else_word)) {
+      return "what 'if', 'else', 'for' and 'while' do stands in braces, as in if (C) { a; b }";
+    }
+    const bool begins =
+        before == if_word || before == elif_word || before == for_word || before == while_word;
+    return error_.expected == "'('" && begins
+               ? "the condition stands in parentheses, as in if (X > 1) { a }"
+               : "";
   }
 
   [[nodiscard]] std::string hint_for_comma() const {

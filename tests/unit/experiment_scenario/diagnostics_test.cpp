@@ -24,6 +24,33 @@ TEST(ScenarioDiagnostics, PointAtAnUnknownKeyAndSuggestTheRightOne) {
             "  hint: did you mean 'length'?\n");
 }
 
+TEST(ScenarioDiagnostics, PointAtAColonThatABlankIsMissingBehind) {
+  EXPECT_EQ(errors(parse("behaviours: [a.asl]\nworld:\n  length:60\n")),
+            "folder/test.yaml:3:3: error: expected a blank behind the ':' of a key\n"
+            "    length:60\n"
+            "    ^~~~~~~~~\n"
+            "  hint: write 'length: 60'\n");
+  for (const char* text : {
+           "world:\n  length:60\n  cell: 1\nbehaviours: [a.asl]\n",
+           "world:\n  cell: 1\n  length:60\nbehaviours: [a.asl]\n",
+           "length:60\nbehaviours: [a.asl]\n",
+           "behaviours: [{program: a.asl, parameters: {first_way:forward}}]\n",
+           "behaviours:\n  - program:a.asl\n    parameters: {}\n",
+       }) {
+    const std::string found = errors(parse(text));
+    EXPECT_NE(found.find("expected a blank behind the ':' of a key"), std::string::npos)
+        << text << found;
+  }
+}
+
+TEST(ScenarioDiagnostics, PointAtTabs) {
+  EXPECT_EQ(errors(parse("world:\n\tlength: 60\nbehaviours: [a.asl]\n")),
+            "folder/test.yaml:2:1: error: a tab in the indentation\n"
+            "  \tlength: 60\n"
+            "  ^\n"
+            "  hint: YAML wants blanks there\n");
+}
+
 TEST(ScenarioDiagnostics, ListTheKeysWhenNoneIsClose) {
   EXPECT_EQ(errors(parse("behaviours: [a.asl]\nexperiment: {repetitions: 5}\n")),
             "folder/test.yaml:2:14: error: unknown key 'repetitions' in 'experiment'\n"

@@ -132,8 +132,10 @@ TEST(ParserErrors, NameTheBracketThatIsNotClosed) {
 
 TEST(ParserErrors, SayWhatCannotStandWhere) {
   for (const auto& [text, errors] : {
-           ParserErrorRow{"+!g : a + 1 > 2.",
-                          "1:7: 'a' is not numeric or a variable, as an operand of '+' must be\n"},
+           ParserErrorRow{
+               "+!g : a + 1 > 2.",
+               "1:7: 'a' is not numeric or a variable, as an operand of '+' must be (variables "
+               "begin with an upper-case letter)\n"},
            ParserErrorRow{
                "+!g : X > (a & b) * 2.",
                "1:12: a logical formula is not numeric or a variable, as an operand of '*' must "
