@@ -16,7 +16,9 @@
 
 // Walk, or wait, until crossing leads to the meeting.
 +!meet(Meeting) : slack(Meeting, 0) & Meeting = meeting(Row, _, How)
-   <- !cross_to(Row); !go_on(How); !cross_road.
+  <- !cross_to(Row);
+     !go_on(How);
+     !cross_road.
 +!meet(Meeting) : slack(Meeting, S) & step_for(S, Way) <- !step(Way); !meet(Meeting).
 +!meet(_) <- !cross_road.
 
@@ -32,18 +34,17 @@
 +!go_on(along)    <- move(forward).
 
 // One of the meetings that are still possible and have the fewest bins that are covered already.
-hole(Meeting) :- is_covered(_, _) &
-                 .findall(option(Old, M), possible(M) & bins_covered(M, Old), All) &
-                 .min(All, option(Least, _)) &
-                 .findall(M, .member(option(Least, M), All), Best) &
-                 .random(Best, Chosen) & Meeting = Chosen.
+hole(Meeting) :-
+  is_covered(_, _) & .findall(option(Old, M), possible(M) & bins_covered(M, Old), All) &
+  .min(All, option(Least, _)) & .findall(M, .member(option(Least, M), All), Best) &
+  .random(Best, Chosen) & Meeting = Chosen.
 
 is_covered(Item, Bin) :- covered(Item, Bin, _).  // jaywalk: allow unknown-belief
 
-possible(meeting(Row, Ahead, How)) :- zone_rows(First, Last) & .range(Row, First, Last) &
-                                      zone_ahead(From, To) & .range(Ahead, From, To) &
-                                      manner(How, _, _, _) &
-                                      slack(meeting(Row, Ahead, How), S) & can_use_up(S).
+possible(meeting(Row, Ahead, How)) :-
+  zone_rows(First, Last) & .range(Row, First, Last) & zone_ahead(From, To) &
+  .range(Ahead, From, To) & manner(How, _, _, _) & slack(meeting(Row, Ahead, How), S) &
+  can_use_up(S).
 
 // How to be when the AV comes, by its bins when coming from the left and from the right; the ticks
 // that it takes beyond crossing, and the cells that it leads on.
@@ -53,9 +54,9 @@ manner(standing, [4, 4], 1, 0).
 
 // How much nearer the AV must be when the pedestrian begins to cross. In a tick the AV comes nearer
 // by V cells, by one less if the pedestrian walks forward, by one more if it walks back.
-slack(meeting(Row, Ahead, How), S) :- manner(How, _, More, Cells) & at(X, Y) & av(AvY) &
-                                      av_speed(V) & rows_to(X, Row, Row, N) &
-                                      S = Y + Cells - AvY - V * (N + More - 1) - Ahead.
+slack(meeting(Row, Ahead, How), S) :-
+  manner(How, _, More, Cells) & at(X, Y) & av(AvY) & av_speed(V) & rows_to(X, Row, Row, N) &
+  S = Y + Cells - AvY - V * (N + More - 1) - Ahead.
 
 can_use_up(0).
 can_use_up(S) :- S > 0 & av_speed(V) & S >= math.ceil(S / (V + 1)) * (V - 1).
@@ -66,22 +67,23 @@ step_for(S, back)    :- free(back) & av_speed(V) & can_use_up(S - V - 1).
 
 // How many of the meeting's bins earlier tests have covered.
 bins_covered(meeting(Row, Ahead, How), N) :-
-   point_bin(Row, P) & ttc_bin(Ahead, T) & band_bin(B) & approach_bin(How, A) &
-   .count(is_covered(point_and_ttc, 5 * (P - 1) + T), N1) &
-   .count(is_covered(point_and_approach, 4 * (P - 1) + A), N2) &
-   .count(is_covered(band_and_point, 5 * (B - 1) + P), N3) & N = N1 + N2 + N3.
+  point_bin(Row, P) & ttc_bin(Ahead, T) & band_bin(B) & approach_bin(How, A) &
+  .count(is_covered(point_and_ttc, 5 * (P - 1) + T), N1) &
+  .count(is_covered(point_and_approach, 4 * (P - 1) + A), N2) &
+  .count(is_covered(band_and_point, 5 * (B - 1) + P), N3) & N = N1 + N2 + N3.
 
 // The bins, from 1, as the test bench counts them.
 point_bin(Row, 1) :- av_rows(First, _) & Row < First.
 point_bin(Row, 5) :- av_rows(_, Last) & Row > Last.
-point_bin(Row, P) :- av_rows(First, Last) & Row >= First & Row <= Last &
-                     Share = (Row + 0.5 - First) / (Last - First + 1) & point_of(Share, P).
+point_bin(Row, P) :-
+  av_rows(First, Last) & Row >= First & Row <= Last &
+  Share = (Row + 0.5 - First) / (Last - First + 1) & point_of(Share, P).
 point_of(Share, 2) :- Share < 0.375.
 point_of(Share, 3) :- Share >= 0.375 & Share < 0.625.
 point_of(Share, 4) :- Share >= 0.625.
 
-ttc_bin(Ahead, T) :- av_speed(V) & tick_length(S) &
-                     T = 1 + math.min(4, math.floor((Ahead - 0.5) / V * S / 0.2)).
+ttc_bin(Ahead, T) :-
+  av_speed(V) & tick_length(S) & T = 1 + math.min(4, math.floor((Ahead - 0.5) / V * S / 0.2)).
 
 band_bin(B) :- started(Y) & grid(_, Cells) & B = 1 + math.floor(6 * (Y + 0.5) / Cells).
 

@@ -17,15 +17,18 @@ assertion(collision_avoidance).  // its id in the scenario's file of assertions
 +!exercise(Id)                                   <- !walk; !exercise(Id).
 
 // Between 2 s and 4 s ahead of the AV when the row of its body is reached: time enough to brake.
-stands_in_time :- at(X, Y) & av_rows(First, Last) & rows_to(X, First, Last, N) &
-                  av(AvY) & av_speed(V) & Y >= AvY + V * (N + 2) & Y <= AvY + V * (N + 4).
+stands_in_time :-
+  at(X, Y) & av_rows(First, Last) & rows_to(X, First, Last, N) & av(AvY) & av_speed(V) &
+  Y >= AvY + V * (N + 2) & Y <= AvY + V * (N + 4).
 
 // Out of the AV's lane again before the AV comes.
-crosses_before :- at(X, Y) & zone_rows(First, Last) & rows_to(X, First, Last, N) &
-                  av(AvY) & av_speed(V) & Y > AvY + V * (N + Last - First + 1).
+crosses_before :-
+  at(X, Y) & zone_rows(First, Last) & rows_to(X, First, Last, N) & av(AvY) & av_speed(V) &
+  Y > AvY + V * (N + Last - First + 1).
 
 +!stand_in_its_way : at(X, _) & av_rows(First, Last) & First <= X & X <= Last
-   <- stay; !stand_in_its_way.
+  <- stay;
+     !stand_in_its_way.
 +!stand_in_its_way : way_across(Way) <- move(Way); !stand_in_its_way.
 +!stand_in_its_way : at(X, _) & av_rows(First, _) & X < First <- move(right); !stand_in_its_way.
 +!stand_in_its_way                                            <- move(left); !stand_in_its_way.

@@ -18,14 +18,14 @@ next(back, X, Y - 1)    :- at(X, Y).
 turned(forward, back).
 turned(back, forward).
 
-+!go : crossing(Way) & free(Way)                          <- !claim(Way).
-+!go : crossing(_)                                        <- !claim(none).
-+!go : distance_to_av(D) & near(D) & way_across(Way)      <- +crossing(Way); !claim(Way).
-+!go : way(Way) & free(Way)                               <- !claim(Way).
-+!go : way(Way) & turned(Way, Other)                      <- -+way(Other); !claim(Other).
++!go : crossing(Way) & free(Way)                     <- !claim(Way).
++!go : crossing(_)                                   <- !claim(none).
++!go : distance_to_av(D) & near(D) & way_across(Way) <- +crossing(Way); !claim(Way).
++!go : way(Way) & free(Way)                          <- !claim(Way).
++!go : way(Way) & turned(Way, Other)                 <- -+way(Other); !claim(Other).
 
-+!claim(none) : at(X, Y)                         <- !tell(none, X, Y).
-+!claim(Way)  : next(Way, X, Y)                  <- !tell(Way, X, Y).
++!claim(none) : at(X, Y)        <- !tell(none, X, Y).
++!claim(Way)  : next(Way, X, Y) <- !tell(Way, X, Y).
 +!tell(Way, ToX, ToY) : tick(T) & id(Me) & at(X, Y)
   <- -+wish(Way);
      .broadcast(tell, claim(T, Me, X, Y, ToX, ToY));

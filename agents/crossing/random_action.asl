@@ -4,4 +4,4 @@
 
 !wander.
 
-+!wander <- .findall(move(Way), free(Way), Moves); .random([stay | Moves], Action); Action; !wander.
++!wander <- .findall(move(Way), free(Way), Moves); .random([stay|Moves], Action); Action; !wander.

@@ -3,7 +3,7 @@
 
 { include("shared/steps.asl") }
 
-crossing_probability(1/11).  // per tick
+crossing_probability(1 / 11).  // per tick
 
 !stroll.
 

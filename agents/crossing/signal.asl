@@ -7,7 +7,10 @@ red(8).
 !run.
 
 +!run : green(G) & amber(A) & red(R)
-  <- !hold(green, G); !hold(amber, A); !hold(red, R); !run.
+  <- !hold(green, G);
+     !hold(amber, A);
+     !hold(red, R);
+     !run.
 
 +!hold(Colour, Ticks) : Ticks > 0 <- show(Colour); !hold(Colour, Ticks - 1).
 +!hold(_, _).

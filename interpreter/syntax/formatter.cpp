@@ -4,13 +4,16 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/syntax/formatter_columns.h"
 #include "interpreter/syntax/formatter_items.h"
 #include "interpreter/syntax/parser.h"
+#include "interpreter/syntax/printer.h"
 
 namespace jaywalk {
 namespace {
 
 using enum TokenKind;
+using format::columns;
 using format::Item;
 
 constexpr std::size_t kIndent = 2;
@@ -24,7 +27,7 @@ class Formatter {
   std::string run() {
     components(0, items_.size(), 0, 0);
     if (!out_.empty()) out_ += '\n';
-    return std::move(out_);
+    return format::with_columns(std::move(out_), std::move(marks_), kLineWidth);
   }
 
  private:
@@ -53,6 +56,8 @@ class Formatter {
   void new_line(std::size_t indent, bool empty_line = false) {
     if (out_.empty()) return;
     out_ += empty_line ? "\n\n" : "\n";
+    line_ += empty_line ? 2 : 1;
+    line_begin_ = out_.size();
     out_.append(indent, ' ');
     column_ = indent;
   }
@@ -63,20 +68,29 @@ class Formatter {
       column_ += columns(text);
     } else {
       column_ = columns(text.substr(last_break + 1));
+      line_ += static_cast<std::size_t>(std::ranges::count(text, '\n'));
+      line_begin_ = out_.size() - (text.size() - last_break - 1);
     }
   }
-  [[nodiscard]] static std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  void write_item(std::size_t i) {
+    const bool ends_line = items_[i].is_line_comment && items_[i].breaks_before == 0;
+    if (ends_line) mark(i);
+    write(items_[i].text);
   }
-  void write_item(std::size_t i) { write(items_[i].text); }
+  /// What is written next may stand in a column with its like in the lines around.
+  void mark(std::size_t i) {
+    marks_.push_back({.kind = items_[i].kind,
+                      .line = line_,
+                      .offset = out_.size() - line_begin_,
+                      .former_column = items_[i].column});
+  }
 
   // Next to a comment, line breaks stay as they are.
   [[nodiscard]] bool is_beside_comment(std::size_t i) const {
     return items_[i].is_comment || (i > 0 && items_[i - 1].is_comment);
   }
   [[nodiscard]] bool must_break(std::size_t i) const {
-    return is_beside_comment(i) && items_[i].breaks_before > 0;
+    return items_[i].begins_formula || (is_beside_comment(i) && items_[i].breaks_before > 0);
   }
   void blank(std::size_t i) {
     const bool ends_line =
@@ -106,6 +120,20 @@ class Formatter {
     }
     return width;
   }
+  // What stands in brackets is broken only where a whole line would not hold it.
+  [[nodiscard]] bool is_call_too_wide(std::size_t begin, std::size_t end,
+                                      std::size_t indent) const {
+    std::size_t width = 0;
+    for (std::size_t i = begin; i < end && width <= kLineWidth; ++i) {
+      if (i > begin && (items_[i].may_break || items_[i].is_comment)) break;
+      const std::size_t last = opens(items_[i].kind) ? std::min(items_[i].partner, end - 1) : i;
+      for (; i <= last && width <= kLineWidth; ++i) {
+        width += columns(items_[i].text) + (items_[i].blank_before ? 1 : 0);
+      }
+      --i;
+    }
+    return column_ + width > kLineWidth && indent + width <= kLineWidth;
+  }
   [[nodiscard]] bool is_on_one_line(std::size_t begin, std::size_t end) const {
     return std::all_of(items_.begin() + static_cast<std::ptrdiff_t>(begin) + 1,
                        items_.begin() + static_cast<std::ptrdiff_t>(end), [](const Item& item) {
@@ -120,9 +148,20 @@ class Formatter {
       write_item(i);
     }
   }
+  /// The same for a component on one line, with marks on its colon and arrow.
+  void one_line(std::size_t begin, std::size_t end) {
+    const std::size_t arrow_at = std::min(find(arrow, begin, end), find(rule, begin, end));
+    const std::size_t colon_at = find(colon, begin, arrow_at);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > begin) blank(i);
+      if (i == colon_at || i == arrow_at) mark(i);
+      write_item(i);
+    }
+  }
   void gap(std::size_t i, std::size_t end, std::size_t indent) {
-    const bool is_too_wide = items_[i].may_break && !is_beside_comment(i) && column_ > indent &&
-                             column_ + unit_width(i, end) > kLineWidth;
+    const bool is_too_wide =
+        items_[i].may_break && !is_beside_comment(i) && column_ > indent &&
+        (column_ + unit_width(i, end) > kLineWidth || is_call_too_wide(i, end, indent));
     if (must_break(i) || is_too_wide) {
       new_line(indent);
     } else {
@@ -199,7 +238,7 @@ class Formatter {
     const std::size_t inner = indent + kIndent;
     const std::size_t neck = find(rule, begin, end);
     if (is_on_one_line(begin, end) && fits(begin, end, column_)) {
-      flow(begin, end, inner);
+      one_line(begin, end);
     } else if (begins_plan(kind(begin))) {
       plan(begin, end, indent);
     } else if (neck < end) {
@@ -275,9 +314,19 @@ class Formatter {
     }
   }
 
+  // Its semicolon, or its last item if there is none before the next formula.
+  [[nodiscard]] std::size_t end_of_formula(std::size_t begin, std::size_t end) const {
+    const std::size_t last = find(semicolon, begin, end);
+    for (std::size_t i = begin + 1; i < last; ++i) {
+      if (items_[i].begins_formula) return i - 1;
+      if (opens(items_[i].kind)) i = items_[i].partner;
+    }
+    return last;
+  }
+
   // One formula with the semicolon or full stop behind it; returns what follows.
   std::size_t formula(std::size_t begin, std::size_t end, std::size_t indent) {
-    std::size_t last = std::min(find(semicolon, begin, end) + 1, end);
+    std::size_t last = std::min(end_of_formula(begin, end) + 1, end);
     while (items_[last - 1].is_comment) --last;
     const TokenKind first = kind(begin);
     const bool is_statement = first == if_word || first == for_word || first == while_word;
@@ -321,6 +370,9 @@ class Formatter {
   std::vector<Item> items_;
   std::string out_;
   std::size_t column_ = 0;
+  std::size_t line_ = 0;
+  std::size_t line_begin_ = 0;
+  std::vector<format::ColumnMark> marks_;
 };
 
 // The same tokens and comments: nothing has been lost.
@@ -332,12 +384,16 @@ bool is_same(const std::vector<Item>& a, const std::vector<Item>& b) {
 
 Result<std::string> format_agent(const SourcePtr& source) {
   Diagnostics diagnostics;
-  (void)parse_agent(source, diagnostics);
+  const ast::File file = parse_agent(source, diagnostics);
   if (diagnostics.has_errors()) return diagnostics;
-  const std::vector<Item> items = format::items_of(source);
+  const std::vector<Item> items = format::items_of(file);
   std::string text = Formatter(items).run();
-  const auto formatted = std::make_shared<const Source>(source->name(), text);
-  if (!is_same(items, format::items_of(formatted))) {
+  // Line breaks mean something where a semicolon is missing: what was written is read again.
+  Diagnostics mistakes;
+  const ast::File formatted =
+      parse_agent(std::make_shared<const Source>(source->name(), text), mistakes);
+  if (mistakes.has_errors() || print(file) != print(formatted) ||
+      !is_same(items, format::items_of(formatted))) {
     diagnostics.error(source->name(), "its layout would change the program: it stays as it is",
                       "this is a mistake of ours; please report it with the file");
     return diagnostics;

@@ -16,6 +16,9 @@
 //            third
 //          }.
 //
+// - Arrows, colons and comments behind lines that stand in one column in neighbouring lines keep
+// one.
+// - Where a semicolon is missing, the line break that stands for it stays.
 // - At most one empty line stays where there was one, between components and between formulas.
 
 #include <string>

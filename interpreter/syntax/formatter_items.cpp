@@ -1,7 +1,10 @@
 #include "interpreter/syntax/formatter_items.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <set>
+#include <span>
 #include <string>
 
 #include "interpreter/support/diagnostics.h"
@@ -49,6 +52,8 @@ class Splitter {
 
   void add(Item item, std::size_t end) {
     item.breaks_before = std::min(breaks_, 2);
+    const auto begin = static_cast<std::uint32_t>(item.text.data() - text_.data());
+    item.column = source_->position(begin).column - 1;
     items_.push_back(item);
     breaks_ = 0;
     at_ = end;
@@ -200,11 +205,68 @@ class Spacing {
   std::size_t label_depth_ = 0;
 };
 
+/// Finds the formulas that follow another one without a semicolon. Nothing nests deeper than the
+/// parser allows.
+class Followers {
+ public:
+  explicit Followers(const ast::File& file) : text_(file.source->text()) {
+    components(file.components);
+  }
+
+  /// Where they begin.
+  [[nodiscard]] const std::set<const char*>& begins() const { return begins_; }
+
+ private:
+  void components(std::span<const ast::Component> components) {
+    for (const ast::Component& component : components) {
+      if (component.literal != nullptr) node(*component.literal);
+      if (component.body != nullptr) node(*component.body);
+      if (component.plan != nullptr) plan(*component.plan);
+      this->components(component.inner);
+    }
+  }
+
+  void plan(const ast::Plan& plan) {
+    node(*plan.trigger.literal);
+    if (plan.context != nullptr) node(*plan.context);
+    if (plan.goal_condition != nullptr) node(*plan.goal_condition);
+    formulas(plan.body);
+    for (const ast::Plan* subplan : plan.subplans) this->plan(*subplan);
+  }
+
+  void node(const ast::Node& node) {
+    for (const ast::Node* part : node.args) this->node(*part);
+    formulas(node.formulas);
+    if (node.plan != nullptr) plan(*node.plan);
+    if (node.tail != nullptr) this->node(*node.tail);
+    if (node.annots != nullptr) this->node(*node.annots);
+  }
+
+  // Whatever stands before a formula, a semicolon or not: the token before it tells.
+  void formulas(std::span<const ast::Formula> formulas) {
+    for (const ast::Formula& formula : formulas) {
+      if (&formula != &formulas.front()) begins_.insert(text_.data() + formula.span.begin);
+      node(*formula.node);
+    }
+  }
+
+  std::string_view text_;
+  std::set<const char*> begins_;
+};
+
 }  // namespace
 
-std::vector<Item> items_of(const SourcePtr& source) {
-  std::vector<Item> items = Splitter(source).run();
+std::vector<Item> items_of(const ast::File& file) {
+  std::vector<Item> items = Splitter(file.source).run();
   Spacing(items).run();
+  const Followers followers(file);
+  TokenKind before = end_of_text;
+  for (Item& item : items) {
+    if (item.is_comment) continue;
+    item.begins_formula = item.breaks_before > 0 && before != semicolon &&
+                          followers.begins().contains(item.text.data());
+    before = item.kind;
+  }
   return items;
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/support/source.h"
+#include "interpreter/syntax/ast.h"
 #include "interpreter/syntax/lexer.h"
 
 namespace jaywalk::format {
@@ -23,11 +23,16 @@ struct Item {
   bool may_break = false;
   /// How many line breaks there were before it, up to two.
   int breaks_before = 0;
+  /// In which column it stood, from 0.
+  std::size_t column = 0;
+  /// It begins a formula, on a line of its own, without a semicolon before it: only the line break
+  /// keeps the two apart.
+  bool begins_formula = false;
   /// Of a bracket: the one that belongs to it.
   std::size_t partner = 0;
 };
 
-/// The items of a text. REQUIRES: it is a program, without mistakes.
-[[nodiscard]] std::vector<Item> items_of(const SourcePtr& source);
+/// The items of a program. REQUIRES: it has no mistakes.
+[[nodiscard]] std::vector<Item> items_of(const ast::File& file);
 
 }  // namespace jaywalk::format

@@ -1,11 +1,17 @@
 // `jaywalk fmt`: programs in their canonical layout.
 
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "experiment/export/write_file.h"
 #include "interpreter/syntax/formatter.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/line_diff.h"
+#include "tools/jaywalk/program_files.h"
 
 namespace jaywalk::command::fmt_ {
 namespace {
@@ -17,8 +23,11 @@ struct Mode {
   bool diff = false;
 };
 
+constexpr std::array<std::string_view, 1> kEndings{".asl"};
+
 Found format_file(const std::string& path, const Mode& mode, Console& console) {
-  auto source = read_source(path);
+  const bool is_input = path == kStandardInput;
+  auto source = read_source(is_input ? "/dev/stdin" : path);
   if (!source) {
     console.report(source.diagnostics());
     return Found::wrong;
@@ -30,10 +39,15 @@ Found format_file(const std::string& path, const Mode& mode, Console& console) {
   }
   const std::string_view before = source.value()->text();
   const std::string& after = formatted.value();
+  const bool writes = !mode.check && !mode.diff;
+  if (is_input && writes) {
+    console.print(after);
+    return Found::same;
+  }
   if (before == after) return Found::same;
   if (mode.diff) console.print(line_diff(before, after, path, path + " (formatted)"));
   if (mode.check && !mode.diff) console.print(::fmt::format("{}\n", path));
-  if (mode.check || mode.diff) return Found::different;
+  if (!writes) return Found::different;
   if (const auto problem = write_file(path, after)) {
     console.error(*problem);
     return Found::wrong;
@@ -45,18 +59,20 @@ Found format_file(const std::string& path, const Mode& mode, Console& console) {
 }  // namespace
 
 CommandHelp help() {
-  return {.usage = "FILE... [OPTIONS]",
+  return {.usage = "FILE|FOLDER|-... [OPTIONS]",
           .description =
-              "Lays out programs (.asl) in place and names those that have changed. Nothing but\n"
-              "blanks is added or taken away; comments stay. A plan written on one line stays\n"
-              "on one if it fits, others get a line for each formula. A file with mistakes is\n"
-              "left as it is.\n",
+              "Lays out programs (.asl) in place, those in a folder too, and names those that\n"
+              "have changed; - lays out standard input on standard output. Nothing but blanks\n"
+              "is added or taken away; comments stay. A plan written on one line stays on one\n"
+              "if it fits, others get a line for each formula. A file with mistakes is left as\n"
+              "it is.\n",
           .options = {{"check", "",
                        "write nothing; name the files that would change,\nand exit with 1"},
                       {"diff", "", "write nothing; show what would change"}},
           .examples =
               "  jaywalk fmt agent.asl\n"
-              "  jaywalk fmt agents/*.asl --check --diff\n"};
+              "  jaywalk fmt agents --check --diff\n"
+              "  jaywalk fmt - <agent.asl\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
@@ -65,10 +81,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::usage;
   }
   const Mode mode{.check = arguments.has("check"), .diff = arguments.has("diff")};
-  bool any_wrong = false;
+  std::vector<std::string> files;
+  bool any_wrong = !expand_folders(arguments.operands(), kEndings, console, files);
   bool any_different = false;
-  for (const std::string& path : arguments.operands()) {
-    if (!path.ends_with(".asl")) {
+  for (const std::string& path : files) {
+    if (!path.ends_with(kEndings[0]) && path != kStandardInput) {
       console.error(::fmt::format("expected a file .asl, found '{}'", path));
       any_wrong = true;
       continue;

@@ -4,8 +4,9 @@ radius(15).               // what is near, in cells
 radius_limit(exclusive).  // whether the radius itself is near: inclusive or exclusive
 
 // City-block distance: cells to the AV, whether it comes or has passed, and rows to its lane.
-distance_to_av(D) :- at(X, Y) & av(AvY) & av_lane(First, Last) & rows_to(X, First, Last, Rows) &
-                     D = math.abs(Y - AvY) + Rows.
+distance_to_av(D) :-
+  at(X, Y) & av(AvY) & av_lane(First, Last) & rows_to(X, First, Last, Rows) &
+  D = math.abs(Y - AvY) + Rows.
 
 av_lane(First, Last) :- av_rows(Row, _) & lane(First, Last, _) & First <= Row & Row <= Last.
 

@@ -16,8 +16,8 @@
 
 +bid(T, _, _) : pedestrians(N) & .count(bid(T, _, _), N) <- !decide(T).
 
-elected(T, Id) :- .findall(b(Number, I), bid(T, I, Number) & Number \== abstains, Bids) &
-                  .min(Bids, b(_, Id)).
+elected(T, Id) :-
+  .findall(b(Number, I), bid(T, I, Number) & Number \== abstains, Bids) & .min(Bids, b(_, Id)).
 
 +!decide(T) : elected(T, Me) & id(Me) <- !cross_road.
 +!decide(T) : elected(T, _)           <- !keep_walking.

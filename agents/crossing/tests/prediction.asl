@@ -13,30 +13,30 @@ road_end(60).
 
 @[test]
 +!the_rows_of_the_zone_are_reached_one_a_tick
-    <- +at(1, 20);
-       .findall(T, in_zone_rows_in(T), Ticks);
-       !assert_equals([3, 4, 5], Ticks).
+  <- +at(1, 20);
+     .findall(T, in_zone_rows_in(T), Ticks);
+     !assert_equals([3, 4, 5], Ticks).
 
 @[test]
 +!the_zone_moves_with_the_av
-    <- ?zone_in(1, From, To);
-       !assert_equals(13, From);
-       !assert_equals(15, To);
-       ?zone_in(4, Later, _);
-       !assert_equals(16, Later).
+  <- ?zone_in(1, From, To);
+     !assert_equals(13, From);
+     !assert_equals(15, To);
+     ?zone_in(4, Later, _);
+     !assert_equals(16, Later).
 
 @[test]
 +!who_is_where_the_zone_will_be_meets_the_av
-    <- +at(1, 15);
-       !assert_true(meets_av_in(3)).
+  <- +at(1, 15);
+     !assert_true(meets_av_in(3)).
 
 @[test]
 +!who_is_too_far_ahead_does_not
-    <- +at(1, 30);
-       !assert_false(meets_av_in(_)).
+  <- +at(1, 30);
+     !assert_false(meets_av_in(_)).
 
 @[test]
 +!nobody_meets_the_av_beyond_the_end_of_the_road
-    <- +at(1, 15);
-       -+road_end(14);
-       !assert_false(meets_av_in(_)).
+  <- +at(1, 15);
+     -+road_end(14);
+     !assert_false(meets_av_in(_)).

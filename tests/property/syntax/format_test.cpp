@@ -31,7 +31,8 @@ class StrewnProgram {
     const auto source = std::make_shared<const Source>("printed", printed);
     // Some programs have few comments: their lines stay whole.
     const auto rarity = static_cast<unsigned>(1 + seed % 40);
-    for (const format::Item& item : format::items_of(source)) {
+    Diagnostics ignored;
+    for (const format::Item& item : format::items_of(parse_agent(source, ignored))) {
       strew(rarity);
       text += item.text;
       text += ' ';

@@ -40,6 +40,42 @@ TEST(Formatter, LaysOutPlansOfSeveralLines) {
             "     i.\n");
 }
 
+TEST(Formatter, KeepsTheLineBreaksThatStandForSemicolons) {
+  EXPECT_EQ(formatted("+!g <- print(\"a\")\n extend;\n b."),
+            "+!g\n"
+            "  <- print(\"a\")\n"
+            "     extend;\n"
+            "     b.\n");
+  EXPECT_EQ(formatted("+!g <- if (c) { a\n b }\n d."),
+            "+!g\n"
+            "  <- if (c) {\n"
+            "       a\n"
+            "       b\n"
+            "     }\n"
+            "     d.\n");
+}
+
+TEST(Formatter, KeepsColumnsThatNeighbouringLinesHave) {
+  EXPECT_EQ(
+      formatted(
+          "+!a : b(X)     <- c.\n+!aa           <- d.   // one\n+!aaa :  bb    <- e.   // two\n"),
+      "+!a : b(X) <- c.\n"
+      "+!aa       <- d.  // one\n"
+      "+!aaa : bb <- e.  // two\n");
+}
+
+TEST(Formatter, MakesNoColumnsWhereThereWereNone) {
+  EXPECT_EQ(formatted("p(1) :- q.\np :- q(1).\n"), "p(1) :- q.\np :- q(1).\n");
+  EXPECT_EQ(formatted("p(1) :- q.\n\np    :- q(1).\n"), "p(1) :- q.\n\np :- q(1).\n");
+}
+
+TEST(Formatter, BreaksLinesOutsideOfCallsFirst) {
+  const std::string long_name(60, 'x');
+  EXPECT_EQ(
+      formatted("r :-\n " + long_name + " & .findall(option(A, B), some(A) & other(B), All)."),
+      "r :-\n  " + long_name + " &\n  .findall(option(A, B), some(A) & other(B), All).\n");
+}
+
 TEST(Formatter, KeepsCommentsWhereTheyAre) {
   EXPECT_EQ(
       formatted("// first   \n\n\n\np.// p is\n  /* long\n one */\n+!g // goal\n<- a; // do a\n"

@@ -1,0 +1,90 @@
+#include "interpreter/syntax/formatter_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace jaywalk::format {
+namespace {
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+class Columns {
+ public:
+  Columns(std::string_view text, std::vector<ColumnMark> marks, std::size_t width)
+      : lines_(lines_of(text)), marks_(std::move(marks)), width_(width) {}
+
+  std::string run() {
+    // From left to right, since each pass moves what stands behind.
+    align({TokenKind::colon, TokenKind::colon});
+    align({TokenKind::arrow, TokenKind::rule});
+    align({TokenKind::end_of_text, TokenKind::end_of_text});
+    std::string text;
+    for (const std::string& line : lines_) text += line + '\n';
+    return text;
+  }
+
+ private:
+  void align(std::array<TokenKind, 2> kinds) {
+    std::vector<ColumnMark*> run;
+    for (ColumnMark& mark : marks_) {
+      if (std::ranges::find(kinds, mark.kind) == kinds.end()) continue;
+      const bool goes_on = !run.empty() && mark.line == run.back()->line + 1 &&
+                           mark.former_column == run.back()->former_column;
+      if (!goes_on) {
+        pad(run);
+        run.clear();
+      }
+      run.push_back(&mark);
+    }
+    pad(run);
+  }
+
+  [[nodiscard]] std::size_t column_of(const ColumnMark& mark) const {
+    return columns(std::string_view(lines_[mark.line]).substr(0, mark.offset));
+  }
+
+  void pad(std::span<ColumnMark* const> run) {
+    std::size_t widest = 0;
+    for (const ColumnMark* mark : run) widest = std::max(widest, column_of(*mark));
+    const bool fits = std::ranges::all_of(run, [&](const ColumnMark* mark) {
+      return columns(lines_[mark->line]) + widest - column_of(*mark) <= width_;
+    });
+    if (!fits) return;
+    for (const ColumnMark* mark : run) {
+      const std::size_t blanks = widest - column_of(*mark);
+      const auto [kind, line, offset, former] = *mark;
+      lines_[line].insert(offset, blanks, ' ');
+      for (ColumnMark& other : std::ranges::equal_range(marks_, line, {}, &ColumnMark::line)) {
+        if (other.offset >= offset) other.offset += blanks;
+      }
+    }
+  }
+
+  std::vector<std::string> lines_;
+  std::vector<ColumnMark> marks_;
+  std::size_t width_;
+};
+
+}  // namespace
+
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string with_columns(std::string text, std::vector<ColumnMark> marks, std::size_t width) {
+  return Columns(text, std::move(marks), width).run();
+}
+
+}  // namespace jaywalk::format
