@@ -26,6 +26,14 @@ Result<SourcePtr> read_program(const std::string& path, const SourceFiles& files
   return source || !files.has(path) ? source : read_any_encoding(path, diagnostics);
 }
 
+// A text that is given for the file at a path; null if there is none.
+const std::string* text_at(const std::string& path, const IncludePath& include_path) {
+  const auto found = std::ranges::find_if(include_path.given, [&](const auto& each) {
+    return each.first == path && path.find('/') != std::string::npos;
+  });
+  return found == include_path.given.end() ? nullptr : &found->second;
+}
+
 class Loader {
  public:
   Loader(const IncludePath& include_path, Diagnostics& diagnostics)
@@ -75,6 +83,10 @@ class Loader {
     const SourceSpan where = {file.source, args.front()->span};
     const std::optional<std::string> path = find(name, where);
     if (!path || !may_include(*path, where)) return;
+    if (const std::string* const text = text_at(*path, include_path_)) {
+      tree_.includes[&directive] = add_file(std::make_shared<const Source>(*path, *text));
+      return;
+    }
     Result<SourcePtr> source = read_program(*path, include_path_.files, diagnostics_);
     if (!source) {
       diagnostics_.error(where, fmt::format("cannot include {}: {}", *path,
@@ -85,7 +97,8 @@ class Loader {
   }
 
   [[nodiscard]] bool is_file(const fs::path& path) const {
-    return include_path_.files.has(path.generic_string());
+    const std::string name = path.generic_string();
+    return text_at(name, include_path_) != nullptr || include_path_.files.has(name);
   }
 
   bool may_include(const std::string& path, const SourceSpan& where) {
@@ -171,6 +184,9 @@ const std::string* IncludePath::given_text(std::string_view path) const {
 
 SourceTree load_agent(const std::string& path, const IncludePath& include_path,
                       Diagnostics& diagnostics) {
+  if (const std::string* const text = text_at(path, include_path)) {
+    return load_agent(std::make_shared<const Source>(path, *text), include_path, diagnostics);
+  }
   Result<SourcePtr> source = read_program(path, include_path.files, diagnostics);
   if (source) return load_agent(source.value(), include_path, diagnostics);
   diagnostics.append(std::move(source.diagnostics()));

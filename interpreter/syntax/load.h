@@ -20,7 +20,7 @@ struct IncludePath {
   std::vector<std::string> folders;
   /// Prefixes and what stands for them: `$jasonJar` → a folder (`--map`).
   std::vector<std::pair<std::string, std::string>> mapped;
-  /// Texts that stand for files of a name, in whatever folder the directive looks for them.
+  /// Texts that stand for files: those of a name, in whatever folder, or the one of a path (a/b).
   std::vector<std::pair<std::string, std::string>> given;
 
   /// The text given for a file; null if it is to be looked for.

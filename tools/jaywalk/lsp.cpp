@@ -1,6 +1,11 @@
 // `jaywalk lsp`: what editors ask about programs, on standard input and output.
 
+#include <array>
 #include <iostream>
+#include <istream>
+#include <poll.h>
+#include <streambuf>
+#include <unistd.h>
 
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/include_path.h"
@@ -8,6 +13,28 @@
 #include "tools/jaywalk/lsp_server.h"
 
 namespace jaywalk::command::lsp {
+namespace {
+
+/// Standard input, of which can be told whether something waits to be read.
+class Input : public std::streambuf {
+ public:
+  [[nodiscard]] bool waits() const {
+    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    return gptr() != egptr() || poll(&input, 1, 0) > 0;
+  }
+
+ private:
+  int_type underflow() override {
+    const ssize_t count = read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    if (count <= 0) return traits_type::eof();
+    setg(buffer_.data(), buffer_.data(), buffer_.data() + count);
+    return traits_type::to_int_type(*gptr());
+  }
+
+  std::array<char, 65536> buffer_{};
+};
+
+}  // namespace
 
 CommandHelp help() {
   CommandHelp help{
@@ -36,8 +63,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   jaywalk::lsp::Server server(*include_path, [](std::string_view message) {
     jaywalk::lsp::write_frame(std::cout, message);
   });
+  Input input;
+  std::istream messages(&input);
   while (!server.has_exited()) {
-    const auto frame = jaywalk::lsp::read_frame(std::cin);
+    if (!input.waits()) server.settle();
+    const auto frame = jaywalk::lsp::read_frame(messages);
     if (!frame || !std::cout) break;
     if (frame->is_broken) {
       server.receive_broken();

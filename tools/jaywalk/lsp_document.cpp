@@ -79,6 +79,14 @@ std::string head_of(const ast::Plan& plan, const Source& source) {
   return std::string(source.text(Span{plan.trigger.span.begin, end}));
 }
 
+bool misses_include(const SourceTree& program, std::span<const ast::Component> components) {
+  return std::ranges::any_of(components, [&](const ast::Component& component) {
+    if (component.kind != ast::ComponentKind::directive) return false;
+    if (component.is_block) return misses_include(program, component.inner);
+    return component.literal->text == "include" && !program.includes.contains(&component);
+  });
+}
+
 std::string action_text(std::string_view name) {
   if (name.starts_with("jason.stdlib."))
     name.remove_prefix(std::string_view("jason.stdlib").size());
@@ -93,10 +101,10 @@ std::string action_text(std::string_view name) {
 
 }  // namespace
 
-Document::Document(std::string uri, std::string text, const IncludePath& include_path)
+Document::Document(std::string uri, SourcePtr source, const IncludePath& include_path)
     : uri_(std::move(uri)),
       is_project_(uri_.ends_with(".mas2j")),
-      source_(std::make_shared<const Source>(path_of_uri(uri_), std::move(text))),
+      source_(std::move(source)),
       places_(source_->text()) {
   if (is_project_) {
     Diagnostics found;
@@ -110,6 +118,9 @@ Document::Document(std::string uri, std::string text, const IncludePath& include
 void Document::analyse_program(const IncludePath& include_path) {
   Diagnostics found;
   program_ = load_agent(source_, include_path, found);
+  misses_include_ = std::ranges::any_of(program_.files, [this](const auto& file) {
+    return misses_include(program_, file->components);
+  });
   check_alone(program_, source_->name(), found);
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_) diagnostics_.push_back(diagnostic);
@@ -243,18 +254,6 @@ std::vector<Place> Document::definitions(Position at) const {
   return places;
 }
 
-std::vector<Place> Document::references(Position at, bool with_definitions) const {
-  const Use* const use = use_there(at);
-  if (use == nullptr) return {};
-  std::vector<Place> places;
-  for (const Use& other : uses_) {
-    if (other.is_same_name(*use) && (with_definitions || !other.defines)) {
-      places.push_back(place_of(other));
-    }
-  }
-  return places;
-}
-
 std::optional<Place> Document::renamable(Position at) const {
   const Use* const use = use_there(at);
   if (use == nullptr || (use->what != What::goal && use->what != What::belief)) {
@@ -263,9 +262,18 @@ std::optional<Place> Document::renamable(Position at) const {
   return place_of(*use);
 }
 
-std::vector<Place> Document::occurrences(Position at) const {
-  if (!renamable(at)) return {};
-  return references(at, true);
+bool Document::is_of_environment(const Use& use) const {
+  const EnvironmentKind* const environment = environment_of(program_);
+  if (environment == nullptr || use.what != What::belief) return false;
+  return std::ranges::any_of(environment->percepts, [&](const EnvironmentWord& word) {
+    return functor(word) == use.name && arity(word) == use.arity;
+  });
+}
+
+bool Document::depends_on(std::string_view path) const {
+  return misses_include_ || std::ranges::any_of(program_.files, [path](const auto& file) {
+           return file->source->name() == path;
+         });
 }
 
 bool is_good_name(std::string_view name) {

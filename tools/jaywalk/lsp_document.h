@@ -2,6 +2,7 @@
 
 // An open document: its text, what is wrong with it, and what an editor may ask about it.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,9 +28,11 @@ struct Place {
   Range range;
 };
 
+enum class Definitions : std::uint8_t { left_out, included };
+
 class Document {
  public:
-  Document(std::string uri, std::string text, const IncludePath& include_path);
+  Document(std::string uri, SourcePtr source, const IncludePath& include_path);
 
   [[nodiscard]] const std::string& uri() const { return uri_; }
   [[nodiscard]] const SourcePtr& source() const { return source_; }
@@ -44,15 +47,18 @@ class Document {
   /// What may stand where a name is being written, and the range of what is there of it.
   [[nodiscard]] std::vector<Completion> completions(Position at, Range& written) const;
   [[nodiscard]] std::vector<Place> definitions(Position at) const;
-  [[nodiscard]] std::vector<Place> references(Position at, bool with_definitions) const;
+  /// What is named at a place; null if there is nothing.
+  [[nodiscard]] const Use* use_there(Position at) const;
   /// The name at a place, if it can be renamed: a goal's or a belief's.
   [[nodiscard]] std::optional<Place> renamable(Position at) const;
-  /// All places of that name with as many arguments.
-  [[nodiscard]] std::vector<Place> occurrences(Position at) const;
+  /// A word of the environment that the program seems to be written for, which is not its to
+  /// rename.
+  [[nodiscard]] bool is_of_environment(const Use& use) const;
+  /// Whether the text of that file is part of the program, or may be what an include misses.
+  [[nodiscard]] bool depends_on(std::string_view path) const;
 
  private:
   void analyse_program(const IncludePath& include_path);
-  [[nodiscard]] const Use* use_there(Position at) const;
   [[nodiscard]] Place place_of(const Use& use) const;
   [[nodiscard]] std::string goal_text(const Use& goal) const;
 
@@ -62,6 +68,7 @@ class Document {
   TextPlaces places_;
   std::vector<Diagnostic> diagnostics_;
   SourceTree program_;
+  bool misses_include_ = false;
   std::vector<Use> uses_;
 };
 

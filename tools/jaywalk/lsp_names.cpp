@@ -147,8 +147,11 @@ class Collector {
                                                 : "";
       if (argument.kind != Kind::literal || ast::is_internal(argument)) {
         &argument == query ? formula_term(argument) : term(argument);
-      } else if (performative == "achieve" || performative == "unachieve" ||
-                 (i == 0 && is_one_of(node.text, kAboutGoals))) {
+        continue;
+      }
+      const std::size_t first = uses_.size();
+      if (performative == "achieve" || performative == "unachieve" ||
+          (i == 0 && is_one_of(node.text, kAboutGoals))) {
         name(argument, What::goal);
       } else if (&argument == query || !performative.empty() ||
                  (i == 0 && is_one_of(node.text, kAboutBeliefs))) {
@@ -158,6 +161,7 @@ class Collector {
                                              node.text == ".foreach" || node.text == ".wait");
         is_condition ? formula_term(argument) : term(argument);
       }
+      if (!performative.empty() && first < uses_.size()) uses_[first].in_message = true;
     }
   }
 

@@ -25,6 +25,8 @@ struct Use {
   int arity = 0;
   /// A plan for the goal, a belief or rule of the program.
   bool defines = false;
+  /// The content of a message.
+  bool in_message = false;
   const ast::File* file = nullptr;
   /// The name alone.
   Span span;

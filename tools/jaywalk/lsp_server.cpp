@@ -1,11 +1,13 @@
 #include "tools/jaywalk/lsp_server.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "interpreter/syntax/formatter.h"
+#include "tools/jaywalk/lsp_json.h"
 
 namespace jaywalk::lsp {
 namespace {
@@ -31,48 +33,7 @@ constexpr int kSymbolConstant = 14;
 constexpr int kSymbolNamespace = 3;
 constexpr int kSymbolEvent = 24;
 
-// Parts of a message that may be anything: what is not there or of another kind is empty.
-const Json& part(const Json& json, const char* name) {
-  static const Json kNothing;
-  if (!json.is_object()) return kNothing;
-  const auto found = json.find(name);
-  return found == json.end() ? kNothing : *found;
-}
-
-std::string text_of(const Json& json) { return json.is_string() ? json.get<std::string>() : ""; }
-
-std::uint32_t number_of(const Json& json) {
-  constexpr double kMost = 4e9;
-  const double number = json.is_number() ? json.get<double>() : 0;
-  return number > 0 && number < kMost ? static_cast<std::uint32_t>(number) : 0;
-}
-
-Position position_of(const Json& json) {
-  return {number_of(part(json, "line")), number_of(part(json, "character"))};
-}
-
-std::string document_uri(const Json& parameters) {
-  return text_of(part(part(parameters, "textDocument"), "uri"));
-}
-
-Json to_json(Position position) { return {{"line", position.line}, {"character", position.unit}}; }
-
-Json to_json(const Range& range) {
-  return {{"start", to_json(range.begin)}, {"end", to_json(range.end)}};
-}
-
-Json to_json(const Place& place, const Document& document) {
-  const bool own = place.path == document.source()->name();
-  return {{"uri", own ? document.uri() : uri_of_path(place.path)}, {"range", to_json(place.range)}};
-}
-
-Json to_json(const std::vector<Place>& places, const Document& document) {
-  Json json = Json::array();
-  for (const Place& place : places) json.push_back(to_json(place, document));
-  return json;
-}
-
-Json to_json(const Diagnostic& diagnostic, const Document& document) {
+Json json_of(const Diagnostic& diagnostic, const Document& document) {
   constexpr int kError = 1;
   constexpr int kWarning = 2;
   constexpr int kInformation = 3;
@@ -185,26 +146,6 @@ Json formatting(const Document& document) {
   return edits;
 }
 
-Json renaming(const Document& document, Position at, const std::string& name,
-              std::string& problem) {
-  if (!is_good_name(name)) {
-    problem = fmt::format("'{}' cannot be the name of a goal or belief", name);
-    return nullptr;
-  }
-  const auto places = document.occurrences(at);
-  if (places.empty()) {
-    problem = "there is no goal or belief to be renamed";
-    return nullptr;
-  }
-  Json changes = Json::object();
-  for (const Place& place : places) {
-    const Json where = to_json(place, document);
-    changes[where["uri"].get<std::string>()].push_back(
-        {{"range", where["range"]}, {"newText", name}});
-  }
-  return {{"changes", std::move(changes)}};
-}
-
 Json capabilities() {
   return {{"capabilities",
            {{"textDocumentSync", {{"openClose", true}, {"change", 2}}},
@@ -215,7 +156,9 @@ Json capabilities() {
             {"referencesProvider", true},
             {"renameProvider", {{"prepareProvider", true}}},
             {"documentSymbolProvider", true},
-            {"documentFormattingProvider", true}}},
+            {"documentFormattingProvider", true},
+            {"workspace",
+             {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}}}},
           {"serverInfo", {{"name", "jaywalk"}}}};
 }
 
@@ -260,6 +203,7 @@ void Server::receive(std::string_view message) {
 void Server::request(const Json& id, const std::string& method, const Json& parameters) {
   if (method == "initialize") {
     initialised_ = true;
+    add_folders(parameters);
     respond(id, capabilities());
   } else if (!initialised_) {
     respond_error(id, kNotInitialised, "the first request must be initialize");
@@ -287,6 +231,7 @@ nlohmann::json Server::answer_of(const std::string& method, const Json& paramete
   constexpr std::string_view kAboutDocuments = "textDocument/";
   if (!method.starts_with(kAboutDocuments)) return Json(Json::value_t::discarded);
   const std::string what = method.substr(kAboutDocuments.size());
+  settle();
   const auto found = documents_.find(document_uri(parameters));
   const Position at = position_of(part(parameters, "position"));
   const bool known = what == "hover" || what == "completion" || what == "definition" ||
@@ -297,29 +242,118 @@ nlohmann::json Server::answer_of(const std::string& method, const Json& paramete
     problem = "the document is not open";
     return nullptr;
   }
-  const Document& document = found->second;
+  const Document& document = *found->second.document;
   if (what == "hover") {
     const auto hover = document.hover(at);
     if (!hover) return nullptr;
     return {{"contents", {{"kind", "markdown"}, {"value", hover->first}}},
-            {"range", to_json(hover->second)}};
+            {"range", lsp::to_json(hover->second)}};
   }
   if (what == "completion") return completion_items(document, at);
-  if (what == "definition") return to_json(document.definitions(at), document);
-  if (what == "references") {
-    const Json& declarations = part(part(parameters, "context"), "includeDeclaration");
-    return to_json(document.references(at, !declarations.is_boolean() || declarations.get<bool>()),
-                   document);
-  }
+  if (what == "definition") return to_json(document.definitions(at));
+  if (what == "references") return references(document, parameters);
   if (what == "prepareRename") {
     const auto place = document.renamable(at);
-    return place ? to_json(place->range) : Json(nullptr);
+    return place ? lsp::to_json(place->range) : Json(nullptr);
   }
   if (what == "rename") {
     return renaming(document, at, text_of(part(parameters, "newName")), problem);
   }
   if (what == "documentSymbol") return symbols(document, document.components());
   return formatting(document);
+}
+
+// As the client writes the URI, if it has the file open.
+nlohmann::json Server::to_json(const Place& place) const {
+  std::string uri = uri_of_path(place.path);
+  for (const auto& [opened, document] : documents_) {
+    if (document.source->name() == place.path) uri = opened;
+  }
+  return {{"uri", std::move(uri)}, {"range", lsp::to_json(place.range)}};
+}
+
+nlohmann::json Server::to_json(const std::vector<Place>& places) const {
+  Json json = Json::array();
+  for (const Place& place : places) json.push_back(to_json(place));
+  return json;
+}
+
+IncludePath Server::with_open_texts() const {
+  IncludePath include_path = include_path_;
+  for (const auto& [uri, opened] : documents_) {
+    include_path.given.emplace_back(opened.source->name(), opened.source->text());
+  }
+  return include_path;
+}
+
+Workspace Server::workspace(const Document& document) const {
+  std::vector<std::string> open;
+  for (const auto& [uri, opened] : documents_) {
+    if (opened.document->is_program()) open.push_back(opened.source->name());
+  }
+  Folders folders{.whole = folders_, .alone = {}};
+  if (folders_.empty()) {
+    const std::string& path = document.source()->name();
+    folders.alone.insert(path.substr(0, path.rfind('/') + 1));
+  }
+  return {folders, open, with_open_texts()};
+}
+
+nlohmann::json Server::references(const Document& document, const Json& parameters) const {
+  const Json& declarations = part(part(parameters, "context"), "includeDeclaration");
+  const bool all = !declarations.is_boolean() || declarations.get<bool>();
+  const Use* const use = document.use_there(position_of(part(parameters, "position")));
+  if (use == nullptr) return Json::array();
+  return to_json(workspace(document).uses(Name(*use), document.source()->name(),
+                                          all ? Definitions::included : Definitions::left_out));
+}
+
+nlohmann::json Server::renaming(const Document& document, Position at, const std::string& name,
+                                std::string& problem) const {
+  const Use* const use = document.use_there(at);
+  if (!is_good_name(name)) {
+    problem = fmt::format("'{}' cannot be the name of a goal or belief", name);
+  } else if (use == nullptr || !document.renamable(at)) {
+    problem = "there is no goal or belief to be renamed";
+  } else if (document.is_of_environment(*use)) {
+    problem = fmt::format("'{}' is a percept of the environment", use->name);
+  }
+  if (!problem.empty()) return nullptr;
+  const Workspace workspace = this->workspace(document);
+  const std::string& path = document.source()->name();
+  if (name != use->name && workspace.is_taken(Name(*use), name, path)) {
+    problem = fmt::format("there is a '{}' already", name);
+    return nullptr;
+  }
+  Json changes = Json::object();
+  for (const Place& place : workspace.uses(Name(*use), path, Definitions::included)) {
+    const Json where = to_json(place);
+    changes[where["uri"].get<std::string>()].push_back(
+        {{"range", where["range"]}, {"newText", name}});
+  }
+  return {{"changes", std::move(changes)}};
+}
+
+void Server::add_folders(const Json& parameters) {
+  const Json& folders = part(parameters, "workspaceFolders");
+  if (folders.is_array()) {
+    for (const Json& folder : folders) folders_.insert(path_of_uri(text_of(part(folder, "uri"))));
+  } else if (const std::string root = text_of(part(parameters, "rootUri")); !root.empty()) {
+    folders_.insert(path_of_uri(root));
+  } else {
+    folders_.insert(text_of(part(parameters, "rootPath")));
+  }
+  folders_.erase("");
+}
+
+void Server::change_folders(const Json& event) {
+  for (const Json& folder : part(event, "removed")) {
+    folders_.erase(path_of_uri(text_of(part(folder, "uri"))));
+  }
+  for (const Json& folder : part(event, "added")) {
+    folders_.insert(path_of_uri(text_of(part(folder, "uri"))));
+  }
+  folders_.erase("");
 }
 
 void Server::notification(const std::string& method, const Json& parameters) {
@@ -332,19 +366,31 @@ void Server::notification(const std::string& method, const Json& parameters) {
   } else if (method == "textDocument/didChange") {
     change(parameters);
   } else if (method == "textDocument/didClose") {
-    const std::string uri = document_uri(parameters);
-    if (documents_.erase(uri) == 0) return;
-    send({{"jsonrpc", "2.0"},
-          {"method", "textDocument/publishDiagnostics"},
-          {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}});
+    close(document_uri(parameters));
+  } else if (method == "workspace/didChangeWorkspaceFolders") {
+    change_folders(part(parameters, "event"));
+  } else if (method == "workspace/didChangeWatchedFiles") {
+    for (const Json& file : part(parameters, "changes")) {
+      changed_.insert(path_of_uri(text_of(part(file, "uri"))));
+    }
   }
 }
 
 void Server::open(const std::string& uri, std::string text) {
   if (uri.empty()) return;
-  documents_.erase(uri);
-  const auto opened = documents_.try_emplace(uri, uri, std::move(text), include_path_).first;
-  publish(opened->second);
+  Opened& opened = documents_[uri];
+  opened.source = std::make_shared<const Source>(path_of_uri(uri), std::move(text));
+  changed_.insert(opened.source->name());
+}
+
+void Server::close(const std::string& uri) {
+  const auto found = documents_.find(uri);
+  if (found == documents_.end()) return;
+  changed_.insert(found->second.source->name());
+  documents_.erase(found);
+  send({{"jsonrpc", "2.0"},
+        {"method", "textDocument/publishDiagnostics"},
+        {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}});
 }
 
 void Server::change(const Json& parameters) {
@@ -352,7 +398,7 @@ void Server::change(const Json& parameters) {
   const auto found = documents_.find(uri);
   const Json& changes = part(parameters, "contentChanges");
   if (found == documents_.end() || !changes.is_array()) return;
-  std::string text(found->second.source()->text());
+  std::string text(found->second.source->text());
   for (const Json& each : changes) {
     const std::string changed = text_of(part(each, "text"));
     const Json& range = part(each, "range");
@@ -369,10 +415,25 @@ void Server::change(const Json& parameters) {
   open(uri, std::move(text));
 }
 
+void Server::settle() {
+  if (changed_.empty() || shut_down_) return;
+  const std::set<std::string> changed = std::exchange(changed_, {});
+  const IncludePath include_path = with_open_texts();
+  for (auto& [uri, opened] : documents_) {
+    const bool concerned =
+        opened.document == nullptr || std::ranges::any_of(changed, [&](const std::string& path) {
+          return path == opened.source->name() || opened.document->depends_on(path);
+        });
+    if (!concerned) continue;
+    opened.document = std::make_unique<Document>(uri, opened.source, include_path);
+    publish(*opened.document);
+  }
+}
+
 void Server::publish(const Document& document) {
   Json diagnostics = Json::array();
   for (const Diagnostic& diagnostic : document.diagnostics()) {
-    diagnostics.push_back(to_json(diagnostic, document));
+    diagnostics.push_back(json_of(diagnostic, document));
   }
   send({{"jsonrpc", "2.0"},
         {"method", "textDocument/publishDiagnostics"},

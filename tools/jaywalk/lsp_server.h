@@ -1,15 +1,21 @@
 #pragma once
 
 // The language server: requests and notifications in, answers and diagnostics out, as JSON texts.
+// Edits are taken over at once but checked later, when somebody asks or nothing more waits to be
+// read, so that a queue of them is checked once.
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "tools/jaywalk/lsp_document.h"
+#include "tools/jaywalk/lsp_workspace.h"
 
 namespace jaywalk::lsp {
 
@@ -24,6 +30,8 @@ class Server {
   void receive(std::string_view message);
   /// A message that could not be read.
   void receive_broken();
+  /// No message waits: checks what has changed.
+  void settle();
 
   [[nodiscard]] bool has_exited() const { return exited_; }
   /// `shutdown` came before `exit`.
@@ -32,12 +40,28 @@ class Server {
  private:
   using Json = nlohmann::json;
 
+  struct Opened {
+    SourcePtr source;
+    /// Of an earlier text, while that is in `changed_`; null until it has been checked.
+    std::unique_ptr<Document> document;
+  };
+
   void notification(const std::string& method, const Json& parameters);
   void request(const Json& id, const std::string& method, const Json& parameters);
   [[nodiscard]] Json answer_of(const std::string& method, const Json& parameters,
                                std::string& problem);
+  [[nodiscard]] Json references(const Document& document, const Json& parameters) const;
+  [[nodiscard]] Json renaming(const Document& document, Position at, const std::string& name,
+                              std::string& problem) const;
+  [[nodiscard]] Workspace workspace(const Document& document) const;
+  [[nodiscard]] IncludePath with_open_texts() const;
+  [[nodiscard]] Json to_json(const Place& place) const;
+  [[nodiscard]] Json to_json(const std::vector<Place>& places) const;
+  void add_folders(const Json& parameters);
+  void change_folders(const Json& event);
   void open(const std::string& uri, std::string text);
   void change(const Json& parameters);
+  void close(const std::string& uri);
   void publish(const Document& document);
   void respond(const Json& id, Json result);
   void respond_error(const Json& id, int code, std::string_view message);
@@ -45,7 +69,9 @@ class Server {
 
   IncludePath include_path_;
   Send send_;
-  std::map<std::string, Document> documents_;  // by URI
+  std::map<std::string, Opened> documents_;  // by URI
+  std::set<std::string> changed_;            // paths of what is to be checked anew
+  std::set<std::string> folders_;            // of the workspace
   bool initialised_ = false;
   bool shut_down_ = false;
   bool exited_ = false;
