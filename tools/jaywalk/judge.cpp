@@ -11,6 +11,7 @@
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/judge_trace.h"
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
@@ -146,14 +147,27 @@ bool write_assessments(const std::string& path, const Inquiry& inquiry, const Ou
 
 CommandHelp help() {
   CommandHelp help{
-      .usage = "STORE.gpkg [OPTIONS]",
+      .usage = "STORE.gpkg [OPTIONS] | --trace FILE.csv [OPTIONS]",
       .description =
           "Judges the tests of a store by assertions, after the fact, with the verdicts that\n"
           "compare --assertions gives. Tests whose positions the store does not have are run\n"
           "again from their seeds. Without --assertions those count by which the store's tests\n"
-          "were judged, as they were then, or else the stored scenario's.\n",
+          "were judged, as they were then, or else the stored scenario's.\n"
+          "\n"
+          "With --trace it judges a drive that was recorded or simulated elsewhere: a table with "
+          "a\n"
+          "row for each actor at each time, times evenly spaced. Its columns are time (s), actor\n"
+          "(`av`, or else the first vehicle, is the automated one), kind (vehicle, pedestrian,\n"
+          "cyclist, signal), x and y (m, of the middle; y along the way), and if they are there\n"
+          "heading (rad from +x), speed (m/s), length and width (m) and event (`collision`; "
+          "several\n"
+          "with semicolons). jaywalk export --format trace writes such tables.\n",
       .options =
           {
+              {"trace", "FILE.csv", "judge this drive instead of a store's tests"},
+              {"scenario", "FILE.yaml",
+               "of a trace: the scenario whose lanes it is on, and whose\n"
+               "assertions count (default: the paper's road)"},
               {"test", "N", "tell all about the test of this number in the store"},
               {"write", "", "keep the verdicts and metrics in the store, in place of old ones"},
               {"csv", "FILE", "write the results as CSV"},
@@ -167,12 +181,18 @@ CommandHelp help() {
           "  jaywalk judge paper.gpkg --assertions scenarios/assertions/crossing.yaml\n"
           "  jaywalk judge paper.gpkg --metrics --write\n"
           "  jaywalk judge paper.gpkg --test 17 --metrics\n"
+          "  jaywalk judge --trace drive.csv --metrics --scenario scenarios/first.yaml\n"
           "  jaywalk judge paper.gpkg --fail-on 'collision_avoidance.fail>0' --junit out.xml\n"};
   help.options.insert(help.options.begin(), kJudgingOptions.begin(), kJudgingOptions.end());
   return help;
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
+  if (const auto trace = arguments.text("trace")) return judge_trace(*trace, arguments, console);
+  if (arguments.has("scenario")) {
+    console.error("--scenario is about a trace", "a store has its own");
+    return ExitCode::usage;
+  }
   auto request = read_request(arguments, console);
   if (!request) return ExitCode::usage;
   if (request->test) return judge_one(*request, arguments, console);
