@@ -163,6 +163,77 @@ Plans plans_for_goals(Checking& checking) {
   return plans;
 }
 
+// --- Atoms for variables ---------------------------------------------------------------------
+
+using AtomTimes = std::map<std::string_view, int>;
+
+// Adds how often each atom stands as an argument in a term, formula or plan.
+template <class Tree>
+void count_arguments(const Tree& tree, AtomTimes& times) {
+  each_node(tree, [&](const Node& each) {
+    for (const Node* argument : each.args) {
+      if (is_lower_case_atom(*argument)) ++times[argument->text];
+    }
+  });
+}
+
+void count_arguments(std::span<const ast::Component> components, AtomTimes& times) {
+  for (const ast::Component& component : components) {
+    if (component.literal != nullptr) count_arguments(*component.literal, times);
+    if (component.body != nullptr) count_arguments(*component.body, times);
+    if (component.plan != nullptr) count_arguments(*component.plan, times);
+    count_arguments(component.inner, times);
+  }
+}
+
+/// Facts by name and arity; of those that the program adds while it runs, nothing is known.
+class Facts {
+ public:
+  explicit Facts(Checking& checking) {
+    for (const CheckedFile& file : checking.files()) {
+      for (const Clause& clause : file.uses.clauses) {
+        facts_[{clause.head->text, clause.head->args.size()}].push_back(clause.head);
+      }
+      for (const ast::Plan* plan : file.uses.plans) {
+        each_formula(plan->body, [this](const ast::Formula& formula) {
+          if (formula.op > ast::BodyOperator::test) changed_.insert(formula.node->text);
+        });
+      }
+    }
+  }
+
+  /// There are such beliefs, and in all of them stands a constant where the query has the atom.
+  [[nodiscard]] bool never_have(const Node& query, std::size_t index) const {
+    const auto found = facts_.find({query.text, query.args.size()});
+    if (found == facts_.end() || changed_.contains(query.text)) return false;
+    return std::ranges::none_of(found->second, [&](const Node* fact) {
+      return may_match(*fact->args[index], *query.args[index]);
+    });
+  }
+
+ private:
+  std::map<GoalKey, std::vector<const Node*>> facts_;
+  std::set<std::string_view> changed_;
+};
+
+// A query has an atom that no belief has there, and that stands elsewhere in the clause alone, as
+// one writes a variable.
+void look_at_query(Checking& checking, CheckedFile& file, const Node& query, const Facts& facts,
+                   const AtomTimes& here, const AtomTimes& all) {
+  for (std::size_t i = 0; i < query.args.size(); ++i) {
+    const Node& argument = *query.args[i];
+    if (!is_lower_case_atom(argument)) continue;
+    const auto times = here.find(argument.text);
+    const bool only_here = times != here.end() && times->second > 1 &&
+                           all.find(argument.text)->second == times->second;
+    if (!only_here || !facts.never_have(query, i)) continue;
+    checking.warn(
+        file, argument.span,
+        fmt::format("'{}' is an atom, which no '{}' has there", argument.text, query.text),
+        fmt::format("variables begin with a capital: '{}'", capitalised(argument.text)));
+  }
+}
+
 // --- Goals that are variables ----------------------------------------------------------------
 
 // `walk` for `Walk`.
@@ -200,6 +271,30 @@ void look_at_goal_variables(Checking& checking, CheckedFile& file, const ast::Pl
 }
 
 }  // namespace
+
+void atoms_for_variables(Checking& checking) {
+  if (checking.index().has_open_beliefs) return;
+  const Facts facts(checking);
+  AtomTimes all;
+  for (const CheckedFile& file : checking.files()) count_arguments(file.file->components, all);
+  for (CheckedFile& file : checking.files()) {
+    for (const Clause& clause : file.uses.clauses) {
+      if (clause.body == nullptr) continue;
+      AtomTimes here;
+      count_arguments(*clause.head, here);
+      count_arguments(*clause.body, here);
+      each_node(*clause.body,
+                [&](const Node& node) { look_at_query(checking, file, node, facts, here, all); });
+    }
+    for (const ast::Plan* plan : file.uses.plans) {
+      if (plan->context == nullptr) continue;
+      AtomTimes here;
+      count_arguments(*plan, here);
+      each_node(*plan->context,
+                [&](const Node& node) { look_at_query(checking, file, node, facts, here, all); });
+    }
+  }
+}
 
 void variable_goals(Checking& checking) {
   for (CheckedFile& file : checking.files()) {

@@ -57,11 +57,8 @@ class Values {
 
   void judge(const ValueClass& values) {
     const Atoms allowed = atoms_of(values, AtomRole::allowed);
-    if (allowed.empty()) {
-      judge_inferred(values);
-    } else {
-      judge_declared(values, allowed);
-    }
+    if (!allowed.empty()) judge_declared(values, allowed);
+    judge_inferred(values, allowed);
   }
 
  private:
@@ -99,15 +96,16 @@ class Values {
     }
   }
 
-  // The program alone shows the values: what is asked for should be given somewhere.
-  void judge_inferred(const ValueClass& values) {
-    const Atoms given = atoms_of(values, AtomRole::given);
+  // The program itself shows the other values: what is asked for should be given somewhere.
+  void judge_inferred(const ValueClass& values, const Atoms& allowed) {
+    Atoms given = atoms_of(values, AtomRole::given);
+    given.insert(allowed.begin(), allowed.end());
     const Atoms wanted = atoms_of(values, AtomRole::wanted);
     std::map<std::string_view, int> uses_wanted;
     for (const AtomUse& use : values.uses) uses_wanted[use.atom] += use.role == AtomRole::wanted;
     for (const AtomUse& use : values.uses) {
       if (use.setting != nullptr) {
-        judge_setting(use, given, wanted);
+        if (allowed.empty()) judge_setting(use, given, wanted);
       } else if (use.role == AtomRole::wanted && !given.contains(use.atom) &&
                  occurrences_.of(use.atom) == uses_wanted[use.atom] &&
                  !checking_.vocabulary().named_by_others.contains(use.atom)) {

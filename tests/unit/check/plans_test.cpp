@@ -93,5 +93,31 @@ TEST(CheckPlans, WarnsOfAtomicPlansThatWait) {
   }
 }
 
+TEST(AtomsForVariables, AreThoseThatNoBeliefHasAndTheClauseAloneUses) {
+  for (const auto& [text, warnings] : {
+           Row{"age(bob, 3). +!go : age(bob, x) <- a(x).",
+               "1:30 'x' is an atom, which no 'age' has there\n"},
+           Row{"age(bob, 3). old(p) :- age(p, A) & A > 2.",
+               "1:28 'p' is an atom, which no 'age' has there\n"},
+           Row{"age(bob, 3). +!go : not age(x, _) <- a(x).",
+               "1:29 'x' is an atom, which no 'age' has there\n"},
+       }) {
+    EXPECT_EQ(warnings_of("atom-for-variable", text), warnings) << text;
+  }
+}
+
+TEST(AtomsForVariables, AreNotAtomsThatMayBeTold) {
+  for (const char* text : {
+           "age(bob, 3). +!go : age(ann, X) <- a(X).",             // once
+           "+!go : age(ann, X) <- a(ann).",                        // nothing is known of age
+           "age(bob, 3). +!go : age(ann, X) <- a(ann). !b(ann).",  // used elsewhere
+           "age(bob, 3). +!go : age(ann, X) <- +age(Y, 1); a(ann).",
+           "age(W, 3) :- who(W). +!go : age(ann, X) <- a(ann).",
+           "age(ann, 3). +!go : age(ann, X) <- a(ann).",
+       }) {
+    EXPECT_EQ(warnings_of("atom-for-variable", text), "") << text;
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk

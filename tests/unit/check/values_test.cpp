@@ -66,6 +66,8 @@ TEST(UnknownValues, FollowVariablesToWhereTheyAreWrong) {
                "1:18 'forwrd' is none of the values that occur here\n"},
            Row{"+!go <- W = lefft; move(W).",
                "1:13 'lefft' is none of the values that occur here\n"},
+           Row{"way(nowhere). +!go : way(nowhre) <- a. +!go : way(W) <- move(W).",
+               "1:26 'nowhre' is none of the values that occur here\n"},
            Row{"+!go : best(option(W, _)) <- move(W). best(option(lefft, 3)).",
                "1:51 'lefft' is none of the values that occur here\n"},
        }) {
