@@ -35,7 +35,8 @@ class Work {
   Work(const ExperimentPlan& plan, const TestFunction& test)
       : plan_(plan),
         test_(test),
-        chunks_per_cell_((plan.tests + kChunk - 1) / kChunk),
+        chunk_(plan.order == TestOrder::chained ? std::max<std::uint64_t>(plan.tests, 1) : kChunk),
+        chunks_per_cell_((plan.tests + chunk_ - 1) / chunk_),
         cells_(plan.behaviours.size() * plan.agents.size()) {
     for (Cell& cell : cells_) cell.remaining = plan.tests;
   }
@@ -90,8 +91,8 @@ class Work {
     const std::size_t index = chunk / chunks_per_cell_;
     Cell& cell = cells_[index];
     std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
-    const std::uint64_t first = chunk % chunks_per_cell_ * kChunk;
-    const std::uint64_t last = std::min(first + kChunk, plan_.tests);
+    const std::uint64_t first = chunk % chunks_per_cell_ * chunk_;
+    const std::uint64_t last = std::min(first + chunk_, plan_.tests);
     TestCase test_case{.behaviour = index / plan_.agents.size(),
                        .agents = plan_.agents[index % plan_.agents.size()]};
     for (std::uint64_t number = first; number < last; ++number) {
@@ -127,6 +128,7 @@ class Work {
 
   const ExperimentPlan& plan_;
   const TestFunction& test_;
+  std::uint64_t chunk_;
   std::uint64_t chunks_per_cell_;
   std::vector<Cell> cells_;
   std::atomic<std::uint64_t> next_chunk_{0};

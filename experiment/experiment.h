@@ -28,11 +28,17 @@ using TestFunction = std::function<Result<TestResult>(const TestCase&)>;
 /// The results of the tests in progress are kept in memory: about 40 bytes each.
 inline constexpr std::uint64_t kMaxTests = 10'000'000;
 
+/// Whether tests of one behaviour with one number of agents may run in any order and at once, or
+/// each needs the one before it: then they run one after another, in the order of their numbers,
+/// and threads share out behaviours and numbers of agents.
+enum class TestOrder { any, chained };
+
 struct ExperimentPlan {
   std::vector<std::string> behaviours;
   std::vector<std::uint32_t> agents;
   /// REQUIRES: at most kMaxTests.
   std::uint64_t tests = 1000;
+  TestOrder order = TestOrder::any;
   /// REQUIRES: at least 1.
   unsigned threads = 1;
 };

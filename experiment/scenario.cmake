@@ -1,5 +1,6 @@
 # The scenario and the trial: what a comparison runs. Included by CMakeLists.txt beside it.
 target_sources(jaywalk_experiment PRIVATE
+  carry_over.cpp
   code_lines.cpp
   feedback.cpp
   plan_coverage.cpp

@@ -26,6 +26,13 @@ const Preset* find_preset(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+ConfigNode map_of(std::string key, ConfigNode value) {
+  ConfigNode map;
+  map.kind = ConfigNode::Kind::map;
+  map.entries.push_back({std::move(key), {}, std::move(value)});
+  return map;
+}
+
 /// Puts the layers of a scenario on top of each other and checks what has come of it.
 class ScenarioBuilder {
  public:
@@ -38,6 +45,7 @@ class ScenarioBuilder {
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     read_layer(file_, folder, draft_, diagnostics_);
     select_behaviours();
+    set_behaviours_of_preset();
     for (const ConfigNode& setting : settings_) read_layer(setting, "", draft_, diagnostics_);
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
     finish();
@@ -89,9 +97,29 @@ class ScenarioBuilder {
     draft_.scenario.preset = preset->name;
     const auto source = std::make_shared<const Source>(fmt::format("preset {}", preset->name),
                                                        std::string(preset->text));
-    const std::optional<ConfigNode> layer = parse_config(source, diagnostics_);
-    if (layer && layer->kind == ConfigNode::Kind::map) {
-      read_layer(*layer, "", draft_, diagnostics_);
+    std::optional<ConfigNode> layer = parse_config(source, diagnostics_);
+    if (!layer || layer->kind != ConfigNode::Kind::map) return;
+    const auto behaviours = std::ranges::find(layer->entries, "behaviours", &ConfigEntry::key);
+    if (behaviours != layer->entries.end()) {
+      preset_behaviours_ = std::move(behaviours->value);
+      layer->entries.erase(behaviours);
+    }
+    read_layer(*layer, "", draft_, diagnostics_);
+  }
+
+  // Which behaviours there are, the file says. What it says of them takes the preset's place.
+  void set_behaviours_of_preset() {
+    for (BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      const ConfigNode* const value = preset_behaviours_.find(behaviour.name);
+      if (value == nullptr) continue;
+      ScenarioDraft preset;
+      preset.scenario.behaviours.emplace_back().name = behaviour.name;
+      read_layer(map_of("behaviours", map_of(behaviour.name, *value)), "", preset, diagnostics_);
+      for (ParameterSetting& setting : preset.scenario.behaviours.front().parameters) {
+        const bool given = std::ranges::any_of(
+            behaviour.parameters, [&](const auto& own) { return own.name == setting.name; });
+        if (!given) behaviour.parameters.push_back(std::move(setting));
+      }
     }
   }
 
@@ -270,6 +298,7 @@ class ScenarioBuilder {
   ConfigNode file_;
   std::vector<ConfigNode> settings_;
   ScenarioDraft draft_;
+  ConfigNode preset_behaviours_;
 };
 
 }  // namespace

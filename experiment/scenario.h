@@ -118,11 +118,16 @@ inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;
 [[nodiscard]] Result<Scenario> parse_scenario(const SourcePtr& source,
                                               const ScenarioOptions& options = {});
 
-/// Values that a scenario begins with, by name. `text` is what a scenario would say.
+/// Whether the published results are of the world and the parameters that a preset describes.
+enum class PresetResults { published, other };
+
+/// Values that a scenario begins with, by name. `text` is what a scenario would say; what it says
+/// of behaviours goes to those of these names that the scenario has.
 struct Preset {
   std::string_view name;
   std::string_view summary;
   std::string_view text;
+  PresetResults results = PresetResults::other;
 };
 
 [[nodiscard]] std::span<const Preset> presets();

@@ -30,6 +30,7 @@ class AvReader : LayerPart {
                   {"rows", interval(av.rows, kRows)},
                   {"start", integer(av.start, kCellsFromAnywhere)},
                   {"stopping_distance", integer(av.stopping_distance, {0, kCells.most})},
+                  {"carry_over", choice<bool>(av.carry_over, {{"true", true}, {"false", false}})},
                   {"model", [&](const ConfigNode& value,
                                 const std::string& key) { read_model(value, key); }},
                   {"reaction", optional_number(av.vehicle.reaction_s, kWindow)},

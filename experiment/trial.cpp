@@ -67,6 +67,10 @@ void record_events(const Crossing& crossing, const TrialInput& input, Recording&
     recording.add(RecordedEvent{
         .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(input.feedback)});
   }
+  if (input.head_start > 0) {
+    recording.add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = "head_start", .text = fmt::format("{}", input.head_start)});
+  }
   for (const SignalChange& each : crossing.result().signals) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
                                 .actor = static_cast<std::uint32_t>(each.body + 1),
@@ -164,7 +168,7 @@ void TrialRunner::add_agents(const TrialInput& input) {
 TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& options) {
   assert(obstacle(prepared_, input).empty() && "the caller has asked for obstacles");
   Crossing crossing(prepared_.scenario().world, prepared_.vocabulary(),
-                    start_cells(prepared_.scenario(), input));
+                    start_cells(prepared_.scenario(), input), input.head_start);
   MasOptions mas_options;
   mas_options.seed = seed_for(input, Purpose::agents);
   mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
@@ -188,6 +192,7 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   run_to_the_end(*mas_, crossing, options, result);
   if (options.record != nullptr) record_events(crossing, input, *options.record);
   result.outcome = crossing.result();
+  result.left_over = crossing.left_over();
   result.cycles = mas_->outcome().cycles;
   result.cpu_s = mas_->reasoning_cpu_s();
   return result;

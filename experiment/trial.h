@@ -27,6 +27,8 @@ struct PreparedBehaviour {
   /// Lines of AgentSpeak, of the program and all that it includes, without blank ones and comments.
   std::uint64_t code_lines = 0;
   std::vector<Parameter> parameters;
+  /// The texts that `program` and the team's were made from: programs and all that they include.
+  std::vector<SourcePtr> sources;
   /// Programs of single agents, by number from 1; the others run `program`.
   std::map<std::uint32_t, std::shared_ptr<const Program>> team;
   /// Parameters of single agents, by number from 1; they take the place of the common ones.
@@ -83,6 +85,8 @@ struct TrialInput {
   std::uint64_t test = 0;
   /// What the pedestrians are told of earlier tests: the beliefs covered(Item, Bin, Times).
   std::vector<CoveredBin> feedback;
+  /// Cells that the AV is ahead of its start: what the test before has left over (carry_over.h).
+  int head_start = 0;
 };
 
 /// Looks at a trial as it runs: called before the first tick and after each.
@@ -92,8 +96,8 @@ struct TrialOptions {
   TrialObserver observe;
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
   /// the first in the zone, `collision`, of whoever the AV touched, `signal`, the colour that one
-  /// begins to show, and `feedback`, what the pedestrians were told of earlier tests. Null: nothing
-  /// is recorded.
+  /// begins to show, `feedback`, what the pedestrians were told of earlier tests, and `head_start`,
+  /// the AV's if it has one. Null: nothing is recorded.
   Recording* record = nullptr;
   /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
   ReasoningObserver* observer = nullptr;
@@ -109,6 +113,8 @@ struct TrialOptions {
 
 struct TrialResult {
   CrossingResult outcome;
+  /// The head start of the next test (Crossing::left_over).
+  int left_over = 0;
   /// The test came to its end; otherwise `message` says which agent ran away or stopped it.
   bool completed = true;
   std::string message;

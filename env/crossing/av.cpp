@@ -57,10 +57,11 @@ bool passes(Point from, Point to, const Rectangle& through) {
 
 }  // namespace
 
-Av::Av(const CrossingParameters& parameters)
+Av::Av(const CrossingParameters& parameters, int head_start)
     : parameters_(parameters),
       controller_(make_controller(parameters.av.vehicle)),
       cell_mps_(parameters.cell_m / parameters.tick_s),
+      driven_(head_start),
       speed_(parameters.av.speed) {}
 
 double Av::front_m() const { return (parameters_.av.start + driven_ + 1) * parameters_.cell_m; }

@@ -23,10 +23,10 @@ struct Collision {
 
 class Av {
  public:
-  /// The parameters must outlive it.
-  explicit Av(const CrossingParameters& parameters);
+  /// Begins so many cells ahead of where the parameters, which must outlive it, let it start.
+  explicit Av(const CrossingParameters& parameters, int head_start = 0);
 
-  /// Cells that it has driven since the test began.
+  /// Cells that it is ahead of where the parameters let it start.
   [[nodiscard]] double driven() const { return driven_; }
   /// Cells per tick, now.
   [[nodiscard]] double speed() const { return speed_; }
@@ -54,7 +54,7 @@ class Av {
   const CrossingParameters& parameters_;
   std::unique_ptr<VehicleController> controller_;
   double cell_mps_;  // the metres per second of one cell per tick
-  double driven_ = 0;
+  double driven_;
   double speed_;
 };
 

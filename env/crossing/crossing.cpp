@@ -45,7 +45,7 @@ double CrossingResult::score() const {
 }
 
 Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabulary& vocabulary,
-                   std::vector<Position> start)
+                   std::vector<Position> start, int head_start)
     : parameters_(parameters),
       vocabulary_(vocabulary),
       layout_(parameters),
@@ -55,9 +55,9 @@ Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabular
       bodies_(bodies_at(parameters, start)),
       positions_(std::move(start)),
       signals_(parameters.crosswalks.size(), SignalColour::green),
-      av_(parameters),
+      av_(parameters, head_start),
       max_ticks_(max_ticks(parameters)),
-      origin_(zone_origin(parameters, 0)) {
+      origin_(zone_origin_at(parameters, head_start)) {
   result_.start = positions_;
   result_.pedestrians.resize(positions_.size());
 }
@@ -142,6 +142,7 @@ void Crossing::sweep_zone() {
     result_.hit_cell = std::min(result_.hit_cell.value_or(position.y), position.y);
   }
   if (!result_.hit_cell) return;
+  result_.hit_origin = origin_;
   result_.success = true;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (!in_zone(positions_[i], cells)) continue;
@@ -189,6 +190,12 @@ bool Crossing::finished() const {
       break;
   }
   return origin_ >= parameters_.road_end;
+}
+
+int Crossing::left_over() const {
+  if (!parameters_.av.carry_over) return 0;
+  if (result_.success) return *result_.hit_origin + zone_ahead_.last - *result_.hit_cell;
+  return std::max(origin_ - parameters_.road_end, 0);
 }
 
 int Crossing::av_edge() const {

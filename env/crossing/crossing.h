@@ -44,8 +44,9 @@ struct CrossingResult {
   bool success = false;
   /// The ticks that it took, until success or in all.
   int ticks = 0;
-  /// The nearest occupied cell of the zone when the precondition was met.
+  /// The nearest occupied cell of the zone when the precondition was met, and the zone's origin.
   std::optional<int> hit_cell;
+  std::optional<int> hit_origin;
   /// Each agent's, in their order, as the next two.
   std::vector<PedestrianOutcome> pedestrians;
   std::vector<Position> start;
@@ -64,10 +65,11 @@ struct CrossingResult {
 class Crossing final : public Environment {
  public:
   /// One agent for each start cell, then one for each actor of the parameters; AgentId is the
-  /// index. REQUIRES: parameters without problems(), start cells on the grid. Parameters and
-  /// vocabulary must outlive the world.
+  /// index. The AV begins `head_start` cells ahead of where the parameters let it start. REQUIRES:
+  /// parameters without problems(), start cells on the grid, a head start that some test has left
+  /// over (or 0). Parameters and vocabulary must outlive the world.
   Crossing(const CrossingParameters& parameters, const CrossingVocabulary& vocabulary,
-           std::vector<Position> start);
+           std::vector<Position> start, int head_start = 0);
 
   void perceive(AgentId agent, Percepts& percepts) const override;
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;
@@ -99,6 +101,9 @@ class Crossing final : public Environment {
   [[nodiscard]] std::vector<Actor> actors() const;
   /// Where they are now.
   [[nodiscard]] Scene scene() const;
+  /// Once the test is finished: the cells of the last tick's drive that came after what ended it.
+  /// With `av.carry_over` they are the next test's head start; 0 without.
+  [[nodiscard]] int left_over() const;
   /// What has come of the test so far; final once it is finished.
   [[nodiscard]] const CrossingResult& result() const { return result_; }
 

@@ -148,6 +148,25 @@ void check_actors(const CrossingParameters& parameters, std::vector<ParameterPro
   }
 }
 
+// What is carried over are whole cells of a drive that is the zone's sweep itself.
+void check_carry_over(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  if (!parameters.av.carry_over) return;
+  const double speed = parameters.av.speed;
+  const auto refuse = [&](std::string message) {
+    found.push_back({"world.av.carry_over", std::move(message)});
+  };
+  if (parameters.av.vehicle.model != "constant" || speed != std::floor(speed)) {
+    refuse("only an AV that keeps a speed of whole cells per tick can carry cells over");
+  } else if (zone_ahead(parameters) != Interval{1, static_cast<int>(speed)}) {
+    refuse("the zone has to be the cells that the AV drives in a tick");
+  } else if (parameters.end != TestEnd::precondition || parameters.aftermath > 0 ||
+             parameters.time_limit_s > 0) {
+    refuse("a test has to end with the precondition or the road, without aftermath or time limit");
+  } else if (zone_origin(parameters, 1) > parameters.road_end) {
+    refuse(fmt::format("the AV passes cell {} within the first tick", parameters.road_end));
+  }
+}
+
 }  // namespace
 
 Grid grid(const CrossingParameters& parameters) {
@@ -235,6 +254,7 @@ std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
   std::vector<ParameterProblem> found;
   check_av(parameters, found);
   check_zone(parameters, found);
+  check_carry_over(parameters, found);
   check_spawn(parameters, found);
   check_obstacles(parameters, found);
   if (!found.empty()) return found;

@@ -26,6 +26,8 @@ struct Band {
   int rows = 1;
   /// Which way traffic goes in a lane, forward or back; of no meaning for a pavement.
   Direction direction = Direction::forward;
+
+  friend bool operator==(const Band&, const Band&) = default;
 };
 
 struct AvParameters {
@@ -41,6 +43,12 @@ struct AvParameters {
   int start = 0;
   /// Cells that it would take to stop; matters only to a zone measured from there.
   int stopping_distance = 0;
+  /// What the AV has not driven yet of a tick when the test ends within it, it drives before the
+  /// first tick of the next test, as in the program that the paper's figures come from. So each
+  /// test depends on the one before it.
+  bool carry_over = false;
+
+  friend bool operator==(const AvParameters&, const AvParameters&) = default;
 };
 
 /// Which rows the precondition zone covers: those of the AV's lane, of its body, or given ones.
@@ -51,6 +59,8 @@ enum class ZoneOrigin { leading_edge, stopping_distance };
 struct Seconds {
   double from = 0;
   double to = 1;
+
+  friend bool operator==(const Seconds&, const Seconds&) = default;
 };
 
 /// The precondition of the assertion under test: a pedestrian in a zone in front of the AV.
@@ -63,6 +73,8 @@ struct ZoneParameters {
   Seconds ttc;
   /// The first and last cell ahead of the origin.
   std::optional<Interval> ahead;
+
+  friend bool operator==(const ZoneParameters&, const ZoneParameters&) = default;
 };
 
 /// Spawning: a row first, each equally probable, then one of its cells; or one of all cells.
@@ -73,6 +85,8 @@ struct SpawnParameters {
   /// For each pavement row how many of its first cells are left out, since no pedestrian could
   /// reach the AV's way from there in time. Rows that are not listed have none.
   std::map<int, int> dead_zones{{0, 18}, {1, 12}, {10, 36}, {11, 54}};
+
+  friend bool operator==(const SpawnParameters&, const SpawnParameters&) = default;
 };
 
 /// On the road, its cost takes the place of the pavement's or comes on top of it.
@@ -86,6 +100,8 @@ struct ScoringParameters {
   RoadCost costs = RoadCost::replace;
   double reward = 100;
   Rewarded rewarded = Rewarded::first_hit;
+
+  friend bool operator==(const ScoringParameters&, const ScoringParameters&) = default;
 };
 
 struct PedestrianParameters {
@@ -96,6 +112,8 @@ struct PedestrianParameters {
   /// Whether they perceive the ground around them (`ground(Way,Kind)` and its kin): features that
   /// do not grow with the map.
   bool features = false;
+
+  friend bool operator==(const PedestrianParameters&, const PedestrianParameters&) = default;
 };
 
 /// A zebra or a signalled crossing: these cells along the road, over all its lanes.
@@ -103,12 +121,16 @@ enum class CrosswalkKind { zebra, signalled };
 struct Crosswalk {
   CrosswalkKind kind = CrosswalkKind::zebra;
   Interval cells;
+
+  friend bool operator==(const Crosswalk&, const Crosswalk&) = default;
 };
 
 /// A parked car, a kiosk: nobody can be where it stands, and who is behind it is hidden.
 struct Obstacle {
   Interval rows;
   Interval cells;
+
+  friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
 /// A road user other than the AV and the pedestrians, or a traffic signal. It is an agent, too.
@@ -122,6 +144,8 @@ struct ActorParameters {
   double speed = 3;
   /// Which crosswalk a signal belongs to, counted from 0.
   std::size_t crosswalk = 0;
+
+  friend bool operator==(const ActorParameters&, const ActorParameters&) = default;
 };
 
 /// What ends a test before the road does.
@@ -156,6 +180,8 @@ struct CrossingParameters {
   double time_limit_s = 0;
   SpawnParameters spawn;
   ScoringParameters scoring;
+
+  friend bool operator==(const CrossingParameters&, const CrossingParameters&) = default;
 };
 
 [[nodiscard]] Grid grid(const CrossingParameters& parameters);

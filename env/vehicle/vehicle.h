@@ -79,6 +79,8 @@ struct VehicleParameters {
   double period_s = 0;
   /// The program of an external controller with its arguments.
   std::vector<std::string> command;
+
+  friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
 
 /// Decides anew every period; keeps what it must remember of the test in which it drives.

@@ -9,8 +9,15 @@
 #include "experiment/results/schema.h"
 #include "experiment/results/store_file.h"
 #include "experiment/results/stored_rows.h"
+#include "experiment/scenario_reader.h"
 
 namespace jaywalk {
+namespace {
+
+/// Less than the greatest speed of an AV, in cells per tick.
+constexpr std::int64_t kMostHeadStart = 9'999;
+
+}  // namespace
 
 class ResultsReader::Impl {
  public:
@@ -171,15 +178,21 @@ Result<TrialInput> ResultsReader::input(std::int64_t id) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
   const TestCase& wanted = stored.value().test;
-  const auto told = impl_->checked(read_feedback(impl_->database(), id));
+  const auto told = impl_->checked(read_event(impl_->database(), id, "feedback"));
   if (!told) return told.diagnostics();
+  const auto ahead = impl_->checked(read_event(impl_->database(), id, "head_start"));
+  if (!ahead) return ahead.diagnostics();
   auto feedback = parse_feedback(told.value());
-  if (!feedback) return store_error(path(), fmt::format("test {} has a damaged event", id));
+  const auto head_start = ahead.value().empty() ? 0 : parse_integer(ahead.value());
+  if (!feedback || !head_start || *head_start < 0 || *head_start > kMostHeadStart) {
+    return store_error(path(), fmt::format("test {} has a damaged event", id));
+  }
   return TrialInput{.behaviour = wanted.behaviour,
                     .agents = wanted.agents,
                     .seed = description().seed,
                     .test = wanted.number,
-                    .feedback = std::move(*feedback)};
+                    .feedback = std::move(*feedback),
+                    .head_start = static_cast<int>(*head_start)};
 }
 
 Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& options) const {

@@ -198,11 +198,11 @@ void read_places(
   while (row.step()) callback(row.number(0), row.real(1), row.real(2));
 }
 
-std::string read_feedback(Database& database, std::int64_t test_id) {
+std::string read_event(Database& database, std::int64_t test_id, std::string_view kind) {
   Statement row = rows_of(database, test_id, "kind, text", "events");
   std::string text;
   while (row.step()) {
-    if (row.text(0) == "feedback") text = row.text(1);
+    if (row.text(0) == kind) text = row.text(1);
   }
   return text;
 }

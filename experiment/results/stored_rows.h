@@ -29,8 +29,9 @@ void read_places(Database& database, std::string_view kind,
 void read_all_assessments(
     Database& database,
     const std::function<void(std::int64_t test_id, const std::vector<Assessment>&)>& callback);
-/// The text of the test's event `feedback`; empty if there is none.
-[[nodiscard]] std::string read_feedback(Database& database, std::int64_t test_id);
+/// The text of the test's event of that kind; empty if there is none.
+[[nodiscard]] std::string read_event(Database& database, std::int64_t test_id,
+                                     std::string_view kind);
 /// REQUIRES: the store has scenes of the test.
 [[nodiscard]] Recording read_recording(Database& database, double tick_s, std::int64_t test_id);
 

@@ -10,6 +10,7 @@
 
 #include "env/ground.h"
 #include "experiment/assertions/assertion.h"
+#include "experiment/carry_over.h"
 #include "experiment/metrics/metrics.h"
 #include "experiment/metrics/naturalness.h"
 #include "experiment/scenario_schema.h"
@@ -81,6 +82,9 @@ class CrossingRun : public Sut {
     if (!scenario.ok()) return failed(scenario.diagnostics());
     if (std::vector<Position> starts = space_.starts(input); !starts.empty()) {
       scenario.value().start_cells = StartCells{{0, std::move(starts)}};
+    }
+    if (test_order(scenario.value()) == TestOrder::chained) {
+      return {.error = "world.av.carry_over: a test that is searched has none before it"};
     }
     Diagnostics warnings;
     const auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/carry_over.h"
 #include "experiment/number_list.h"
 #include "experiment/trial.h"
 #include "tools/jaywalk/coverage_options.h"
@@ -59,6 +60,11 @@ Diagnostics excesses(const Request& request) {
     diagnostics.error("--shard", "the tests of a part need what the other parts' tests cover",
                       "experiment.feedback=0 runs them without that");
   }
+  if (is_part && request.plan.order == TestOrder::chained) {
+    diagnostics.error("--shard", "each test of this scenario needs the one before it",
+                      "share out behaviours and numbers of agents instead (--behaviours, "
+                      "--agents), or set world.av.carry_over=false");
+  }
   return diagnostics;
 }
 
@@ -99,6 +105,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.plan.agents = options.agents.value_or(defaults.agents);
   request.plan.tests = options.tests.value_or(defaults.tests);
   request.plan.threads = options.threads;
+  request.plan.order = test_order(request.prepared->scenario());
   for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
     request.plan.behaviours.push_back(behaviour.name);
   }

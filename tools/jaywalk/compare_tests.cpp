@@ -36,6 +36,8 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
     if (!told) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
     input.feedback = std::move(*told);
   }
+  std::optional<CarryOver>& carry_over = listeners.collected.carry_over;
+  if (carry_over) input.head_start = carry_over->head_start(test);
   const auto start = std::chrono::steady_clock::now();
   Recording recording;
   TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = true};
@@ -46,6 +48,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
   }
+  if (carry_over) carry_over->finished(test, trial.left_over);
   const TestResult result{.succeeded = trial.outcome.success,
                           .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
                           .score = trial.outcome.score(),
@@ -68,6 +71,35 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
     store->add(std::move(record));
   }
   return result;
+}
+
+void add_situations(const Request& request, const ResultsReader& store, const StoredTest& stored,
+                    Collected& collected, Diagnostics& trouble) {
+  if (stored.result.succeeded) {
+    const auto recording = store.recording(stored.id);
+    if (!recording.ok()) {
+      trouble.append(recording.diagnostics());
+      return;
+    }
+    collected.situations.add(stored.test, covered_bins(recording.value(), request.ground));
+  }
+  if (collected.feedback) collected.feedback->finished(stored.test);
+}
+
+void add_left_over(const ResultsReader& store, const StoredTest& stored, CarryOver& carry_over,
+                   Diagnostics& trouble) {
+  const auto again = store.rerun(stored.id);
+  if (again.ok()) {
+    carry_over.finished(stored.test, again.value().left_over);
+  } else {
+    trouble.append(again.diagnostics());
+  }
+}
+
+/// Whether a test is the next one of the same chain.
+bool follows(const StoredTest& test, const StoredTest& next) {
+  return next.test.behaviour == test.test.behaviour && next.test.agents == test.test.agents &&
+         next.test.number == test.test.number + 1;
 }
 
 }  // namespace
@@ -104,8 +136,9 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
   return outcome;
 }
 
-bool add_earlier_situations(const Request& request, Collected& collected, Console& console) {
-  if (!request.situations || !request.store || !request.store->resume) return true;
+bool add_earlier_tests(const Request& request, Collected& collected, Console& console) {
+  const bool wanted = request.situations || collected.carry_over;
+  if (!wanted || !request.store || !request.store->resume) return true;
   std::error_code ignored;
   if (!std::filesystem::exists(request.store->path, ignored)) return true;
   const auto store = ResultsReader::open(request.store->path);
@@ -115,16 +148,17 @@ bool add_earlier_situations(const Request& request, Collected& collected, Consol
     console.report(tests.diagnostics());
     return false;
   }
+  Diagnostics trouble;
   for (const StoredTest& stored : tests.value()) {
-    if (stored.result.succeeded) {
-      const auto recording = store.value()->recording(stored.id);
-      if (!recording.ok()) {
-        console.report(recording.diagnostics());
-        return false;
-      }
-      collected.situations.add(stored.test, covered_bins(recording.value(), request.ground));
+    if (request.situations) add_situations(request, *store.value(), stored, collected, trouble);
+    // Only the last one of a chain is needed.
+    const bool has_next = &stored != &tests.value().back() && follows(stored, *(&stored + 1));
+    if (collected.carry_over && !has_next) {
+      add_left_over(*store.value(), stored, *collected.carry_over, trouble);
     }
-    if (collected.feedback) collected.feedback->finished(stored.test);
+    if (!trouble.has_errors()) continue;
+    console.report(trouble);
+    return false;
   }
   return true;
 }

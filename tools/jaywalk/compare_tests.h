@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "experiment/carry_over.h"
 #include "experiment/feedback.h"
 #include "experiment/report/facts.h"
 #include "experiment/results/writer.h"
@@ -18,11 +19,13 @@ struct Collected {
       : findings(request.inquiry, request.plan), situations(request.plan) {
     const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
     if (generation > 0) feedback.emplace(request.plan, generation, situations);
+    if (request.plan.order == TestOrder::chained) carry_over.emplace(request.plan);
   }
 
   FindingsTable findings;
   SituationTable situations;
   std::optional<CoverageFeedback> feedback;
+  std::optional<CarryOver> carry_over;
 };
 
 /// Who wants to know about the tests as they are run; null: nobody.
@@ -54,9 +57,9 @@ class Selection {
                                               const Listeners& listeners,
                                               const ProgressFunction& progress);
 
-/// What the tests that a store to be continued has have covered, so that later ones can be told.
-/// False after reporting why that cannot be read.
-[[nodiscard]] bool add_earlier_situations(const Request& request, Collected& collected,
-                                          Console& console);
+/// What later tests need of those that a store to be continued has: what they have covered, and
+/// what they have left over. False after reporting why that cannot be read.
+[[nodiscard]] bool add_earlier_tests(const Request& request, Collected& collected,
+                                     Console& console);
 
 }  // namespace jaywalk::command::compare

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/carry_over.h"
 #include "experiment/export/junit.h"
 #include "experiment/plan_coverage.h"
 #include "experiment/report/verdict_table.h"
@@ -185,7 +186,10 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   if (arguments.has("coverage")) {
     options.observer = observer.emplace(coverage.emplace(*request->prepared)).get();
   }
-  const TrialResult result = run_trial(*request->prepared, request->input, options);
+  const auto input = in_its_chain(*request->prepared, request->input, [&] {
+    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
+  });
+  const TrialResult result = input ? run_trial(*request->prepared, *input, options) : TrialResult{};
   observer.reset();
   if (interrupt.interrupted()) {
     console.note("interrupted");

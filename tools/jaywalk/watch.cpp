@@ -45,7 +45,7 @@ struct Situation {
 Situation av_situation(const Crossing& crossing) {
   if (!crossing.result().success) return {crossing.av_edge(), crossing.zone_cells()};
   const CrossingParameters& parameters = crossing.parameters();
-  const int origin = zone_origin(parameters, crossing.result().ticks - 1);
+  const int origin = *crossing.result().hit_origin;
   const Interval ahead = zone_ahead(parameters);
   return {.edge = crossing.av_edge() - (crossing.av_cell() - origin),
           .zone = {.first = origin + ahead.first, .last = origin + ahead.last}};

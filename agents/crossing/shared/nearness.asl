@@ -1,7 +1,7 @@
 // How far away the AV is, and whether that is near.
 
 radius(15).               // what is near, in cells
-radius_limit(exclusive).  // whether the radius itself is near: inclusive or exclusive
+radius_limit(exclusive).  // whether the radius itself is: exclusive, inclusive, inclusive_alone
 
 // City-block distance: cells to the AV, whether it comes or has passed, and rows to its lane.
 distance_to_av(D) :-
@@ -11,4 +11,4 @@ distance_to_av(D) :-
 av_lane(First, Last) :- av_rows(Row, _) & lane(First, Last, _) & First <= Row & Row <= Last.
 
 near(D) :- radius(R) & D < R.
-near(R) :- radius(R) & radius_limit(inclusive).
+near(R) :- radius(R) & (radius_limit(inclusive) | radius_limit(inclusive_alone) & pedestrians(1)).

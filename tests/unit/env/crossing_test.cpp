@@ -14,8 +14,8 @@ namespace {
 
 class CrossingTest : public testing::Test {
  protected:
-  Crossing world(std::vector<Position> start) const {
-    return Crossing(parameters_, vocabulary_, std::move(start));
+  Crossing world(std::vector<Position> start, int head_start = 0) const {
+    return Crossing(parameters_, vocabulary_, std::move(start), head_start);
   }
 
   ActionRequest move(std::size_t agent, Direction direction) const {
@@ -283,6 +283,42 @@ TEST_F(CrossingTest, ReportsThePreconditionToTheAgentsInTheAftermath) {
   EXPECT_TRUE(crossing.finished());
   EXPECT_EQ(crossing.result().ticks, 1);
   EXPECT_DOUBLE_EQ(crossing.result().pedestrians[1].cost, 5);
+}
+
+// Hit in the last cell of the sweep nothing is left of the tick; two cells earlier, two are.
+TEST_F(CrossingTest, LeavesOverWhatTheAvHasNotDrivenOfTheLastTick) {
+  parameters_.av.carry_over = true;
+  for (const auto& [cell, left] : {std::pair{12, 0}, {10, 2}, {7, 5}}) {
+    Crossing crossing = world({{1, cell}});
+    tick(crossing, {});
+    tick(crossing, {move(0, Direction::right)});
+    ASSERT_TRUE(crossing.result().success) << cell;
+    EXPECT_EQ(crossing.left_over(), left) << cell;
+  }
+}
+
+// The road ends in the fifth of the six cells of tick 11. A head start moves that forward; with
+// five cells the tenth tick ends just there.
+TEST_F(CrossingTest, LeavesOverWhatIsBeyondTheRoadsEnd) {
+  parameters_.av.carry_over = true;
+  int head_start = 0;
+  for (const int left : {1, 2, 3, 4, 5, 0}) {
+    Crossing crossing = world({{0, 0}}, head_start);
+    EXPECT_EQ(crossing.av_cell(), head_start);
+    EXPECT_EQ(crossing.av_edge(), head_start);
+    EXPECT_EQ(crossing.zone_cells(), (Interval{head_start + 1, head_start + 6}));
+    EXPECT_EQ(percepts(crossing, 0)["av"], std::vector<double>{static_cast<double>(head_start)});
+    let_pass(crossing);
+    EXPECT_EQ(crossing.result().ticks, head_start == 5 ? 10 : 11);
+    EXPECT_EQ(crossing.left_over(), left);
+    head_start = crossing.left_over();
+  }
+}
+
+TEST_F(CrossingTest, LeavesNothingOverUnlessItIsAskedTo) {
+  Crossing crossing = world({{0, 0}});
+  let_pass(crossing);
+  EXPECT_EQ(crossing.left_over(), 0);
 }
 
 }  // namespace

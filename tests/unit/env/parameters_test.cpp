@@ -1,5 +1,7 @@
 #include "env/crossing/parameters.h"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 namespace jaywalk {
@@ -66,6 +68,27 @@ TEST(CrossingParameters, StayWithinBoundsWhateverTheSpeed) {
   parameters.zone.ttc = {0, 3600};
   EXPECT_GT(zone_origin(parameters, 1000), parameters.road_end);
   EXPECT_GT(zone_ahead(parameters).last, parameters.length);
+}
+
+// What is left of a tick are cells of the zone that the AV has not swept.
+TEST(CrossingParameters, CarryOverWholeCellsOfADriveThatIsTheZonesSweep) {
+  CrossingParameters carrying;
+  carrying.av.carry_over = true;
+  EXPECT_TRUE(problems(carrying).empty());
+  const auto refused = [&](const std::function<void(CrossingParameters&)>& change) {
+    CrossingParameters parameters = carrying;
+    change(parameters);
+    const auto found = problems(parameters);
+    return found.size() == 1 && found[0].path == "world.av.carry_over";
+  };
+  EXPECT_TRUE(refused([](auto& world) { world.av.speed = 5.5; }));
+  EXPECT_TRUE(refused([](auto& world) { world.av.vehicle.model = "braking"; }));
+  EXPECT_TRUE(refused([](auto& world) { world.zone.ahead = Interval{9, 14}; }));
+  EXPECT_TRUE(refused([](auto& world) { world.end = TestEnd::road; }));
+  EXPECT_TRUE(refused([](auto& world) { world.aftermath = 1; }));
+  EXPECT_TRUE(refused([](auto& world) { world.time_limit_s = 5; }));
+  EXPECT_TRUE(refused([](auto& world) { world.road_end = 5; }));
+  EXPECT_FALSE(refused([](auto& world) { world.av.speed = 3; }));
 }
 
 TEST(CrossingParameters, SayWhatDoesNotFitTogether) {

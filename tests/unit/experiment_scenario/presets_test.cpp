@@ -18,7 +18,7 @@ Scenario preset(const std::string& name) {
 }
 
 TEST(Presets, AreAllReadable) {
-  EXPECT_EQ(presets().size(), 4U);
+  EXPECT_EQ(presets().size(), 5U);
   for (const Preset& each : presets()) {
     EXPECT_EQ(preset(std::string(each.name)).preset, each.name);
     EXPECT_FALSE(each.summary.empty());
@@ -46,6 +46,39 @@ TEST(Presets, PublishedLiteralMovesTheZoneAndTheDeadZones) {
   EXPECT_EQ(zone_origin(world, 0), 0);
   EXPECT_EQ(zone_ahead(world), (Interval{9, 14}));
   EXPECT_EQ(world.spawn.dead_zones, (std::map<int, int>{{0, 12}, {1, 6}, {10, 30}, {11, 48}}));
+}
+
+/// The parameters of a behaviour, as `name=value`.
+std::vector<std::string> parameters(const Scenario& scenario, const std::string& name) {
+  std::vector<std::string> found;
+  for (const BehaviourSpec& behaviour : scenario.behaviours) {
+    if (behaviour.name != name) continue;
+    for (const ParameterSetting& each : behaviour.parameters) {
+      found.push_back(each.name + '=' + std::get<std::string>(each.values.front()));
+    }
+  }
+  return found;
+}
+
+TEST(Presets, SetParametersOfTheBehavioursThatTheScenarioHas) {
+  ScenarioOptions options;
+  options.preset = "as-published-program";
+  const std::string text =
+      "behaviours: [random_behaviour.asl, proximity.asl,\n"
+      "  {program: mine.asl, name: election, parameters: {radius_limit: inclusive}}]\n";
+  const Scenario read = parse(text, options).value();
+  EXPECT_TRUE(read.world.av.carry_over);
+  EXPECT_EQ(parameters(read, "random_behaviour"), std::vector<std::string>{"first_way=back"});
+  EXPECT_TRUE(parameters(read, "proximity").empty());
+  EXPECT_EQ(parameters(read, "election"), std::vector<std::string>{"radius_limit=inclusive"})
+      << "what the file says counts";
+  options.sets = {"behaviours.random_behaviour.parameters.first_way=forward"};
+  EXPECT_EQ(parameters(parse(text, options).value(), "random_behaviour"),
+            std::vector<std::string>{"first_way=forward"});
+  options.behaviours = {"elsewhere/random_behaviour.asl"};
+  options.sets = {};
+  EXPECT_EQ(parameters(parse(text, options).value(), "random_behaviour"),
+            std::vector<std::string>{"first_way=back"});
 }
 
 TEST(Presets, AreNamedInTheFileByTheOptionOrBySetting) {

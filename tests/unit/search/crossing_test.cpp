@@ -82,6 +82,15 @@ TEST(CrossingSut, PointsAtMistakes) {
   EXPECT_THAT(errors("  assertions: none.yaml\n"), HasSubstr("none.yaml"));
 }
 
+// A test that is searched has no test before it whose rest it could be given.
+TEST(CrossingSut, RefusesTestsThatDependOnEachOther) {
+  const std::string keys =
+      "  behaviour: proximity\n  parameters: {world.av.carry_over: ['true']}\n";
+  const Result<SearchExperiment> experiment = read(keys);
+  ASSERT_FALSE(experiment.ok());
+  EXPECT_THAT(experiment.diagnostics().render(), HasSubstr("world.av.carry_over"));
+}
+
 TEST(CrossingSut, ComparesBehavioursOnOneFooting) {
   const Result<SearchExperiment> experiment =
       read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/crossing-search.yaml",
