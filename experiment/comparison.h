@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiment/findings.h"
+#include "experiment/published/published.h"
 #include "experiment/summary.h"
 
 namespace jaywalk {
@@ -19,6 +20,8 @@ struct Comparison {
   std::uint64_t tests = 0;
   /// In the order of behaviours, then of the numbers of agents.
   std::vector<Summary> summaries;
+  /// Which of them the paper's figures may stand beside.
+  PublishedRows published;
   /// The assertions that were judged, and what assertions and metrics say of each of the summaries;
   /// empty if none were asked for.
   std::vector<std::string> assertions;

@@ -71,7 +71,10 @@ class Preparation {
       return nullptr;
     }
     const SourceTree tree = load_agent(path, include_path_, diagnostics_);
-    for (const auto& file : tree.files) add_input(file->source);
+    for (const auto& file : tree.files) {
+      add_input(file->source);
+      result.sources.push_back(file->source);
+    }
     if (diagnostics_.has_errors()) return nullptr;
     std::shared_ptr<const Program> program = compile(tree, symbols_, diagnostics_);
     if (!program) return nullptr;

@@ -51,7 +51,7 @@ void add_findings(Json& object, const Comparison& comparison, const FindingsSumm
   }
 }
 
-Json to_object(const Summary& summary) {
+Json to_object(const Summary& summary, const PublishedRows& rows) {
   Json object = {{"behaviour", summary.behaviour},
                  {"agents", summary.agents},
                  {"tests", summary.tests},
@@ -59,7 +59,7 @@ Json to_object(const Summary& summary) {
   Json published = Json::object();
   for (const Measure& measure : measures()) {
     add_estimate(object, measure, measure.estimate(summary));
-    const auto figure = published_figure(measure, summary.behaviour, summary.agents);
+    const auto figure = published_figure(rows, measure, summary.behaviour, summary.agents);
     if (figure) add_estimate(published, measure, *figure);
   }
   if (!published.empty()) object["published"] = std::move(published);
@@ -71,16 +71,19 @@ Json to_object(const Summary& summary) {
 std::string to_json(const Comparison& comparison) {
   Json results = Json::array();
   for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
-    results.push_back(to_object(comparison.summaries[row]));
+    results.push_back(to_object(comparison.summaries[row], comparison.published));
     if (!comparison.findings.empty()) {
       add_findings(results.back(), comparison, comparison.findings[row]);
     }
   }
-  const Json document = {{"scenario", comparison.scenario},
-                         {"seed", comparison.seed},
-                         {"tests", comparison.tests},
-                         {"complete", comparison.complete},
-                         {"results", std::move(results)}};
+  Json document = {{"scenario", comparison.scenario},
+                   {"seed", comparison.seed},
+                   {"tests", comparison.tests},
+                   {"complete", comparison.complete}};
+  if (!comparison.published.left_out.empty()) {
+    document["published_left_out"] = comparison.published.left_out;
+  }
+  document["results"] = std::move(results);
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

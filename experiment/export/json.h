@@ -1,7 +1,8 @@
 #pragma once
 
 // A comparison as JSON: what was compared, then an object for each behaviour and number of agents
-// with the fields of the CSV and what the paper published. What does not exist is null.
+// with the fields of the CSV and what the paper published, where that may be shown (published.h).
+// What does not exist is null.
 
 #include <string>
 

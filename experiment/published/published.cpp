@@ -1,7 +1,10 @@
 #include "experiment/published/published.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "experiment/published/paper_figures.h"
@@ -45,14 +48,50 @@ Figures parse(std::string_view text) {
   return figures;
 }
 
+const Figures& figures() {
+  static const Figures kFigures = parse(kPaperFigures);
+  return kFigures;
+}
+
+// Why a faithful run gives other values; scenarios/README.md has by how much.
+constexpr std::array<std::string_view, 5> kDiffering = {
+    "They come from a program with quirks that this run does not repeat, hence the differences:",
+    "- a test's AV begins with what the last test left of its tick: fewer ticks, higher scores;",
+    "- random behaviour walks against the AV's direction only: fewer tests succeed;",
+    "- a pedestrian alone counts the radius itself as near in elections: 50.0 % for 47.9 %.",
+    "Table I of the paper has four misprints. --preset as-published-program repeats the quirks.",
+};
+constexpr std::array<std::string_view, 1> kRepeated = {
+    "This preset repeats the quirks of the program that they come from; Table I has misprints."};
+
 }  // namespace
 
-std::optional<Estimate> published_figure(const Measure& measure, std::string_view behaviour,
-                                         std::uint32_t agents) {
-  static const Figures kFigures = parse(kPaperFigures);
-  const auto found = kFigures.find({measure.column, behaviour, agents});
-  if (found == kFigures.end()) return std::nullopt;
+bool has_published_figures(std::string_view behaviour) {
+  return std::ranges::any_of(
+      figures(), [&](const auto& each) { return std::get<1>(each.first) == behaviour; });
+}
+
+std::optional<Estimate> published_figure(const PublishedRows& rows, const Measure& measure,
+                                         std::string_view behaviour, std::uint32_t agents) {
+  if (std::ranges::find(rows.behaviours, behaviour) == rows.behaviours.end()) return std::nullopt;
+  const auto found = figures().find({measure.column, behaviour, agents});
+  if (found == figures().end()) return std::nullopt;
   return found->second;
+}
+
+std::vector<std::string> published_notes(const PublishedRows& rows) {
+  std::vector<std::string> notes;
+  if (!rows.behaviours.empty()) {
+    notes.emplace_back(
+        "paper: the published values (Chance, Ghobrial, Lemaignan, Pipe and Eder 2020).");
+    const bool repeated = rows.quirks == PublishedQuirks::repeated;
+    const auto why = repeated ? std::span<const std::string_view>(kRepeated) : kDiffering;
+    notes.insert(notes.end(), why.begin(), why.end());
+  }
+  if (!rows.left_out.empty()) {
+    notes.push_back("paper: published values are left out: " + rows.left_out + '.');
+  }
+  return notes;
 }
 
 }  // namespace jaywalk

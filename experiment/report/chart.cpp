@@ -66,7 +66,8 @@ std::vector<Series> series_of(const Comparison& comparison, const Measure& measu
     const auto x = static_cast<double>(summary.agents);
     const Estimate ours = measure.estimate(summary);
     if (ours.value) all.back().ours.push_back({.x = x, .y = ours});
-    const auto paper = published_figure(measure, summary.behaviour, summary.agents);
+    const auto paper =
+        published_figure(comparison.published, measure, summary.behaviour, summary.agents);
     if (paper) all.back().paper.push_back({.x = x, .y = *paper});
   }
   const auto by_x = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
@@ -155,7 +156,7 @@ std::string curves(const Panel& panel, const Series& series) {
   return svg + "</g>\n";
 }
 
-std::string legend(const std::vector<Series>& all, double top) {
+std::string legend(const std::vector<Series>& all, const PublishedRows& published, double top) {
   std::string svg;
   double x = kLeft;
   double y = top;
@@ -174,6 +175,7 @@ std::string legend(const std::vector<Series>& all, double top) {
   y += kLegendLine;
   svg += line(kLeft, y, kLeft + 24, y, "stroke=\"#777\" stroke-width=\"2\"");
   svg += text(kLeft + 30, y + 4, "start", "this run, bars: 95 % intervals");
+  if (published.behaviours.empty()) return svg;
   svg += line(kLeft + 260, y, kLeft + 284, y,
               "stroke=\"#777\" stroke-width=\"1.5\" stroke-dasharray=\"5 4\"");
   return svg + text(kLeft + 290, y + 4, "start", "published (Chance et al. 2020)");
@@ -187,7 +189,7 @@ std::string render_svg(const Comparison& comparison) {
             .measure = find_measure("accuracy"),
             .left = kLeft,
             .max_y = 100},
-      Panel{.title = "Combined score, normalised",
+      Panel{.title = "combined_normalised: (score × accuracy / 1000 + 0.45) / 4.71",
             .measure = find_measure("combined_normalised"),
             .left = kLeft + kPanelDistance},
   };
@@ -200,7 +202,7 @@ std::string render_svg(const Comparison& comparison) {
     for (const Series& series : all) body += curves(panel, series);
   }
   const double legend_top = kTop + kPanelHeight + 65;
-  body += legend(all, legend_top);
+  body += legend(all, comparison.published, legend_top);
   const double width = kLeft + kPanelDistance + kPanelWidth + 20;
   const double height = legend_top + 3 * kLegendLine + 10;
   return fmt::format(

@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include "experiment/measures/measures.h"
-#include "experiment/published/published.h"
+#include "experiment/published/agreement.h"
 
 namespace jaywalk {
 namespace {
 
 enum class Interval95 { shown, hidden };
+/// The columns of the published values.
+enum class Paper { shown, hidden };
 
 /// A measure in the table: its value, perhaps its interval, and the paper's value.
 struct Column {
@@ -26,7 +28,7 @@ struct Column {
 constexpr std::array kColumns = {
     Column{"accuracy", "accuracy %", 10, 1, Interval95::shown},
     Column{"score", "score", 7, 2, Interval95::shown},
-    Column{"combined_normalised", "combined", 8, 3, Interval95::hidden},
+    Column{"combined_normalised", "combined_normalised", 19, 3, Interval95::hidden},
     Column{"ticks_all", "ticks", 6, 2, Interval95::hidden},
     Column{"cpu", "CPU µs", 8, 1, Interval95::hidden},
 };
@@ -44,19 +46,19 @@ std::string interval_text(const Estimate& estimate, int decimals) {
   return fmt::format("{:.{}f} to {:.{}f}", *estimate.low, decimals, *estimate.high, decimals);
 }
 
-std::string heading() {
+std::string heading(Paper paper) {
   std::string line = fmt::format("{:>{}}", "agents", kAgentsWidth);
   for (const Column& column : kColumns) {
     line += fmt::format("  {:>{}}", column.title, column.width);
     if (column.interval == Interval95::shown) {
       line += fmt::format("  {:>{}}", "95 % interval", kIntervalWidth);
     }
-    line += fmt::format("{:>{}}", "paper", kPaperWidth);
+    if (paper == Paper::shown) line += fmt::format("{:>{}}", "paper", kPaperWidth);
   }
   return line + '\n';
 }
 
-std::string row(const Summary& summary) {
+std::string row(const Summary& summary, const PublishedRows& published) {
   std::string line = fmt::format("{:>{}}", summary.agents, kAgentsWidth);
   for (const Column& column : kColumns) {
     const Measure& measure = *find_measure(column.measure);
@@ -65,7 +67,8 @@ std::string row(const Summary& summary) {
     if (column.interval == Interval95::shown) {
       line += fmt::format("  {:>{}}", interval_text(ours, column.decimals), kIntervalWidth);
     }
-    const auto paper = published_figure(measure, summary.behaviour, summary.agents);
+    if (published.behaviours.empty()) continue;
+    const auto paper = published_figure(published, measure, summary.behaviour, summary.agents);
     line += fmt::format("{:>{}}", decimal(paper ? paper->value : std::nullopt, column.decimals),
                         kPaperWidth);
   }
@@ -76,17 +79,23 @@ std::string row(const Summary& summary) {
 
 std::string render_table(const Comparison& comparison) {
   std::string table;
+  const PublishedRows& published = comparison.published;
+  const Paper paper = published.behaviours.empty() ? Paper::hidden : Paper::shown;
   const std::string* behaviour = nullptr;
   for (const Summary& summary : comparison.summaries) {
     if (behaviour == nullptr || *behaviour != summary.behaviour) {
       behaviour = &summary.behaviour;
       if (!table.empty()) table += '\n';
       table += fmt::format("{} ({} lines of AgentSpeak)\n", *behaviour, summary.code_lines);
-      table += heading();
+      table += heading(paper);
     }
-    table += row(summary);
+    table += row(summary, published);
   }
-  return table;
+  if (table.empty()) return table;
+  std::string notes;
+  for (const std::string& note : published_notes(published)) notes += note + '\n';
+  if (const std::string note = agreement_note(comparison); !note.empty()) notes += note + '\n';
+  return notes.empty() ? table : table + '\n' + notes;
 }
 
 }  // namespace jaywalk

@@ -263,6 +263,8 @@ Result<Comparison> ResultsReader::comparison() const {
     }
   }
   if (auto failure = add_findings(comparison)) return std::move(*failure);
+  // A scenario that this version cannot read any more has no published figures beside it.
+  if (const auto scenario = prepared()) comparison.published = published_rows(*scenario.value());
   return comparison;
 }
 

@@ -37,6 +37,7 @@ Comparison make_comparison(const Request& request, ExperimentOutcome& outcome) {
                         .seed = request.seed,
                         .tests = request.plan.tests,
                         .summaries = std::move(outcome.summaries),
+                        .published = published_rows(*request.prepared),
                         .complete = outcome.complete()};
   for (Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(request.prepared->behaviours(), summary.behaviour,

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiment/measures/measures.h"
-#include "experiment/published/published.h"
+#include "experiment/published/agreement.h"
 #include "experiment/report/html.h"
 #include "experiment/report/plot.h"
 #include "experiment/report/report.h"
@@ -30,15 +30,15 @@ constexpr std::array kFigures = {
     PaperFigure{"accuracy", "Accuracy, %", "tests that met the precondition; bars: 95 %, Wilson", 1,
                 Scale::linear, 0, 100},
     PaperFigure{"score", "Score", "of successful tests; bars: 95 %, Student’s t", 2},
-    PaperFigure{"combined_normalised", "Combined score", "score and accuracy, normalised", 3},
+    PaperFigure{"combined_normalised", "combined_normalised",
+                "score × accuracy / 1000, normalised as the paper draws it", 3},
     PaperFigure{"cpu", "CPU time, µs per test", "spent reasoning; logarithmic", 1,
                 Scale::logarithmic},
     PaperFigure{"ticks_all", "Time to test, ticks", "mean of all tests; bars: 95 %, Student’s t", 2,
                 Scale::linear, 0},
 };
 
-std::vector<PlotSeries> series_of(const Comparison& comparison, const Measure& measure,
-                                  bool& published) {
+std::vector<PlotSeries> series_of(const Comparison& comparison, const Measure& measure) {
   std::vector<PlotSeries> all;
   const std::vector<std::string> behaviours = behaviours_of(comparison);
   for (std::size_t i = 0; i < behaviours.size(); ++i) {
@@ -52,12 +52,11 @@ std::vector<PlotSeries> series_of(const Comparison& comparison, const Measure& m
         ours.points.push_back(
             {static_cast<double>(agents), *estimate.value, estimate.low, estimate.high});
       }
-      const auto figure = published_figure(measure, behaviours[i], agents);
+      const auto figure = published_figure(comparison.published, measure, behaviours[i], agents);
       if (figure && figure->value) {
         paper.points.push_back({static_cast<double>(agents), *figure->value, {}, {}});
       }
     }
-    published = published || !paper.points.empty();
     all.push_back(std::move(ours));
     all.push_back(std::move(paper));
   }
@@ -71,11 +70,12 @@ std::string interval(const Estimate& estimate, int decimals) {
 
 std::string numbers(const Comparison& comparison) {
   Table table;
+  const bool shown = !comparison.published.behaviours.empty();
   table.column("agents");
   for (const PaperFigure& figure : kFigures) {
     table.column(figure.title);
     if (!find_measure(figure.measure)->low_column.empty()) table.column("95 % interval");
-    table.column("published");
+    if (shown) table.column("published");
   }
   for (const std::string& behaviour : behaviours_of(comparison)) {
     table.heading(behaviour);
@@ -88,7 +88,8 @@ std::string numbers(const Comparison& comparison) {
         const Estimate ours = measure.estimate(*summary);
         cells.push_back(decimal(ours.value, figure.decimals));
         if (!measure.low_column.empty()) cells.push_back(interval(ours, figure.decimals));
-        const auto paper = published_figure(measure, behaviour, agents);
+        if (!shown) continue;
+        const auto paper = published_figure(comparison.published, measure, behaviour, agents);
         cells.push_back(decimal(paper ? paper->value : std::nullopt, figure.decimals));
       }
       table.row(std::move(cells));
@@ -97,13 +98,25 @@ std::string numbers(const Comparison& comparison) {
   return table.html();
 }
 
+std::string notes(const Comparison& comparison) {
+  const PublishedRows& published = comparison.published;
+  std::string text;
+  if (!published.behaviours.empty()) {
+    text =
+        "Dashed, in the same colour: values from the authors’ released figures. Their CPU time is "
+        "that of another program on another machine.<br>";
+  }
+  for (const std::string& note : published_notes(published)) text += escaped(note) + "<br>";
+  text += escaped(agreement_note(comparison));
+  return text.empty() ? text : fmt::format("<p class=\"note\">{}</p>\n", text);
+}
+
 }  // namespace
 
 std::string section::figures(const ReportData& data) {
   const Comparison& comparison = data.comparison;
   if (comparison.summaries.empty()) return {};
   std::string figures;
-  bool published = false;
   for (const PaperFigure& each : kFigures) {
     const Measure& measure = *find_measure(each.measure);
     const PlotAxes axes{.x_title = "agents",
@@ -113,15 +126,10 @@ std::string section::figures(const ReportData& data) {
                         .most = each.most};
     figures +=
         figure(fmt::format("{}<small>{}</small>", escaped(each.title), escaped(each.explanation)),
-               curves(axes, series_of(comparison, measure, published)));
+               curves(axes, series_of(comparison, measure)));
   }
   std::string html = legend(behaviours_of(comparison));
-  if (published) {
-    html +=
-        "<p class=\"note\">Dashed, in the same colour: the published values (Chance, "
-        "Ghobrial, Lemaignan, Pipe and Eder 2020, from the authors’ released figures). Their "
-        "CPU time is that of another program on another machine.</p>\n";
-  }
+  html += notes(comparison);
   return html + gallery(figures) + details("The same numbers as a table", numbers(comparison));
 }
 

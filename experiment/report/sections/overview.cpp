@@ -68,7 +68,7 @@ std::string best_table(const Comparison& comparison) {
   table.column("lines of code");
   table.column("best accuracy, %");
   table.column("best score");
-  table.column("best combined score");
+  table.column("best combined_normalised");
   table.column("fewest ticks to test");
   table.column("least CPU time, µs");
   for (const std::string& behaviour : behaviours_of(comparison)) {

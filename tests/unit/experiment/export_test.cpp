@@ -53,7 +53,9 @@ TEST(Csv, QuotesNamesWithSeparators) {
 }
 
 TEST(Json, HasTheFieldsOfTheCsvAndThePublishedOnes) {
-  const auto document = nlohmann::json::parse(to_json(one_row("proximity", 2)));
+  Comparison comparison = one_row("proximity", 2);
+  comparison.published.behaviours = {"proximity"};
+  const auto document = nlohmann::json::parse(to_json(comparison));
   EXPECT_EQ(document["scenario"], "s.yaml");
   EXPECT_EQ(document["seed"], 7);
   EXPECT_EQ(document["complete"], true);
@@ -62,6 +64,15 @@ TEST(Json, HasTheFieldsOfTheCsvAndThePublishedOnes) {
   EXPECT_EQ(row["accuracy_pct"], 50.0);
   EXPECT_EQ(row["score_mean"], 30.25);
   EXPECT_TRUE(row["published"]["accuracy_pct"].is_number());
+}
+
+TEST(Json, LeavesOutPublishedFiguresOfAnotherWorldAndSaysSo) {
+  Comparison comparison = one_row("proximity", 2);
+  comparison.published.left_out = "another world";
+  const auto document = nlohmann::json::parse(to_json(comparison));
+  EXPECT_FALSE(document["results"].at(0).contains("published"));
+  EXPECT_EQ(document["published_left_out"], "another world");
+  EXPECT_FALSE(nlohmann::json::parse(to_json(one_row("walk", 1))).contains("published_left_out"));
 }
 
 TEST(Json, SaysNullWhatDoesNotExist) {
