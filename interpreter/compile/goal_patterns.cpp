@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,9 +40,36 @@ class Expansion {
   }
 
  private:
-  std::string text(const ast::Node& node) const { return std::string(source_.text(node.span)); }
+  // The text of a term. An unnamed variable gets a number, the same one wherever the term is put:
+  // it is one variable throughout each plan.
+  std::string text(const ast::Node& node) {
+    std::vector<const ast::Node*> found;
+    find_unnamed(node, found);
+    std::string result(source_.text(node.span));
+    for (std::size_t i = found.size(); i > 0; --i) {
+      result.replace(found[i - 1]->span.begin - node.span.begin, 1, number(*found[i - 1]));
+    }
+    return result;
+  }
 
-  std::vector<std::string> args(const ast::Node& directive) const {
+  static void find_unnamed(const ast::Node& node, std::vector<const ast::Node*>& found) {
+    if (node.kind == ast::Kind::variable && node.text == "_") found.push_back(&node);
+    for (const ast::Node* arg : node.args) find_unnamed(*arg, found);
+    for (const ast::Node* part : {node.tail, node.annots}) {
+      if (part != nullptr) find_unnamed(*part, found);
+    }
+  }
+
+  // `_1`, ...: one that the source does not have.
+  const std::string& number(const ast::Node& unnamed) {
+    std::string& name = numbers_[&unnamed];
+    while (name.empty() || source_.text().find(name) != std::string_view::npos) {
+      name = fmt::format("_{}", ++last_number_);
+    }
+    return name;
+  }
+
+  std::vector<std::string> args(const ast::Node& directive) {
     std::vector<std::string> texts;
     for (const ast::Node* arg : directive.args) {
       texts.push_back(arg->kind == ast::Kind::string ? std::string(arg->text) : text(*arg));
@@ -92,7 +120,7 @@ class Expansion {
   }
 
   // What a plan for the directive's goal is to have achieved, in the plan's own terms.
-  std::string achieved(const ast::Trigger& trigger) const {
+  std::string achieved(const ast::Trigger& trigger) {
     const ast::Node& goal = *component_.literal->args[0];
     const bool same = trigger.op == ast::TriggerOperator::add &&
                       trigger.kind == ast::TriggerKind::achieve &&
@@ -105,14 +133,15 @@ class Expansion {
     return plan.goal.empty() ? "" : "?" + plan.goal;
   }
 
-  std::vector<InnerPlan> inner_plans() const {
+  std::vector<InnerPlan> inner_plans() {
     std::vector<InnerPlan> plans;
     for (const ast::Component& inner : component_.inner) {
       if (inner.kind != ast::ComponentKind::plan) continue;
       const ast::Plan& plan = *inner.plan;
       InnerPlan parts;
       const std::uint32_t start = plan.label != nullptr ? plan.span.begin : plan.trigger.span.begin;
-      parts.head = source_.text({start, plan.trigger.span.end});
+      parts.head = source_.text({start, plan.trigger.literal->span.begin});
+      parts.head += text(*plan.trigger.literal);
       parts.goal = achieved(plan.trigger);
       if (plan.context != nullptr) parts.context = text(*plan.context);
       if (!plan.body.empty()) {
@@ -145,14 +174,14 @@ class Expansion {
            (body.empty() ? "" : " <- " + body) + ".\n";
   }
 
-  std::string declarative(const std::string& g) const {
+  std::string declarative(const std::string& g) {
     std::string result = fmt::format("+!{0} : {0}.\n+!{0} : .intend({0}).\n", g) + others();
     for (const InnerPlan& plan : inner_plans())
       result += join(plan, plan.context, "", test_of(plan));
     return result + fmt::format("+{0} <- .succeed_goal({0}).\n", g);
   }
 
-  std::string exclusive(const std::string& g) const {
+  std::string exclusive(const std::string& g) {
     std::string result = fmt::format("+!{0} : {0}.\n", g) + others();
     int number = 0;
     for (const InnerPlan& plan : inner_plans()) {
@@ -182,6 +211,8 @@ class Expansion {
 
   const ast::Component& component_;
   const Source& source_;
+  std::map<const ast::Node*, std::string> numbers_;
+  int last_number_ = 0;
 };
 
 }  // namespace
