@@ -14,7 +14,8 @@ inline constexpr OptionSpec kCoverageOption{
     "coverage", "FILE",
     "write which plans, conditions and formulas of the agents'\n"
     "programs were used: a listing (.txt), a page (.html) or a\n"
-    "tracefile of LCOV (.info); repeatable"};
+    "tracefile of LCOV (.info); repeatable. A rule's last call\n"
+    "takes memory then, so deep recursion may reach the limit"};
 
 /// Adds an error for each file whose ending says nothing.
 void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics);
