@@ -42,12 +42,14 @@ jaywalk_add_library(engine
     compile/translator.cpp
     agent/agent.cpp
     agent/bindings.cpp
+    agent/branches.cpp
     agent/clone.cpp
     agent/context.cpp
     agent/customisation.cpp
     agent/cycle.cpp
     agent/execute.cpp
     agent/failure.cpp
+    agent/for_loops.cpp
     agent/goals.cpp
     agent/intention.cpp
     agent/messages.cpp

@@ -1,6 +1,7 @@
 // Goals and intentions: asked for, ended, suspended.
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -16,12 +17,19 @@ namespace {
 // the goal.
 class GoalSolutions : public Solutions {
  public:
-  GoalSolutions(std::vector<Value> events, std::vector<Intention*> intentions)
+  GoalSolutions(std::vector<Event> events, std::vector<Intention*> intentions)
       : events_(std::move(events)), intentions_(std::move(intentions)) {}
 
   bool next(ActionCall& call) override {
     while (event_ < events_.size()) {
-      if (call.unify(0, events_[event_++])) return true;
+      const Event& event = events_[event_++];
+      const std::size_t trail = call.unifier().mark();
+      // An external event has no intention to name.
+      if (call.unify(0, event.literal) && (call.count() < 2 || event.intention == nullptr ||
+                                           call.unify(1, Value::number(event.intention->id)))) {
+        return true;
+      }
+      call.unifier().undo(trail);
     }
     for (; intention_ < intentions_.size(); ++intention_, means_ = 0) {
       const Intention& intention = *intentions_[intention_];
@@ -40,7 +48,7 @@ class GoalSolutions : public Solutions {
   }
 
  private:
-  std::vector<Value> events_;
+  std::vector<Event> events_;
   std::vector<Intention*> intentions_;
   std::size_t event_ = 0;
   std::size_t intention_ = 0;
@@ -138,7 +146,7 @@ Outcome intend(ActionCall& call) {
   for (Intention* const intention : call.agent()->all_intentions()) {
     if (!intention->is_suspended()) active.push_back(intention);
   }
-  return call.many(std::make_unique<GoalSolutions>(std::vector<Value>{}, std::move(active)));
+  return call.many(std::make_unique<GoalSolutions>(std::vector<Event>{}, std::move(active)));
 }
 
 Outcome desire(ActionCall& call) {
@@ -146,15 +154,15 @@ Outcome desire(ActionCall& call) {
     return call.wrong_argument(0, "a literal or variable");
   }
   Agent& agent = *call.agent();
-  std::vector<Value> events;
+  std::vector<Event> events;
+  const auto add = [&](const Event& event) {
+    if (is_goal(event)) events.push_back(event);
+  };
   const Circumstance& c = agent.circumstance();
-  for (const Event& event : c.events) {
-    if (is_goal(event)) events.push_back(event.literal);
-  }
-  if (c.atomic_event && is_goal(*c.atomic_event)) events.push_back(c.atomic_event->literal);
-  for (const Event& event : c.pending_events) {
-    if (is_goal(event)) events.push_back(event.literal);
-  }
+  if (agent.selected_event() != nullptr) add(*agent.selected_event());
+  for (const Event& event : c.events) add(event);
+  if (c.atomic_event) add(*c.atomic_event);
+  for (const Event& event : c.pending_events) add(event);
   return call.many(std::make_unique<GoalSolutions>(std::move(events), agent.all_intentions()));
 }
 
@@ -225,22 +233,32 @@ Outcome fail_goal(ActionCall& call) {
   return Outcome::succeeded;
 }
 
+// The goal of the executing intention: the current one or the named one. In a branch, which handles
+// an event by a sub-plan, that of the intention that it branched from.
 Outcome done(ActionCall& call) {
+  if (call.count() == 1 && !names_goal(call, Variables::refused)) return no_literal(call);
   Agent& agent = *call.agent();
-  if (call.count() == 1) return succeed_goal(call);
   Intention* const own = call.intention();
   if (own == nullptr || own->is_finished()) return Outcome::failed;
-  // Within a sub-plan: the enclosing goal; else the current one.
-  const std::shared_ptr<Scope> scope = own->top().scope;
-  if (scope != nullptr && own->top().plan != scope->owner) {
-    Intention* const enclosing = agent.intention_with_id(scope->intention);
-    if (enclosing != nullptr && scope->depth < enclosing->stack.size()) {
-      agent.end_means(*enclosing, scope->depth, Agent::GoalEnd::succeed);
-    }
-    return Outcome::succeeded;
+  const bool is_branch = own->shared > 0;
+  std::optional<std::size_t> depth = is_branch ? own->shared - 1 : own->stack.size() - 1;
+  const Value goal = call.count() == 1 ? call.arg(0) : own->stack[*depth].trigger;
+  const std::size_t trail = call.unifier().mark();
+  if (call.count() == 1) depth = agent.find_goal(*own, goal);
+  Intention* ended = own;
+  if (is_branch && depth && *depth < own->shared) {
+    ended = agent.intention_with_id(own->origin);
+    depth = ended == nullptr ? std::nullopt : agent.find_goal(*ended, goal);
   }
-  agent.end_means(*own, own->stack.size() - 1, Agent::GoalEnd::succeed);
-  return Outcome::suspended;
+  call.unifier().undo(trail);
+  if (depth && ended == own) {
+    for (Intention* const other : agent.all_intentions()) {
+      if (other->origin == own->id) agent.drop(*other);
+    }
+  }
+  if (depth) agent.end_means(*ended, *depth, Agent::GoalEnd::succeed);
+  if (ended != own) agent.drop(*own);
+  return depth || ended != own ? Outcome::suspended : Outcome::succeeded;
 }
 
 Outcome suspend(ActionCall& call) {

@@ -152,9 +152,13 @@ class Agent final : public MachineSurroundings {
   /// Ends the goal in every intention and event that has it, as achieved or as failed; `except` (or
   /// null) is left alone.
   void end_goal(Value goal, GoalEnd end, const Intention* except);
+  /// The lowest means of an intention that has the goal, `+!goal`, as the topmost has it; its
+  /// bindings stay on the trail.
+  [[nodiscard]] std::optional<std::size_t> find_goal(const Intention& intention, Value goal);
   /// Ends the means number `depth` of an intention and everything above it.
-  /// A failure's event has the annotations of `error`, if there is one.
-  void end_means(Intention& intention, std::size_t depth, GoalEnd end,
+  /// A failure's event is for `failed`, or if that is unset for the goal as it was called; it has
+  /// the annotations of `error`, if there is one.
+  void end_means(Intention& intention, std::size_t depth, GoalEnd end, Value failed = Value(),
                  const ActionError* error = nullptr);
   /// Removes events for the goal from the queues. True: there were some.
   void drop_goal_events(Value goal);
@@ -177,8 +181,11 @@ class Agent final : public MachineSurroundings {
   /// The intention whose formula is being executed; while a plan is looked for, the one that waits
   /// for it. Null: there is none, or it is still to be made.
   [[nodiscard]] Intention* executing() const {
-    return executing_ != nullptr ? executing_ : deliberating_;
+    if (executing_ != nullptr || selected_event_ == nullptr) return executing_;
+    return selected_event_->intention;
   }
+  /// The event for which a plan is being looked for, or null.
+  [[nodiscard]] const Event* selected_event() const { return selected_event_; }
 
   /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms`
   /// is negative.
@@ -258,7 +265,8 @@ class Agent final : public MachineSurroundings {
   bool believe(Value literal, Place place, Intention* focus);
   bool disbelieve(Value literal, Intention* focus);
   [[nodiscard]] Value with_own_source(Value literal);
-  void prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope);
+  void prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
+  [[nodiscard]] std::vector<Value> closed_off(std::span<const Value> values);
 
   // Several cycles in one go (stride.cpp).
   [[nodiscard]] bool reasons_plainly() const;
@@ -309,10 +317,16 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] bool find_first_option(const Event& event, bool& had_candidates);
   [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
                               const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] bool is_applicable(const Plan& plan, const Event& event,
+                                   std::span<const Value> enclosing);
+  void leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused);
   [[nodiscard]] bool solve_context(const Plan& plan, const Event& event, Value* slots);
   void add_intended_means(const Plan& plan, const Event& event,
                           const std::shared_ptr<Scope>& scope);
+  void push_means(Intention& intention, const Plan& plan, const Event& event,
+                  const std::shared_ptr<Scope>& scope);
   void replace_finished_caller(Intention& intention, const Event& event);
+  [[nodiscard]] Value trigger_of_means(const Event& event);
   [[nodiscard]] bool no_plan(const Event& event, bool had_candidates);
   void process_feedback();
   void signal_action_executed(const Intention& intention, Value action);
@@ -327,7 +341,16 @@ class Agent final : public MachineSurroundings {
   void check_waits(const Event& event);
   void check_formulas();
   void check_goal_conditions();
-  void start_subplan_intentions(const Event& event);
+  void stop_waiting(Intention& intention);
+  void fail_top(Intention& intention, Value failed, const ActionError* reason);
+  [[nodiscard]] std::vector<Intention*> intentions_to_suspend();
+  template <class Queue>
+  [[nodiscard]] std::vector<Event> take_events_of(Queue& queue, Value goal);
+  // Branches for sub-plans (branches.cpp).
+  void start_branches(const Event& event);
+  void start_branch(Intention& intention, const Plan& plan, const Event& event,
+                    const std::shared_ptr<Scope>& scope);
+  void take_over(Intention& branch);
   [[nodiscard]] bool try_plans(const PlanList& plans, const Event& event,
                                const std::shared_ptr<Scope>& scope, bool& had_candidates);
   void clear_intention(Intention& intention);
@@ -355,13 +378,19 @@ class Agent final : public MachineSurroundings {
   class FreedRounds;
   Intention& copy_for_branch(Intention& intention);
   [[nodiscard]] Intention* find_intention(std::uint32_t id);
+  // Rounds of `for` (for_loops.cpp).
+  [[nodiscard]] Loop::Level collect_solutions(Intention& intention, const Goal* condition,
+                                              std::span<const Value> before, std::size_t most);
+  void bind_solution(Intention& intention, Loop& loop, std::span<const Value> pairs);
+  void open_level(Intention& intention, Loop& loop);
+  void extend_level(Intention& intention, Loop& loop);
+  [[nodiscard]] bool begin_round(Intention& intention, Loop& loop);
   void enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code);
   void go_on(Intention& intention);
   void note_returns(Intention& intention);
   Value prepare_for_event(Intention& intention, Value term, bool returns);
   void record_bindings(Intention& intention, std::size_t trail);
   void undo_round(Intention& intention, Loop& loop);
-  void collect_solutions(Intention& intention, const Goal& condition, Loop& loop);
   bool execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind);
   void bind_recorded(Intention& intention, Loop& loop, Value place, Value value);
 
@@ -379,7 +408,9 @@ class Agent final : public MachineSurroundings {
   bool fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
   [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor, const ActionError& error,
                                   Value code, std::uint32_t line);
+  static void free_goal(Intention& intention, std::size_t depth);
   [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal, const Scope* scope);
+  [[nodiscard]] ActionError applied(ActionError error);
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line,
                         const Intention* intention);
   void lose(Intention& intention, const ActionError& error, Value code);
@@ -454,7 +485,7 @@ class Agent final : public MachineSurroundings {
   std::uint64_t cycles_ = 0;
   std::uint32_t finished_ = 0;  // intentions that are finished but not forgotten
   Intention* executing_ = nullptr;
-  Intention* deliberating_ = nullptr;  // that of the event for which a plan is looked for
+  const Event* selected_event_ = nullptr;  // for which a plan is being looked for
   bool starts_later_ = false;
   bool uses_subplans_ = false;         // some means has had sub-plans
   bool changed_ = false;               // since waiting formulas were last looked at

@@ -51,30 +51,6 @@ void Agent::bind_recorded(Intention& intention, Loop& loop, Value place, Value v
   loop.bound.push_back(place);
 }
 
-// All solutions of a `for`, each as what it binds.
-void Agent::collect_solutions(Intention& intention, const Goal& condition, Loop& loop) {
-  Unifier& unifier = machine().unifier();
-  const IntendedMeans& means = intention.top();
-  Value* const first = intention.frame(means);
-  Value* const last = first + means.plan->slot_count;
-  const std::size_t trail = unifier.mark();
-  machine().solve_all(&condition, first, [&] {
-    // A formula from run-time data may have bound a variable to a term with slots of this frame;
-    // giving those a variable is a binding, too, behind the ones that are looked at here.
-    const std::size_t count = unifier.bindings_since(trail).size();
-    for (std::size_t i = 0; i < count; ++i) {
-      Value* const cell = unifier.bindings_since(trail)[i];
-      const bool is_slot = cell >= first && cell < last;
-      if (!is_slot && machine().is_in_frame(cell)) continue;
-      loop.solutions.push_back(is_slot ? Value::slot(static_cast<std::uint32_t>(cell - first))
-                                       : variable_of(cell));
-      loop.solutions.push_back(unifier.instantiate(*cell, first));
-    }
-    loop.solution_ends.push_back(loop.solutions.size());
-    return true;
-  });
-}
-
 Intention* Agent::find_intention(std::uint32_t id) {
   // They stand in the order of their numbers.
   const auto& all = circumstance_.intentions;
@@ -131,6 +107,9 @@ Intention& Agent::copy_for_branch(Intention& intention) {
   Intention& copy = new_intention();
   copy.stack = intention.stack;
   copy.atomic_means = intention.atomic_means;
+  for (const IntendedMeans& means : copy.stack) {
+    if (means.plan->has_goal_condition) ++goal_conditions_;
+  }
   copy.fork = intention.fork;
   copy.values = intention.values;
   // All terms are renamed together, so that what was shared stays shared.

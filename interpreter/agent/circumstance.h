@@ -23,6 +23,8 @@ struct Event {
   Intention* intention = nullptr;
   /// Of a failure, `-!g`: see IntendedMeans::keeps.
   std::size_t keeps = 0;
+  /// The intention's top means has been chosen for it already.
+  bool has_means = false;
 };
 
 /// A `.wait` for an event or a formula, or for time alone.

@@ -58,6 +58,7 @@ bool Agent::select_option(const std::vector<const Plan*>& plans, const Event& ev
   if (!chosen || *chosen >= options.size()) return false;
   Option& option = options[*chosen];
   for (const auto& [variable, value] : option.bindings) variable.variable()->value = value;
+  work().binds_event = !option.bindings.empty();
   work().frame = std::move(option.values);
   add_intended_means(*option.plan, event, option.scope);
   return true;
@@ -68,7 +69,7 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
                          std::vector<Option>& options) {
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
-  prepare_scratch(plan, scope);
+  prepare_scratch(plan, scope == nullptr ? std::span<const Value>() : scope->frame);
   Value* const first = work().frame.data();
   Value* const last = first + work().frame.size();
   const auto note = [&] {

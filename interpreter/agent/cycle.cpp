@@ -34,7 +34,7 @@ void Agent::abandon_cycle(const ActionError& error) {
   log(error.message);
   if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
   executing_ = nullptr;
-  deliberating_ = nullptr;
+  selected_event_ = nullptr;
 }
 
 bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
@@ -85,7 +85,10 @@ void Agent::deliberate() {
   if (c.atomic_event) {
     const Event event = *c.atomic_event;
     c.atomic_event.reset();
-    if (!find_option(event, had_candidates)) (void)no_plan(event, had_candidates);
+    if (event.has_means) {
+      make_ready(*event.intention);
+    } else if (!find_option(event, had_candidates))
+      (void)no_plan(event, had_candidates);
     return;
   }
   // Rule SelEv1: the oldest event. External events that nobody wants do not cost a cycle.
@@ -98,7 +101,11 @@ void Agent::deliberate() {
       c.events.pop_front();
     }
     if (event.intention != nullptr) event.intention->has_event = false;
-    if (uses_subplans_) start_subplan_intentions(event);
+    if (event.has_means) {
+      make_ready(*event.intention);
+      return;
+    }
+    if (uses_subplans_) start_branches(event);
     if (find_option(event, had_candidates) || no_plan(event, had_candidates)) return;
   }
   // Rule SelEv2: no event.
@@ -118,7 +125,7 @@ bool has_relevant(const std::vector<const Plan*>& plans, const Scope* scope, Val
   return std::any_of(plans.begin(), plans.end(), [&](const Plan* plan) {
     const std::size_t trail = unifier.mark();
     std::vector<Value> slots(plan->slot_count);
-    if (scope != nullptr && scope->owner != nullptr) {
+    if (scope != nullptr) {
       for (const auto& [own, outer] : plan->inherited) slots[own] = scope->frame[outer];
     }
     const bool unifies =
@@ -134,11 +141,11 @@ bool Agent::find_option(const Event& event, bool& had_candidates) {
   const bool has_function = customisation_ != nullptr && customisation_->select_option;
   const Relation* const selecting = beliefs_.find(predicates::select_option);
   const bool by_rules = !has_function && selecting != nullptr && selecting->has_rules();
-  deliberating_ = event.intention;
+  selected_event_ = &event;
   if (observer_ != nullptr) observer_->event_selected(*this, event);
   const bool found =
       by_rules ? select_by_rules(event, had_candidates) : find_first_option(event, had_candidates);
-  deliberating_ = nullptr;
+  selected_event_ = nullptr;
   // Jason takes the rules one by one for these, and RelPl looks at the triggers.
   const bool is_atomic = event.intention != nullptr && event.intention->is_atomic();
   if (!found && had_candidates && (by_rules || is_atomic)) {
@@ -157,7 +164,8 @@ bool Agent::find_option(const Event& event, bool& had_candidates) {
 
 // Rules RelPl, ApplPl and SelAppl: the first plan in the library whose trigger unifies with the
 // event's and whose context follows from the beliefs, with the first solution. Goals below a plan
-// with sub-plans look there first, then further out, last in the agent's library.
+// with sub-plans look there first, then, if none is applicable, further out, last in the agent's
+// library.
 bool Agent::find_first_option(const Event& event, bool& had_candidates) {
   const TriggerKey key = key_of(event);
   had_candidates = false;
@@ -165,7 +173,6 @@ bool Agent::find_first_option(const Event& event, bool& had_candidates) {
     std::shared_ptr<Scope> scope = event.intention->top().scope;
     for (; scope != nullptr; scope = scope->outer) {
       if (try_plans(scope->library->list(key), event, scope, had_candidates)) return true;
-      if (had_candidates) return false;
     }
   }
   return try_plans(library_->list(key), event, nullptr, had_candidates);
@@ -184,18 +191,43 @@ bool Agent::try_plans(const PlanList& plans, const Event& event,
   return plans.find(first_key, [&](const Plan& plan) { return try_plan(plan, event, scope); });
 }
 
-void Agent::prepare_scratch(const Plan& plan, const std::shared_ptr<Scope>& scope) {
+// The frame of a plan before its trigger is matched: a sub-plan has values of the enclosing plan.
+void Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing) {
   work().frame.assign(plan.slot_count, Value());
-  if (scope != nullptr && scope->owner != nullptr) {
-    for (const auto& [own, outer] : plan.inherited) work().frame[own] = scope->frame[outer];
-  }
   machine().unifier().set_slot_names(plan.slot_names);
+  if (enclosing.empty() || plan.inherited.empty()) return;
+  const std::vector<Value> values = closed_off(enclosing);
+  for (const auto& [own, outer] : plan.inherited) work().frame[own] = values[outer];
+}
+
+// Values whose open variables are others: what is bound here is not seen there, nor the reverse.
+std::vector<Value> Agent::closed_off(std::span<const Value> values) {
+  std::vector<Value> copies(values.begin(), values.end());
+  const auto is_closed = [](Value value) { return value.is_unset() || value.is_closed(); };
+  if (std::all_of(values.begin(), values.end(), is_closed)) return copies;
+  for (Value& value : copies) {
+    if (value.is_unset()) value = Value::empty_list();
+  }
+  Value list = machine().unifier().fresh_copy(heap_.list(copies));
+  for (std::size_t i = 0; i < copies.size(); ++i, list = deref(list.pair()->tail)) {
+    copies[i] = values[i].is_unset() ? Value() : deref(list.pair()->head);
+  }
+  return copies;
 }
 
 bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope) {
+  const std::span<const Value> values = scope == nullptr ? std::span<const Value>() : scope->frame;
+  if (!is_applicable(plan, event, values)) return false;
+  add_intended_means(plan, event, scope);
+  return true;
+}
+
+// Rules RelPl and ApplPl for one plan, whose values are in the workspace's frame then.
+bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const Value> enclosing) {
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
-  prepare_scratch(plan, scope);
+  const Heap::Mark unused = heap_.mark();
+  prepare_scratch(plan, enclosing);
   std::unique_ptr<ActionError> error;
   const bool applicable = guarded(error, [&] {
     return unifier.match(plan.trigger, work().frame.data(), event.literal,
@@ -203,14 +235,18 @@ bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr
            (observer_ == nullptr ? machine().solve(plan.context, work().frame.data())
                                  : solve_context(plan, event, work().frame.data()));
   });
-  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
-  if (!applicable) {
-    unifier.undo(trail);
-    return false;
-  }
+  if (!applicable) unifier.undo(trail);
+  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
+  if (!applicable) return false;
+  work().binds_event = !event.literal.is_closed() && unifier.mark() != trail;
   unifier.commit(trail);
-  add_intended_means(plan, event, scope);
   return true;
+}
+
+// Nothing of what was made while the context was solved is in use.
+void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
+  heap_.release(unused);
+  log("in the context of " + plan_name(plan) + ": " + error.message);
 }
 
 // Rules RelPl and ApplPl for an observer.
@@ -227,24 +263,41 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
   Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
   if (event.intention != nullptr) replace_finished_caller(intention, event);
   if (observer_ != nullptr) observer_->plan_chosen(*this, plan, event, intention);
-  const std::size_t depth = intention.stack.size();
-  IntendedMeans& means = intention.push(plan, work().frame);
-  means.op = event.op;
-  means.kind = event.kind;
-  means.trigger = event.literal;
-  means.keeps = event.keeps;
-  means.scope = scope;
-  if (plan.subplans != nullptr) {
-    uses_subplans_ = true;
-    means.scope = std::make_shared<Scope>(
-        Scope{plan.subplans.get(), &plan, work().frame, scope, intention.id, depth});
-  }
-  if (plan.has_goal_condition) ++goal_conditions_;
-  if (plan.atomic) circumstance_.atomic_suspended = false;
+  push_means(intention, plan, event, scope);
   if (event.op == TriggerOperator::add && event.kind == TriggerKind::achieve) {
     signal_goal_state(event.kind, event.literal, "executing");
   }
   make_ready(intention);
+}
+
+void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
+                       const std::shared_ptr<Scope>& scope) {
+  IntendedMeans& means = intention.push(plan, work().frame);
+  means.op = event.op;
+  means.kind = event.kind;
+  means.trigger = trigger_of_means(event);
+  means.keeps = event.keeps;
+  means.scope = scope;
+  if (plan.subplans != nullptr) {
+    uses_subplans_ = true;
+    means.scope =
+        std::make_shared<Scope>(Scope{plan.subplans.get(), closed_off(work().frame), scope});
+  }
+  if (plan.has_goal_condition) ++goal_conditions_;
+  if (plan.atomic) circumstance_.atomic_suspended = false;
+}
+
+// The event's literal with what the head and the context have given its variables. What is still
+// open in it, the body may bind, and a failure frees again (free_goal).
+Value Agent::trigger_of_means(const Event& event) {
+  if (!work().binds_event) return event.literal;
+  work().binds_event = false;
+  const MemoryReserve reserve(heap_);
+  const Value settled = machine().unifier().apply(event.literal);
+  for (GoalDeadline& deadline : circumstance_.deadlines) {
+    if (deadline.goal.same_as(event.literal)) deadline.goal = settled;
+  }
+  return settled;
 }
 
 // Tail recursion: a means whose last formula calls the same goal again gives way to the new one.
@@ -363,7 +416,7 @@ Intention* Agent::select_intention() {
 
 // Rule ClrInt: finished means are popped and their results handed on.
 void Agent::clear_intention(Intention& intention) {
-  while (!intention.is_finished() && intention.top().is_finished()) {
+  while (!intention.is_finished() && !intention.is_branch_done() && intention.top().is_finished()) {
     if (intention.top().plan->has_goal_condition) {
       // Not done before the condition holds.
       erase(circumstance_.running, &intention);
@@ -373,12 +426,8 @@ void Agent::clear_intention(Intention& intention) {
     }
     finish_means(intention);
   }
-  if (intention.is_finished()) {
-    drop(intention);
-  } else if (circumstance_.atomic == &intention && !intention.is_atomic()) {
-    circumstance_.atomic = nullptr;
-    circumstance_.running.push_back(&intention);
-  }
+  // When an atomic plan is done, its intention stays in its place for one step more, as in Jason.
+  if (intention.is_finished()) drop(intention);
 }
 
 void Agent::finish_means(Intention& intention) {
@@ -392,7 +441,10 @@ void Agent::finish_means(Intention& intention) {
   pop_means(intention);
   // The means of the goal that failed have stayed until now.
   while (was_failure && intention.stack.size() > keeps) pop_means(intention);
-  if (intention.is_finished() || intention.top().is_finished()) return;
+  if (intention.stack.size() < intention.shared) take_over(intention);
+  if (intention.is_finished() || intention.is_branch_done() || intention.top().is_finished()) {
+    return;
+  }
   return_values(intention);
   intention.advance();
 }

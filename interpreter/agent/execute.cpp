@@ -49,6 +49,10 @@ ActionError variable_error(std::string id, Unifier& unifier, const Plan& plan, c
 }  // namespace
 
 void Agent::execute(Intention& intention) {
+  if (intention.is_branch_done()) {
+    drop(intention);
+    return;
+  }
   IntendedMeans& means = intention.top();
   if (means.cursor.at_end() && means.cursor.is_loop) {
     // A round is done: its bindings are undone, and the loop's own formula comes again.
@@ -160,15 +164,10 @@ void Agent::execute_action(Intention& intention, Value term) {
 void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   const std::size_t trail = machine().unifier().mark();
   std::unique_ptr<ActionError> error;
-  // The action may drop its own intention, or finish its goal: look at the state afterwards.
+  // The action may drop its own intention, or end its goal: then it is where it belongs already.
   const std::size_t depth = intention.stack.size();
   const Outcome outcome = machine().call(goal, intention.frame(intention.top()), &intention, error);
-  if (intention.state != Intention::State::running || intention.stack.size() != depth) {
-    if (outcome != Outcome::suspended && intention.state == Intention::State::running) {
-      make_ready(intention);
-    }
-    return;
-  }
+  if (intention.state != Intention::State::running || intention.stack.size() != depth) return;
   switch (outcome) {
     case Outcome::succeeded:
       record_bindings(intention, trail);
@@ -411,30 +410,6 @@ void Agent::execute_while(Intention& intention, const Step& step) {
     return;
   }
   record_bindings(intention, trail);
-  means.outer.push_back(means.cursor);
-  means.cursor = Cursor{step.first, 0, means.cursor.code, true};
-  make_ready(intention);
-}
-
-void Agent::execute_for(Intention& intention, const Step& step) {
-  IntendedMeans& means = intention.top();
-  if (means.loops.empty() || means.loops.back().step != &step) {
-    Loop loop;
-    loop.step = &step;
-    collect_solutions(intention, *step.goal, loop);
-    means.loops.push_back(std::move(loop));
-  }
-  Loop& loop = means.loops.back();
-  if (loop.next_solution == loop.solution_ends.size()) {
-    means.loops.pop_back();
-    go_on(intention);
-    return;
-  }
-  std::size_t i = loop.next_solution == 0 ? 0 : loop.solution_ends[loop.next_solution - 1];
-  for (; i + 1 < loop.solution_ends[loop.next_solution]; i += 2) {
-    bind_recorded(intention, loop, loop.solutions[i], loop.solutions[i + 1]);
-  }
-  ++loop.next_solution;
   means.outer.push_back(means.cursor);
   means.cursor = Cursor{step.first, 0, means.cursor.code, true};
   make_ready(intention);

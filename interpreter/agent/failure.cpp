@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -51,14 +52,60 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
                           union_of(heap_, literal_parts(literal).annots, set, symbols_));
 }
 
+namespace {
+
+// Unsets the variables of a term; what they are bound to is not looked at.
+void free_variables(Value term) {
+  std::vector<Value> open{term};
+  while (!open.empty()) {
+    const Value value = open.back();
+    open.pop_back();
+    if (value.is_closed()) continue;
+    if (value.is_variable()) {
+      value.variable()->value = Value();
+    } else if (value.is_pair()) {
+      open.insert(open.end(), {value.pair()->head, value.pair()->tail});
+    } else if (value.is_structure()) {
+      const Structure& structure = *value.structure();
+      open.insert(open.end(), structure.args(), structure.args() + structure.arity);
+      open.push_back(structure.annots());
+    }
+  }
+}
+
+}  // namespace
+
+// What the body of a means has bound in its goal is free again for the goal's failure plan, whose
+// values are returned instead. What the head or the context has bound stays in the goal, but is not
+// returned.
+void Agent::free_goal(Intention& intention, std::size_t depth) {
+  free_variables(intention.stack[depth].trigger);
+  if (depth == 0) return;
+  const IntendedMeans& caller = intention.stack[depth - 1];
+  const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    if (!deref(pairs[i + 1]).is_variable()) pairs[i + 1].variable()->value = Value();
+  }
+}
+
+// The same with annotations that do not change when variables are freed.
+ActionError Agent::applied(ActionError error) {
+  for (Value& annot : error.annots) annot = machine().unifier().apply(annot);
+  return error;
+}
+
 // Looks from the top of the stack down to the means number `floor` for a goal with a plan for its
-// failure.
+// failure. As in Jason, the search ends at a change of belief for whose deletion, `-b`, there are
+// plans.
 bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionError& error,
                          Value code, std::uint32_t line) {
   std::size_t i = intention.stack.size();
   while (i > floor) {
     const IntendedMeans& means = intention.stack[--i];
-    if (!means.is_goal()) continue;
+    if (!means.is_goal()) {
+      if (has_failure_plan(means.kind, means.trigger, means.scope.get())) return false;
+      continue;
+    }
     if (means.op == TriggerOperator::remove) {
       i = std::min(means.keeps, i);  // the failed means of that goal are skipped
       continue;
@@ -67,8 +114,10 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
         !has_failure_plan(means.kind, means.trigger, means.scope.get())) {
       continue;
     }
+    const ActionError settled = applied(error);
+    free_goal(intention, i);
     add_event({TriggerOperator::remove, means.kind,
-               failure_literal(means.trigger, error, code, line, &intention), &intention, i});
+               failure_literal(means.trigger, settled, code, line, &intention), &intention, i});
     return true;
   }
   return false;
@@ -174,6 +223,8 @@ bool Agent::fail_stack(Intention& intention, const ActionError& error, Value cod
 
 // No plan for an event.
 void Agent::fail_event(const Event& event, const ActionError& error) {
+  // Looking for a plan may have used up the memory.
+  const MemoryReserve reserve(heap_);
   const bool is_failure = event.op == TriggerOperator::remove;
   if (event.intention == nullptr) {
     const bool is_handled = !is_failure && has_failure_plan(event.kind, event.literal, nullptr);

@@ -1,5 +1,5 @@
 // Goals as wholes: looked for, suspended, ended from outside, with all the means that serve them;
-// goal conditions and sub-plans of AgentSpeak(ER).
+// goal conditions of AgentSpeak(ER).
 
 #include <algorithm>
 
@@ -71,10 +71,9 @@ void Agent::drop_goal_events(Value goal) {
   for (Intention* const intention : orphaned) drop(*intention);
 }
 
-void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
-                      const ActionError* reason) {
+// Whatever the intention was waiting for is off.
+void Agent::stop_waiting(Intention& intention) {
   Circumstance& c = circumstance_;
-  // Whatever the intention was waiting for is off.
   erase(c.running, &intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
@@ -89,20 +88,20 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
     if (wait.has_formula) --formula_waits_;
     return true;
   });
+  intention.also_suspended = false;
+  intention.suspended_itself = false;
+}
+
+void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end, Value failed,
+                      const ActionError* reason) {
+  if (depth < intention.shared) {  // the goal is the other intention's, which ends it
+    drop(intention);
+    return;
+  }
+  stop_waiting(intention);
   while (intention.stack.size() > depth + 1) pop_means(intention);
   if (end == GoalEnd::fail) {
-    const ActionError error =
-        reason != nullptr ? *reason : ActionError{.id = "goal_failed", .message = "", .annots = {}};
-    const IntendedMeans& means = intention.top();
-    signal_goal_state(means.kind, means.trigger, "failed", "fail_goal");
-    if (has_failure_plan(means.kind, means.trigger, means.scope.get())) {
-      const Value goal = reason != nullptr
-                             ? failure_literal(means.trigger, error, Value(), 0, nullptr)
-                             : machine().unifier().apply(means.trigger);
-      add_event({TriggerOperator::remove, means.kind, goal, &intention, depth});
-      return;
-    }
-    if (!post_failure(intention, 0, error, Value(), 0)) drop(intention);
+    fail_top(intention, failed, reason);
     return;
   }
   const IntendedMeans& done = intention.top();
@@ -113,41 +112,79 @@ void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end,
     drop(intention);
     return;
   }
-  if (!intention.top().is_finished()) {
-    return_values(intention);
-    intention.advance();
-  }
+  // No values are returned: the plan has not come to its end.
+  if (!intention.is_branch_done() && !intention.top().is_finished()) intention.advance();
   make_ready(intention);
   clear_intention(intention);
 }
 
-void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
-  for (Intention* const intention : all_intentions()) {
-    if (intention == except) continue;
-    for (std::size_t i = 0; i < intention->stack.size(); ++i) {
-      const IntendedMeans& means = intention->stack[i];
-      if (means.kind != TriggerKind::achieve || means.op != TriggerOperator::add) continue;
-      const std::size_t trail = machine().unifier().mark();
-      const bool found = machine().unifier().unify(goal, means.trigger);
-      machine().unifier().commit(trail);
-      if (!found) continue;
-      end_means(*intention, i, end);
-      break;
+// The goal on top fails from outside. Unlike one whose formula has failed, its means is gone when
+// its failure is handled.
+void Agent::fail_top(Intention& intention, Value failed, const ActionError* reason) {
+  const ActionError error =
+      reason != nullptr ? *reason : ActionError{.id = "goal_failed", .message = "", .annots = {}};
+  const std::size_t depth = intention.stack.size() - 1;
+  const TriggerKind kind = intention.top().kind;
+  signal_goal_state(kind, intention.top().trigger, "failed", "fail_goal");
+  free_goal(intention, depth);
+  const Value trigger = intention.top().trigger;
+  if (failed.is_unset()) failed = machine().unifier().apply(trigger);
+  if (reason != nullptr) failed = failure_literal(failed, error, Value(), 0, nullptr);
+  pop_means(intention);
+  const bool is_external = intention.is_finished();
+  if (has_failure_plan(kind, trigger, is_external ? nullptr : intention.top().scope.get())) {
+    Intention* const own = is_external ? nullptr : &intention;
+    add_event({TriggerOperator::remove, kind, failed, own, depth});
+    if (is_external) drop(intention);
+    return;
+  }
+  if (is_external || !post_failure(intention, 0, error, Value(), 0)) drop(intention);
+}
+
+// The lowest means with the goal: the topmost says what the goal's variables are, others must be
+// like it. The bindings stay on the trail.
+std::optional<std::size_t> Agent::find_goal(const Intention& intention, Value goal) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = intention.stack.size(); i > 0; --i) {
+    const IntendedMeans& means = intention.stack[i - 1];
+    if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
+        machine().unifier().unify(goal, means.trigger)) {
+      found = i - 1;
     }
+  }
+  return found;
+}
+
+void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
+  Unifier& unifier = machine().unifier();
+  for (Intention* const intention : all_intentions()) {
+    if (intention == except || intention->is_finished()) continue;
+    const std::size_t trail = unifier.mark();
+    const std::optional<std::size_t> depth = find_goal(*intention, goal);
+    Value failed;
+    if (depth && end == GoalEnd::fail) {
+      unifier.undo(trail);
+      free_goal(*intention, *depth);
+      (void)unifier.unify(goal, intention->stack[*depth].trigger);
+      failed = unifier.fresh_copy(goal);
+    }
+    unifier.undo(trail);
+    if (depth) end_means(*intention, *depth, end, failed);
   }
   // Goals that no plan has been chosen for yet.
   Circumstance& c = circumstance_;
   std::vector<Event> ended;
   const auto take = [&](const Event& event) {
     if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
-    const std::size_t trail = machine().unifier().mark();
-    const bool found = machine().unifier().unify(goal, event.literal);
-    machine().unifier().undo(trail);
+    const std::size_t trail = unifier.mark();
+    const bool found = unifier.unify(goal, event.literal);
+    unifier.undo(trail);
     if (found) ended.push_back(event);
     return found;
   };
   erase_if(c.events, take);
   erase_if(c.pending_events, take);
+  if (c.atomic_event && take(*c.atomic_event)) c.atomic_event.reset();
   for (const Event& event : ended) {
     if (end == GoalEnd::fail) {
       const ActionError error{.id = "goal_failed", .message = "", .annots = {}};
@@ -201,7 +238,7 @@ void Agent::end_late_goal(Value goal) {
       if (!intention->stack[i].trigger.same_as(goal) || !intention->stack[i].is_goal_addition()) {
         continue;
       }
-      end_means(*intention, i, GoalEnd::fail, &error);
+      end_means(*intention, i, GoalEnd::fail, Value(), &error);
       break;
     }
   }
@@ -218,32 +255,40 @@ void Agent::end_late_goal(Value goal) {
   for (const Event& event : late) fail_event(event, error);
 }
 
-// Running intentions stop; those that wait for something else go on waiting, and stop then.
+// The order in which `.suspend` and `.resume` look at intentions: those that wait for an action,
+// then all that wait, then those that are ready, last the executing one.
+std::vector<Intention*> Agent::intentions_to_suspend() {
+  std::vector<Intention*> found = all_intentions();
+  const auto rank = [this](const Intention* intention) {
+    if (intention == executing_) return 3;
+    if (intention->state == Intention::State::acting) return 0;
+    return intention->state == Intention::State::running ? 2 : 1;
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Intention* a, const Intention* b) { return rank(a) < rank(b); });
+  return found;
+}
+
+// Running intentions stop; those that wait for something else go on waiting, and stop then. The
+// first goal found says what the goal's variables are: no others are suspended.
 void Agent::suspend_goal(Value goal) {
   Circumstance& c = circumstance_;
   const Value reason = Value::atom(symbols_.predicate("suspend_ia", 0));
-  for (Intention* const intention : intentions_with(goal)) {
+  for (Intention* const intention : intentions_to_suspend()) {
     if (intention->state == Intention::State::in_event) continue;  // its event is moved, below
-    if (intention == executing_ || intention->state != Intention::State::running) {
-      intention->also_suspended = true;  // the executing one: the action itself suspends it
-    } else {
+    if (!has_goal(*intention, goal)) continue;
+    if (intention == executing_) {
+      intention->also_suspended = true;  // the action itself suspends it
+    } else if (intention->state == Intention::State::running) {
       erase(c.running, intention);
       if (c.atomic == intention) c.atomic = nullptr;
       suspend(*intention, Intention::State::suspended, "suspend_ia");
+    } else if (intention->state != Intention::State::suspended) {
+      intention->also_suspended = true;
     }
     if (intention != executing_) signal_top_state(*intention, "suspended", reason);
   }
-  std::vector<Event> moved;
-  erase_if(c.events, [&](const Event& event) {
-    const bool is_goal = event.kind == TriggerKind::achieve && event.op == TriggerOperator::add;
-    const std::size_t trail = machine().unifier().mark();
-    const bool found = (is_goal && machine().unifier().unify(goal, event.literal)) ||
-                       (event.intention != nullptr && has_goal(*event.intention, goal));
-    machine().unifier().undo(trail);
-    if (found) moved.push_back(event);
-    return found;
-  });
-  for (const Event& event : moved) {
+  for (const Event& event : take_events_of(c.events, goal)) {
     c.pending_events.push_back(event);
     if (event.op == TriggerOperator::add) {
       signal_goal_state(event.kind, event.literal, "suspended", reason);
@@ -251,34 +296,39 @@ void Agent::suspend_goal(Value goal) {
   }
 }
 
+// Removes the events for a goal, and those of intentions that have it.
+template <class Queue>
+std::vector<Event> Agent::take_events_of(Queue& queue, Value goal) {
+  std::vector<Event> taken;
+  erase_if(queue, [&](const Event& event) {
+    const bool is_goal = event.kind == TriggerKind::achieve && event.op == TriggerOperator::add;
+    const bool found = (is_goal && machine().unifier().unify(goal, event.literal)) ||
+                       (event.intention != nullptr && has_goal(*event.intention, goal));
+    if (found) taken.push_back(event);
+    return found;
+  });
+  return taken;
+}
+
 void Agent::resume_goal(Value goal) {
   Circumstance& c = circumstance_;
   const Value reason = Value::atom(symbols_.predicate("resume_ia", 0));
-  for (Intention* const intention : intentions_with(goal)) {
+  for (Intention* const intention : intentions_to_suspend()) {
+    if (!intention->is_suspended() || !has_goal(*intention, goal)) continue;
+    signal_top_state(*intention, "resumed", reason);
     if (intention->also_suspended) {
       intention->also_suspended = false;
-      signal_top_state(*intention, "resumed", reason);
       const Value action = pending_action(*intention);
       signal_top_state(*intention, "waiting", action.is_unset() ? wait_reason(*intention) : action);
-    } else if (intention->state == Intention::State::suspended) {
-      signal_top_state(*intention, "resumed", reason);
-      signal_top_state(*intention, "executing", Value());
-      if (intention->suspended_itself) intention->advance();
-      intention->suspended_itself = false;
-      make_ready(*intention);
-      clear_intention(*intention);
+      continue;
     }
+    signal_top_state(*intention, "executing", Value());
+    if (intention->suspended_itself) intention->advance();
+    intention->suspended_itself = false;
+    make_ready(*intention);
+    clear_intention(*intention);
   }
-  std::vector<Event> moved;
-  erase_if(c.pending_events, [&](const Event& event) {
-    const std::size_t trail = machine().unifier().mark();
-    const bool found = machine().unifier().unify(goal, event.literal) ||
-                       (event.intention != nullptr && has_goal(*event.intention, goal));
-    machine().unifier().undo(trail);
-    if (found) moved.push_back(event);
-    return found;
-  });
-  for (const Event& event : moved) {
+  for (const Event& event : take_events_of(c.pending_events, goal)) {
     if (event.op == TriggerOperator::add) {
       signal_goal_state(event.kind, event.literal, "resumed", reason);
       signal_goal_state(TriggerKind::achieve, event.literal, "pending");
@@ -304,21 +354,6 @@ void Agent::check_goal_conditions() {
       if (!holds) continue;
       end_means(*intention, i, GoalEnd::succeed);
       break;
-    }
-  }
-}
-
-// An external change of belief goes to the sub-plans of goals being pursued, too: for each
-// intention the first means from the top that has an applicable one.
-void Agent::start_subplan_intentions(const Event& event) {
-  if (event.intention != nullptr || event.kind != TriggerKind::belief) return;
-  const TriggerKey key = key_of(event);
-  for (Intention* const intention : all_intentions()) {
-    std::shared_ptr<Scope> scope = intention->is_finished() ? nullptr : intention->top().scope;
-    for (; scope != nullptr; scope = scope->outer) {
-      if (scope->intention != intention->id) continue;  // an inner intention of its own
-      bool had_candidates = false;
-      if (try_plans(scope->library->list(key), event, scope, had_candidates)) break;
     }
   }
 }

@@ -20,6 +20,20 @@ void Intention::pop() {
   stack.pop_back();
 }
 
+void Intention::forget_bottom(std::size_t count) {
+  const std::size_t cut = stack[count].frame;
+  std::copy(values.begin() + cut, values.end(), values.begin());
+  values.cut(values.size() - cut);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stack[i].plan->atomic) --atomic_means;
+  }
+  stack.erase(stack.begin(), stack.begin() + static_cast<std::ptrdiff_t>(count));
+  for (IntendedMeans& means : stack) {
+    means.frame -= cut;
+    means.keeps = std::max(means.keeps, count) - count;
+  }
+}
+
 void Intention::finish() {
   constexpr std::size_t kMostKept = 1024;  // values; a deep stack's memory is not worth keeping
   stack.clear();
@@ -31,6 +45,8 @@ void Intention::finish() {
   reason.clear();
   also_suspended = false;
   has_event = false;
+  origin = 0;
+  shared = 0;
   atomic_means = 0;
   fork.reset();
   state = State::finished;

@@ -23,12 +23,8 @@ namespace jaywalk {
 /// enclosing plan's variables when its means was created (AgentSpeak(ER)).
 struct Scope {
   const PlanLibrary* library = nullptr;
-  const Plan* owner = nullptr;
   std::vector<Value> frame;
   std::shared_ptr<Scope> outer;
-  /// The intention and the number of the means whose sub-plans these are.
-  std::uint32_t intention = 0;
-  std::size_t depth = 0;
 };
 
 /// A loop in progress. Bindings made in a round are undone before the next and at the end.
@@ -36,10 +32,15 @@ struct Loop {
   const Step* step = nullptr;
   /// What the round has bound: variables, and slots of the frame.
   std::vector<Value> bound;
-  /// `for`: every solution as pairs (variable or slot, value), one after another.
-  std::vector<Value> solutions;
-  std::vector<std::size_t> solution_ends;
-  std::size_t next_solution = 0;
+  /// What satisfies a conjunct of a `for`'s condition together with a solution of those before.
+  struct Level {
+    /// Every solution as pairs (variable or slot, value), one after another.
+    std::vector<Value> solutions;
+    std::vector<std::size_t> ends;
+    std::size_t next = 0;
+    bool has_more = false;  // there may be others that have not been asked for
+  };
+  std::vector<Level> levels;
 };
 
 /// A place in a body. `code` keeps bodies alive that were made at run time.
@@ -110,11 +111,14 @@ class Intention {
   [[nodiscard]] const IntendedMeans& top() const { return stack.back(); }
   [[nodiscard]] Value* frame(const IntendedMeans& means) { return values.data() + means.frame; }
   [[nodiscard]] bool is_atomic() const { return atomic_means > 0; }
+  [[nodiscard]] bool is_branch_done() const { return shared > 0 && stack.size() == shared; }
 
   /// Puts a means on top, at the beginning of its plan's body, with a frame of these values.
   IntendedMeans& push(const Plan& plan, std::span<const Value> slots);
   /// Removes the top means and its frame.
   void pop();
+  /// Removes so many means from the bottom, with their frames. REQUIRES: it has more.
+  void forget_bottom(std::size_t count);
   /// Goes on behind the current step of the top means; the ends of bodies are left.
   void advance();
   /// Leaves bodies that are done, as far as they are not rounds of a loop.
@@ -127,7 +131,9 @@ class Intention {
       visit(means.trigger);
       for (Loop& loop : means.loops) {
         for (Value& value : loop.bound) visit(value);
-        for (Value& value : loop.solutions) visit(value);
+        for (Loop::Level& level : loop.levels) {
+          for (Value& value : level.solutions) visit(value);
+        }
       }
     }
   }
@@ -141,6 +147,11 @@ class Intention {
   bool also_suspended = false;
   /// It suspended itself: resumed, it goes on behind its formula.
   bool suspended_itself = false;
+  /// Of a branch, which handles an external event by a sub-plan of another intention: the other
+  /// one's number, and how many means are copies of that one's. When no more than those are left,
+  /// the branch is done. 0: it is no branch.
+  std::uint32_t origin = 0;
+  std::size_t shared = 0;
   /// An event of it may be in the event queue.
   bool has_event = false;
   std::vector<IntendedMeans> stack;

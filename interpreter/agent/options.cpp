@@ -31,6 +31,7 @@ bool Agent::select_by_rules(const Event& event, bool& had_candidates) {
     for (const auto& [variable, value] : option.bindings) {
       variable.variable()->value = value;
     }
+    work().binds_event = !option.bindings.empty();
     work().frame = option.values;
     add_intended_means(*option.plan, event, option.scope);
     return true;

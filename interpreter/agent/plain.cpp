@@ -214,6 +214,7 @@ bool Agent::try_plain_plan(const Plan& plan, Value literal) {
   Unifier& unifier = machine().unifier();
   unifier.set_slot_names(plan.slot_names);
   const std::size_t trail = unifier.mark();
+  const Heap::Mark unused = heap_.mark();
   Decision relevant = Decision::open;
   if (plan.plain.has_plain_head && is_literal(literal)) {
     relevant = predicate_of(literal) == plan.plain.predicate
@@ -230,12 +231,13 @@ bool Agent::try_plain_plan(const Plan& plan, Value literal) {
         return (relevant == Decision::holds || matches(plan, literal, frame)) &&
                (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
       });
-  if (error != nullptr) log("in the context of " + plan_name(plan) + ": " + error->message);
   if (applicable) {
+    work().binds_event = !literal.is_closed() && unifier.mark() != trail;
     unifier.commit(trail);
   } else {
     unifier.undo(trail);
   }
+  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
   return applicable;
 }
 
@@ -253,6 +255,7 @@ bool Agent::try_plain_plan(const Plan& plan, Value literal) {
     if (decision != Decision::holds) break;
     decision = decide(test, frame);
   }
+  work().binds_event = unifier.mark() != trail;
   if (unifier.mark() != trail) {
     decision == Decision::holds ? unifier.commit(trail) : unifier.undo(trail);
   }
@@ -277,7 +280,7 @@ const PlanList& Agent::plans_for(const Event& event) {
 // values of its frame stand in the workspace then.
 const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
   const Value literal = event.literal;
-  deliberating_ = event.intention;
+  selected_event_ = &event;
   const bool is_usual = is_literal(literal);
   const Value first = literal.is_structure() && literal.structure()->arity > 0
                           ? deref(literal.structure()->arg(0))
@@ -306,7 +309,7 @@ const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
       return true;
     });
   }
-  deliberating_ = nullptr;
+  selected_event_ = nullptr;
   return chosen;
 }
 
@@ -352,7 +355,7 @@ void Agent::push_plain_means(Intention& intention, const Plan& plan, const Event
     if (is_last && replaces(event, caller)) {
       // Tail recursion in place: the means stays, with the values and the body of what follows.
       caller.plan = &plan;
-      caller.trigger = event.literal;
+      caller.trigger = trigger_of_means(event);
       caller.cursor.body = plan.code.entry;
       caller.cursor.index = 0;
       caller.keeps = 0;
@@ -365,7 +368,7 @@ void Agent::push_plain_means(Intention& intention, const Plan& plan, const Event
   IntendedMeans& means = intention.push(plan, frame);
   means.op = event.op;
   means.kind = event.kind;
-  means.trigger = event.literal;
+  means.trigger = trigger_of_means(event);
   means.keeps = event.keeps;
 }
 

@@ -109,7 +109,8 @@ void Agent::plain_cycle(std::uint64_t last) {
     break;
   }
   // Rule SelInt
-  if (c.atomic != nullptr || c.atomic_suspended || goal_conditions_ > 0) {  // that is news
+  const bool is_news = c.atomic != nullptr || c.atomic_suspended || goal_conditions_ > 0;
+  if (is_news || uses_subplans_) {
     act();
   } else if (!c.running.empty()) {
     Intention& intention = *c.running.front();

@@ -24,6 +24,7 @@ struct Workspace {
 
   Machine machine;
   std::vector<Value> frame;                      // of the plan being tried
+  bool binds_event = false;                      // its head or context has set event variables
   std::vector<std::pair<Value, Value>> renamed;  // variables of a call, with their copies
   struct PerceptChanges {
     std::vector<BeliefBase::PerceptChange> gone;

@@ -162,13 +162,13 @@ class ProgramBuilder {
     }
     compiled->file = file_name(file_);
     compiled->line = file_ == nullptr ? 0 : file_->source->position(plan.span.begin).line;
+    if (enclosing != nullptr) inherit_variables(*compiled, *enclosing);
     if (!plan.subplans.empty()) {
       compiled->subplans = std::make_unique<PlanLibrary>();
       for (const ast::Plan* inner : plan.subplans) {
         add_plan(*inner, *compiled->subplans, compiled.get());
       }
     }
-    if (enclosing != nullptr) inherit_variables(*compiled, *enclosing);
     compiled->is_standard = in_standard_plans_;
     if (!in_standard_plans_) check_label(*compiled, plan);
     complete_label(*compiled);
@@ -176,14 +176,18 @@ class ProgramBuilder {
     if (enclosing == nullptr) plans_.push_back(compiled);
   }
 
-  // A sub-plan sees the enclosing plan's variables by name.
+  // A sub-plan sees the enclosing plan's variables by name, and hands them on to its own sub-plans:
+  // it has a slot for each of them.
   static void inherit_variables(Plan& plan, const Plan& enclosing) {
-    for (std::uint32_t i = 0; i < plan.slot_names.size(); ++i) {
-      if (plan.slot_names[i] == names::unnamed) continue;
-      for (std::uint32_t j = 0; j < enclosing.slot_names.size(); ++j) {
-        if (plan.slot_names[i] == enclosing.slot_names[j]) plan.inherited.emplace_back(i, j);
-      }
+    for (std::uint32_t outer = 0; outer < enclosing.slot_names.size(); ++outer) {
+      const Symbol name = enclosing.slot_names[outer];
+      if (name == names::unnamed) continue;
+      const auto known = std::find(plan.slot_names.begin(), plan.slot_names.end(), name);
+      const auto own = static_cast<std::uint32_t>(known - plan.slot_names.begin());
+      if (known == plan.slot_names.end()) plan.slot_names.push_back(name);
+      plan.inherited.emplace_back(own, outer);
     }
+    plan.slot_count = static_cast<std::uint32_t>(plan.slot_names.size());
   }
 
   // Plans without a label get one, and all have a source, which .remove_plan asks for.

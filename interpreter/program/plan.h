@@ -44,7 +44,7 @@ struct Step {
     variable,      // X, with any operator: what it is bound to decides
     if_statement,  // goal is the condition; first, second the branches (second may be null)
     while_loop,    // goal, first
-    for_loop,      // goal, first
+    for_loop,      // conjuncts, first
     fork_and,
     fork_or,  // branches
     join,     // the end of a branch, never written
@@ -58,6 +58,7 @@ struct Step {
   const Body* first = nullptr;
   const Body* second = nullptr;
   std::vector<const Body*> branches;
+  std::vector<const Goal*> conjuncts;
   std::uint32_t line = 0;
   /// The formula as a term of form step, for programs as data.
   Value source;

@@ -142,6 +142,15 @@ void BodyCompiler::compile_plain(Step& step) {
   step.goal = formulas_.compile_action(term, nullptr);
 }
 
+void BodyCompiler::add_conjuncts(Value formula, std::vector<const Goal*>& conjuncts) {
+  for (formula = deref(formula); is_form(formula, Form::logical) &&
+                                 formula.structure()->predicate() == predicates::logical_and;
+       formula = deref(formula.structure()->arg(1))) {
+    add_conjuncts(formula.structure()->arg(0), conjuncts);
+  }
+  conjuncts.push_back(formulas_.compile(formula, nullptr));
+}
+
 // if, while, for and forks are internal actions by name, in Jason too.
 bool BodyCompiler::compile_statement(Step& step) {
   if (!step.term.is_structure()) return false;
@@ -154,7 +163,11 @@ bool BodyCompiler::compile_statement(Step& step) {
     step.kind = is_if      ? Step::Kind::if_statement
                 : is_while ? Step::Kind::while_loop
                            : Step::Kind::for_loop;
-    step.goal = formulas_.compile(s.arg(0), nullptr);
+    if (is_for) {
+      add_conjuncts(s.arg(0), step.conjuncts);
+    } else {
+      step.goal = formulas_.compile(s.arg(0), nullptr);
+    }
     step.first = compile(s.arg(1));
     if (s.arity == 3) step.second = compile(s.arg(2));
     return true;

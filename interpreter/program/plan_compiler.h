@@ -24,6 +24,7 @@ class BodyCompiler {
   void compile_plain(Step& step);
   void prepare(Step& step);
   bool compile_statement(Step& step);
+  void add_conjuncts(Value formula, std::vector<const Goal*>& conjuncts);
 
   BodyCode& code_;
   FormulaCompiler formulas_;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/agent/observer.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"
 #include "tests/conformance/board.h"
@@ -104,11 +105,13 @@ TEST_P(Conformance, DoesAsItsCommentsSay) {
 }
 
 // As `run_agents`, with the file's own world.
-AgentRun run_on_threads(const std::string& path, std::size_t threads) {
+AgentRun run_on_threads(const std::string& path, std::size_t threads,
+                        ReasoningObserver* observer = nullptr) {
   ProgramFile file = read_program_file(path);
   keep_files_in_memory(file);
   file.options.threads = threads;
   file.options.fewest_beside = 1;
+  file.options.observer = observer;
   EnvironmentMaker world;
   if (file.on_board) {
     world = [](SymbolTable& symbols) { return std::make_unique<Board>(symbols); };
@@ -124,6 +127,18 @@ TEST_P(Conformance, DoesTheSameOnSeveralThreads) {
   EXPECT_EQ(beside.logged, alone.logged) << path;
   EXPECT_EQ(beside.outcome.end, alone.outcome.end) << path;
   EXPECT_EQ(beside.outcome.cycles, alone.outcome.cycles) << path;
+}
+
+// An observer, even one that does nothing, makes agents reason rule by rule, without strides.
+TEST_P(Conformance, DoesTheSameWhenObserved) {
+  const std::string path = (kFolder / (GetParam() + ".asl")).string();
+  ReasoningObserver nobody;
+  const AgentRun alone = run_on_threads(path, 1);
+  const AgentRun observed = run_on_threads(path, 1, &nobody);
+  EXPECT_EQ(observed.printed, alone.printed) << path;
+  EXPECT_EQ(observed.logged, alone.logged) << path;
+  EXPECT_EQ(observed.outcome.end, alone.outcome.end) << path;
+  EXPECT_EQ(observed.outcome.cycles, alone.outcome.cycles) << path;
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, Conformance, ::testing::ValuesIn(program_names()),
