@@ -3,10 +3,11 @@
 
 Reads a test as one line of JSON on standard input and answers with one line on standard output:
 
-    {"test": 1, "map_size": 200, "road_points": [[100, 10], [100, 25], ...]}
-    {"max_oob": 0.42, "min_oob_distance_m": 0.3, "sim_time": 11.7}
+    {"test": 0, "map_size": 200, "road_points": [[100, 10], [100, 25], ...]}
+    {"test": 0, "max_oob": 0.42, "min_oob_distance_m": 0.3, "sim_time": 11.7}
 
-`sim_time` is in seconds; the other names are those that the experiment lists under `measures`. What cannot
+`test` is the number of the test, repeated so that no answer is taken for another test's. `sim_time` is in
+seconds; the other names are those that the experiment lists under `measures`. What cannot
 be executed is answered with {"error": "why"}. Anything else on standard output would be nonsense, so
 logs belong on standard error.
 
@@ -39,11 +40,12 @@ def execute(points):
 
 def main():
     for line in sys.stdin:
+        test = json.loads(line)
         try:
-            answer = execute(json.loads(line)["road_points"])
+            answer = execute(test["road_points"])
         except Exception as error:  # one test fails, the search goes on
             answer = {"error": str(error)}
-        print(json.dumps(answer), flush=True)
+        print(json.dumps({"test": test["test"], **answer}), flush=True)
 
 
 if __name__ == "__main__":

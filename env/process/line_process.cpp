@@ -186,9 +186,24 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
   }
 }
 
-LineAnswer LineProcess::ask(std::string_view line, milliseconds limit) {
+std::optional<std::string> LineProcess::unasked(milliseconds settling) {
+  const Deadline deadline = steady_clock::now() + settling;
+  if (buffer_.empty() && wait_for(POLLIN, deadline) == Wait::ready) {
+    std::array<char, 4096> chunk{};
+    // Nothing is read at the end of its output: that is noticed when it is asked.
+    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), MSG_DONTWAIT);
+    if (count > 0) buffer_.assign(chunk.data(), static_cast<std::size_t>(count));
+  }
+  if (buffer_.empty()) return std::nullopt;
+  return buffer_.substr(0, buffer_.find('\n'));
+}
+
+LineAnswer LineProcess::ask(std::string_view line, milliseconds limit, milliseconds settling) {
   if (process_ < 0) {
     if (std::string problem = start(); !problem.empty()) return {{}, std::move(problem)};
+  } else if (const auto text = unasked(settling)) {
+    give_up();
+    return {{}, fmt::format("it wrote '{}' without being asked", shortened(*text)), true};
   }
   const Deadline deadline = steady_clock::now() + limit;
   LineAnswer answer;
@@ -246,6 +261,15 @@ int LineProcess::end(milliseconds patience) {
   if (error_pipe_ >= 0) close(std::exchange(error_pipe_, -1));
   process_ = -1;
   return status;
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMostBytes = 80;
+  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  if (text.size() <= kMostBytes) return text;
+  std::size_t end = kMostBytes;
+  while (end > 0 && goes_on(text[end])) --end;
+  return text.substr(0, end) + "...";
 }
 
 }  // namespace jaywalk

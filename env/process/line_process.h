@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct LineAnswer {
   std::string line;
   /// Why there is none, in words for people: "it died of signal 11".
   std::string error;
+  /// The error is that the process had written something without being asked.
+  bool unasked = false;
 };
 
 class LineProcess {
@@ -40,9 +43,12 @@ class LineProcess {
   LineProcess(const LineProcess&) = delete;
   LineProcess& operator=(const LineProcess&) = delete;
 
-  /// Sends a line and waits for the answer. After an error the process is gone; the next question
+  /// Sends a line and waits for the answer. Output that is unread by then, or comes within
+  /// `settling` before the line is sent, answers nothing: it is an error, since all answers after
+  /// it would belong to other questions. After an error the process is gone; the next question
   /// starts it anew.
-  [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
+  [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit,
+                               std::chrono::milliseconds settling = std::chrono::milliseconds(0));
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }
   /// Lines answered since the process was started.
@@ -56,6 +62,8 @@ class LineProcess {
   [[nodiscard]] Wait wait_for(short events, Deadline deadline);
   [[nodiscard]] std::string write_all(std::string_view text, Deadline deadline);
   [[nodiscard]] LineAnswer read_line(Deadline deadline);
+  /// The first line, or its beginning, that the process has written without being asked.
+  [[nodiscard]] std::optional<std::string> unasked(std::chrono::milliseconds settling);
   void read_errors();
   /// Waits for the process to end by itself, then kills it: the status of waitpid, -1 if killed.
   int end(std::chrono::milliseconds patience);
@@ -71,5 +79,8 @@ class LineProcess {
   std::string last_words_;  // the end of its standard error
   std::size_t lines_ = 0;
 };
+
+/// The beginning of what a process wrote, as messages quote it.
+[[nodiscard]] std::string shortened(const std::string& text);
 
 }  // namespace jaywalk

@@ -2,18 +2,20 @@
 // answers one line: {"acceleration": -3.5}, in m/s^2. The fields of the view are those of
 // VehicleView, lengths in metres, speeds in m/s:
 //
-//   {"time":0.4,"period":0.1,"speed":9,"cruise":9,"body":[4.5,7.5],"lane":[3,9],
+//   {"step":4,"time":0.4,"period":0.1,"speed":9,"cruise":9,"body":[4.5,7.5],"lane":[3,9],
 //    "actors":[{"id":1,"kind":"pedestrian","gap":12.5,"sides":[2,2.5],"ahead":0,"right":1.5}],
 //    "stop_lines":[{"gap":20,"closed":true}]}
 //
-// Each test starts a process of its own, so that none remembers another.
+// `step` counts the decisions of the test from 0. An answer may repeat it,
+// {"step":4,"acceleration":-3.5}; then it is checked, so that a line too many cannot shift the
+// answers after it. Each test starts a process of its own, so that none remembers another.
 
 #include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "env/process/line_process.h"
+#include "env/process/numbered_process.h"
 #include "env/vehicle/models.h"
 
 namespace jaywalk {
@@ -21,6 +23,8 @@ namespace {
 
 // A controller that thinks for longer is taken for dead.
 constexpr std::chrono::milliseconds kLimit{5000};
+// How long one that does not repeat the step is watched for lines that nobody asked for.
+constexpr std::chrono::milliseconds kSettling{1};
 
 nlohmann::json to_json(const VehicleView& view) {
   nlohmann::json actors = nlohmann::json::array();
@@ -50,34 +54,31 @@ class External final : public VehicleController {
  public:
   explicit External(const VehicleParameters& parameters)
       : name_(parameters.command.empty() ? "" : parameters.command.front()),
-        process_(parameters.command) {}
+        process_({.command = parameters.command, .key = "step", .settling = kSettling}) {}
 
   VehicleDecision decide(const VehicleView& view) override {
     if (!failure_.empty()) return {};
-    const LineAnswer answer = process_.ask(to_json(view).dump(), kLimit);
-    if (!answer.error.empty()) {
-      failure_ = fmt::format("the controller '{}': {}", name_, answer.error);
-      return {};
+    const JsonAnswer answer = process_.ask(to_json(view), steps_++, kLimit);
+    if (!answer.error.empty()) return failed(answer.error);
+    const auto acceleration = answer.json.find("acceleration");
+    if (acceleration == answer.json.end() || !acceleration->is_number() ||
+        !std::isfinite(acceleration->get<double>())) {
+      return failed(process_.refuse("expected {\"acceleration\": <m/s^2>}"));
     }
-    return parse(answer.line);
+    return {acceleration->get<double>()};
   }
 
   [[nodiscard]] std::string failure() const override { return failure_; }
 
  private:
-  VehicleDecision parse(const std::string& line) {
-    const nlohmann::json answer = nlohmann::json::parse(line, nullptr, false);
-    const bool fits = answer.is_object() && answer.contains("acceleration") &&
-                      answer["acceleration"].is_number() &&
-                      std::isfinite(answer["acceleration"].get<double>());
-    if (fits) return {answer["acceleration"].get<double>()};
-    failure_ = fmt::format("the controller answered '{}', expected {{\"acceleration\": <m/s^2>}}",
-                           line.substr(0, 60));
+  VehicleDecision failed(const std::string& why) {
+    failure_ = fmt::format("the controller '{}': {}", name_, why);
     return {};
   }
 
   std::string name_;
-  LineProcess process_;
+  NumberedProcess process_;
+  std::size_t steps_ = 0;
   std::string failure_;
 };
 

@@ -78,7 +78,17 @@ TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
   EXPECT_EQ(fails("read line; exit 4"),
             "the controller 'sh': it ended with exit code 4 before it answered");
   EXPECT_EQ(fails("read line; echo hello"),
-            "the controller answered 'hello', expected {\"acceleration\": <m/s^2>}");
+            "the controller 'sh': line 1 of its output, 'hello': expected a JSON object");
+  EXPECT_EQ(
+      fails("read line; echo {}"),
+      "the controller 'sh': line 1 of its output, '{}': expected {\"acceleration\": <m/s^2>}");
+  EXPECT_EQ(
+      fails(
+          R"(while read line; do echo "{\"acceleration\": 0}"; echo "{\"acceleration\": 0}"; done)"),
+      "the controller 'sh': it wrote '{\"acceleration\": 0}' without being asked");
+  EXPECT_EQ(fails(R"(while read line; do echo "{\"step\": 3, \"acceleration\": 0}"; done)"),
+            "the controller 'sh': line 1 of its output, '{\"step\": 3, \"acceleration\": 0}': it "
+            "answers step 3, asked was 0");
 }
 
 TEST(PerceptionByFeatures, DoesNotGrowWithTheMapOrTheCrowd) {  // F3

@@ -1,0 +1,53 @@
+#include "env/process/numbered_process.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+
+NumberedProcess::NumberedProcess(Settings settings)
+    : settings_(std::move(settings)),
+      process_(settings_.command, settings_.folder, settings_.errors) {}
+
+JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
+                                std::chrono::milliseconds limit) {
+  const std::string key(settings_.key);
+  question[key] = number;
+  const bool may_say_more = asked_ && !repeats_;
+  LineAnswer answer = process_.ask(
+      question.dump(), limit, may_say_more ? settings_.settling : std::chrono::milliseconds(0));
+  asked_ = answer.error.empty();
+  if (!answer.error.empty()) {
+    repeats_ = false;
+    return {{}, std::move(answer.error), !answer.unasked};
+  }
+  last_ = std::move(answer.line);
+  nlohmann::json json = nlohmann::json::parse(last_, nullptr, false);
+  if (!json.is_object()) return {{}, refuse("expected a JSON object")};
+  if (std::string why = mismatch(json, number); !why.empty()) return {{}, refuse(why)};
+  return {std::move(json), {}};
+}
+
+std::string NumberedProcess::mismatch(const nlohmann::json& answer, std::size_t number) {
+  const auto repeated = answer.find(settings_.key);
+  if (repeated == answer.end()) {
+    return repeats_ ? fmt::format("there is no '{}', which it had repeated before", settings_.key)
+                    : std::string();
+  }
+  if (!repeated->is_number_integer() || *repeated != number) {
+    return fmt::format("it answers {} {}, asked was {}", settings_.key, repeated->dump(), number);
+  }
+  repeats_ = true;
+  return {};
+}
+
+std::string NumberedProcess::refuse(std::string_view why) {
+  const std::size_t line = process_.lines();
+  process_.give_up();
+  asked_ = false;
+  repeats_ = false;
+  return fmt::format("line {} of its output, '{}': {}", line, shortened(last_), why);
+}
+
+}  // namespace jaywalk

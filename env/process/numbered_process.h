@@ -1,0 +1,63 @@
+#pragma once
+
+// A child process that answers questions in lines of JSON, each question with its number. The
+// answer may repeat the number; if it does, it is checked, so that question and answer cannot get
+// out of step. Read line_process.h before.
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "env/process/line_process.h"
+
+namespace jaywalk {
+
+/// What came of a question.
+struct JsonAnswer {
+  /// An object; of meaning only if `error` is empty.
+  nlohmann::json json;
+  /// Why there is none, in words for people.
+  std::string error;
+  /// The process said nothing in answer (it hung, it died), rather than something wrong.
+  bool silent = false;
+};
+
+class NumberedProcess {
+ public:
+  struct Settings {
+    /// As LineProcess takes them.
+    std::vector<std::string> command;
+    std::string folder;
+    LineProcess::Errors errors = LineProcess::Errors::shown;
+    /// The key of the number, in question and answer.
+    std::string_view key;
+    /// If the answer before did not repeat its number: how long to look whether the process says
+    /// more than it was asked before the next question.
+    std::chrono::milliseconds settling{0};
+  };
+
+  explicit NumberedProcess(Settings settings);
+
+  /// Sends `question`, an object, with its number. After an error, other than one that the process
+  /// reports about itself, the process is gone; the next question starts it anew.
+  [[nodiscard]] JsonAnswer ask(nlohmann::json question, std::size_t number,
+                               std::chrono::milliseconds limit);
+  /// Ends the process, whose last answer makes no sense. What to say about it: the answer, which
+  /// line of its output that was, and `why`.
+  [[nodiscard]] std::string refuse(std::string_view why);
+
+ private:
+  /// Why an object is no answer to that question; empty if it is one.
+  [[nodiscard]] std::string mismatch(const nlohmann::json& answer, std::size_t number);
+
+  Settings settings_;
+  LineProcess process_;
+  std::string last_;  // the last line that it answered
+  bool asked_ = false;
+  bool repeats_ = false;  // it repeated a number, and has to from then on
+};
+
+}  // namespace jaywalk

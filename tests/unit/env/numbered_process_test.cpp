@@ -1,0 +1,82 @@
+// A program that says more than it was asked, or answers something else, is found out, so that no
+// answer is taken for another question's.
+
+#include "env/process/numbered_process.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace jaywalk {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+/// Asks a shell script questions 0, 1, 2… under the key `n`; it answers how many lines it has read.
+class Numbered : public testing::Test {
+ protected:
+  void start(const std::string& script) {
+    process_ = std::make_unique<NumberedProcess>(NumberedProcess::Settings{
+        .command = {"sh", "-c", "i=-1; while read line; do i=$((i+1)); " + script + "; done"},
+        .key = "n",
+        .settling = milliseconds(500)});
+  }
+  JsonAnswer ask() { return process_->ask({{"x", 1}}, number_++, milliseconds(5000)); }
+
+  std::unique_ptr<NumberedProcess> process_;
+  std::size_t number_ = 0;
+};
+
+constexpr auto kPlain = R"(echo "{\"v\": $i}")";
+constexpr auto kRepeating = R"(echo "{\"n\": $i, \"v\": $i}")";
+
+TEST_F(Numbered, GetsTheAnswerToEachQuestion) {
+  start(R"(echo "{\"heard\": $line}")");
+  const JsonAnswer answer = ask();
+  EXPECT_EQ(answer.error, "");
+  EXPECT_EQ(answer.json["heard"]["n"], 0);
+  EXPECT_EQ(answer.json["heard"]["x"], 1);
+  EXPECT_EQ(ask().json["heard"]["n"], 1);
+}
+
+TEST_F(Numbered, RefusesALineTooMany) {
+  start(std::string(kPlain) + "; [ $i = 1 ] && " + kPlain);
+  EXPECT_EQ(ask().json["v"], 0);
+  EXPECT_EQ(ask().json["v"], 1);
+  const JsonAnswer third = ask();
+  EXPECT_THAT(third.error, HasSubstr("it wrote '{\"v\": 1}' without being asked"));
+  EXPECT_FALSE(third.silent);
+  EXPECT_EQ(ask().json["v"], 0) << "a new process";
+}
+
+// The line comes when the next question has been asked already.
+TEST_F(Numbered, FindsALateLineTooManyByTheNumber) {
+  start(std::string(R"(if [ $i = 2 ]; then echo '{"n": 1, "v": 1}'; fi; )") + kRepeating);
+  EXPECT_EQ(ask().json["v"], 0);
+  EXPECT_EQ(ask().json["v"], 1);
+  EXPECT_THAT(ask().error, HasSubstr("it answers n 1, asked was 2"));
+}
+
+TEST_F(Numbered, RefusesAnAnswerWithoutTheNumberOnceItWasRepeated) {
+  start(std::string("if [ $i = 1 ]; then ") + kPlain + "; else " + kRepeating + "; fi");
+  EXPECT_EQ(ask().json["v"], 0);
+  EXPECT_THAT(ask().error, HasSubstr("there is no 'n', which it had repeated before"));
+}
+
+TEST_F(Numbered, RefusesANumberThatIsNone) {
+  start(R"(echo "{\"n\": \"0\"}")");
+  EXPECT_THAT(ask().error, HasSubstr("it answers n \"0\", asked was 0"));
+}
+
+TEST_F(Numbered, RefusesWhatIsNoObject) {
+  start("echo 42");
+  EXPECT_EQ(ask().error, "line 1 of its output, '42': expected a JSON object");
+}
+
+TEST_F(Numbered, SaysThatThereWasNoAnswerAtAll) {
+  start("exit 3");
+  EXPECT_TRUE(ask().silent);
+}
+
+}  // namespace
+}  // namespace jaywalk
