@@ -1,5 +1,7 @@
 #include "tests/unit/env_lane/data.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -15,10 +17,13 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+std::string beside(const std::string& name) {
+  return std::string(JAYWALK_SOURCE_DIR) + "/tests/unit/env_lane/data/" + name;
+}
+
 /// Calls `row` with the fields of each row; comments and the header are left out.
-void read(const std::string& name,
+void read(const std::string& path,
           const std::function<void(const std::vector<std::string>&)>& row) {
-  const std::string path = std::string(JAYWALK_SOURCE_DIR) + "/tests/unit/env_lane/data/" + name;
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
   bool header = true;
@@ -33,7 +38,7 @@ void read(const std::string& name,
 
 std::vector<JudgedRoad> judged_roads() {
   std::vector<JudgedRoad> roads;
-  read("road_verdicts.csv", [&](const std::vector<std::string>& fields) {
+  read(beside("road_verdicts.csv"), [&](const std::vector<std::string>& fields) {
     JudgedRoad road{fields.at(0), std::stoul(fields.at(1)), fields.at(2), {}};
     for (const std::string& point : split(fields.at(3), ';')) {
       const std::vector<std::string> xy = split(point, ' ');
@@ -46,14 +51,29 @@ std::vector<JudgedRoad> judged_roads() {
 
 std::vector<ExecutedRoad> executed_roads() {
   std::vector<ExecutedRoad> roads;
-  read("beamng_random.csv", [&](const std::vector<std::string>& fields) {
-    ExecutedRoad road{std::stod(fields.at(0)), {}};
-    for (const std::string& number : split(fields.at(1), ';')) {
-      road.curvatures.push_back(std::stod(number));
-    }
-    roads.push_back(std::move(road));
-  });
+  const char* const other = std::getenv("JAYWALK_EXECUTED_ROADS");
+  read(other != nullptr ? other : beside("beamng_random.csv"),
+       [&](const std::vector<std::string>& fields) {
+         ExecutedRoad road{std::stod(fields.at(fields.size() - 2)), {}};
+         for (const std::string& number : split(fields.back(), ';')) {
+           road.curvatures.push_back(std::stod(number));
+         }
+         roads.push_back(std::move(road));
+       });
   return roads;
+}
+
+Polyline ExecutedRoad::points() const {
+  constexpr double kStep_m = 10;
+  double heading = 1.57;
+  Polyline line{{0, 0}};
+  for (std::size_t i = 0; i + 1 < curvatures.size(); ++i) {
+    const double next = heading + kStep_m / 2 * (curvatures[i] + curvatures[i + 1]);
+    line.push_back({line.back().x_m + kStep_m / 2 * (std::cos(next) + std::cos(heading)),
+                    line.back().y_m + kStep_m / 2 * (std::sin(next) + std::sin(heading))});
+    heading = next;
+  }
+  return line;
 }
 
 }  // namespace jaywalk::lane
