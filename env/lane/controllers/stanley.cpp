@@ -1,7 +1,8 @@
 // The controller of Stanley, which won the DARPA Grand Challenge of 2005 (Hoffmann, Tomlin,
 // Montemerlo and Thrun 2007, "Autonomous automobile trajectory tracking for off-road driving",
 // equation 5): the heading error plus the angle whose tangent is the front axle's lateral error
-// over the speed.
+// over the speed. Its steering is as slow as that of `paper-rate`, with the rate of CommonRoad's
+// vehicle; with a faster one (0.57 rad/s, 20 ms) it never leaves its lane.
 
 #include <array>
 #include <cmath>
@@ -27,9 +28,9 @@ constexpr std::array kParameters = {
     NumberParameter{"speed_gain", 2.7, 0, 50, "acceleration per difference of speed, 1/s"},
     NumberParameter{"most_acceleration", 6.5, 0.1, 20, "m/s2"},
     NumberParameter{"most_braking", 8, 0.1, 20, "m/s2"},
-    NumberParameter{"latency_s", 0.02, 0, 1, "between command and actuators"},
-    NumberParameter{"steering_lag_s", 0.05, 0.005, 1, "time constant of the steering"},
-    NumberParameter{"steering_rate", 0.57, 0.01, 10, "the steering's speed, rad/s"},
+    NumberParameter{"latency_s", 0.06, 0, 1, "between command and actuators"},
+    NumberParameter{"steering_lag_s", 0.08, 0.005, 1, "time constant of the steering"},
+    NumberParameter{"steering_rate", 0.4, 0.01, 10, "the steering's speed, rad/s"},
 };
 
 static_assert(kParameters.size() == kOwnParameters + PathFollower::kParameters);
