@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "env/lane/drive.h"
 #include "env/lane/road.h"
 #include "search/experiment.h"
 
@@ -17,10 +18,11 @@ namespace jaywalk::search {
 /// through the points.
 [[nodiscard]] std::string to_opendrive(const lane::Polyline& points, std::string_view name);
 
-/// ASAM OpenSCENARIO 1.0: the car starts in the right lane of that OpenDRIVE file and is to drive
-/// to the road's end.
+/// ASAM OpenSCENARIO 1.0, valid in 1.1 to 1.3 too: the car starts in the right lane of that
+/// OpenDRIVE file and drives to the road's end, up to the speed limit, which is the parameter
+/// SpeedLimit. How it steers and slows down in curves is up to the player's controller.
 [[nodiscard]] std::string to_openscenario(const lane::Polyline& points, std::string_view road_file,
-                                          double speed_limit_mps);
+                                          const lane::DriveSettings& drive);
 
 /// The competition's test file (test.NNNN.json): road points, interpolated points, validity,
 /// outcome.

@@ -58,6 +58,8 @@ std::optional<std::string> export_failures(const std::string& folder,
     const GeneratorSpec& spec = experiment.plan.generators[index++ / experiment.plan.repetitions];
     const RoadSpace* space = experiment.plan.model_of(spec).road_space();
     if (space == nullptr) return "only roads can be exported";
+    const lane::DriveSettings* const simulated = experiment.plan.model_of(spec).drive();
+    const lane::DriveSettings drive = simulated ? *simulated : lane::DriveSettings{};
     for (std::size_t i = 0; i < run.tests.size(); ++i) {
       if (!run.tests[i].test.failed) continue;
       const lane::Polyline points = space->road_points(run.tests[i].test.input);
@@ -65,7 +67,7 @@ std::optional<std::string> export_failures(const std::string& folder,
       const std::string path = (std::filesystem::path(folder) / stem).string();
       const std::pair<std::string, std::string> files[] = {
           {".xodr", to_opendrive(points, stem)},
-          {".xosc", to_openscenario(points, stem + ".xodr", 300 / 3.6)},
+          {".xosc", to_openscenario(points, stem + ".xodr", drive)},
           {".json", to_competition_json(run.tests[i], points, i)}};
       for (const auto& [ending, text] : files) {
         if (const auto why = write_file(path + ending, text)) return why;

@@ -6,10 +6,9 @@
 namespace jaywalk::search {
 namespace {
 
-/// The car of env/lane; OpenSCENARIO's reference point is the middle of the rear axle on the
-/// ground.
-std::string vehicle() {
-  const lane::VehicleParameters car;
+/// OpenSCENARIO's reference point is the middle of the rear axle on the ground.
+std::string vehicle(const lane::DriveSettings& drive) {
+  const lane::VehicleParameters& car = drive.vehicle;
   return fmt::format(
       "    <ScenarioObject name=\"Ego\">\n"
       "      <Vehicle name=\"car\" vehicleCategory=\"car\">\n"
@@ -18,15 +17,15 @@ std::string vehicle() {
       "          <Center x=\"{:.4g}\" y=\"0\" z=\"0.75\"/>\n"
       "          <Dimensions width=\"{}\" length=\"{}\" height=\"1.5\"/>\n"
       "        </BoundingBox>\n"
-      "        <Performance maxSpeed=\"83.3\" maxAcceleration=\"{}\" maxDeceleration=\"10\"/>\n"
+      "        <Performance maxSpeed=\"{:.6g}\" maxAcceleration=\"{}\" maxDeceleration=\"10\"/>\n"
       "        <Axles>\n"
       "          <FrontAxle maxSteering=\"{}\" wheelDiameter=\"0.65\" trackWidth=\"1.6\" "
       "positionX=\"{:.5g}\" positionZ=\"0.325\"/>\n"
       "          <RearAxle maxSteering=\"0\" wheelDiameter=\"0.65\" trackWidth=\"1.6\" "
       "positionX=\"0\" positionZ=\"0.325\"/>\n"
       "        </Axles>\n        <Properties/>\n      </Vehicle>\n    </ScenarioObject>\n",
-      car.rear_axle_m, car.width_m, car.length_m, car.most_acceleration, car.most_steering_rad,
-      car.wheelbase_m());
+      car.rear_axle_m, car.width_m, car.length_m, drive.speed_limit_mps, car.most_acceleration,
+      car.most_steering_rad, car.wheelbase_m());
 }
 
 std::string lane_position(double s) {
@@ -35,11 +34,42 @@ std::string lane_position(double s) {
       s);
 }
 
+/// Nothing is later than 0 at the start yet: for the start, a little before.
+std::string later_than(std::string_view name, double seconds) {
+  return fmt::format(
+      "<ConditionGroup><Condition name=\"{}\" delay=\"0\" conditionEdge=\"none\">"
+      "<ByValueCondition><SimulationTimeCondition value=\"{:.6g}\" rule=\"greaterThan\"/>"
+      "</ByValueCondition></Condition></ConditionGroup>",
+      name, seconds);
+}
+
+/// From standing it accelerates as the car of env/lane can, up to the parameter SpeedLimit.
+std::string story(const lane::DriveSettings& drive) {
+  return fmt::format(
+      "    <Story name=\"drive\">\n      <Act name=\"drive\">\n"
+      "        <ManeuverGroup name=\"drive\" maximumExecutionCount=\"1\">\n"
+      "          <Actors selectTriggeringEntities=\"false\"><EntityRef "
+      "entityRef=\"Ego\"/></Actors>\n"
+      "          <Maneuver name=\"drive\">\n"
+      "            <Event name=\"set out\" priority=\"overwrite\" maximumExecutionCount=\"1\">\n"
+      "              <Action name=\"accelerate to the speed limit\">\n"
+      "                <PrivateAction><LongitudinalAction><SpeedAction>\n"
+      "                  <SpeedActionDynamics dynamicsShape=\"linear\" value=\"{:.6g}\" "
+      "dynamicsDimension=\"rate\"/>\n"
+      "                  <SpeedActionTarget><AbsoluteTargetSpeed value=\"$SpeedLimit\"/>"
+      "</SpeedActionTarget>\n"
+      "                </SpeedAction></LongitudinalAction></PrivateAction>\n"
+      "              </Action>\n              <StartTrigger>{}</StartTrigger>\n"
+      "            </Event>\n          </Maneuver>\n        </ManeuverGroup>\n"
+      "        <StartTrigger>{}</StartTrigger>\n      </Act>\n    </Story>\n",
+      drive.vehicle.most_acceleration, later_than("at the start", -0.001),
+      later_than("at the start", -0.001));
+}
+
 }  // namespace
 
 std::string to_openscenario(const lane::Polyline& points, std::string_view road_file,
-                            double speed_limit_mps) {
-  const lane::DriveSettings defaults;
+                            const lane::DriveSettings& drive) {
   const double length = lane::length(lane::interpolate(points).value_or(points));
   const double goal = length - 1;
   return fmt::format(
@@ -57,7 +87,7 @@ std::string to_openscenario(const lane::Polyline& points, std::string_view road_
       "          <PrivateAction><TeleportAction>{3}</TeleportAction></PrivateAction>\n"
       "          <PrivateAction><RoutingAction><AcquirePositionAction>{4}"
       "</AcquirePositionAction></RoutingAction></PrivateAction>\n"
-      "        </Private>\n      </Actions>\n    </Init>\n"
+      "        </Private>\n      </Actions>\n    </Init>\n{6}"
       "    <StopTrigger>\n      <ConditionGroup>\n"
       "        <Condition name=\"arrived\" delay=\"0\" conditionEdge=\"none\">\n"
       "          <ByEntityCondition>\n"
@@ -66,14 +96,10 @@ std::string to_openscenario(const lane::Polyline& points, std::string_view road_
       "            <EntityCondition><ReachPositionCondition tolerance=\"{5}\">{4}"
       "</ReachPositionCondition></EntityCondition>\n"
       "          </ByEntityCondition>\n        </Condition>\n      </ConditionGroup>\n"
-      "      <ConditionGroup>\n"
-      "        <Condition name=\"time is over\" delay=\"0\" conditionEdge=\"none\">\n"
-      "          <ByValueCondition><SimulationTimeCondition value=\"{6}\" rule=\"greaterThan\"/>"
-      "</ByValueCondition>\n"
-      "        </Condition>\n      </ConditionGroup>\n    </StopTrigger>\n"
+      "      {7}\n    </StopTrigger>\n"
       "  </Storyboard>\n</OpenSCENARIO>\n",
-      speed_limit_mps, road_file, vehicle(), lane_position(defaults.start_m), lane_position(goal),
-      defaults.goal_m, defaults.most_s);
+      drive.speed_limit_mps, road_file, vehicle(drive), lane_position(drive.start_m),
+      lane_position(goal), drive.goal_m, story(drive), later_than("time is over", drive.most_s));
 }
 
 }  // namespace jaywalk::search
