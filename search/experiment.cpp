@@ -53,6 +53,8 @@ class ExperimentReader {
   Result<SearchExperiment> read() {
     experiment_.name = source_->name();
     experiment_.origin = source_->text();
+    experiment_.text = source_->text();
+    experiment_.options = options_;
     const std::optional<ConfigNode> root = layers();
     if (!root) return std::move(diagnostics_);
     const std::vector<ConfigKey> keys{
@@ -176,10 +178,9 @@ class ExperimentReader {
         {"generation_s", seconds(budget.generation_s)},
     };
     reader_.read_map(node, path, keys);
-    const bool time_passes = budget.virtual_s > 0 && budget.overhead_s + budget.generation_s > 0;
-    if (budget.tests == 0 && !time_passes) {
+    if (budget.tests == 0 && budget.virtual_s <= 0) {
       reader_.error(node.origin, "nothing bounds the number of tests",
-                    "give 'tests', or 'virtual_s' with an 'overhead_s' above 0");
+                    "give 'tests' or 'virtual_s' above 0");
     }
   }
 
@@ -191,7 +192,8 @@ class ExperimentReader {
     for (const ConfigNode& item : node.items) read_generator(item);
   }
 
-  /// A name, or a map with `generator`, perhaps a `name`, and the generator's parameters.
+  /// A name, or a map with `generator`, perhaps a `name`, other common keys, and the generator's
+  /// parameters.
   void read_generator(const ConfigNode& node) {
     const ConfigNode* kind_node = &node;
     if (node.kind == ConfigNode::Kind::map) kind_node = node.find("generator");
@@ -203,7 +205,7 @@ class ExperimentReader {
     for (const GeneratorKind& each : generators()) choices.push_back({each.name, &each});
     const auto kind = reader_.choice<const GeneratorKind*>(*kind_node, choices);
     if (!kind) return;
-    GeneratorSpec spec{std::string((*kind)->name), *kind, defaults(**kind), nullptr};
+    GeneratorSpec spec{std::string((*kind)->name), *kind, defaults(**kind)};
     if (node.kind == ConfigNode::Kind::map) read_settings(node, spec);
     const auto& known = experiment_.plan.generators;
     if (std::ranges::find(known, spec.name, &GeneratorSpec::name) != known.end()) {
@@ -220,6 +222,10 @@ class ExperimentReader {
         {"name",
          [&](const ConfigNode& value, const std::string&) {
            if (auto name = reader_.text(value, "a name")) spec.name = std::move(*name);
+         }},
+        {"generation_s",
+         [&](const ConfigNode& value, const std::string&) {
+           spec.generation_s = reader_.number(value, {0, kMostSeconds});
          }},
         {"sut",
          [&](const ConfigNode& value, const std::string& path) {
@@ -257,7 +263,7 @@ class ExperimentReader {
     if (options_.generators.empty()) {
       if (!known.empty() || diagnostics_.has_errors()) return;
       for (const GeneratorKind& kind : generators()) {
-        known.push_back({std::string(kind.name), &kind, defaults(kind), nullptr});
+        known.push_back({std::string(kind.name), &kind, defaults(kind)});
       }
       return;
     }
@@ -269,7 +275,7 @@ class ExperimentReader {
       if (spec != known.end()) {
         selected.push_back(*spec);
       } else if (kind != nullptr) {
-        selected.push_back({wanted, kind, defaults(*kind), nullptr});
+        selected.push_back({wanted, kind, defaults(*kind)});
       } else {
         diagnostics_.error(fmt::format("generator {}", wanted), "there is no such generator",
                            did_you_mean(wanted, generator_names()));

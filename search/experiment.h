@@ -11,21 +11,24 @@
 
 namespace jaywalk::search {
 
+struct SearchOptions {
+  /// `dotted.path=value`, in order, as given to `--set`.
+  std::vector<std::string> sets;
+  /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
+  std::vector<std::string> generators;
+};
+
 struct SearchExperiment {
   /// The file's name.
   std::string name;
   std::string sut;
   std::string measure;
   SearchPlan plan;
-  /// The text and the options from which it was read: what a store compares before it goes on.
+  /// From which it was read.
+  std::string text;
+  SearchOptions options;
+  /// Text and options in one: what a store compares before it goes on.
   std::string origin;
-};
-
-struct SearchOptions {
-  /// `dotted.path=value`, in order, as given to `--set`.
-  std::vector<std::string> sets;
-  /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
-  std::vector<std::string> generators;
 };
 
 [[nodiscard]] Result<SearchExperiment> read_search(const std::string& path,

@@ -71,13 +71,18 @@ struct GeneratorKind {
 /// Null if there is none of that name.
 [[nodiscard]] const GeneratorKind* find_generator(std::string_view name);
 
-/// A valid vector from `draw`; gives up after very many and returns an invalid one, which the
-/// search refuses with a message.
+/// How many candidates draw_valid() looks at: for the first test of a search, where it may be that
+/// none is valid, and later.
+inline constexpr int kFirstDraws = 10'000;
+inline constexpr int kMostDraws = 100'000;
+
+/// A valid input from `draw`; gives up after very many and returns an invalid one, which the search
+/// refuses with a message.
 template <class Draw>
 [[nodiscard]] TestInput draw_valid(Asking& asking, Draw draw) {
-  constexpr int kPatience = 1'000'000;
+  const int most = asking.spent() > 0 ? kMostDraws : kFirstDraws;
   TestInput input;
-  for (int i = 0; i < kPatience; ++i) {
+  for (int i = 0; i < most; ++i) {
     input = draw();
     if (asking.valid(input)) break;
   }

@@ -41,9 +41,9 @@ class Shared {
     if (observer_.error) observer_.error(run.generator, run.repetition, row.test.outcome.error);
   }
 
-  void trouble(std::string subject, std::string message) {
+  void trouble(std::string subject, std::string message, std::string hint = {}) {
     const std::scoped_lock lock(mutex_);
-    trouble_.error(std::move(subject), std::move(message));
+    trouble_.error(std::move(subject), std::move(message), std::move(hint));
     stop = true;
   }
 
@@ -104,7 +104,11 @@ class Search {
       TestInput input = generator_->ask(asking);
       const double generation = seconds_since(start) + telling_s_;
       if (const Validity validity = model_.space().check(input); !validity.valid()) {
-        shared_.trouble(subject(), fmt::format("no valid test was found: {}", validity.message));
+        shared_.trouble(subject(),
+                        fmt::format("none of {} candidates is a valid test; of the last one it is "
+                                    "said: {}",
+                                    asking.candidates(), validity.message),
+                        "the keys of 'sut' decide which tests there are and which are valid");
         return;
       }
       TestRow row{.candidates = asking.candidates(),
@@ -113,9 +117,10 @@ class Search {
       row.test.input = std::move(input);
       if (!execute(row)) return;
       const Budget& budget = plan_.budget;
-      const double cost = row.test.outcome.simulated_s + budget.overhead_s + budget.generation_s;
+      const double cost =
+          row.test.outcome.simulated_s + budget.overhead_s + plan_.generation_s(spec_);
       if (budget.virtual_s > 0 && run_.spent_s + cost > budget.virtual_s) break;
-      if (!keep(std::move(row), cost)) return;
+      if (!keep(std::move(row), cost) || takes_no_time(cost)) return;
     }
     run_.complete = true;
   }
@@ -123,6 +128,19 @@ class Search {
  private:
   [[nodiscard]] std::string subject() const {
     return fmt::format("{}, repetition {}", run_.generator, run_.repetition);
+  }
+
+  /// Whether nothing but virtual time ends the search and very many tests in a row took none.
+  bool takes_no_time(double cost) {
+    constexpr int kPatience = 1000;
+    timeless_ = cost > 0 ? 0 : timeless_ + 1;
+    if (plan_.budget.tests > 0 || timeless_ < kPatience) return false;
+    shared_.trouble(subject(),
+                    fmt::format("{} tests in a row took no simulated time, so that the budget's "
+                                "'virtual_s' never ends",
+                                kPatience),
+                    "give 'tests' or an 'overhead_s' above 0");
+    return true;
   }
 
   [[nodiscard]] bool over() const { return spent() >= 1; }
@@ -154,7 +172,7 @@ class Search {
       return true;
     }
     const auto start = Clock::now();
-    row.test.outcome = sut_->run(row.test.input);
+    row.test.outcome = sut_->run(row.test.input, number);
     row.execution_s = seconds_since(start);
     row.test.fitness = plan_.fitness.of(row.test.outcome);
     row.test.failed = row.test.outcome.executed() && plan_.fitness.fails(row.test.fitness);
@@ -189,6 +207,7 @@ class Search {
   std::unique_ptr<Sut> sut_;
   std::unique_ptr<Generator> generator_;
   std::uint64_t failures_ = 0;
+  int timeless_ = 0;  // tests in a row that took no virtual time
   double telling_s_ = 0;
 };
 

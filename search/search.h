@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,16 @@
 
 namespace jaywalk::search {
 
-/// A search ends when the first of them is used up. 0: not limited.
+/// A search ends when the first of them is used up. 0: not limited. Tests and virtual time cannot
+/// both be unlimited.
 struct Budget {
   std::uint64_t tests = 0;
   std::uint64_t failures = 0;
   /// Of virtual time: for each test the simulated time, the overhead (starting the simulator,
   /// loading the road) and a constant for generating it. What really passes would make results
-  /// depend on the machine. The test that goes beyond it does not count.
+  /// depend on the machine. The test that goes beyond it does not count. Without overhead,
+  /// simulated time alone counts, as in the SBST tool competition; a search whose tests take no
+  /// time at all is given up.
   double virtual_s = 7200;
   double overhead_s = 15;
   double generation_s = 0;
@@ -33,8 +37,10 @@ struct GeneratorSpec {
   std::string name;
   const GeneratorKind* kind = nullptr;
   std::vector<double> values;
+  /// What generating each of its tests costs, in virtual seconds; none: the budget's.
+  std::optional<double> generation_s = std::nullopt;
   /// The SUT that it searches; null: the plan's. So behaviours or controllers are compared, too.
-  std::shared_ptr<const SutModel> model;
+  std::shared_ptr<const SutModel> model = nullptr;
 };
 
 struct SearchPlan {
@@ -49,6 +55,9 @@ struct SearchPlan {
 
   [[nodiscard]] const SutModel& model_of(const GeneratorSpec& generator) const {
     return generator.model ? *generator.model : *model;
+  }
+  [[nodiscard]] double generation_s(const GeneratorSpec& generator) const {
+    return generator.generation_s.value_or(budget.generation_s);
   }
   [[nodiscard]] std::size_t searches() const { return generators.size() * repetitions; }
 };

@@ -42,6 +42,12 @@ struct MeasureKind {
   std::string_view meaning;
 };
 
+/// Something that a SUT is set to, in words for people.
+struct SutSetting {
+  std::string name;
+  std::string value;
+};
+
 /// Belongs to one search; it may keep a process or a simulation from one test to the next.
 class Sut {
  public:
@@ -50,8 +56,9 @@ class Sut {
   Sut& operator=(const Sut&) = delete;
   virtual ~Sut() = default;
 
+  /// `test`: the test's number in its search, from 0, for protocols and messages.
   /// REQUIRES: a valid input of its space.
-  [[nodiscard]] virtual Outcome run(const TestInput& input) = 0;
+  [[nodiscard]] virtual Outcome run(const TestInput& input, std::size_t test) = 0;
 };
 
 /// A SUT as an experiment describes it: immutable, shared by all searches.
@@ -65,6 +72,8 @@ class SutModel {
   [[nodiscard]] virtual const SearchSpace& space() const = 0;
   [[nodiscard]] virtual std::span<const MeasureKind> measures() const = 0;
   [[nodiscard]] virtual std::unique_ptr<Sut> make() const = 0;
+  /// The most important ones first.
+  [[nodiscard]] virtual std::vector<SutSetting> settings() const = 0;
   /// The same space if it is one of roads, which have pictures and exports; else null.
   [[nodiscard]] virtual const RoadSpace* road_space() const { return nullptr; }
   /// How the car drives if this program simulates it; else null.

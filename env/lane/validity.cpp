@@ -59,7 +59,7 @@ std::string_view problem(const Road& road, const RoadRules& rules) {
     return "The road definition contains too many points";
   }
   if (!passes_bounds(road.middle, rules.map_m) || touches_boundary(road, rules.map_m)) {
-    return "Not entirely inside the map boundaries";
+    return kLeavesMap;
   }
   if (overlaps_itself(road)) return "The road is self-intersecting";
   // The competition measures the length of the interpolation's interpolation.

@@ -22,6 +22,8 @@ struct RoadRules {
   friend bool operator==(const RoadRules&, const RoadRules&) = default;
 };
 
+inline constexpr std::string_view kLeavesMap = "Not entirely inside the map boundaries";
+
 struct RoadVerdict {
   /// Why the road is invalid, in the competition's words; empty if it is valid.
   std::string_view message;

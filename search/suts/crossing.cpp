@@ -76,7 +76,7 @@ class CrossingRun : public Sut {
   CrossingRun(const CrossingSpace& space, const CrossingSettings& settings)
       : space_(space), settings_(settings) {}
 
-  Outcome run(const TestInput& input) override {
+  Outcome run(const TestInput& input, std::size_t) override {
     ScenarioOptions options{.sets = space_.settings(input), .behaviours = {settings_.behaviour}};
     Result<Scenario> scenario = parse_scenario(settings_.scenario, options);
     if (!scenario.ok()) return failed(scenario.diagnostics());
@@ -152,6 +152,12 @@ class CrossingModel : public SutModel {
   [[nodiscard]] std::span<const MeasureKind> measures() const override { return kinds_; }
   [[nodiscard]] std::unique_ptr<Sut> make() const override {
     return std::make_unique<CrossingRun>(space_, settings_);
+  }
+  [[nodiscard]] std::vector<SutSetting> settings() const override {
+    return {{"scenario", settings_.scenario->name()},
+            {"behaviour", settings_.behaviour},
+            {"pedestrians", std::to_string(settings_.agents)},
+            {"dimensions of the search", std::to_string(space_.dimension())}};
   }
 
  private:
@@ -307,7 +313,7 @@ class CrossingReader {
   bool tried(const CrossingModel& model) {
     for (const double value : {-1.0, 1.0}) {
       const TestInput input{Form::vector, std::vector<double>(model.space().dimension(), value)};
-      const Outcome outcome = model.make()->run(input);
+      const Outcome outcome = model.make()->run(input, 0);
       if (outcome.executed()) continue;
       reader_.error(setup_.node.origin,
                     fmt::format("with the {} values of its parameters a test cannot be run: {}",

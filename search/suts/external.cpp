@@ -1,7 +1,7 @@
 // A SUT that is a program of its own: it reads a road in one line of JSON and answers with the
-// outcome in another. Whatever it does wrong (it crashes, hangs, answers nonsense) costs the test
-// alone; it is started anew for the next one. search/README.md has the protocol,
-// scenarios/external_sut.py an example.
+// outcome in another. Whatever it does wrong (it crashes, hangs, answers nonsense, answers another
+// test, says more than it was asked) costs the test alone; it is started anew for the next one.
+// search/README.md has the protocol, scenarios/external_sut.py an example.
 
 #include <chrono>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "env/process/line_process.h"
+#include "env/process/numbered_process.h"
 #include "search/suts/read_road_space.h"
 #include "search/suts/suts.h"
 
@@ -26,22 +26,17 @@ struct ExternalSettings {
   std::vector<std::string> measures;
 };
 
-constexpr std::size_t kShownAnswer = 80;
+/// How long a program that does not repeat the test's number is watched, between two tests, for
+/// lines that nobody asked for.
+constexpr std::chrono::milliseconds kSettling{20};
 
-std::string shown(const std::string& text) {
-  return text.size() <= kShownAnswer ? text : text.substr(0, kShownAnswer) + "...";
-}
-
-/// The test as one line: the points, and the map as the competition's executors want it.
-std::string request(const RoadSpace& space, const TestInput& input, std::size_t number) {
+/// The test: the points, and the map as the competition's executors want it.
+Json request(const RoadSpace& space, const TestInput& input) {
   Json points = Json::array();
   for (const Point& point : space.road_points(input)) {
     points.push_back(Json::array({point.x_m, point.y_m}));
   }
-  return Json{{"test", number},
-              {"map_size", space.settings().rules.map_m},
-              {"road_points", std::move(points)}}
-      .dump();
+  return Json{{"map_size", space.settings().rules.map_m}, {"road_points", std::move(points)}};
 }
 
 class ExternalProgram : public Sut {
@@ -49,49 +44,46 @@ class ExternalProgram : public Sut {
   ExternalProgram(const RoadSpace& space, const ExternalSettings& settings)
       : space_(space),
         settings_(settings),
-        process_(settings.command, settings.folder, LineProcess::Errors::quoted) {}
+        process_({.command = settings.command,
+                  .folder = settings.folder,
+                  .errors = LineProcess::Errors::quoted,
+                  .key = "test",
+                  .settling = kSettling}) {}
 
-  Outcome run(const TestInput& input) override {
-    ++tests_;
+  Outcome run(const TestInput& input, std::size_t test) override {
+    test_ = test;
     const std::chrono::milliseconds limit(std::lround(1000 * settings_.timeout_s));
-    const LineAnswer answer = process_.ask(request(space_, input, tests_), limit);
-    return answer.error.empty() ? read(answer.line) : failed(answer.error, settings_.timeout_s);
+    const JsonAnswer answer = process_.ask(request(space_, input), test, limit);
+    if (answer.error.empty()) return read(answer.json);
+    return failed(answer.error, answer.silent ? settings_.timeout_s : 0);
   }
 
  private:
-  Outcome failed(const std::string& what, double seconds) {
-    return {
-        .error = fmt::format("{}, test {}: {}", fmt::join(settings_.command, " "), tests_, what),
-        .simulated_s = seconds};
+  Outcome failed(const std::string& what, double seconds = 0) {
+    return {.error = fmt::format("{}, test {}: {}", fmt::join(settings_.command, " "), test_, what),
+            .simulated_s = seconds};
   }
 
   /// The program is given up; the next test starts another one.
-  Outcome nonsense(const std::string& answer, const std::string& what) {
-    const std::size_t line = process_.lines();
-    process_.give_up();
-    return failed(fmt::format("line {} of its output, '{}': {}", line, shown(answer), what), 0);
-  }
+  Outcome nonsense(std::string_view what) { return failed(process_.refuse(what)); }
 
-  Outcome read(const std::string& answer) {
-    const Json json = Json::parse(answer, nullptr, false);
-    if (!json.is_object()) return nonsense(answer, "expected a JSON object");
+  Outcome read(const Json& json) {
     if (const auto error = json.find("error"); error != json.end() && error->is_string()) {
       // The program goes on; it could not execute this test.
-      return {.error = fmt::format("{}, test {}: it says '{}'", fmt::join(settings_.command, " "),
-                                   tests_, shown(error->get<std::string>()))};
+      return failed(fmt::format("it says '{}'", shortened(error->get<std::string>())));
     }
     Outcome outcome;
     if (const auto time = json.find("sim_time"); time != json.end()) {
       if (!time->is_number() || !(time->get<double>() >= 0)) {
-        return nonsense(answer, "sim_time is not a number of seconds");
+        return nonsense("sim_time is not a number of seconds");
       }
       outcome.simulated_s = time->get<double>();
     }
     for (const std::string& measure : settings_.measures) {
       const auto value = json.find(measure);
-      if (value == json.end()) return nonsense(answer, fmt::format("there is no '{}'", measure));
+      if (value == json.end()) return nonsense(fmt::format("there is no '{}'", measure));
       if (!value->is_number() || !std::isfinite(value->get<double>())) {
-        return nonsense(answer, fmt::format("'{}' is not a number", measure));
+        return nonsense(fmt::format("'{}' is not a number", measure));
       }
       outcome.measures.push_back(value->get<double>());
     }
@@ -100,8 +92,8 @@ class ExternalProgram : public Sut {
 
   const RoadSpace& space_;
   const ExternalSettings& settings_;
-  LineProcess process_;
-  std::size_t tests_ = 0;
+  NumberedProcess process_;
+  std::size_t test_ = 0;
 };
 
 class External : public SutModel {
@@ -117,6 +109,11 @@ class External : public SutModel {
   [[nodiscard]] std::span<const MeasureKind> measures() const override { return kinds_; }
   [[nodiscard]] std::unique_ptr<Sut> make() const override {
     return std::make_unique<ExternalProgram>(space_, settings_);
+  }
+  [[nodiscard]] std::vector<SutSetting> settings() const override {
+    return {{"command", fmt::format("{}", fmt::join(settings_.command, " "))},
+            {"time limit", fmt::format("{:.6g} s for an answer", settings_.timeout_s)},
+            road_setting(space_.settings())};
   }
   [[nodiscard]] const RoadSpace* road_space() const override { return &space_; }
 

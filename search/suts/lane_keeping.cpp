@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "search/suts/read_road_space.h"
 #include "search/suts/suts.h"
 
@@ -23,7 +25,7 @@ class Driver : public Sut {
   Driver(const RoadSpace& space, const lane::DriveSettings& settings)
       : space_(space), settings_(settings) {}
 
-  Outcome run(const TestInput& input) override {
+  Outcome run(const TestInput& input, std::size_t) override {
     const std::optional<lane::Road> road = lane::make_road(space_.road_points(input));
     if (!road) return {.error = "no road goes through these points"};
     const lane::DriveResult result = lane::drive(*road, settings_);
@@ -82,6 +84,21 @@ void read_vehicle(const ConfigNode& node, const std::string& path, const ConfigR
 }  // namespace
 
 std::span<const MeasureKind> LaneKeeping::measures() const { return kMeasures; }
+
+std::vector<SutSetting> LaneKeeping::settings() const {
+  std::string controller(drive_.controller->name);
+  for (std::size_t i = 0; i < drive_.values.size(); ++i) {
+    const NumberParameter& parameter = drive_.controller->parameters[i];
+    if (drive_.values[i] == parameter.value) continue;
+    controller += fmt::format(", {} {}", parameter.name, drive_.values[i]);
+  }
+  return {{"controller", std::move(controller)},
+          {"speed limit", fmt::format("{:.6g} km/h", 3.6 * drive_.speed_limit_mps)},
+          {"tolerance", fmt::format("a test ends once {:.6g} % of the car is out of its lane",
+                                    100 * drive_.tolerance)},
+          {"time limit", fmt::format("{:.6g} s", drive_.most_s)},
+          road_setting(space_.settings())};
+}
 
 std::unique_ptr<Sut> LaneKeeping::make() const { return std::make_unique<Driver>(space_, drive_); }
 

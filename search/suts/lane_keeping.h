@@ -16,6 +16,7 @@ class LaneKeeping : public SutModel {
   [[nodiscard]] const SearchSpace& space() const override { return space_; }
   [[nodiscard]] std::span<const MeasureKind> measures() const override;
   [[nodiscard]] std::unique_ptr<Sut> make() const override;
+  [[nodiscard]] std::vector<SutSetting> settings() const override;
   [[nodiscard]] const RoadSpace* road_space() const override { return &space_; }
   [[nodiscard]] const lane::DriveSettings* drive() const override { return &drive_; }
 

@@ -1,5 +1,7 @@
 #include "search/suts/read_road_space.h"
 
+#include <fmt/format.h>
+
 namespace jaywalk::search {
 
 void read_road_space(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
@@ -30,6 +32,16 @@ void read_road_space(const ConfigNode& node, const std::string& path, const Conf
   if (space.sequence_spread + 3 > space.sequence_length) {
     reader.error(node.origin, "sequence_spread leaves sequences of fewer than 3 values");
   }
+}
+
+SutSetting road_setting(const RoadSpaceSettings& space) {
+  return {
+      "roads",
+      fmt::format("vectors of {} curvatures {:.6g} m apart, sequences of {} to {} values {:.6g} m "
+                  "apart, up to {:.6g} 1/m; a map of {:.6g} m × {:.6g} m",
+                  space.curvatures, space.step_m, space.sequence_length - space.sequence_spread,
+                  space.sequence_length + space.sequence_spread, space.sequence_step_m,
+                  space.most_curvature, space.rules.map_m, space.rules.map_m)};
 }
 
 }  // namespace jaywalk::search

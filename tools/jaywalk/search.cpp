@@ -1,6 +1,7 @@
 // `jaywalk search`: generators look for inputs under which a system under test fails.
 
 #include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -136,6 +137,24 @@ std::optional<std::unique_ptr<js::SearchStore>> open_store(const Arguments& argu
 
 }  // namespace
 
+/// Says which generators have no test with a result; false if there is one.
+bool have_results(const js::SearchResults& results, Console& console) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> tests;  // all, executed
+  for (const js::SearchRun& run : results.runs) {
+    for (const js::TestRow& row : run.tests) {
+      ++tests[run.generator].first;
+      if (row.test.outcome.executed()) ++tests[run.generator].second;
+    }
+  }
+  bool all_have = true;
+  for (const auto& [generator, counts] : tests) {
+    if (counts.second > 0) continue;
+    console.error(fmt::format("{}: none of {} tests has a result", generator, counts.first));
+    all_have = false;
+  }
+  return all_have;
+}
+
 ExitCode execute(const Arguments& arguments, Console& console) {
   const std::optional<js::SearchExperiment> experiment = read_request(arguments, console);
   if (!experiment) return ExitCode::usage;
@@ -162,6 +181,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   };
   if (!write_outputs(arguments, outputs, console)) well = false;
   if (!arguments.has("quiet")) console.print(js::render_table(generators));
+  if (!have_results(results, console)) well = false;
   if (!well) return ExitCode::failed;
   if (results.complete || !interrupted) return ExitCode::success;
   console.note(arguments.has("store")

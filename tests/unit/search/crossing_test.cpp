@@ -22,7 +22,7 @@ Outcome run(const std::string& keys, const std::vector<double>& values) {
     ADD_FAILURE() << experiment.diagnostics().render();
     return {};
   }
-  return experiment.value().plan.model->make()->run({Form::vector, values});
+  return experiment.value().plan.model->make()->run({Form::vector, values}, 0);
 }
 
 constexpr auto kScripted =

@@ -62,8 +62,25 @@ TEST(SearchExperiment, PointsAtEveryMistakeAtOnce) {
 }
 
 TEST(SearchExperiment, RefusesABudgetThatNeverEnds) {
-  EXPECT_THAT(errors(std::string(kSmallest) + "budget: {virtual_s: 100, overhead_s: 0}\n"),
+  EXPECT_THAT(errors(std::string(kSmallest) + "budget: {virtual_s: 0}\n"),
               HasSubstr("nothing bounds the number of tests"));
+}
+
+// The SBST tool competition charges simulated time alone.
+TEST(SearchExperiment, TakesVirtualTimeWithoutOverhead) {
+  const auto result = parse(std::string(kSmallest) + "budget: {virtual_s: 100, overhead_s: 0}\n");
+  ASSERT_TRUE(result.ok()) << result.diagnostics().render();
+  EXPECT_EQ(result.value().plan.budget.overhead_s, 0);
+}
+
+TEST(SearchExperiment, TakesTheCostOfGeneratingForEachGenerator) {
+  const auto result = parse(std::string(kSmallest) +
+                            "budget: {generation_s: 0.5}\n"
+                            "generators: [random, {generator: wogan, generation_s: 5.1}]\n");
+  ASSERT_TRUE(result.ok()) << result.diagnostics().render();
+  const SearchPlan& plan = result.value().plan;
+  EXPECT_DOUBLE_EQ(plan.generation_s(plan.generators[0]), 0.5);
+  EXPECT_DOUBLE_EQ(plan.generation_s(plan.generators[1]), 5.1);
 }
 
 TEST(SearchExperiment, RefusesTwoGeneratorsOfOneName) {

@@ -51,14 +51,14 @@ TEST_F(ExternalSut, MayCrash) {
   const SearchResults results = run("read line; echo out of memory >&2; kill -SEGV $$");
   EXPECT_TRUE(results.complete);
   ASSERT_EQ(errors_.size(), 6U);
-  EXPECT_THAT(errors_[3], HasSubstr("test 4: it died of signal 11"));
+  EXPECT_THAT(errors_[3], HasSubstr("test 3: it died of signal 11"));
   EXPECT_THAT(errors_[3], HasSubstr("out of memory"));
 }
 
 TEST_F(ExternalSut, MayEndBeforeItAnswers) {
   run("read line; exit 3");
   ASSERT_EQ(errors_.size(), 6U);
-  EXPECT_THAT(errors_[0], HasSubstr("test 1: it ended with exit code 3 before it answered"));
+  EXPECT_THAT(errors_[0], HasSubstr("test 0: it ended with exit code 3 before it answered"));
 }
 
 // Two tests are answered by each process, the third finds it dead.
@@ -74,14 +74,14 @@ TEST_F(ExternalSut, MayHang) {
   run("while read line; do sleep 100; done", 2, 0.2);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   ASSERT_EQ(errors_.size(), 2U);
-  EXPECT_THAT(errors_[1], HasSubstr("test 2: no answer within 0.2 s"));
+  EXPECT_THAT(errors_[1], HasSubstr("test 1: no answer within 0.2 s"));
 }
 
 TEST_F(ExternalSut, MayAnswerNonsense) {
   run(std::string("read line; ") + kAnswer + "; read line; echo 3 bananas", 2);
   ASSERT_EQ(errors_.size(), 1U);
   EXPECT_THAT(errors_[0],
-              HasSubstr("test 2: line 2 of its output, '3 bananas': expected a JSON object"));
+              HasSubstr("test 1: line 2 of its output, '3 bananas': expected a JSON object"));
 }
 
 TEST_F(ExternalSut, MayLeaveTheMeasureOut) {
@@ -114,6 +114,35 @@ TEST_F(ExternalSut, MayBeMissing) {
                     .error = [&](const auto&, auto, const std::string& error) { last = error; }});
   EXPECT_TRUE(results.complete);
   EXPECT_THAT(last, HasSubstr("cannot start '/no/such/program'"));
+}
+
+// Each test's answer says how many lines were read; one line too many would shift all later ones.
+TEST_F(ExternalSut, MaySayMoreThanItWasAsked) {
+  const SearchResults results =
+      run(R"(i=0; while read line; do i=$((i+1)); echo "{\"max_oob\": 0.$i}"; )"
+          R"([ $i = 2 ] && echo "{\"max_oob\": 0.9}"; done)",
+          5);
+  const auto& tests = results.runs[0].tests;
+  ASSERT_EQ(errors_.size(), 1U);
+  EXPECT_THAT(errors_[0], HasSubstr("test 2: it wrote '{\"max_oob\": 0.9}' without being asked"));
+  EXPECT_DOUBLE_EQ(tests[1].test.fitness, 0.2);
+  EXPECT_FALSE(tests[2].test.outcome.executed());
+  EXPECT_DOUBLE_EQ(tests[3].test.fitness, 0.1) << "it was started anew";
+  EXPECT_DOUBLE_EQ(tests[4].test.fitness, 0.2);
+}
+
+TEST_F(ExternalSut, MayAnswerAnotherTest) {
+  run(R"(while read line; do echo "{\"test\": 7, \"max_oob\": 0.5}"; done)", 2);
+  ASSERT_EQ(errors_.size(), 2U);
+  EXPECT_THAT(errors_[1], HasSubstr("it answers test 7, asked was 1"));
+}
+
+TEST_F(ExternalSut, GetsTheTestsNumberOfTheStore) {
+  const SearchResults results = run(
+      R"(while read line; do n=${line##*\"test\":}; echo "{\"test\": ${n%%[!0-9]*}, \"max_oob\": 0}"; done)",
+      3);
+  EXPECT_TRUE(errors_.empty()) << errors_.front();
+  EXPECT_TRUE(results.runs[0].tests[2].test.outcome.executed());
 }
 
 }  // namespace

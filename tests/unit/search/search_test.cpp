@@ -40,6 +40,70 @@ TEST(Search, ChargesSimulatedTimeOverheadAndAConstantForGenerating) {
   EXPECT_DOUBLE_EQ(results.runs[0].spent_s, 88);
 }
 
+TEST(Search, ChargesEachGeneratorWhatItCosts) {
+  SearchPlan plan = corner_plan("random", 0);
+  plan.budget = {.virtual_s = 100, .overhead_s = 0, .generation_s = 5};
+  plan.generators.push_back(generator_spec("graft"));
+  plan.generators[1].generation_s = 15;
+  const SearchResults results = run_searches(plan, nullptr);
+  EXPECT_EQ(results.runs[0].tests.size(), 10U);
+  EXPECT_EQ(results.runs[1].tests.size(), 5U);
+}
+
+/// Simulates no time.
+class Instant : public CornerSut {
+ public:
+  [[nodiscard]] std::unique_ptr<Sut> make() const override {
+    class Run : public Sut {
+     public:
+      Outcome run(const TestInput&, std::size_t) override { return {.measures = {0.5}}; }
+    };
+    return std::make_unique<Run>();
+  }
+};
+
+TEST(Search, EndsWithAMessageIfVirtualTimeStandsStill) {
+  SearchPlan plan = corner_plan("random", 0);
+  plan.model = std::make_shared<Instant>();
+  plan.budget = {.virtual_s = 100, .overhead_s = 0};
+  const SearchResults results = run_searches(plan, nullptr);
+  EXPECT_FALSE(results.complete);
+  EXPECT_THAT(results.trouble.render(), testing::HasSubstr("took no simulated time"));
+  plan.budget.tests = 1500;
+  EXPECT_TRUE(run_searches(plan, nullptr).complete) << "the number of tests ends it";
+}
+
+/// Has no valid test.
+class Nowhere : public Square {
+ public:
+  [[nodiscard]] Validity check(const TestInput&) const override {
+    ++checked;
+    return {"there is no such place"};
+  }
+  mutable std::size_t checked = 0;
+};
+
+class NowhereSut : public CornerSut {
+ public:
+  [[nodiscard]] const SearchSpace& space() const override { return space_; }
+  [[nodiscard]] std::size_t checked() const { return space_.checked; }
+
+ private:
+  Nowhere space_;
+};
+
+TEST(Search, EndsWithAMessageIfNoTestIsValid) {
+  for (const GeneratorKind& kind : generators()) {
+    SearchPlan plan = corner_plan(kind.name, 100);
+    const auto model = std::make_shared<NowhereSut>();
+    plan.model = model;
+    const SearchResults results = run_searches(plan, nullptr);
+    EXPECT_FALSE(results.complete) << kind.name;
+    EXPECT_THAT(results.trouble.render(), testing::HasSubstr("there is no such place"));
+    EXPECT_LT(model->checked(), 12'000U) << kind.name << " draws for too long";
+  }
+}
+
 TEST(Search, ScalesTheMeasureToTheFitness) {
   const Fitness smaller_is_worse{.measure = 0, .harmless = 20, .worst = 0, .fails_at = 0.95};
   EXPECT_DOUBLE_EQ(smaller_is_worse.of({.measures = {5}}), 0.75);
@@ -109,7 +173,8 @@ TEST_P(EachGenerator, AsksForValidTestsAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Generators, EachGenerator,
-                         testing::Values("random", "frenetic", "ogan", "wogan", "graft"));
+                         testing::Values("random", "random-sequences", "frenetic", "ogan", "wogan",
+                                         "graft"));
 
 TEST(Search, RefusesTestsOfAStoreThatItWouldNotAskFor) {
   MemoryLog log;
@@ -136,9 +201,9 @@ class Shaky : public CornerSut {
   [[nodiscard]] std::unique_ptr<Sut> make() const override {
     class Run : public Sut {
      public:
-      Outcome run(const TestInput& input) override {
+      Outcome run(const TestInput& input, std::size_t test) override {
         if (++tests_ % 3 == 0) return {.error = "it crashed"};
-        return CornerRun().run(input);
+        return CornerRun().run(input, test);
       }
 
      private:

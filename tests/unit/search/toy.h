@@ -33,6 +33,7 @@ class CornerSut : public SutModel {
   [[nodiscard]] const SearchSpace& space() const override { return space_; }
   [[nodiscard]] std::span<const MeasureKind> measures() const override { return kMeasures; }
   [[nodiscard]] std::unique_ptr<Sut> make() const override;
+  [[nodiscard]] std::vector<SutSetting> settings() const override { return {{"corner", "upper"}}; }
 
   static constexpr std::array kMeasures = {MeasureKind{"nearness", "to the corner"}};
 
@@ -42,7 +43,7 @@ class CornerSut : public SutModel {
 
 class CornerRun : public Sut {
  public:
-  Outcome run(const TestInput& input) override {
+  Outcome run(const TestInput& input, std::size_t) override {
     const double dx = 1 - input.values[0];
     const double dy = 1 - input.values[1];
     return {.simulated_s = 5, .measures = {1 - std::sqrt(dx * dx + dy * dy) / 2}};
@@ -53,7 +54,7 @@ inline std::unique_ptr<Sut> CornerSut::make() const { return std::make_unique<Co
 
 inline GeneratorSpec generator_spec(std::string_view name) {
   const GeneratorKind* kind = find_generator(name);
-  GeneratorSpec spec{std::string(name), kind, {}, nullptr};
+  GeneratorSpec spec{std::string(name), kind, {}};
   for (const NumberParameter& parameter : kind->parameters) spec.values.push_back(parameter.value);
   return spec;
 }
