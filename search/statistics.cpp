@@ -4,16 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+
+#include "search/failing_stretch.h"
 
 namespace jaywalk::search {
 namespace {
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
-}
 
 double mean_fitness(const SearchRun& run, double from) {
   const auto first = static_cast<std::size_t>(from * static_cast<double>(run.tests.size()));
@@ -40,22 +36,32 @@ std::vector<std::size_t> doubled_ranks(const std::vector<double>& differences) {
   return ranks;
 }
 
+constexpr auto kTested = SummaryColumn::Kind::tested;
+constexpr auto kTime = SummaryColumn::Kind::time;
+
 constexpr std::array kColumns = {
     SummaryColumn{"tests", "executed tests", &RunSummary::tests, 1},
-    SummaryColumn{"failures", "failing tests", &RunSummary::failures, 2},
+    SummaryColumn{"failures", "failing tests", &RunSummary::failures, 2, kTested},
+    SummaryColumn{"distinct_half_m", "distinct stretches, 0.5 m", &RunSummary::distinct_half_m, 1},
+    SummaryColumn{"distinct_1m", "distinct stretches, 1 m", &RunSummary::distinct_1m, 1, kTested},
+    SummaryColumn{"distinct_2m", "distinct stretches, 2 m", &RunSummary::distinct_2m, 1},
+    SummaryColumn{"distinct_4m", "distinct stretches, 4 m", &RunSummary::distinct_4m, 1},
+    SummaryColumn{"twins_pct", "with a twin within 1 m (%)", &RunSummary::twins_pct, 1},
+    SummaryColumn{"sparseness", "sparseness of failing tests", &RunSummary::sparseness, 2, kTested},
     SummaryColumn{"errors", "tests without a result", &RunSummary::errors, 1},
     SummaryColumn{"fitness_last_80", "mean fitness, final 80 %", &RunSummary::fitness_last_80, 2},
     SummaryColumn{"fitness_last_20", "mean fitness, final 20 %", &RunSummary::fitness_last_20, 2},
-    SummaryColumn{"diversity", "diversity of failing tests", &RunSummary::diversity, 2},
+    SummaryColumn{"diversity", "diversity of failing tests", &RunSummary::diversity, 2, kTested},
     SummaryColumn{"unwrapped_diversity", "diversity, angles unwrapped",
                   &RunSummary::unwrapped_diversity, 2},
     SummaryColumn{"invalid_pct", "invalid candidates (%)", &RunSummary::invalid_pct, 1},
-    SummaryColumn{"first_failure", "first failing test", &RunSummary::first_failure, 1},
+    SummaryColumn{"tests_to_failure", "tests to the first failure", &RunSummary::tests_to_failure,
+                  1},
     SummaryColumn{"failures_per_1000", "failing of 1,000 tests", &RunSummary::failures_per_1000, 1},
     SummaryColumn{"naturalness", "naturalness of all tests", &RunSummary::naturalness, 3},
     SummaryColumn{"simulated_s", "simulated s per test", &RunSummary::simulated_s, 2},
-    SummaryColumn{"generation_ms", "generation ms per test", &RunSummary::generation_ms, 2, true},
-    SummaryColumn{"execution_ms", "execution ms per test", &RunSummary::execution_ms, 2, true},
+    SummaryColumn{"generation_ms", "generation ms per test", &RunSummary::generation_ms, 2, kTime},
+    SummaryColumn{"execution_ms", "execution ms per test", &RunSummary::execution_ms, 2, kTime},
 };
 
 }  // namespace
@@ -77,7 +83,23 @@ double mean_naturalness(const SearchRun& run, const SutModel& model) {
     sum += row.test.outcome.measures[*measure];
     count += 1;
   }
-  return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+  return count > 0 ? sum / count : kUnknown;
+}
+
+void count_stretches(const SearchRun& run, const SutModel& model, RunSummary& summary) {
+  if (!measures_stretches(model)) return;
+  std::vector<FailingStretch> stretches;
+  for (const TestRow& row : run.tests) {
+    if (!row.test.failed) continue;
+    std::optional<FailingStretch> stretch = failing_stretch(row.test, model);
+    if (stretch) stretches.push_back(std::move(*stretch));
+  }
+  summary.distinct_half_m = static_cast<double>(distinct(stretches, 0.5));
+  summary.distinct_1m = static_cast<double>(distinct(stretches, 1));
+  summary.distinct_2m = static_cast<double>(distinct(stretches, 2));
+  summary.distinct_4m = static_cast<double>(distinct(stretches, 4));
+  summary.sparseness = sparseness(stretches);
+  if (!stretches.empty()) summary.twins_pct = 100 * twin_share(stretches, 1);
 }
 
 }  // namespace
@@ -99,12 +121,13 @@ RunSummary summarise(const SearchRun& run, const SutModel& model) {
     if (!row.test.outcome.executed()) summary.errors += 1;
     if (!row.test.failed) continue;
     summary.failures += 1;
-    if (summary.first_failure == 0) summary.first_failure = summary.tests;
+    if (std::isnan(summary.tests_to_failure)) summary.tests_to_failure = summary.tests;
     signatures.push_back(signature(row.test, space));
     unwrapped.push_back(row.test.outcome.signature.empty()
                             ? space.unwrapped_signature(row.test.input)
                             : row.test.outcome.signature);
   }
+  count_stretches(run, model, summary);
   summary.fitness_last_80 = mean_fitness(run, 0.2);
   summary.fitness_last_20 = mean_fitness(run, 0.8);
   summary.diversity = median_distance(signatures);
@@ -119,8 +142,11 @@ RunSummary summarise(const SearchRun& run, const SutModel& model) {
   return summary;
 }
 
-MeanAndDeviation mean_and_deviation(std::span<const double> values) {
-  if (values.empty()) return {};
+MeanAndDeviation mean_and_deviation(std::span<const double> all) {
+  std::vector<double> values;
+  std::ranges::copy_if(all, std::back_inserter(values),
+                       [](double each) { return !std::isnan(each); });
+  if (values.empty()) return {kUnknown, kUnknown};
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double squares = 0;
@@ -166,23 +192,29 @@ double median(std::vector<double> values) {
   return (*place + *std::max_element(values.begin(), place)) / 2;
 }
 
+double euclidean_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
 double median_distance(const std::vector<std::vector<double>>& signatures) {
   std::vector<double> distances;
   for (std::size_t i = 0; i < signatures.size(); ++i) {
     for (std::size_t j = i + 1; j < signatures.size(); ++j) {
-      distances.push_back(distance(signatures[i], signatures[j]));
+      distances.push_back(euclidean_distance(signatures[i], signatures[j]));
     }
   }
   return median(std::move(distances));
 }
 
-std::vector<std::vector<std::size_t>> cluster(const std::vector<std::vector<double>>& signatures,
-                                              double reach) {
+std::vector<std::vector<std::size_t>> cluster(
+    std::size_t count, const std::function<bool(std::size_t founder, std::size_t other)>& same) {
   std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t i = 0; i < signatures.size(); ++i) {
-    const auto near = std::ranges::find_if(groups, [&](const std::vector<std::size_t>& group) {
-      return distance(signatures[group.front()], signatures[i]) <= reach;
-    });
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto near = std::ranges::find_if(
+        groups, [&](const std::vector<std::size_t>& group) { return same(group.front(), i); });
     if (near == groups.end()) {
       groups.push_back({i});
     } else {

@@ -2,6 +2,7 @@
 
 // What the searches of a generator come to, and how two generators compare. Read search.h before.
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -10,6 +11,8 @@
 #include "search/search.h"
 
 namespace jaywalk::search {
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// One search in numbers (Peltomäki et al. 2022, table 1).
 struct RunSummary {
@@ -25,11 +28,20 @@ struct RunSummary {
   double unwrapped_diversity = 0;
   double invalid_pct = 0;
   double simulated_s = 0;
-  /// Number of the first failing test, from 1; 0 if none failed.
-  double first_failure = 0;
+  /// Stretches of road on which tests failed that differ by more than 0.5, 1, 2 or 4 m, the share
+  /// of failing tests with another one within 1 m, and how different they are by the competition's
+  /// measure (failing_stretch.h); not a number if the SUT does not drive on roads.
+  double distinct_half_m = kUnknown;
+  double distinct_1m = kUnknown;
+  double distinct_2m = kUnknown;
+  double distinct_4m = kUnknown;
+  double twins_pct = kUnknown;
+  double sparseness = kUnknown;
+  /// How many tests it took to find the first failing one; not a number if none failed.
+  double tests_to_failure = kUnknown;
   double failures_per_1000 = 0;
   /// Mean of the measure of that name; not a number if the SUT has none.
-  double naturalness = std::numeric_limits<double>::quiet_NaN();
+  double naturalness = kUnknown;
   /// What really passed for each test, in milliseconds.
   double generation_ms = 0;
   double execution_ms = 0;
@@ -45,6 +57,7 @@ struct MeanAndDeviation {
   /// Of the sample (n - 1); 0 for one value.
   double deviation = 0;
 };
+/// Of the values that are numbers; not a number if none is.
 [[nodiscard]] MeanAndDeviation mean_and_deviation(std::span<const double> values);
 
 /// The two-sided p-value of Wilcoxon's signed-rank test (1945) for pairs; zero differences are left
@@ -56,13 +69,14 @@ struct MeanAndDeviation {
 /// The middle value, or the mean of the two in the middle; 0 for none.
 [[nodiscard]] double median(std::vector<double> values);
 
+[[nodiscard]] double euclidean_distance(const std::vector<double>& a, const std::vector<double>& b);
 /// Median pairwise Euclidean distance; 0 for fewer than two.
 [[nodiscard]] double median_distance(const std::vector<std::vector<double>>& signatures);
 
-/// Groups failing tests: each joins the first group whose founder's signature is at most `reach`
-/// away or founds one. Largest groups first; the members are indices.
+/// Groups the numbers from 0 to `count` - 1: each joins the first group whose founder is the `same`
+/// or founds one. Largest groups first, the founder first in each.
 [[nodiscard]] std::vector<std::vector<std::size_t>> cluster(
-    const std::vector<std::vector<double>>& signatures, double reach);
+    std::size_t count, const std::function<bool(std::size_t founder, std::size_t other)>& same);
 
 /// A column of the tables: how RunSummary is shown and exported.
 struct SummaryColumn {
@@ -70,8 +84,12 @@ struct SummaryColumn {
   std::string_view title;
   double RunSummary::*value = nullptr;
   int decimals = 2;
-  /// Differs from run to run, as it is measured time.
-  bool is_time = false;
+  enum class Kind {
+    plain,
+    tested,  ///< pairs of generators are compared by it; every search has a value or none has
+    time,    ///< differs from run to run, as it is measured time
+  };
+  Kind kind = Kind::plain;
 };
 [[nodiscard]] std::span<const SummaryColumn> summary_columns();
 

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "search/generators/generators.h"
+#include "search/generators/sequences.h"
 
 namespace jaywalk::search::generator::graft {
 namespace {
@@ -40,8 +41,6 @@ constexpr std::array kParameters = {
     NumberParameter{"stretches", 40, 1, 10000, "that are kept: the best ones"},
     NumberParameter{"attempts", 200, 1, 100000, "invalid candidates before a random test"},
 };
-
-constexpr double kDifference = 0.05 / 0.07;
 
 struct Stretch {
   std::vector<double> values;
@@ -109,24 +108,10 @@ class Graft : public Generator {
  private:
   [[nodiscard]] Form natural_form() const { return sequences_ ? Form::sequence : Form::vector; }
 
-  double next_value(double last) {
-    return random_.uniform(std::max(-1.0, last - kDifference), std::min(1.0, last + kDifference));
-  }
-
-  void append_random(std::vector<double>& values, int count) {
-    for (; count > 0; --count) values.push_back(next_value(values.empty() ? 0 : values.back()));
-  }
-
   TestInput random_input() {
-    TestInput input{natural_form(), {}};
-    if (sequences_) {
-      const auto spread = static_cast<int>(sequences_->spread);
-      append_random(input.values,
-                    static_cast<int>(sequences_->usual) + random_.between(-spread, spread));
-    } else {
-      input.values.resize(space_.dimension());
-      for (double& value : input.values) value = random_.uniform(-1, 1);
-    }
+    if (sequences_) return draw_sequence(*sequences_, random_);
+    TestInput input{Form::vector, std::vector<double>(space_.dimension())};
+    for (double& value : input.values) value = random_.uniform(-1, 1);
     return input;
   }
 
@@ -159,7 +144,7 @@ class Graft : public Generator {
     const int changes = random_.between(1, 4);
     for (int i = 0; i < changes; ++i) {
       double& value = input.values[random_.below(input.values.size())];
-      value = std::clamp(value + random_.uniform(-kDifference, kDifference), -1.0, 1.0);
+      value = std::clamp(value + random_.uniform(-kMostDifference, kMostDifference), -1.0, 1.0);
     }
     return input;
   }
@@ -194,9 +179,9 @@ class Graft : public Generator {
       }
       return input;
     }
-    append_random(input.values, random_.between(0, static_cast<int>(values_[kMostLead])));
+    append_random(input.values, random_.between(0, static_cast<int>(values_[kMostLead])), random_);
     for (const double value : stretch.values) input.values.push_back(jittered(value));
-    append_random(input.values, random_.between(1, 3));
+    append_random(input.values, random_.between(1, 3), random_);
     return input;
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,8 +10,11 @@
 #include "experiment/report/page.h"
 #include "experiment/report/plot.h"
 #include "interpreter/support/markup.h"
+#include "search/failing_stretch.h"
+#include "search/report/clusters.h"
 #include "search/report/published.h"
 #include "search/report/roads.h"
+#include "search/report/setup.h"
 
 namespace jaywalk::search {
 namespace {
@@ -25,18 +27,6 @@ std::vector<std::string> names_of(const Generators& generators) {
   std::vector<std::string> names;
   for (const GeneratorResults& each : generators) names.push_back(each.name);
   return names;
-}
-
-std::string settings(const SearchExperiment& experiment, const Generators& generators) {
-  using reporting::term;
-  const std::string names = fmt::format("{}", fmt::join(names_of(generators), ", "));
-  return reporting::terms(term("system under test", escaped(experiment.sut)) +
-                          term("generators", escaped(names)) +
-                          term("repetitions", std::to_string(experiment.plan.repetitions)) +
-                          term("seed", std::to_string(experiment.plan.seed)) +
-                          term("a test fails", fmt::format("from a fitness of {} on ({})",
-                                                           experiment.plan.fitness.fails_at,
-                                                           escaped(experiment.measure))));
 }
 
 std::string results(const Generators& generators) {
@@ -53,12 +43,15 @@ std::string results(const Generators& generators) {
       table.html();
   reporting::Table pairs;
   pairs.column("", reporting::Align::left);
-  pairs.column("failing tests");
-  pairs.column("diversity");
+  const std::vector<const SummaryColumn*> columns = tested_columns(generators);
+  for (const SummaryColumn* column : columns) pairs.column(column->title);
   for (const GeneratorPair& pair : compared(generators)) {
-    pairs.row({escaped(fmt::format("{} / {}", pair.first->name, pair.second->name)),
-               fmt::format("{:.2g}", pair.p(&RunSummary::failures)),
-               fmt::format("{:.2g}", pair.p(&RunSummary::diversity))});
+    std::vector<std::string> cells{
+        escaped(fmt::format("{} / {}", pair.first->name, pair.second->name))};
+    for (const SummaryColumn* column : columns) {
+      cells.push_back(reporting::p_value(pair.p(column->value)));
+    }
+    pairs.row(std::move(cells));
   }
   if (!pairs.empty()) {
     html += "<h3>Do two generators differ?</h3>\n" +
@@ -68,28 +61,50 @@ std::string results(const Generators& generators) {
 }
 
 /// A figure with a box for each generator.
-std::string boxes(std::string_view title, const Generators& generators, double RunSummary::*value) {
+std::string boxes(std::string_view x_title, const Generators& generators, double RunSummary::*value,
+                  std::string_view caption) {
   std::vector<reporting::BoxGroup> groups;
   for (std::size_t i = 0; i < generators.size(); ++i) {
     groups.push_back({.name = generators[i].name,
                       .number = i,
                       .boxes = {{"", distribution(generators[i].values(value))}}});
   }
-  return reporting::figure(title, reporting::box_plots(title, groups, "repetition"));
+  return reporting::figure(caption, reporting::box_plots(x_title, groups, "repetition"));
 }
 
-std::string failures(const Generators& generators) {
-  return reporting::paragraph("Over the repetitions (the paper’s Figure 2).") +
-         reporting::legend(names_of(generators)) +
-         reporting::gallery(boxes("failing tests", generators, &RunSummary::failures));
+std::string failures(const SearchExperiment& experiment, const Generators& generators) {
+  std::string figures =
+      boxes("failing tests of a search", generators, &RunSummary::failures, "failing tests");
+  std::string html =
+      reporting::paragraph("Over the repetitions (the paper’s Figure 2): how many tests failed.");
+  if (measures_stretches(*experiment.plan.model)) {
+    figures += boxes("distinct failing stretches of a search, at 1 m", generators,
+                     &RunSummary::distinct_1m, "distinct failing stretches");
+    html += reporting::paragraph(
+        "Tests that vary one failure fail often, but show little that is new. Stretches of road on "
+        "which tests failed are distinct if they differ by more than 1 m somewhere from 40 m "
+        "before "
+        "to 10 m after the place where the car was farthest out of its lane.");
+  }
+  return html + reporting::legend(names_of(generators)) + reporting::gallery(figures);
 }
 
-std::string diversity(const Generators& generators) {
-  return reporting::paragraph("Median distance between failing tests (the paper’s Figure 3).") +
-         reporting::legend(names_of(generators)) +
-         reporting::gallery(
-             boxes("diversity", generators, &RunSummary::diversity) +
-             boxes("diversity, angles unwrapped", generators, &RunSummary::unwrapped_diversity));
+std::string diversity(const SearchExperiment& experiment, const Generators& generators) {
+  std::string html =
+      reporting::paragraph("Median distance between failing tests (the paper’s Figure 3).");
+  std::string figures = boxes("median distance between failing tests", generators,
+                              &RunSummary::diversity, "diversity") +
+                        boxes("median distance between failing tests", generators,
+                              &RunSummary::unwrapped_diversity, "diversity, angles unwrapped");
+  if (measures_stretches(*experiment.plan.model)) {
+    html += reporting::paragraph(
+        "The distance compares the directions of whole roads, so it grows with their length more "
+        "than with different failures: compare generators of sequences with random sequences. The "
+        "competition’s sparseness looks at the 30 m before and after each failure.");
+    figures += boxes("mean of the largest edit distances", generators, &RunSummary::sparseness,
+                     "sparseness of failing tests");
+  }
+  return html + reporting::legend(names_of(generators)) + reporting::gallery(figures);
 }
 
 /// The mean fitness in each of many equal parts of a search, over all repetitions.
@@ -140,7 +155,7 @@ std::string failing_roads(const GeneratorResults& generator, RoadPictures roads)
   for (const SearchRun* run : generator.runs) {
     for (std::size_t i = 0; i < run->tests.size() && !roads.full(); ++i) {
       if (!run->tests[i].test.failed) continue;
-      roads.add(run->tests[i], fmt::format("run {}, test {}", run->repetition, i + 1));
+      roads.add(run->tests[i], fmt::format("repetition {}, test {}", run->repetition, i));
     }
   }
   const std::string pictures = roads.html();
@@ -152,60 +167,39 @@ std::string last_roads(const GeneratorResults& generator, RoadPictures roads) {
   const std::vector<TestRow>& tests = generator.runs.front()->tests;
   const std::size_t shown = std::min(tests.size(), RoadPictures::kShown);
   for (std::size_t i = tests.size() - shown; i < tests.size(); ++i) {
-    roads.add(tests[i], fmt::format("{:.2f}", tests[i].test.fitness));
+    roads.add(tests[i], fmt::format("test {}, fitness {:.2f}", i, tests[i].test.fitness));
   }
   return roads.html();
 }
 
 /// `explanation`, then the roads of each generator.
-std::string roads_of_all(std::string_view explanation, const Generators& generators,
-                         const RoadSpace* space,
+std::string roads_of_all(std::string_view explanation, const SearchExperiment& experiment,
+                         const Generators& generators,
                          std::string (*roads_of)(const GeneratorResults& generator,
                                                  RoadPictures roads)) {
-  if (space == nullptr) return {};
+  const SearchPlan& plan = experiment.plan;
+  if (plan.model->road_space() == nullptr) return {};
   std::string html = reporting::paragraph(explanation);
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    html += of_generator(generators[i], i, roads_of(generators[i], RoadPictures(*space, i)));
+    const SutModel& model = plan.model_of(plan.generators[i]);
+    html += of_generator(generators[i], i, roads_of(generators[i], RoadPictures(model, i)));
   }
   return html;
 }
 
-std::string clusters_of(const GeneratorResults& generator, const SearchSpace& space,
-                        std::optional<RoadPictures> roads) {
-  if (generator.runs.empty()) return {};
-  std::vector<const TestRow*> failing;
-  std::vector<std::vector<double>> signatures;
-  for (const TestRow& row : generator.runs.front()->tests) {
-    if (!row.test.failed) continue;
-    failing.push_back(&row);
-    signatures.push_back(signature(row.test, space));
-  }
-  const double reach = median_distance(signatures) / 2;
-  const auto groups = cluster(signatures, reach);
-  std::vector<std::size_t> sizes;
-  for (const auto& group : groups) {
-    if (sizes.size() < 2 * RoadPictures::kShown) sizes.push_back(group.size());
-  }
-  std::string html = reporting::paragraph(fmt::format(
-      "{} failing tests of repetition 0 in {} clusters{}.", failing.size(), groups.size(),
-      sizes.empty() ? "" : fmt::format(", of {} tests", fmt::join(sizes, ", "))));
-  if (!roads) return html;
-  for (std::size_t i = 0; i < groups.size() && !roads->full(); ++i) {
-    roads->add(*failing[groups[i].front()], fmt::format("{} tests", groups[i].size()));
-  }
-  return html + roads->html();
-}
-
-std::string clusters(const SearchExperiment& experiment, const Generators& generators,
-                     const RoadSpace* space) {
+std::string clusters(const SearchExperiment& experiment, const Generators& generators) {
   std::string html = reporting::paragraph(
-      "A test joins the first cluster whose founder is nearer than half the median distance; the "
-      "largest clusters’ founders are drawn.");
+      measures_stretches(*experiment.plan.model)
+          ? "Failing tests of all repetitions, aligned in position and direction at the place "
+            "where "
+            "the car was farthest out of its lane: a test joins the first cluster whose founder’s "
+            "road differs by 1 m at most from 40 m before that place to 10 m after it. Drawn are "
+            "the founders of the largest clusters."
+          : "Failing tests of all repetitions: a test joins the first cluster whose founder is "
+            "nearer than half the median distance.");
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    std::optional<RoadPictures> roads;
-    if (space != nullptr) roads.emplace(*space, i);
     const SutModel& model = experiment.plan.model_of(experiment.plan.generators[i]);
-    html += of_generator(generators[i], i, clusters_of(generators[i], model.space(), roads));
+    html += of_generator(generators[i], i, clusters_html(generators[i], model, i));
   }
   return html;
 }
@@ -213,23 +207,25 @@ std::string clusters(const SearchExperiment& experiment, const Generators& gener
 }  // namespace
 
 std::string to_html(const SearchExperiment& experiment, const Generators& generators) {
-  const RoadSpace* const roads = experiment.plan.model->road_space();
   const std::array sections = {
-      reporting::PageSection{"overview", "Overview", settings(experiment, generators)},
+      reporting::PageSection{"overview", "Overview", setup_html(experiment)},
       reporting::PageSection{"results", "Results", results(generators)},
       reporting::PageSection{"published", "Published", published_table(experiment)},
-      reporting::PageSection{"failures", "Failing tests", failures(generators)},
-      reporting::PageSection{"diversity", "Diversity", diversity(generators)},
+      reporting::PageSection{"failures", "Failing tests", failures(experiment, generators)},
+      reporting::PageSection{"diversity", "Diversity", diversity(experiment, generators)},
       reporting::PageSection{"fitness", "Fitness over time", fitness(generators)},
       reporting::PageSection{
           "roads", "Failing roads",
-          roads_of_all("The first ones of each generator (the paper’s Figure 1).", generators,
-                       roads, failing_roads)},
+          roads_of_all(
+              "The first ones of each generator (the paper’s Figure 1). Tests are numbered "
+              "from 0, as in stores and exported files; a dot marks where the car was "
+              "farthest out of its lane.",
+              experiment, generators, failing_roads)},
       reporting::PageSection{"generated", "What the generators make",
                              roads_of_all("The last tests of repetition 0 with their fitness.",
-                                          generators, roads, last_roads)},
-      reporting::PageSection{"clusters", "Clusters of failures",
-                             clusters(experiment, generators, roads)},
+                                          experiment, generators, last_roads)},
+      reporting::PageSection{"clusters", "Clusters of failures", clusters(experiment, generators)},
+      reporting::PageSection{"reproduce", "How to reproduce", reproduce_html(experiment)},
   };
   return reporting::render_page("Jaywalk search report", experiment.name, sections);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Roads as small pictures side by side, in their generator's colour.
+// Roads as small pictures side by side, in their generator's colour, with a bar of so many metres.
 
 #include <string>
 #include <string_view>
@@ -12,10 +12,13 @@ namespace jaywalk::search {
 
 class RoadPictures {
  public:
-  /// `generator`: its number, which gives the colour. The space must outlive the pictures.
-  RoadPictures(const RoadSpace& space, std::size_t generator)
-      : space_(space), generator_(generator) {}
+  /// `generator`: its number, which gives the colour. The model must outlive the pictures.
+  /// REQUIRES: a SUT that drives on roads.
+  RoadPictures(const SutModel& model, std::size_t generator)
+      : model_(model), space_(*model.road_space()), generator_(generator) {}
 
+  /// The road, its beginning as a bar across, and a dot beside the place where the car was farthest
+  /// out of its lane, if that is known.
   void add(const TestRow& row, std::string_view caption);
   /// There are as many as are looked at.
   [[nodiscard]] bool full() const { return count_ >= kShown; }
@@ -24,6 +27,7 @@ class RoadPictures {
   static constexpr std::size_t kShown = 8;
 
  private:
+  const SutModel& model_;
   const RoadSpace& space_;
   std::size_t generator_;
   std::size_t count_ = 0;

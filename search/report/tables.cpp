@@ -13,6 +13,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 std::string cell(const GeneratorResults& generator, const SummaryColumn& column) {
   const MeanAndDeviation value = mean_and_deviation(generator.values(column.value));
+  if (std::isnan(value.mean)) return "-";
   return fmt::format("{:.{}f} ({:.{}f})", value.mean, column.decimals, value.deviation,
                      column.decimals);
 }
@@ -73,6 +74,15 @@ std::vector<ResultRow> result_rows(const std::vector<GeneratorResults>& generato
   return rows;
 }
 
+std::vector<const SummaryColumn*> tested_columns(const std::vector<GeneratorResults>& generators) {
+  std::vector<const SummaryColumn*> columns;
+  for (const SummaryColumn& column : summary_columns()) {
+    if (column.kind == SummaryColumn::Kind::tested && exists(column, generators))
+      columns.push_back(&column);
+  }
+  return columns;
+}
+
 double GeneratorPair::p(double RunSummary::*value) const {
   return wilcoxon_signed_rank(first->values(value), second->values(value));
 }
@@ -97,11 +107,16 @@ std::string render_table(const std::vector<GeneratorResults>& generators) {
   }
   const std::vector<GeneratorPair> tested = compared(generators);
   if (tested.empty()) return text;
-  text += "\nWilcoxon signed-rank, p          failing tests   diversity\n";
+  text += fmt::format("\n{:<32}", "Wilcoxon signed-rank, p");
+  const std::vector<const SummaryColumn*> columns = tested_columns(generators);
+  for (const SummaryColumn* column : columns) text += fmt::format("  {:>26}", column->title);
+  text += '\n';
   for (const GeneratorPair& pair : tested) {
-    text += fmt::format("{:<32} {:>13.2g} {:>11.2g}\n",
-                        fmt::format("{} / {}", pair.first->name, pair.second->name),
-                        pair.p(&RunSummary::failures), pair.p(&RunSummary::diversity));
+    text += fmt::format("{:<32}", fmt::format("{} / {}", pair.first->name, pair.second->name));
+    for (const SummaryColumn* column : columns) {
+      text += fmt::format("  {:>26.2g}", pair.p(column->value));
+    }
+    text += '\n';
   }
   return text;
 }
@@ -183,10 +198,11 @@ std::string to_json(const SearchExperiment& experiment,
     json["generators"].push_back(generator_json(generator));
   }
   for (const GeneratorPair& pair : pairs(generators)) {
-    json["comparisons"].push_back({{"first", pair.first->name},
-                                   {"second", pair.second->name},
-                                   {"p_failures", pair.p(&RunSummary::failures)},
-                                   {"p_diversity", pair.p(&RunSummary::diversity)}});
+    OrderedJson comparison{{"first", pair.first->name}, {"second", pair.second->name}};
+    for (const SummaryColumn* column : tested_columns(generators)) {
+      comparison[fmt::format("p_{}", column->name)] = pair.p(column->value);
+    }
+    json["comparisons"].push_back(std::move(comparison));
   }
   return json.dump(1) + '\n';
 }

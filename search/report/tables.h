@@ -33,18 +33,22 @@ struct ResultRow {
 /// The columns of summaries in which some search has a value.
 [[nodiscard]] std::vector<ResultRow> result_rows(const std::vector<GeneratorResults>& generators);
 
+/// The columns in which pairs of generators are compared.
+[[nodiscard]] std::vector<const SummaryColumn*> tested_columns(
+    const std::vector<GeneratorResults>& generators);
+
 struct GeneratorPair {
   const GeneratorResults* first;
   const GeneratorResults* second;
 
-  /// Of Wilcoxon's signed-rank test.
+  /// Of Wilcoxon's signed-rank test. REQUIRES: every search has a value.
   [[nodiscard]] double p(double RunSummary::*value) const;
 };
 /// Those with the same number of searches, two or more.
 [[nodiscard]] std::vector<GeneratorPair> compared(const std::vector<GeneratorResults>& generators);
 
-/// Means and standard deviations for each generator, and Wilcoxon's p-values of failing tests and
-/// diversity for each pair.
+/// Means and standard deviations for each generator, and Wilcoxon's p-values of some columns for
+/// each pair.
 [[nodiscard]] std::string render_table(const std::vector<GeneratorResults>& generators);
 
 /// One row for each search.

@@ -10,29 +10,19 @@
 namespace jaywalk::reporting {
 namespace {
 
-/// As a shell takes it: within quotes, if it has to be.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 std::string compare_command(const ReportData& data) {
   const ExperimentDescription& description = data.description;
   std::string command = fmt::format("jaywalk compare {} --seed {} --tests {} --agents {}",
-                                    quoted(description.scenario), description.seed,
+                                    shell_quoted(description.scenario), description.seed,
                                     description.tests, fmt::join(description.agents, ","));
-  if (description.preset) command += " --preset " + quoted(*description.preset);
-  for (const std::string& set : description.sets) command += " --set " + quoted(set);
+  if (description.preset) command += " --preset " + shell_quoted(*description.preset);
+  for (const std::string& set : description.sets) command += " --set " + shell_quoted(set);
   if (!description.behaviour_options.empty()) {
-    command +=
-        " --behaviours " + quoted(fmt::format("{}", fmt::join(description.behaviour_options, ",")));
+    command += " --behaviours " +
+               shell_quoted(fmt::format("{}", fmt::join(description.behaviour_options, ",")));
   }
   for (const std::string& file : description.assertion_files) {
-    command += " --assertions " + quoted(file);
+    command += " --assertions " + shell_quoted(file);
   }
   if (description.metrics) command += " --metrics";
   if (description.shard.count > 1) {
@@ -71,7 +61,7 @@ std::string section::reproduce(const ReportData& data) {
     html += paragraph(
         "The store has the texts of all files, so that any of its tests runs again from it alone:");
     html += fmt::format("<pre>jaywalk replay {0} --test N\njaywalk report {0}</pre>\n",
-                        escaped(quoted(data.store_path)));
+                        escaped(shell_quoted(data.store_path)));
   }
   html += paragraph("The files that the tests were made from:");
   return html + inputs(description);

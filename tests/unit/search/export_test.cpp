@@ -74,10 +74,17 @@ TEST(OpenDrive, GoesOnSmoothlyFromPieceToPiece) {
 }
 
 TEST(OpenScenario, StartsTheCarInTheRightLaneOfTheRoadFile) {
-  const std::string xml = to_openscenario(kPoints, "road.xodr", 20);
+  const std::string xml = to_openscenario(kPoints, "road.xodr", {.speed_limit_mps = 20});
   EXPECT_THAT(xml, HasSubstr("<LogicFile filepath=\"road.xodr\"/>"));
   EXPECT_THAT(xml, HasSubstr("laneId=\"-1\" offset=\"0\" s=\"2.5\""));
   EXPECT_THAT(xml, HasSubstr("revMajor=\"1\" revMinor=\"0\""));
+}
+
+TEST(OpenScenario, DrivesTheCarUpToTheSpeedLimit) {
+  const std::string xml = to_openscenario(kPoints, "road.xodr", {.speed_limit_mps = 20});
+  EXPECT_THAT(xml, HasSubstr("name=\"SpeedLimit\" parameterType=\"double\" value=\"20\""));
+  EXPECT_THAT(xml, HasSubstr("<AbsoluteTargetSpeed value=\"$SpeedLimit\"/>"));
+  EXPECT_LT(xml.find("<Story "), xml.find("<StopTrigger>"));
 }
 
 TEST(CompetitionJson, HasPointsVerdictAndOutcome) {

@@ -23,10 +23,11 @@ TEST(Generators, LearnWhereTestsFail) {
   EXPECT_GT(failures("graft", 400), 3 * random + 3);
 }
 
-SearchPlan road_plan(std::string_view generator, double virtual_s) {
+SearchPlan road_plan(std::string_view generator, double virtual_s,
+                     std::string_view controller = "paper-rate") {
   SearchPlan plan;
   plan.model = std::make_shared<LaneKeeping>(
-      RoadSpaceSettings{}, lane::drive_settings(*lane::find_controller("paper-rate")));
+      RoadSpaceSettings{}, lane::drive_settings(*lane::find_controller(controller)));
   plan.budget = {.virtual_s = virtual_s, .overhead_s = 15};
   plan.generators = {generator_spec(generator)};
   plan.repetitions = 4;
@@ -56,6 +57,24 @@ TEST(Generators, FindMoreFailingRoadsThanRandomOnes) {
   EXPECT_GT(road_failures("graft"), 1.5 * frenetic);
 }
 
+// An assistant that never fails would show nothing of a search, and neither would one that always
+// does. At the tool competition's tolerance, in four searches of an hour.
+TEST(Controllers, HaveLimitsThatASearchFinds) {
+  for (const lane::ControllerKind& controller : lane::controllers()) {
+    SearchPlan plan = road_plan("graft", 3600, controller.name);
+    plan.fitness.fails_at = 0.85;
+    double failures = 0;
+    double tests = 0;
+    for (const SearchRun& run : run_searches(plan, nullptr).runs) {
+      const RunSummary summary = summarise(run, *plan.model);
+      failures += summary.failures;
+      tests += summary.tests;
+    }
+    EXPECT_GT(failures, 0.05 * tests) << controller.name;
+    EXPECT_LT(failures, 0.95 * tests) << controller.name;
+  }
+}
+
 TEST(RoadSpace, MeansTheSameRoadInEveryForm) {
   const RoadSpace space({});
   const TestInput vector{Form::vector, {0.1, 0.4, -0.3, 0.2, 0.5}};
@@ -69,6 +88,23 @@ TEST(RoadSpace, HasFreneticsPointsForASequence) {
   const RoadSpace space({});
   const TestInput sequence{Form::sequence, std::vector<double>(20, 0.1)};
   EXPECT_EQ(space.as_points(sequence).values.size(), 2 * 19U);
+}
+
+// The space finds most roads that leave the map without drawing them.
+TEST(RoadSpace, JudgesVectorsAsTheValidatorDoes) {
+  RoadSpaceSettings settings;
+  settings.curvatures = 10;
+  const RoadSpace space(settings);
+  Random random(5);
+  std::size_t invalid = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const TestInput input = space.draw_initial(random);
+    const Validity validity = space.check(input);
+    EXPECT_EQ(validity.message, lane::validate(space.road_points(input)).message);
+    invalid += validity.valid() ? 0 : 1;
+  }
+  EXPECT_GT(invalid, 200U);
+  EXPECT_LT(invalid, 1990U);
 }
 
 TEST(RoadSpace, RefusesWhatIsNoRoad) {

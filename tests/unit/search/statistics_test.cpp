@@ -43,10 +43,20 @@ TEST(Diversity, IsTheMedianOfThePairwiseDistances) {
 }
 
 TEST(Clusters, JoinWhatIsNearAndPutTheLargestFirst) {
-  const auto groups = cluster({{0}, {10}, {10.5}, {0.2}, {9.8}}, 1);
+  const std::vector<double> places{0, 10, 10.5, 0.2, 9.8};
+  const auto groups = cluster(places.size(), [&](std::size_t founder, std::size_t other) {
+    return std::abs(places[founder] - places[other]) <= 1;
+  });
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0], (std::vector<std::size_t>{1, 2, 4}));
   EXPECT_EQ(groups[1], (std::vector<std::size_t>{0, 3}));
+}
+
+// A mean of 2 and 4 tests over three searches, of which one found nothing, is 3, not 2.
+TEST(Statistics, LeaveOutSearchesWithoutAValue) {
+  EXPECT_DOUBLE_EQ(mean_and_deviation(std::vector{2.0, kUnknown, 4.0}).mean, 3);
+  EXPECT_TRUE(std::isnan(mean_and_deviation(std::vector{kUnknown}).mean));
+  EXPECT_TRUE(std::isnan(summarise(SearchRun{}, CornerSut()).tests_to_failure));
 }
 
 TEST(RunSummary, CountsWhatASearchFound) {
@@ -62,7 +72,7 @@ TEST(RunSummary, CountsWhatASearchFound) {
   const RunSummary summary = summarise(run, CornerSut());
   EXPECT_DOUBLE_EQ(summary.tests, 5);
   EXPECT_DOUBLE_EQ(summary.failures, 2);
-  EXPECT_DOUBLE_EQ(summary.first_failure, 3);
+  EXPECT_DOUBLE_EQ(summary.tests_to_failure, 3);
   EXPECT_DOUBLE_EQ(summary.failures_per_1000, 400);
   EXPECT_NEAR(summary.fitness_last_80, (0.2 + 0.95 + 0.4 + 1.0) / 4, 1e-12);
   EXPECT_DOUBLE_EQ(summary.fitness_last_20, 1);
