@@ -28,9 +28,9 @@ bool is_named_variable(const Node& node) {
 }
 
 /// Puts arguments and variables that exchange values into one class each (union and find).
-class Flow {
+class ValueFlow {
  public:
-  explicit Flow(Checking& checking) : checking_(checking) {}
+  explicit ValueFlow(Checking& checking) : checking_(checking) {}
 
   std::vector<ValueClass> run() {
     const Vocabulary& vocabulary = checking_.vocabulary();
@@ -294,6 +294,6 @@ class Flow {
 
 }  // namespace
 
-std::vector<ValueClass> value_classes(Checking& checking) { return Flow(checking).run(); }
+std::vector<ValueClass> value_classes(Checking& checking) { return ValueFlow(checking).run(); }
 
 }  // namespace jaywalk
