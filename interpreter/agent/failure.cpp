@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -54,13 +55,15 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
 
 namespace {
 
-// Unsets the variables of a term; what they are bound to is not looked at.
+// Unsets the variables of a term; what they are bound to is not looked at. Parts that a term shares
+// are visited once: there may be very many places where they stand.
 void free_variables(Value term) {
   std::vector<Value> open{term};
+  std::unordered_set<std::uint64_t> seen;
   while (!open.empty()) {
     const Value value = open.back();
     open.pop_back();
-    if (value.is_closed()) continue;
+    if (value.is_closed() || !seen.insert(value.bits()).second) continue;
     if (value.is_variable()) {
       value.variable()->value = Value();
     } else if (value.is_pair()) {
