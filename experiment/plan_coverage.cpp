@@ -2,20 +2,30 @@
 
 namespace jaywalk {
 
-void add_programs(const PreparedScenario& prepared, Probes& probes) {
-  const auto add = [&](const std::vector<PreparedBehaviour>& behaviours) {
-    for (const PreparedBehaviour& behaviour : behaviours) {
-      probes.add(behaviour.program);
-      for (const auto& [number, program] : behaviour.team) probes.add(program);
-    }
-  };
-  add(prepared.behaviours());
-  add(prepared.actors());
+BehavioursRun all_behaviours(const PreparedScenario& prepared, std::uint32_t agents) {
+  BehavioursRun all;
+  for (std::size_t i = 0; i < prepared.behaviours().size(); ++i) all[i] = agents;
+  return all;
 }
 
-PlanCoverage::PlanCoverage(const PreparedScenario& prepared)
+void add_programs(const PreparedScenario& prepared, const BehavioursRun& behaviours,
+                  Probes& probes) {
+  for (const auto& [index, agents] : behaviours) {
+    const PreparedBehaviour& behaviour = prepared.behaviours()[index];
+    // The behaviour's own program is for those whom the team leaves out.
+    std::uint32_t with_own = 0;
+    for (const auto& [number, program] : behaviour.team) with_own += number <= agents ? 1 : 0;
+    if (with_own < agents) probes.add(behaviour.program);
+    for (const auto& [number, program] : behaviour.team) {
+      if (number <= agents) probes.add(program);
+    }
+  }
+  for (const PreparedBehaviour& actor : prepared.actors()) probes.add(actor.program);
+}
+
+PlanCoverage::PlanCoverage(const PreparedScenario& prepared, const BehavioursRun& behaviours)
     : prepared_(prepared), probes_(prepared.symbols(), Probes::Detail::counts) {
-  add_programs(prepared, probes_);
+  add_programs(prepared, behaviours, probes_);
 }
 
 std::unique_ptr<CoverageObserver> PlanCoverage::lend() {

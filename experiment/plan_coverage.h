@@ -3,13 +3,15 @@
 // Plan coverage of an experiment's tests. Tests may run on any threads and in any order: each
 // borrows an observer, and what observers have counted is summed up at the end.
 //
-//   PlanCoverage coverage(*prepared);
+//   PlanCoverage coverage(*prepared, {{behaviour, agents}});
 //   {
 //     const PlanCoverage::Borrowed observer(coverage);
 //     run_trial(*prepared, input, {.observer = observer.get()});
 //   }
 //   coverage_text(coverage.total());
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -19,10 +21,15 @@
 
 namespace jaywalk {
 
+/// Which behaviours run, by their index, and with how many agents at most.
+using BehavioursRun = std::map<std::size_t, std::uint32_t>;
+[[nodiscard]] BehavioursRun all_behaviours(const PreparedScenario& prepared, std::uint32_t agents);
+
 class PlanCoverage {
  public:
-  /// Covers the programs of all behaviours, teams and actors. `prepared` must outlive it.
-  explicit PlanCoverage(const PreparedScenario& prepared);
+  /// Covers the programs that the agents of these behaviours and the actors load; what belongs to
+  /// other behaviours alone is not counted as missing. `prepared` must outlive it.
+  PlanCoverage(const PreparedScenario& prepared, const BehavioursRun& behaviours);
 
   class Borrowed {
    public:
@@ -50,7 +57,8 @@ class PlanCoverage {
   std::vector<std::unique_ptr<CoverageObserver>> idle_;
 };
 
-/// Adds the programs of all behaviours, teams and actors.
-void add_programs(const PreparedScenario& prepared, Probes& probes);
+/// Adds the programs that the agents of these behaviours and the actors load.
+void add_programs(const PreparedScenario& prepared, const BehavioursRun& behaviours,
+                  Probes& probes);
 
 }  // namespace jaywalk

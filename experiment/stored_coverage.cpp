@@ -1,5 +1,6 @@
 #include "experiment/stored_coverage.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -87,16 +88,18 @@ Result<SourceCoverage> stored_plan_coverage(const ResultsReader& store,
   const auto prepared = store.prepared();
   if (!prepared) return prepared.diagnostics();
   std::vector<TrialInput> inputs;
+  BehavioursRun behaviours;
   for (const Group& group : groups.value()) {
     for (const StoredTest& test : group.tests) {
       auto input = store.input(test.id);
       if (!input) return std::move(input.diagnostics());
-      if (obstacle(*prepared.value(), input.value()).empty()) {
-        inputs.push_back(std::move(input).value());
-      }
+      if (!obstacle(*prepared.value(), input.value()).empty()) continue;
+      std::uint32_t& most = behaviours[input.value().behaviour];
+      most = std::max(most, input.value().agents);
+      inputs.push_back(std::move(input).value());
     }
   }
-  PlanCoverage coverage(*prepared.value());
+  PlanCoverage coverage(*prepared.value(), behaviours);
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};
   std::atomic<bool> cancelled{false};

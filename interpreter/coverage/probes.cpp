@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/logic/formula_compiler.h"
@@ -77,13 +78,23 @@ class Probes::Rewriter {
       const Structure& s = *formula.structure();
       std::array<Value, 2> args;
       const bool is_negation = s.predicate() == predicates::logical_not;
-      if (is_negation) negated_ = !negated_;
+      const std::uint32_t nots = std::exchange(nots_, 0);
+      const bool outside = negated_;
+      if (is_negation) {
+        nots_ = nots + 1;
+      } else if (nots % 2 == 1) {
+        negated_ = !negated_;  // of a whole group
+      }
       for (std::size_t i = 0; i < s.arity; ++i) args[i] = rewrite(s.arg(i));
-      if (is_negation) negated_ = !negated_;
+      nots_ = 0;
+      negated_ = outside;
       return probes_.heap_.structure(s.predicate(), std::span(args.data(), s.arity),
                                      Value::empty_list(), Form::logical);
     }
-    ProbedCondition condition{.slots = {}, .slot_names = slot_names_, .negated = negated_};
+    ProbedCondition condition{.slots = {},
+                              .slot_names = slot_names_,
+                              .nots = std::exchange(nots_, 0),
+                              .negated = negated_};
     if (is_literal(formula)) condition.asks = literal_parts(formula).predicate;
     collect_slots(formula, condition.slots);
     const Value number = Value::number(static_cast<double>(probes_.conditions_.size()));
@@ -115,6 +126,7 @@ class Probes::Rewriter {
   Probes& probes_;
   std::span<const Symbol> slot_names_;
   std::size_t next_slot_;
+  std::uint32_t nots_ = 0;
   bool negated_ = false;
 };
 

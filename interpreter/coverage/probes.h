@@ -39,7 +39,10 @@ struct ProbedCondition {
   std::vector<std::uint32_t> slots;
   /// The names of all slots of the plan or rule.
   std::span<const Symbol> slot_names;
-  /// It stands within an odd number of negations: the formula wants it to fail.
+  /// How many `not` stand right before it, with nothing else between.
+  std::uint32_t nots = 0;
+  /// What these make of it stands within an odd number of further negations: the formula wants it
+  /// to fail.
   bool negated = false;
   /// What it asks of the beliefs; empty if it is no literal.
   std::optional<Predicate> asks;

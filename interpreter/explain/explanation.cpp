@@ -37,6 +37,13 @@ std::string source_of(Value literal, const SymbolTable& symbols) {
   return {};
 }
 
+enum class Answer { none, some };
+
+// A condition as written, with what stands right before it.
+bool holds(const ProbedCondition& condition, Answer answer) {
+  return (answer == Answer::some) == (condition.nots % 2 == 0);
+}
+
 }  // namespace
 
 const TriedPlan* Deliberation::chosen() const {
@@ -109,8 +116,10 @@ std::size_t ExplainingObserver::condition_asked(Agent& agent, std::size_t number
   in_rules_ = rule == Probes::kNone ? 0 : in_rules_ + 1;
   if (asked.size() >= kMostAsked || in_rules_ > kMostInRules) return kMostAsked + 1;
   const ProbedCondition& condition = probes_.conditions()[number];
-  AskedCondition made{
-      .number = number, .text = texts_.conditions[number].text, .negated = condition.negated};
+  AskedCondition made{.number = number, .negated = condition.negated};
+  for (std::uint32_t i = 0; i < condition.nots; ++i) made.text += "not ";
+  made.text += texts_.conditions[number].text;
+  made.held = holds(condition, Answer::none);
   if (rule != Probes::kNone) {
     made.in_rule = true;
     made.rule = texts_.rules[rule].text;
@@ -129,13 +138,15 @@ void ExplainingObserver::condition_answered(Agent&, std::size_t number, std::siz
   if (!trying_ || asking > kMostAsked) return;
   std::vector<AskedCondition>& asked = deliberations_.back().plans[current_].asked;
   if (asking > 0) {
-    if (asking <= asked.size()) asked[asking - 1].held = true;
+    if (asking <= asked.size()) {
+      asked[asking - 1].held = holds(probes_.conditions()[number], Answer::some);
+    }
     return;
   }
   const auto latest = std::find_if(asked.rbegin(), asked.rend(), [&](const AskedCondition& each) {
     return each.number == number;
   });
-  if (latest != asked.rend()) latest->held = true;
+  if (latest != asked.rend()) latest->held = holds(probes_.conditions()[number], Answer::some);
 }
 
 std::size_t ExplainingObserver::rule_of(std::size_t condition) const {
@@ -169,7 +180,7 @@ void ExplainingObserver::plan_tried(Agent& agent, const Plan&, bool applicable) 
   find_failure(tried);
   for (AskedCondition& asked : tried.asked) {
     const ProbedCondition& condition = probes_.conditions()[asked.number];
-    if (!asked.held && !asked.negated && condition.asks &&
+    if (!asked.held && !asked.negated && condition.nots == 0 && condition.asks &&
         !agent.symbols().signature(*condition.asks).dotted) {
       asked.hint = missing_belief_hint(agent, *condition.asks);
     }

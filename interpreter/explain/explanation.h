@@ -21,9 +21,11 @@ namespace jaywalk {
 struct AskedCondition {
   /// Of the probes.
   std::size_t number = 0;
+  /// As written, with the `not` before it.
   std::string text;
-  /// The formula wants it to fail: it is within `not`.
+  /// The formula wants it to fail: it is one of several conditions within `not (...)`.
   bool negated = false;
+  /// It held as written: `not p` holds if p does not.
   bool held = false;
   /// The values that its variables had, by their names.
   std::vector<std::pair<std::string, std::string>> bindings;

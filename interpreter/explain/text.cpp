@@ -23,7 +23,7 @@ std::string bindings_text(const AskedCondition& asked) {
 void add_condition(std::string& out, const AskedCondition& asked, std::string_view indent,
                    bool failed) {
   out += fmt::format("{}{} {}{}{}{}\n", indent, asked.held ? "yes" : "no ",
-                     asked.negated ? "not " : "", asked.text, bindings_text(asked),
+                     asked.negated ? "within not (...): " : "", asked.text, bindings_text(asked),
                      failed ? "   <- here it fails" : "");
   if (!asked.hint.empty()) out += fmt::format("{}    {}\n", indent, asked.hint);
 }

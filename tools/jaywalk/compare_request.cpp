@@ -114,7 +114,9 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.inquiry = std::move(*inquiry);
   request.ground = ground(request.prepared->scenario().world);
   if (arguments.has("coverage")) {
-    request.coverage = std::make_unique<PlanCoverage>(*request.prepared);
+    const std::uint32_t most = std::ranges::max(request.plan.agents);
+    request.coverage =
+        std::make_unique<PlanCoverage>(*request.prepared, all_behaviours(*request.prepared, most));
   }
   request.situations = arguments.has("situations") || defaults.feedback > 0;
   return request;

@@ -21,7 +21,9 @@ Result<std::vector<Deliberation>> deliberations(const ResultsReader& store, cons
   const auto prepared = store.prepared();
   if (!prepared.ok()) return prepared.diagnostics();
   Probes probes(prepared.value()->symbols(), Probes::Detail::bindings);
-  add_programs(*prepared.value(), probes);
+  const auto input = store.input(test.id);
+  if (!input.ok()) return input.diagnostics();
+  add_programs(*prepared.value(), {{input.value().behaviour, input.value().agents}}, probes);
   const ProbeTexts texts = find_texts(probes, prepared.value()->inputs());
   ExplainingObserver observer(probes, texts, std::move(wanted));
   std::uint32_t tick = 0;

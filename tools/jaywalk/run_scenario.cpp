@@ -184,7 +184,8 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   std::optional<PlanCoverage> coverage;
   std::optional<PlanCoverage::Borrowed> observer;
   if (arguments.has("coverage")) {
-    options.observer = observer.emplace(coverage.emplace(*request->prepared)).get();
+    const BehavioursRun run{{request->input.behaviour, request->input.agents}};
+    options.observer = observer.emplace(coverage.emplace(*request->prepared, run)).get();
   }
   const auto input = in_its_chain(*request->prepared, request->input, [&] {
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;

@@ -30,7 +30,7 @@ std::string key() {
   return html + "</p>\n";
 }
 
-/// All verdict_numbers of agents together.
+/// All numbers of agents together.
 std::vector<Bar> bars_of(const Comparison& comparison, std::size_t assertion) {
   std::vector<Bar> bars;
   for (const std::string& behaviour : behaviours_of(comparison)) {
@@ -129,10 +129,9 @@ std::string section::verdicts(const ReportData& data) {
     tables += details(comparison.assertions[i], verdict_numbers(comparison, i));
   }
   return paragraph(
-             "Shares of the tests, all verdict_numbers of agents together. Vacuous: the "
-             "precondition was "
-             "not met, so nothing was asked of the vehicle. Unavoidable: the requirement was "
-             "violated, but nobody could have kept it.") +
+             "Shares of the tests, all numbers of agents together. Vacuous: the precondition was "
+             "not met, so nothing was asked of the vehicle. Unavoidable: a careful driver could "
+             "not have kept the requirement either.") +
          key() + gallery(figures) + violations(data) + "<h3>The same as tables</h3>\n" + tables;
 }
 

@@ -59,9 +59,31 @@ TEST(AnExplanation, SeesThatANegationFailsBecauseItsFormulaHolds) {
   const Deliberation go = about(all, "+!go");
   const TriedPlan& plan = go.plans[0];
   ASSERT_EQ(plan.failed, 0U);
-  EXPECT_TRUE(plan.asked[0].held);
-  EXPECT_TRUE(plan.asked[0].negated);
+  EXPECT_EQ(plan.asked[0].text, "not busy");
+  EXPECT_FALSE(plan.asked[0].held);
   EXPECT_EQ(go.chosen(), nullptr);
+  EXPECT_THAT(explanation_text({&go, 1}), HasSubstr("no  not busy   <- here it fails"));
+}
+
+TEST(AnExplanation, SaysWhetherANegatedConditionHeldAsWritten) {
+  const auto all = explained(
+      "busy.\n"
+      "!go.\n"
+      "calm(X) :- not loud(X) & not not busy.\n"
+      "+!go : not way(_) & not not busy & not (busy & late) & calm(1) <- .print(a).\n");
+  const Deliberation go = about(all, "+!go");
+  ASSERT_NE(go.chosen(), nullptr);
+  for (const AskedCondition& asked : go.chosen()->asked) {
+    EXPECT_EQ(asked.held, asked.text != "late") << asked.text;
+    EXPECT_EQ(asked.negated, asked.text == "late" || asked.text == "busy") << asked.text;
+  }
+  const std::string text = explanation_text({&go, 1});
+  EXPECT_THAT(text, HasSubstr("     yes not way(_)\n"
+                              "     yes not not busy\n"
+                              "     yes within not (...): busy\n"
+                              "     no  within not (...): late\n"
+                              "     yes calm(1)\n"));
+  EXPECT_THAT(text, HasSubstr("yes not loud(X)  with X = 1\n"));
 }
 
 TEST(AnExplanation, TellsPlansThatDoNotMatchAndThoseThatWereNotAsked) {
