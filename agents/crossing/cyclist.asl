@@ -1,4 +1,5 @@
-// A cyclist (or any other vehicle): goes its way and stops for whoever is right in front of it.
+// A cyclist (or any other vehicle): goes its way, stops for whoever is right in front of it and
+// before a crosswalk whose signal is not green.
 
 riding(back).  // its way: back, against the AV, or forward
 clearance(4).  // cells that it keeps to others ahead
@@ -12,7 +13,15 @@ in_the_way :-
   at(X, Y) & road_user(_, _, OtherX, OtherY, _, _) & math.abs(X - OtherX) < 1 &
   ahead(Y, OtherY, Gap) & clearance(Least) & Gap < Least.
 
+near_side(First, _, First) :- riding(forward).
+near_side(_, Last, Last)   :- riding(back).
+
+must_stop :- signal(N, Colour) & Colour \== green & crosswalk(N, First, Last, _) &
+             near_side(First, Last, Line) & at(_, Y) & ahead(Y, Line, Gap) &
+             clearance(Least) & Gap < Least.
+
 +!ride : in_the_way  <- stay; !ride.
++!ride : must_stop   <- stay; !ride.
 +!ride : riding(Way) <- move(Way); !ride.
-// Where the road ends, its ride does.
+// Where the road ends it has left, and its ride ends.
 -!ride.

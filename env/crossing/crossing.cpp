@@ -156,6 +156,10 @@ void Crossing::sweep_zone() {
 
 void Crossing::advance() {
   ++ticks_;
+  const double out_of_sight = parameters_.av.vehicle.range_m / parameters_.cell_m;
+  for (RoadUser& body : bodies_) {
+    if (body.gone && body.stepped_in < ticks_) leave(body, layout_, out_of_sight, ticks_);
+  }
   if (!result_.success) {
     result_.ticks = ticks_;
     charge_costs();

@@ -16,7 +16,7 @@ class Crossing::Perceiver {
     how_the_test_stands();
     if (!world_.parameters_.crosswalks.empty()) signals();
     if (world_.parameters_.pedestrians.sight > 0) road_users();
-    if (world_.parameters_.pedestrians.features) features();
+    if (world_.parameters_.pedestrians.features && !self().gone) features();
     if (percepts_.keep_rest(vocabulary().percept(id), world_.rest_number_)) return;
     oneself();
     road();

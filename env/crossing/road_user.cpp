@@ -83,26 +83,39 @@ BoxSize half_extent(const RoadUser& body) {
 
 std::string step(RoadUser& body, const Layout& layout, Direction direction, double cells,
                  int tick) {
+  if (body.gone) return "it has left the road";
   const double free = room(body.place, layout.grid(), direction);
-  if (free < kReached) {
+  const bool leaves = body.may_leave() && cells > free + kReached;
+  if (free < kReached && !leaves) {
     return fmt::format("a step {} from ({:.6g},{:.6g}) leaves the grid", name(direction),
                        body.place.x, body.place.y);
   }
-  const double length = std::min(cells, free);
+  const double length = leaves ? cells : std::min(cells, free);
+  const double inside = std::min(cells, free);
   // Every cell on the way has to be free, not the last one alone.
-  for (double walked = std::min(1.0, length);; walked = std::min(walked + 1, length)) {
+  for (double walked = std::min(1.0, inside);; walked = std::min(walked + 1, inside)) {
     const Position next = cell(ahead_of(body.place, direction, walked));
     if (!layout.is_free(next)) {
       return fmt::format("a step {} from ({:.6g},{:.6g}) is blocked", name(direction), body.place.x,
                          body.place.y);
     }
-    if (walked >= length) break;
+    if (walked >= inside) break;
   }
   body.place = rounded(ahead_of(body.place, direction, length));
   body.facing = direction;
   body.step = length;
   body.stepped_in = tick;
+  body.gone = leaves;
   return {};
+}
+
+void leave(RoadUser& body, const Layout& layout, double out_of_sight, int tick) {
+  const Grid grid = layout.grid();
+  const double beyond = std::max({-body.place.x, -body.place.y, body.place.x - (grid.rows - 1),
+                                  body.place.y - (grid.cells - 1)});
+  if (beyond > out_of_sight) return;
+  body.place = rounded(ahead_of(body.place, body.facing, body.step));
+  body.stepped_in = tick;
 }
 
 }  // namespace jaywalk

@@ -27,7 +27,13 @@ struct RoadUser {
   double step = 0;
   int stepped_in = 0;
   int acted_in = 0;
+  /// It has left at the end of the road, and goes on without its agent.
+  bool gone = false;
 
+  /// Vehicles and cyclists leave where the grid ends; whoever walks turns round there.
+  [[nodiscard]] bool may_leave() const {
+    return kind == ActorKind::vehicle || kind == ActorKind::cyclist;
+  }
   /// What it has moved in a tick, in cells.
   [[nodiscard]] double step_in(int tick) const { return stepped_in == tick ? step : 0; }
 };
@@ -45,8 +51,12 @@ struct BoxSize {
 [[nodiscard]] BoxSize half_extent(const RoadUser& body);
 
 /// Why a step cannot be made; empty if `body` was moved. It leads `cells` in a direction, less at
-/// the grid's edge; at the edge itself, or into a blocked cell, no step is possible.
+/// the grid's edge; at the edge itself, or into a blocked cell, no step is possible. Those that may
+/// leave go on beyond the edge and are gone.
 [[nodiscard]] std::string step(RoadUser& body, const Layout& layout, Direction direction,
                                double cells, int tick);
+
+/// One more tick of somebody who is gone: as the last step, until it is out of everybody's sight.
+void leave(RoadUser& body, const Layout& layout, double out_of_sight, int tick);
 
 }  // namespace jaywalk

@@ -1,5 +1,7 @@
 // What tests cover: the agents' programs, situations, and feedback of these to later tests (F2).
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "experiment/feedback.h"
@@ -16,7 +18,7 @@ using testing_scenario::scenario;
 
 TEST(AnObserver, ChangesNoTest) {
   const auto prepared = paper();
-  PlanCoverage coverage(*prepared);
+  PlanCoverage coverage(*prepared, all_behaviours(*prepared, 4));
   for (std::size_t each = 0; each < prepared->behaviours().size(); ++each) {
     for (std::uint64_t test = 0; test < 10; ++test) {
       const TrialInput input{.behaviour = each, .agents = 4, .test = test};
@@ -34,7 +36,7 @@ TEST(AnObserver, ChangesNoTest) {
 
 std::string plan_coverage_on(unsigned threads) {
   const auto prepared = paper();
-  PlanCoverage coverage(*prepared);
+  PlanCoverage coverage(*prepared, all_behaviours(*prepared, 3));
   const ExperimentPlan plan{
       .behaviours = {"proximity", "election"}, .agents = {1, 3}, .tests = 60, .threads = threads};
   const auto test = [&](const TestCase& each) -> Result<TestResult> {
@@ -52,6 +54,32 @@ TEST(PlanCoverageOfAnExperiment, DoesNotDependOnThreads) {
   const std::string one = plan_coverage_on(1);
   EXPECT_NE(one.find("election.asl"), std::string::npos);
   EXPECT_EQ(one, plan_coverage_on(4));
+}
+
+std::vector<std::string> covered_files(const PreparedScenario& prepared,
+                                       const BehavioursRun& behaviours) {
+  std::vector<std::string> names;
+  for (const auto& [name, file] : PlanCoverage(prepared, behaviours).total().files) {
+    names.push_back(name.substr(name.rfind('/') + 1));
+  }
+  return names;
+}
+
+TEST(PlanCoverageOfAnExperiment, LeavesOutProgramsThatNoAgentLoads) {
+  const auto all = paper();
+  EXPECT_EQ(covered_files(*all, {{behaviour(*all, "random_action"), 3}}),
+            (std::vector<std::string>{"random_action.asl", "ways.asl"}));
+  const auto team = scenario("team");
+  const std::size_t mixed = behaviour(*team, "mixed");
+  const auto has = [&](std::uint32_t agents, const std::string& file) {
+    const auto files = covered_files(*team, {{mixed, agents}});
+    return std::ranges::find(files, file) != files.end();
+  };
+  EXPECT_FALSE(has(2, "coverage_directed.asl"));
+  EXPECT_TRUE(has(3, "coverage_directed.asl"));
+  const auto traffic = scenario("traffic");
+  const auto files = covered_files(*traffic, {{0, 1}});
+  EXPECT_NE(std::ranges::find(files, "cyclist.asl"), files.end()) << "actors are always there";
 }
 
 TEST(PlanCoverageOfAnExperiment, SeesWhatABehaviourNeverDoes) {

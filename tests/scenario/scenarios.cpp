@@ -73,10 +73,11 @@ CrossingResult outcome(const PreparedScenario& prepared, const std::string& name
 }
 
 Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
-         std::uint64_t test) {
+         std::uint64_t test, std::uint64_t seed) {
   Seen seen;
   const TrialResult result = run_trial(
-      prepared, {.behaviour = behaviour(prepared, name), .agents = agents, .seed = 0, .test = test},
+      prepared,
+      {.behaviour = behaviour(prepared, name), .agents = agents, .seed = seed, .test = test},
       {.record = &seen.recording});
   EXPECT_TRUE(result.completed) << result.message;
   seen.outcome = result.outcome;

@@ -37,9 +37,9 @@ struct Seen {
   CrossingResult outcome;
   Recording recording;
 };
-/// The same with the seed 0, and what could be seen of it.
+/// The same with any seed, and what could be seen of it.
 [[nodiscard]] Seen run(const PreparedScenario& prepared, const std::string& name,
-                       std::uint32_t agents, std::uint64_t test);
+                       std::uint32_t agents, std::uint64_t test, std::uint64_t seed = 0);
 
 /// In how many of so many tests a behaviour's only pedestrian has led to each verdict.
 [[nodiscard]] VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,

@@ -321,5 +321,30 @@ TEST_F(CrossingTest, LeavesNothingOverUnlessItIsAskedTo) {
   EXPECT_EQ(crossing.left_over(), 0);
 }
 
+TEST_F(CrossingTest, VehiclesLeaveAtTheEndOfTheRoadAndPedestriansDoNot) {
+  parameters_.end = TestEnd::road;
+  parameters_.av.vehicle.range_m = 30;  // 20 cells
+  parameters_.actors.push_back({.name = "car",
+                                .kind = ActorKind::vehicle,
+                                .start = {7, 3},
+                                .way = Direction::back,
+                                .speed = 5,
+                                .crosswalk = 0});
+  Crossing crossing = world({{0, 64}});
+  const RoadUser& car = crossing.bodies()[1];
+  EXPECT_TRUE(tick(crossing, {move(1, Direction::back)})[0].succeeded);
+  EXPECT_EQ(car.place.y, -2);
+  EXPECT_TRUE(tick(crossing, {move(0, Direction::forward)})[0].succeeded);
+  EXPECT_EQ(car.place.y, -7) << "it drives on without its agent";
+  EXPECT_EQ(crossing.scene()[2].speed_mps, 7.5);
+  const std::vector<ActionResult> refused =
+      tick(crossing, {move(0, Direction::forward), move(1, Direction::back)});
+  EXPECT_EQ(refused[0].reason, "a step forward from (0,65) leaves the grid");
+  EXPECT_EQ(refused[1].reason, "it has left the road");
+  let_pass(crossing);
+  EXPECT_EQ(car.place.y, -22) << "and stays where nobody sees it";
+  EXPECT_EQ(crossing.scene()[2].speed_mps, 0);
+}
+
 }  // namespace
 }  // namespace jaywalk
