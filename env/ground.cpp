@@ -19,12 +19,17 @@ AreaKind kind_of(Surface surface) {
                                                                    : AreaKind::pavement;
 }
 
+Rectangle rectangle(Interval rows, Interval cells, double cell_m) {
+  return {rows.first * cell_m, (rows.last + 1) * cell_m, cells.first * cell_m,
+          (cells.last + 1) * cell_m};
+}
+
 Area area(AreaKind kind, Interval rows, Interval cells, double cell_m) {
-  const double left = rows.first * cell_m;
-  const double right = (rows.last + 1) * cell_m;
-  const double begin = cells.first * cell_m;
-  const double end = (cells.last + 1) * cell_m;
-  return {.kind = kind, .corners = {{left, begin}, {right, begin}, {right, end}, {left, end}}};
+  const Rectangle box = rectangle(rows, cells, cell_m);
+  return {
+      .kind = kind,
+      .corners = {
+          {box.left, box.near}, {box.right, box.near}, {box.right, box.far}, {box.left, box.far}}};
 }
 
 Ground ground_of_bands(const CrossingParameters& parameters) {
@@ -61,10 +66,46 @@ Ground ground_of_map(const CrossingParameters& parameters) {
   return result;
 }
 
+GroundCrosswalk ground_crosswalk(const CrossingParameters& parameters, const Layout& layout,
+                                 std::size_t index) {
+  const Crosswalk& crosswalk = parameters.crosswalks[index];
+  GroundCrosswalk result{.zebra = crosswalk.kind == CrosswalkKind::zebra,
+                         .parts = {},
+                         .begins_m = crosswalk.cells.first * parameters.cell_m,
+                         .signals = {}};
+  for (int row = 0; row < layout.grid().rows; ++row) {
+    for (int cell = crosswalk.cells.first; cell <= crosswalk.cells.last; ++cell) {
+      if (layout.at({row, cell}) != Surface::crosswalk) continue;
+      result.parts.push_back(rectangle({row, row}, {cell, cell}, parameters.cell_m));
+    }
+  }
+  for (const ActorParameters& actor : parameters.actors) {
+    if (actor.kind == ActorKind::signal && actor.crosswalk == index) {
+      result.signals.push_back(actor.name);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Ground ground(const CrossingParameters& parameters) {
-  return parameters.map.empty() ? ground_of_bands(parameters) : ground_of_map(parameters);
+  Ground result = parameters.map.empty() ? ground_of_bands(parameters) : ground_of_map(parameters);
+  result.obstacles = obstacles(parameters);
+  const Layout layout(parameters);
+  for (std::size_t i = 0; i < parameters.crosswalks.size(); ++i) {
+    result.crosswalks.push_back(ground_crosswalk(parameters, layout, i));
+  }
+  result.cruise_mps = parameters.av.speed * parameters.cell_m / parameters.tick_s;
+  return result;
+}
+
+std::vector<Rectangle> obstacles(const CrossingParameters& parameters) {
+  std::vector<Rectangle> result;
+  for (const Obstacle& each : parameters.obstacles) {
+    result.push_back(rectangle(each.rows, each.cells, parameters.cell_m));
+  }
+  return result;
 }
 
 bool contains(const Area& area, Point point) {

@@ -1,10 +1,14 @@
 #pragma once
 
-// The ground that a test takes place on, in metres: lanes and pavements as areas. The axes are
-// those of scene.h. What is measured and judged asks it who is on the road and who keeps its lane.
+// The ground that a test takes place on, in metres: lanes and pavements as areas, and what stands
+// or is marked on them. The axes are those of scene.h. What is measured and judged asks it who is
+// on the road, who keeps its lane, and what a driver sees there.
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "env/rectangle.h"
 #include "env/scene.h"
 
 namespace jaywalk {
@@ -21,8 +25,26 @@ struct Area {
   bool of_av = false;
 };
 
+/// A crosswalk: vehicles stop before it while it is closed to them.
+struct GroundCrosswalk {
+  /// It is closed while a pedestrian's middle is in one of `parts`; else while a signal is not
+  /// green.
+  bool zebra = true;
+  /// What it covers of the lanes, and where it begins along the road.
+  std::vector<Rectangle> parts;
+  double begins_m = 0;
+  /// The names of the actors that are its signals.
+  std::vector<std::string> signals;
+};
+
 struct Ground {
   std::vector<Area> areas;
+  /// What stands there and hides whoever is behind it.
+  std::vector<Rectangle> obstacles;
+  std::vector<GroundCrosswalk> crosswalks;
+  /// The speed at which the AV drives there while nothing is in its way; empty if that is not
+  /// known.
+  std::optional<double> cruise_mps;
 
   /// Null if the AV drives outside all lanes.
   [[nodiscard]] const Area* av_lane() const;
@@ -31,6 +53,9 @@ struct Ground {
 /// The bands of the crossing world, as far as its road goes; of a map the stretches of its rows,
 /// and its AV's lane over them. REQUIRES: parameters without problems().
 [[nodiscard]] Ground ground(const CrossingParameters& parameters);
+
+/// The obstacles of the crossing world, in their order.
+[[nodiscard]] std::vector<Rectangle> obstacles(const CrossingParameters& parameters);
 
 /// The point is in the area or on its edge.
 [[nodiscard]] bool contains(const Area& area, Point point);

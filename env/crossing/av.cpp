@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "env/ground.h"
+
 namespace jaywalk {
 
 struct Av::Surroundings {
@@ -14,45 +16,11 @@ struct Av::Surroundings {
 
 namespace {
 
-/// A rectangle with its sides along the axes, in metres.
-struct Rectangle {
-  double left = 0;
-  double right = 0;
-  double near = 0;
-  double far = 0;
-
-  [[nodiscard]] bool overlaps(const Rectangle& other) const {
-    return left < other.right && other.left < right && near < other.far && other.near < far;
-  }
-};
-
-Rectangle rows_and_cells(Interval rows, Interval cells, double cell_m) {
-  return {rows.first * cell_m, (rows.last + 1) * cell_m, cells.first * cell_m,
-          (cells.last + 1) * cell_m};
-}
-
-Rectangle rectangle(const RoadUser& body, double cell_m) {
+Rectangle box_of(const RoadUser& body, double cell_m) {
   const BoxSize half = half_extent(body);
   const double x = (body.place.x + 0.5) * cell_m;
   const double y = (body.place.y + 0.5) * cell_m;
   return {x - half.width_m, x + half.width_m, y - half.length_m, y + half.length_m};
-}
-
-// The line from one point to another passes through the rectangle (Liang and Barsky).
-bool passes(Point from, Point to, const Rectangle& through) {
-  double enters = 0;
-  double leaves = 1;
-  const auto clip = [&](double distance, double towards) {
-    if (towards == 0) return distance >= 0;
-    const double at = distance / towards;
-    if (towards > 0) leaves = std::min(leaves, at);
-    if (towards < 0) enters = std::max(enters, at);
-    return true;
-  };
-  const double dx = to.x_m - from.x_m;
-  const double dy = to.y_m - from.y_m;
-  return clip(from.x_m - through.left, -dx) && clip(through.right - from.x_m, dx) &&
-         clip(from.y_m - through.near, -dy) && clip(through.far - from.y_m, dy) && enters < leaves;
 }
 
 }  // namespace
@@ -60,37 +28,29 @@ bool passes(Point from, Point to, const Rectangle& through) {
 Av::Av(const CrossingParameters& parameters, int head_start)
     : parameters_(parameters),
       controller_(make_controller(parameters.av.vehicle)),
+      obstacles_(obstacles(parameters)),
       cell_mps_(parameters.cell_m / parameters.tick_s),
       driven_(head_start),
       speed_(parameters.av.speed) {}
 
 double Av::front_m() const { return (parameters_.av.start + driven_ + 1) * parameters_.cell_m; }
 
-bool Av::is_hidden(const RoadUser& body) const {
+std::vector<SeenActor> Av::look(const Surroundings& around) const {
   const double cell = parameters_.cell_m;
   const AvParameters& av = parameters_.av;
-  const Point eye{(av.rows.first + av.rows.last + 1) / 2.0 * cell, front_m()};
-  const Point target{(body.place.x + 0.5) * cell, (body.place.y + 0.5) * cell};
-  return std::ranges::any_of(parameters_.obstacles, [&](const Obstacle& each) {
-    return passes(eye, target, rows_and_cells(each.rows, each.cells, cell));
-  });
-}
-
-std::vector<SeenActor> Av::see(const Surroundings& around) const {
-  const double cell = parameters_.cell_m;
+  const Sight sight{.body = {av.rows.first * cell, (av.rows.last + 1) * cell},
+                    .front_m = front_m(),
+                    .length_m = av.length * cell,
+                    .range_m = av.vehicle.range_m,
+                    .obstacles = obstacles_};
   std::vector<SeenActor> seen;
   for (std::size_t i = 0; i < around.bodies.size(); ++i) {
     const RoadUser& body = around.bodies[i];
     if (body.kind == ActorKind::signal) continue;
-    const Rectangle box = rectangle(body, cell);
-    const double gap = box.near - front_m();
-    const bool in_range =
-        gap <= parameters_.av.vehicle.range_m && box.far > front_m() - parameters_.av.length * cell;
-    if (!in_range || is_hidden(body)) continue;
-    const double speed = body.step_in(around.tick) * cell_mps_;
-    const double heading = heading_rad(body.facing);
-    seen.push_back({static_cast<std::uint32_t>(i + 1), body.kind, gap, box.left, box.right,
-                    speed * std::sin(heading), speed * std::cos(heading)});
+    const auto actor =
+        see(sight, {static_cast<std::uint32_t>(i + 1), body.kind, box_of(body, cell),
+                    body.step_in(around.tick) * cell_mps_, heading_rad(body.facing)});
+    if (actor) seen.push_back(*actor);
   }
   return seen;
 }
@@ -116,7 +76,7 @@ double Av::decide(double time_s, double period_s, const Surroundings& around) {
   if (!controller_) return 0;
   const double cell = parameters_.cell_m;
   const Interval lane = av_lane(parameters_).empty() ? parameters_.av.rows : av_lane(parameters_);
-  const std::vector<SeenActor> actors = see(around);
+  const std::vector<SeenActor> actors = look(around);
   const std::vector<StopLine> lines = stop_lines(around);
   return controller_
       ->decide({.time_s = time_s,
@@ -132,14 +92,19 @@ double Av::decide(double time_s, double period_s, const Surroundings& around) {
       .acceleration_mps2;
 }
 
+int Av::periods() const {
+  if (!controller_) return 1;
+  const double wanted = parameters_.av.vehicle.period_s;
+  const int as_wanted =
+      wanted > 0 ? std::max(1, static_cast<int>(std::lround(parameters_.tick_s / wanted))) : 1;
+  return std::max(as_wanted, periods_of(*controller_, parameters_.tick_s));
+}
+
 std::vector<Collision> Av::drive(int tick, std::span<const RoadUser> bodies,
                                  std::span<const SignalColour> signals, const Layout& layout,
                                  std::span<const Collision> hit) {
   const Surroundings around{tick, bodies, signals, layout};
-  const double wanted = parameters_.av.vehicle.period_s;
-  const int periods = controller_ && wanted > 0
-                          ? std::max(1, static_cast<int>(std::lround(parameters_.tick_s / wanted)))
-                          : 1;
+  const int periods = this->periods();
   const double period_s = parameters_.tick_s / periods;
   std::vector<Collision> collisions;
   const auto touched = [&](std::size_t body) {
@@ -149,20 +114,18 @@ std::vector<Collision> Av::drive(int tick, std::span<const RoadUser> bodies,
   for (int period = 0; period < periods; ++period) {
     const double acceleration =
         decide((tick - 1) * parameters_.tick_s + period * period_s, period_s, around);
-    const double before = speed_;
-    // In cells per tick; a vehicle that comes to a stand within the period stays there.
-    const double change = acceleration / cell_mps_ * period_s;
-    speed_ = std::clamp(speed_ + change, 0.0, parameters_.av.speed);
-    double share = 1.0 / periods;
-    if (speed_ == 0 && change < 0) share *= std::min(1.0, before / -change);
     const double rear_m = front_m() - parameters_.av.length * parameters_.cell_m;
-    driven_ += (before + speed_) / 2 * share;
+    // In cells per tick, and in cells.
+    const Motion next =
+        drive_on(speed_, acceleration / cell_mps_ * period_s, parameters_.av.speed, 1.0 / periods);
+    speed_ = next.speed;
+    driven_ += next.way;
     const Interval rows = parameters_.av.rows;
     const Rectangle swept{rows.first * parameters_.cell_m, (rows.last + 1) * parameters_.cell_m,
                           rear_m, front_m()};
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].kind == ActorKind::signal || touched(i)) continue;
-      if (!swept.overlaps(rectangle(bodies[i], parameters_.cell_m))) continue;
+      if (!swept.overlaps(box_of(bodies[i], parameters_.cell_m))) continue;
       collisions.push_back({i, tick, speed_mps()});
     }
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "env/crossing/road_user.h"
+#include "env/vehicle/sight.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
@@ -47,12 +48,14 @@ class Av {
   struct Surroundings;
 
   [[nodiscard]] double decide(double time_s, double period_s, const Surroundings& around);
-  [[nodiscard]] std::vector<SeenActor> see(const Surroundings& around) const;
+  /// How many decisions there are in a tick.
+  [[nodiscard]] int periods() const;
+  [[nodiscard]] std::vector<SeenActor> look(const Surroundings& around) const;
   [[nodiscard]] std::vector<StopLine> stop_lines(const Surroundings& around) const;
-  [[nodiscard]] bool is_hidden(const RoadUser& body) const;
 
   const CrossingParameters& parameters_;
   std::unique_ptr<VehicleController> controller_;
+  std::vector<Rectangle> obstacles_;
   double cell_mps_;  // the metres per second of one cell per tick
   double driven_;
   double speed_;

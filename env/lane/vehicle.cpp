@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "env/gravity.h"
+
 namespace jaywalk::lane {
 namespace {
 
-constexpr double kGravity = 9.81;
 /// The drive train's and the brakes' lag.
 constexpr double kDriveLag = 0.05;
 /// Below the first speed the car moves kinematically, above the second dynamically.
@@ -20,8 +21,8 @@ struct AxleForces {
 
 AxleForces loads(const VehicleParameters& p, double acceleration) {
   const double base = p.wheelbase_m();
-  return {p.mass_kg * (kGravity * p.rear_axle_m - acceleration * p.height_m) / base,
-          p.mass_kg * (kGravity * p.front_axle_m + acceleration * p.height_m) / base};
+  return {p.mass_kg * (kGravityMps2 * p.rear_axle_m - acceleration * p.height_m) / base,
+          p.mass_kg * (kGravityMps2 * p.front_axle_m + acceleration * p.height_m) / base};
 }
 
 AxleForces longitudinal(const VehicleParameters& p, double acceleration, const AxleForces& load) {

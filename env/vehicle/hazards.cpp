@@ -1,6 +1,7 @@
 #include "env/vehicle/hazards.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace jaywalk {
 namespace {
@@ -9,6 +10,8 @@ namespace {
 constexpr double kBesideM = -0.01;
 // A vehicle that has come to its stop line may stand a little beyond it.
 constexpr double kPastLineM = -1;
+// Boxes that only touch the lane do not become a risk by rounding.
+constexpr double kTouchM = 1e-6;
 
 void keep_nearest(std::optional<Hazard>& nearest, const Hazard& hazard) {
   if (!nearest || hazard.gap_m < nearest->gap_m) nearest = hazard;
@@ -16,9 +19,17 @@ void keep_nearest(std::optional<Hazard>& nearest, const Hazard& hazard) {
 
 }  // namespace
 
+bool is_over(double left_m, double right_m, const Strip& strip) {
+  return right_m > strip.left_m + kTouchM && left_m < strip.right_m - kTouchM;
+}
+
 bool is_over(const SeenActor& actor, const Strip& strip, double after_s) {
   const double shift = actor.speed_right_mps * after_s;
-  return actor.right_m + shift > strip.left_m && actor.left_m + shift < strip.right_m;
+  return is_over(actor.left_m + shift, actor.right_m + shift, strip);
+}
+
+bool is_risk(const SeenActor& actor, const Strip& lane) {
+  return actor.gap_m >= kBesideM && is_over(actor, lane);
 }
 
 std::optional<Hazard> closed_line(const VehicleView& view) {
@@ -29,18 +40,30 @@ std::optional<Hazard> closed_line(const VehicleView& view) {
   return nearest;
 }
 
-std::optional<Hazard> Perception::perceive(const VehicleView& view, const Strip& strip) {
-  std::optional<Hazard> nearest = closed_line(view);
-  std::map<std::uint32_t, double> since_s;
+void Risks::look(const VehicleView& view, const Strip& lane) {
+  std::map<std::uint32_t, Risk> risks;
   for (const SeenActor& actor : view.actors) {
-    if (actor.gap_m < kBesideM || !is_over(actor, strip)) continue;
-    const auto known = since_s_.find(actor.id);
-    const double since = known == since_s_.end() ? view.time_s : known->second;
-    since_s.emplace(actor.id, since);
-    if (view.time_s - since + 1e-9 < reaction_s_) continue;
-    keep_nearest(nearest, {actor.gap_m, std::max(actor.speed_ahead_mps, 0.0)});
+    if (!is_risk(actor, lane)) continue;
+    const auto known = risks_.find(actor.id);
+    risks[actor.id] = {known == risks_.end() ? view.time_s : known->second.since_s,
+                       {actor.gap_m, std::max(actor.speed_ahead_mps, 0.0)}};
   }
-  since_s_ = std::move(since_s);
+  risks_ = std::move(risks);
+}
+
+std::optional<double> Risks::first_s() const {
+  std::optional<double> first;
+  for (const auto& [id, risk] : risks_)
+    first = std::min(first.value_or(risk.since_s), risk.since_s);
+  return first;
+}
+
+std::optional<Hazard> Perception::perceive(const VehicleView& view, const Strip& lane) {
+  risks_.look(view, lane);
+  std::optional<Hazard> nearest = closed_line(view);
+  for (const auto& [id, risk] : risks_.all()) {
+    if (view.time_s - risk.since_s + 1e-9 >= reaction_s_) keep_nearest(nearest, risk.hazard);
+  }
   return nearest;
 }
 
@@ -50,6 +73,20 @@ double required_deceleration(const VehicleView& view, const Hazard& hazard, doub
   const double room = hazard.gap_m - standoff_m;
   if (room <= 0) return std::numeric_limits<double>::infinity();
   return closing * closing / (2 * room);
+}
+
+std::optional<double> LineStop::braking(const VehicleView& view, double strongest_mps2) {
+  const std::optional<Hazard> line = closed_line(view);
+  const double needed = line ? required_deceleration(view, *line, 0) : 0;
+  if (!line) stopping_ = false;
+  if (needed >= kComfortableMps2) stopping_ = true;
+  if (!stopping_) return std::nullopt;
+  return std::min(needed, strongest_mps2);
+}
+
+double resume(const VehicleView& view, double acceleration_mps2) {
+  return std::clamp((view.cruise_mps - view.speed_mps) / view.period_s, -acceleration_mps2,
+                    acceleration_mps2);
 }
 
 }  // namespace jaywalk

@@ -1,12 +1,14 @@
 #pragma once
 
-// Whom a vehicle has to mind: what its models share.
+// Whom a vehicle has to mind: what its models share. Here is the one definition of when a risk
+// begins: models brake by it, and tests are judged by it (experiment/signals).
 
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 
+#include "env/vehicle/sight.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
@@ -17,40 +19,75 @@ struct Hazard {
   double speed_mps = 0;
 };
 
-/// A strip of the road as its sides in metres from the world's left.
-struct Strip {
-  double left_m = 0;
-  double right_m = 0;
-};
-
 [[nodiscard]] inline Strip lane_of(const VehicleView& view) {
   return {view.lane_left_m, view.lane_right_m};
 }
-[[nodiscard]] inline Strip body(const VehicleView& view) { return {view.left_m, view.right_m}; }
 
+/// Some part of a box with these sides is over the strip; touching its edge is not enough.
+[[nodiscard]] bool is_over(double left_m, double right_m, const Strip& strip);
 /// The actor's box is over the strip, `after_s` seconds from now if it keeps its speed.
 [[nodiscard]] bool is_over(const SeenActor& actor, const Strip& strip, double after_s = 0);
+
+/// Whom a vehicle sees is a risk to it while some part of the other's box is over the vehicle's
+/// lane and ahead of its front. The risk begins when that becomes true.
+[[nodiscard]] bool is_risk(const SeenActor& actor, const Strip& lane);
 
 /// The nearest of the closed stop lines ahead.
 [[nodiscard]] std::optional<Hazard> closed_line(const VehicleView& view);
 
-/// Whoever has been over a strip and ahead of the vehicle for at least the reaction time: nobody
-/// brakes for what they have not yet perceived.
+/// Who is a risk, and since when.
+class Risks {
+ public:
+  struct Risk {
+    double since_s = 0;
+    Hazard hazard;
+  };
+
+  /// To be called once in every period.
+  void look(const VehicleView& view, const Strip& lane);
+
+  [[nodiscard]] const std::map<std::uint32_t, Risk>& all() const { return risks_; }
+  /// When the first of those who are a risk now became one; empty if nobody is.
+  [[nodiscard]] std::optional<double> first_s() const;
+
+ private:
+  std::map<std::uint32_t, Risk> risks_;
+};
+
+/// Whoever has been a risk for at least the reaction time: nobody brakes for what they have not
+/// yet perceived.
 class Perception {
  public:
   explicit Perception(double reaction_s) : reaction_s_(reaction_s) {}
 
   /// To be called once in every period. The nearest of those perceived; closed stop lines count.
-  std::optional<Hazard> perceive(const VehicleView& view, const Strip& strip);
+  std::optional<Hazard> perceive(const VehicleView& view, const Strip& lane);
 
  private:
   double reaction_s_;
-  std::map<std::uint32_t, double> since_s_;  // when somebody was first over the strip
+  Risks risks_;
 };
 
 /// The braking with which a vehicle stops `standoff_m` before the hazard, positive; infinite if
 /// that cannot be done any more.
 [[nodiscard]] double required_deceleration(const VehicleView& view, const Hazard& hazard,
                                            double standoff_m);
+
+/// Braking that passengers do not mind, m/s^2; also the least at which it makes sense to begin.
+inline constexpr double kComfortableMps2 = 2;
+
+/// Stops at closed lines as any driver would: it begins when comfortable braking is needed, and
+/// goes on until the line opens.
+class LineStop {
+ public:
+  /// The braking, positive; empty while there is no need.
+  std::optional<double> braking(const VehicleView& view, double strongest_mps2);
+
+ private:
+  bool stopping_ = false;
+};
+
+/// Back to the cruising speed without overshooting it.
+[[nodiscard]] double resume(const VehicleView& view, double acceleration_mps2);
 
 }  // namespace jaywalk

@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "env/vehicle/careful_driver.h"
 #include "env/vehicle/hazards.h"
 
 namespace jaywalk {
 namespace {
-
-constexpr double kGravity = 9.80665;
-// Braking that passengers do not mind, m/s^2; also the least at which it makes sense to begin.
-constexpr double kComfortable = 2;
-
-/// Back to the cruising speed without overshooting it.
-double resume(const VehicleView& view, double acceleration) {
-  return std::clamp((view.cruise_mps - view.speed_mps) / view.period_s, -acceleration,
-                    acceleration);
-}
 
 class Braking final : public VehicleController {
  public:
@@ -30,8 +21,8 @@ class Braking final : public VehicleController {
     const std::optional<Hazard> hazard = perception_.perceive(view, lane_of(view));
     if (!hazard) return {resume(view, acceleration_)};
     const double needed = required_deceleration(view, *hazard, standoff_m_);
-    if (needed >= kComfortable) braking_ = true;
-    if (needed < kComfortable / 2) braking_ = false;
+    if (needed >= kComfortableMps2) braking_ = true;
+    if (needed < kComfortableMps2 / 2) braking_ = false;
     if (braking_) return {-std::min(needed, deceleration_)};
     // Far away: roll on, but do not gather speed towards somebody.
     return {std::min(resume(view, acceleration_), 0.0)};
@@ -43,24 +34,6 @@ class Braking final : public VehicleController {
   double acceleration_;
   double standoff_m_;
   bool braking_ = false;
-};
-
-class CarefulCompetent final : public VehicleController {
- public:
-  explicit CarefulCompetent(const VehicleParameters& parameters)
-      : perception_(parameters.reaction_s.value_or(0.4)),
-        deceleration_(parameters.deceleration_mps2.value_or(0.774 * kGravity)),
-        acceleration_(parameters.acceleration_mps2) {}
-
-  VehicleDecision decide(const VehicleView& view) override {
-    return {perception_.perceive(view, lane_of(view)) ? -deceleration_
-                                                      : resume(view, acceleration_)};
-  }
-
- private:
-  Perception perception_;
-  double deceleration_;
-  double acceleration_;
 };
 
 class EmergencyBraking final : public VehicleController {
@@ -77,7 +50,8 @@ class EmergencyBraking final : public VehicleController {
     if (threat && !threat_since_s_) threat_since_s_ = view.time_s;
     const bool acts = threat && view.time_s - *threat_since_s_ + 1e-9 >= reaction_s_;
     if (acts) return {-deceleration_};
-    if (const std::optional<double> braking = braking_for_line(view)) return {-*braking};
+    // For a closed line it stops as any driver would, not in an emergency.
+    if (const auto braking = line_stop_.braking(view, deceleration_)) return {-*braking};
     return {threat ? 0 : resume(view, acceleration_)};
   }
 
@@ -96,21 +70,11 @@ class EmergencyBraking final : public VehicleController {
     return ttc < kTriggerS && (is_over(actor, path) || is_over(actor, path, ttc));
   }
 
-  // For a closed line it stops as any driver would, not in an emergency.
-  std::optional<double> braking_for_line(const VehicleView& view) {
-    const std::optional<Hazard> line = closed_line(view);
-    const double needed = line ? required_deceleration(view, *line, 0) : 0;
-    if (!line) stopping_ = false;
-    if (needed >= kComfortable) stopping_ = true;
-    if (!stopping_) return std::nullopt;
-    return std::min(needed, deceleration_);
-  }
-
   double reaction_s_;
   double deceleration_;
   double acceleration_;
   std::optional<double> threat_since_s_;
-  bool stopping_ = false;
+  LineStop line_stop_;
 };
 
 class IntelligentDriver final : public VehicleController {
@@ -127,9 +91,9 @@ class IntelligentDriver final : public VehicleController {
     if (!leader) return {acceleration_ * free};
     const double closing = view.speed_mps - leader->speed_mps;
     const double wanted =
-        standoff_m_ +
-        std::max(0.0, view.speed_mps * kHeadwayS +
-                          view.speed_mps * closing / (2 * std::sqrt(acceleration_ * kComfortable)));
+        standoff_m_ + std::max(0.0, view.speed_mps * kHeadwayS +
+                                        view.speed_mps * closing /
+                                            (2 * std::sqrt(acceleration_ * kComfortableMps2)));
     const double gap = std::max(leader->gap_m, 0.01);
     const double interaction = wanted / gap;
     return {std::max(acceleration_ * (free - interaction * interaction), -deceleration_)};
@@ -153,7 +117,7 @@ std::unique_ptr<VehicleController> make_braking(const VehicleParameters& paramet
 }
 
 std::unique_ptr<VehicleController> make_careful_competent(const VehicleParameters& parameters) {
-  return std::make_unique<CarefulCompetent>(parameters);
+  return std::make_unique<CarefulDriver>(parameters);
 }
 
 std::unique_ptr<VehicleController> make_aeb(const VehicleParameters& parameters) {

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "env/vehicle/models.h"
 
 namespace jaywalk {
+
+int periods_of(const VehicleController& controller, double seconds) {
+  constexpr double kRounding = 1e-9;
+  return std::max(1,
+                  static_cast<int>(std::ceil(seconds / controller.longest_period_s() - kRounding)));
+}
+
+Motion drive_on(double speed, double change, double highest, double period) {
+  const double after = std::clamp(speed + change, 0.0, highest);
+  if (after == 0 && change < 0) period *= std::min(1.0, speed / -change);
+  return {after, (speed + after) / 2 * period};
+}
 
 std::span<const VehicleModel> vehicle_models() {
 #define JAYWALK_VEHICLE_MODEL(name, function, summary) VehicleModel{name, summary, function},

@@ -7,6 +7,7 @@
 // file of its own and a row, or an external process (external.h).
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -66,7 +67,8 @@ struct VehicleDecision {
 struct VehicleParameters {
   /// A row of models.def.
   std::string model = "constant";
-  /// Seconds from the moment at which somebody is in the way to the first braking.
+  /// Seconds from the moment at which somebody is in the way until that is perceived. A model
+  /// brakes then, or later if models.def says so.
   std::optional<double> reaction_s;
   /// The strongest braking and acceleration, both positive, in m/s^2.
   std::optional<double> deceleration_mps2;
@@ -75,7 +77,7 @@ struct VehicleParameters {
   double range_m = 100;
   /// What is left to an obstacle when standing, in metres.
   double standoff_m = 2;
-  /// Time from one decision to the next; 0: one tick.
+  /// Time from one decision to the next; 0: one tick. Models that decide more often do so anyway.
   double period_s = 0;
   /// The program of an external controller with its arguments.
   std::vector<std::string> command;
@@ -88,9 +90,25 @@ class VehicleController {
  public:
   virtual ~VehicleController() = default;
   [[nodiscard]] virtual VehicleDecision decide(const VehicleView& view) = 0;
+  /// It is to be asked at least so often, even if the parameters say less often.
+  [[nodiscard]] virtual double longest_period_s() const {
+    return std::numeric_limits<double>::infinity();
+  }
   /// Why it can go on no longer (an external process died, say); empty while all is well.
   [[nodiscard]] virtual std::string failure() const { return {}; }
 };
+
+/// In how many equal periods it decides if it is asked no oftener than it needs.
+[[nodiscard]] int periods_of(const VehicleController& controller, double seconds);
+
+/// A speed, and the way to get to it.
+struct Motion {
+  double speed = 0;
+  double way = 0;
+};
+/// After a period in which the speed changes evenly by `change`, kept between 0 and `highest`:
+/// whoever comes to a stand stays there until the period ends. In any units that fit together.
+[[nodiscard]] Motion drive_on(double speed, double change, double highest, double period);
 
 struct VehicleModel {
   std::string_view name;

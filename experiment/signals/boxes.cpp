@@ -66,6 +66,16 @@ std::optional<Span1D> contact(std::span<const Point> fixed, std::span<const Poin
   return times;
 }
 
+double closest_m(const Actor& fixed, const Step& its_step, const Actor& moving, const Step& step) {
+  const auto begin = [](Step each) {
+    each.from.heading_rad = each.to.heading_rad;
+    return each.from;
+  };
+  // Seen from the first box the other covers a convex polygon.
+  const Vector way = displacement(step.from, step.to) - displacement(its_step.from, its_step.to);
+  return distance_m(box(fixed, begin(its_step)), swept(box(moving, begin(step)), way));
+}
+
 std::vector<Point> convex_hull(std::vector<Point> points) {
   // Andrew's monotone chain.
   std::ranges::sort(

@@ -38,6 +38,15 @@ struct Span1D {
                                             std::span<const Point> moving, Vector velocity,
                                             Span1D within);
 
+/// The smallest distance of two boxes while both move evenly from one state to the next, turned all
+/// the while as they are in the later one; 0 if they touch.
+struct Step {
+  ActorState from;
+  ActorState to;
+};
+[[nodiscard]] double closest_m(const Actor& fixed, const Step& its_step, const Actor& moving,
+                               const Step& step);
+
 /// The smallest convex polygon around the points, counter-clockwise.
 [[nodiscard]] std::vector<Point> convex_hull(std::vector<Point> points);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "env/vehicle/careful_driver.h"
 #include "experiment/signals/boxes.h"
 #include "experiment/signals/signals.h"
 
@@ -91,7 +92,7 @@ void drac(const TestView& view, ActorIndex actor, std::span<double> values) {
 void btn(const TestView& view, ActorIndex actor, std::span<double> values) {
   const auto required = view.values(SignalId::drac, actor);
   for (std::size_t tick = 0; tick < view.ticks(); ++tick)
-    values[tick] = required[tick] / kBrakingMps2;
+    values[tick] = required[tick] / kCompetentBrakingMps2;
 }
 
 void ttb(const TestView& view, ActorIndex actor, std::span<double> values) {
@@ -100,7 +101,7 @@ void ttb(const TestView& view, ActorIndex actor, std::span<double> values) {
     const double closing = closing_speed(view, actor, tick);
     values[tick] = kInf;
     if (closing <= 0 || !std::isfinite(gaps[tick]) || !concerns(view, actor, tick)) continue;
-    values[tick] = gaps[tick] / closing - closing / (2 * kBrakingMps2);
+    values[tick] = gaps[tick] / closing - closing / (2 * kCompetentBrakingMps2);
   }
 }
 

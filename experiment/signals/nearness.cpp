@@ -23,11 +23,11 @@ void distance(const TestView& view, ActorIndex actor, std::span<double> values) 
 }
 
 void closest(const TestView& view, ActorIndex actor, std::span<double> values) {
+  const auto actors = view.recording().actors();
   values[0] = view.values(SignalId::distance, actor)[0];
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
-    // Seen from the AV the road user's box covers a convex polygon.
-    values[tick] = distance_m(view.box_before(kAv, tick),
-                              swept(view.box_before(actor, tick), relative_way(view, actor, tick)));
+    values[tick] = closest_m(actors[kAv], {view.state(kAv, tick - 1), view.state(kAv, tick)},
+                             actors[actor], {view.state(actor, tick - 1), view.state(actor, tick)});
   }
 }
 

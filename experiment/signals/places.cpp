@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "env/vehicle/hazards.h"
 #include "experiment/signals/boxes.h"
+#include "experiment/signals/careful_driver.h"
 #include "experiment/signals/signals.h"
 
 namespace jaywalk::signal {
@@ -45,6 +47,14 @@ void in_lane(const TestView& view, ActorIndex actor, std::span<double> values) {
   for (std::size_t tick = 0; tick < view.ticks(); ++tick) {
     const ActorState& state = view.state(actor, tick);
     values[tick] = lane != nullptr && contains(*lane, {state.x_m, state.y_m});
+  }
+}
+
+void over_lane(const TestView& view, ActorIndex actor, std::span<double> values) {
+  const Strip lane = risk_strip(view);
+  for (std::size_t tick = 0; tick < view.ticks(); ++tick) {
+    const Rectangle sides = surrounding(view.box_at(actor, tick));
+    values[tick] = is_over(sides.left, sides.right, lane);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <string>
 
+#include "experiment/signals/careful_driver.h"
+
 namespace jaywalk {
 namespace {
 
@@ -71,6 +73,11 @@ std::span<const ActorIndex> TestView::nearest() const {
     }
   }
   return nearest_;
+}
+
+std::span<const ActorState> TestView::careful_drive() const {
+  if (careful_drive_.empty()) careful_drive_ = jaywalk::careful_drive(*this);
+  return careful_drive_;
 }
 
 std::vector<Point> TestView::box_before(ActorIndex actor, std::size_t tick) const {

@@ -44,11 +44,6 @@ struct Signal {
 using ActorIndex = std::uint32_t;
 inline constexpr ActorIndex kAv = 0;
 
-/// How hard a driver brakes who is careful and competent, 0.774 g, and how long it takes to
-/// perceive a risk: UN Regulation No. 157, annex on the performance of such drivers; ISO 34502.
-inline constexpr double kBrakingMps2 = 0.774 * 9.81;
-inline constexpr double kRiskPerceptionS = 0.4;
-
 /// A test as it is measured: signals are computed when they are asked for, then kept. Belongs to
 /// one thread; recording and ground must outlive it.
 class TestView {
@@ -68,6 +63,10 @@ class TestView {
   [[nodiscard]] std::span<const double> values(SignalId signal, ActorIndex actor = kAv) const;
   /// Who is nearest to the AV at each tick, the first of equals. REQUIRES: somebody is there.
   [[nodiscard]] std::span<const ActorIndex> nearest() const;
+  /// Where the AV would be at each tick if the careful and competent driver drove it
+  /// (careful_driver.cpp); goes on after the record's end until that driver stands or has nobody
+  /// ahead.
+  [[nodiscard]] std::span<const ActorState> careful_drive() const;
 
   [[nodiscard]] const ActorState& state(ActorIndex actor, std::size_t tick) const {
     return recording_.scene(tick)[actor];
@@ -85,6 +84,7 @@ class TestView {
   std::vector<ActorIndex> road_users_;
   mutable std::map<std::pair<SignalId, ActorIndex>, std::vector<double>> values_;
   mutable std::vector<ActorIndex> nearest_;
+  mutable std::vector<ActorState> careful_drive_;
 };
 
 namespace signal {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "env/vehicle/careful_driver.h"
+
 namespace jaywalk {
 namespace {
 
@@ -100,11 +102,49 @@ INSTANTIATE_TEST_SUITE_P(Vehicle, Models,
                            return name;
                          });
 
-TEST(CarefulDriver, BrakesWithThreeQuartersOfGravityAfterPointFourSeconds) {
-  Drive drive{.model = "careful-competent", .pedestrian_at_m = 60, .steps_in_at_s = 1};
-  drive.run(3);
-  EXPECT_NEAR(drive.first_braking_s, 1.4, kPeriodS);
-  EXPECT_NEAR(drive.hardest, 0.774 * 9.80665, 1e-9);
+TEST(CarefulDriver, PerceivesThenWaitsThenBrakesHarderAndHarder) {
+  CarefulDriver driver;
+  const SeenActor actor{.id = 1, .gap_m = 60, .left_m = 5, .right_m = 5.5};
+  const auto braking = [&](double time_s) {
+    return -driver
+                .decide({.time_s = time_s,
+                         .period_s = kPeriodS,
+                         .speed_mps = kCruiseMps,
+                         .cruise_mps = kCruiseMps,
+                         .left_m = 4.5,
+                         .right_m = 7.5,
+                         .lane_left_m = 3,
+                         .lane_right_m = 9,
+                         .actors = {&actor, 1},
+                         .stop_lines = {}})
+                .acceleration_mps2;
+  };
+  for (int i = 0; i < 40; ++i) {
+    // The mean of what grows from 1.15 s on, at 12.65 m/s3, to 0.774 g.
+    const double middle = (i + 0.5) * kPeriodS;
+    const double grown = 12.65 * (middle - 1.15);
+    const double expected = std::clamp(grown, 0.0, 0.774 * 9.80665);
+    EXPECT_NEAR(braking(i * kPeriodS), expected, 0.01) << i * kPeriodS << " s";
+  }
+}
+
+TEST(CarefulDriver, TakesEighteenMetresToStopFromTwentyMilesPerHour) {
+  // 10.35 m until braking begins, 4.94 m while it grows, 2.98 m at 0.774 g.
+  Drive drive{.model = "careful-competent", .pedestrian_at_m = 60};
+  drive.run(4);
+  EXPECT_NEAR(drive.stopped_at_m, 18.27, 0.3) << "this test's car moves in steps";
+  EXPECT_DOUBLE_EQ(drive.last_mps, 0);
+}
+
+TEST(Risks, BeginWithTheEdgeOfTheBoxOverTheLane) {
+  const Strip lane{3, 9};
+  const auto at = [](double left, double gap) {
+    return SeenActor{.id = 1, .gap_m = gap, .left_m = left, .right_m = left + 0.5};
+  };
+  EXPECT_FALSE(is_risk(at(2.5, 10), lane)) << "it touches the lane";
+  EXPECT_TRUE(is_risk(at(2.51, 10), lane)) << "its middle is still beside the lane";
+  EXPECT_FALSE(is_risk(at(9, 10), lane));
+  EXPECT_FALSE(is_risk(at(5, -1), lane)) << "it is beside the vehicle";
 }
 
 TEST(Braking, WaitsForItsReactionTime) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/gravity.h"
 #include "env/lane/out_of_bounds.h"
 
 namespace jaywalk::lane {
@@ -46,8 +47,8 @@ TEST(Vehicle, CannotCornerBeyondTheTyresGrip) {
     advance(state, {.steering_rad = 0.5}, {}, {}, 0.005);
     if (i > 200) most = std::max(most, std::fabs(state.lateral_acceleration()));
   }
-  EXPECT_LT(most, 1.3 * 9.81);
-  EXPECT_GT(most, 0.5 * 9.81);
+  EXPECT_LT(most, 1.3 * kGravityMps2);
+  EXPECT_GT(most, 0.5 * kGravityMps2);
 }
 
 TEST(Tyre, SaturatesAtItsFriction) {

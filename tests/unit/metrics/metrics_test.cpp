@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/vehicle/careful_driver.h"
 #include "tests/unit/metrics/drives.h"
 
 namespace jaywalk {
@@ -92,8 +93,8 @@ TEST(Metrics, OfAPredictionAreItsWorstTick) {
   const Recording ahead = drive(1, {steps({0, 0}, {0, 10}, 2), steps({0, 22.25}, {0, 0}, 2)});
   EXPECT_DOUBLE_EQ(number("max_drac", ahead), 5) << "10 m before it";
   EXPECT_EQ(value_of("max_drac", ahead)->tick, 1U);
-  EXPECT_NEAR(number("max_btn", ahead), 5 / kBrakingMps2, 1e-12);
-  EXPECT_NEAR(number("min_ttb", ahead), 1 - 10 / (2 * kBrakingMps2), 1e-12);
+  EXPECT_NEAR(number("max_btn", ahead), 5 / kCompetentBrakingMps2, 1e-12);
+  EXPECT_NEAR(number("min_ttb", ahead), 1 - 10 / (2 * kCompetentBrakingMps2), 1e-12);
   EXPECT_DOUBLE_EQ(number("min_pret", moment(10, {-5, 12}, {2.5, 0})), 0.8);
 }
 

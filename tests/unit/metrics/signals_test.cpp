@@ -35,8 +35,8 @@ TEST(Signals, OfSomebodyStandingAhead) {
   EXPECT_DOUBLE_EQ(at(ahead, SignalId::ttc), 1);
   EXPECT_DOUBLE_EQ(at(ahead, SignalId::time_gap), 1.025);
   EXPECT_DOUBLE_EQ(at(ahead, SignalId::drac), 5) << "10^2 / (2 * 10)";
-  EXPECT_NEAR(at(ahead, SignalId::btn), 5 / 7.59294, 1e-9);
-  EXPECT_NEAR(at(ahead, SignalId::ttb), 1 - 10 / (2 * 7.59294), 1e-9);
+  EXPECT_NEAR(at(ahead, SignalId::btn), 5 / 7.5903471, 1e-9);
+  EXPECT_NEAR(at(ahead, SignalId::ttb), 1 - 10 / (2 * 7.5903471), 1e-9);
   EXPECT_EQ(at(ahead, SignalId::pret), 0) << "it is still there when the AV comes";
   EXPECT_NEAR(at(moment(10, {0, 12.25}, {0, 20}), SignalId::pret), 1.225, 1e-12)
       << "the AV comes that long after it has been there";
@@ -133,9 +133,11 @@ Recording surprise(double gap_m) {
 }
 
 TEST(Signals, ACarefulAndCompetentDriverNeedsTimeToPerceiveAndRoomToBrake) {
-  // 10 m/s * 0.4 s + (10 m/s)^2 / (2 * 7.59 m/s2) = 10.585 m
-  EXPECT_EQ(at(surprise(10.7), SignalId::avoidable), 1);
-  EXPECT_EQ(at(surprise(10.5), SignalId::avoidable), 0);
+  // In the record the pedestrian is a risk from 1 s on, when the tick of its step begins: 1.15 s at
+  // 10 m/s, 0.6 s in which braking grows (5.54 m), then from 7.72 m/s at 7.59 m/s2 (3.93 m) make
+  // 20.97 m; the surprise is told for 1.25 s, 2.5 m later.
+  EXPECT_EQ(at(surprise(18.6), SignalId::avoidable), 1);
+  EXPECT_EQ(at(surprise(18.3), SignalId::avoidable), 0);
   EXPECT_EQ(at(surprise(60), SignalId::avoidable), 1);
   EXPECT_EQ(
       at(drive(1, {steps({0, 0}, {0, 10}, 3), steps({-4, 5}, {0, 0}, 3)}), SignalId::avoidable), 1)

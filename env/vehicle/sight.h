@@ -1,0 +1,43 @@
+#pragma once
+
+// What a vehicle sees of others: the same for the automated vehicle (AV) of a world and for a
+// driver whom a test's judge puts in its place. Read vehicle.h before.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "env/rectangle.h"
+#include "env/vehicle/vehicle.h"
+
+namespace jaywalk {
+
+/// A strip of the road as its sides in metres from the world's left.
+struct Strip {
+  double left_m = 0;
+  double right_m = 0;
+};
+
+/// Where a vehicle looks from, and what it cannot look through.
+struct Sight {
+  Strip body;
+  double front_m = 0;
+  double length_m = 0;
+  double range_m = 0;
+  std::span<const Rectangle> obstacles;
+};
+
+/// Somebody whom it may see.
+struct RoadUserBox {
+  std::uint32_t id = 0;
+  ActorKind kind = ActorKind::pedestrian;
+  Rectangle box;
+  double speed_mps = 0;
+  double heading_rad = 0;
+};
+
+/// Empty if it is behind the vehicle, out of range or hidden: an obstacle stands between the middle
+/// of the vehicle's front and the middle of the box.
+[[nodiscard]] std::optional<SeenActor> see(const Sight& sight, const RoadUserBox& other);
+
+}  // namespace jaywalk
