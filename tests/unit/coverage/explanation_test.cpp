@@ -69,8 +69,8 @@ TEST(AnExplanation, SaysWhetherANegatedConditionHeldAsWritten) {
   const auto all = explained(
       "busy.\n"
       "!go.\n"
-      "calm(X) :- not loud(X) & not not busy.\n"
-      "+!go : not way(_) & not not busy & not (busy & late) & calm(1) <- .print(a).\n");
+      "calm(X) :- not loud(X) & not (not busy).\n"
+      "+!go : not way(_) & not (not busy) & not (busy & late) & calm(1) <- .print(a).\n");
   const Deliberation go = about(all, "+!go");
   ASSERT_NE(go.chosen(), nullptr);
   for (const AskedCondition& asked : go.chosen()->asked) {
