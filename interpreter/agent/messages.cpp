@@ -126,7 +126,9 @@ bool Agent::answer_arrived(const Message& message) {
     return ask.id == message.in_reply_to;
   });
   if (found == asks.end()) return true;  // too late
-  const Value sender = Value::atom(message.sender_atom);
+  // Its own answer has its name as the source, where its other messages to itself have `self`.
+  const bool is_own = message.sender_atom == predicates::self;
+  const Value sender = Value::atom(is_own ? symbols_.predicate(name(), 0) : message.sender_atom);
   Value answer = message.content;
   if (found->is_one && message.performative == names::untell_text) {
     answer = Value::atom(predicates::falsity);

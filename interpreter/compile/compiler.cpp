@@ -336,13 +336,14 @@ class ProgramBuilder {
 
 std::shared_ptr<const Program> compile(const SourceTree& tree, SymbolTable& symbols,
                                        Diagnostics& diagnostics, const CompileOptions& options) {
-  if (diagnostics.has_errors()) return nullptr;
+  const std::size_t errors_before = diagnostics.error_count();
+  if (errors_before > tree.left_out_errors) return nullptr;
   const std::string file = tree.main().source->name();
   auto program = std::make_shared<Program>(std::filesystem::path(file).stem().string());
   const ActionRegistry& actions =
       options.actions == nullptr ? standard_actions() : *options.actions;
   ProgramBuilder(*program, symbols, actions, diagnostics, options).build(tree);
-  if (diagnostics.has_errors()) return nullptr;
+  if (diagnostics.error_count() > errors_before) return nullptr;
   return program;
 }
 

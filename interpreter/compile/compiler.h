@@ -24,7 +24,8 @@ struct CompileOptions {
   const ActionRegistry* actions = nullptr;
 };
 
-/// Compiles a program into `symbols`. Null after adding errors to `diagnostics`.
+/// Compiles a program into `symbols`. Null after adding errors to `diagnostics`, or if it has some
+/// already but for those of includes that are left out.
 [[nodiscard]] std::shared_ptr<const Program> compile(const SourceTree& tree, SymbolTable& symbols,
                                                      Diagnostics& diagnostics,
                                                      const CompileOptions& options = {});

@@ -105,6 +105,10 @@ std::shared_ptr<const Program> Mas::Implementation::load(const ProgramRequest& r
     return nullptr;
   }
   auto program = options_.load_program(request, symbols_, error);
+  if (program != nullptr && !error.empty() && options_.log) {
+    put_out(Outbox::Kind::log, error);  // of an included file that is left out
+    error.clear();
+  }
   if (program != nullptr) loaded_.insert(program);
   if (program != nullptr && lanes_ != nullptr) reaches_.add(*program, symbols_);
   return program;

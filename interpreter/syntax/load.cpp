@@ -40,20 +40,33 @@ class Loader {
       : include_path_(include_path), diagnostics_(diagnostics) {}
 
   SourceTree load(SourcePtr source) {
-    add_file(std::move(source));
+    add_file(std::make_unique<ast::File>(parse_agent(std::move(source), diagnostics_)));
     return std::move(tree_);
   }
 
  private:
-  const ast::File* add_file(SourcePtr source) {
-    chain_.push_back(source->name());
+  const ast::File* add_file(std::unique_ptr<ast::File> parsed) {
+    chain_.push_back(parsed->source->name());
     // Included files come behind the including one, whose place is thereby its own.
-    tree_.files.push_back(
-        std::make_unique<ast::File>(parse_agent(std::move(source), diagnostics_)));
+    tree_.files.push_back(std::move(parsed));
     const ast::File* const file = tree_.files.back().get();
     follow(file->components, *file);
     chain_.pop_back();
     return file;
+  }
+
+  // A file with errors is left out, with all that it includes.
+  void add_included(const ast::Component& directive, SourcePtr source) {
+    const bool is_program = source->name() == include_path_.program;
+    Diagnostics found;
+    auto parsed = std::make_unique<ast::File>(parse_agent(std::move(source), found));
+    const std::size_t errors = found.error_count();
+    diagnostics_.append(std::move(found));
+    if (errors == 0 || is_program) {
+      tree_.includes[&directive] = add_file(std::move(parsed));
+    } else {
+      tree_.left_out_errors += errors;
+    }
   }
 
   void follow(std::span<const ast::Component> components, const ast::File& file) {
@@ -77,23 +90,24 @@ class Loader {
     }
     const std::string name(args.front()->text);
     if (const std::string* const text = include_path_.given_text(name)) {
-      tree_.includes[&directive] = add_file(std::make_shared<const Source>(name, *text));
+      add_included(directive, std::make_shared<const Source>(name, *text));
       return;
     }
     const SourceSpan where = {file.source, args.front()->span};
     const std::optional<std::string> path = find(name, where);
     if (!path || !may_include(*path, where)) return;
     if (const std::string* const text = text_at(*path, include_path_)) {
-      tree_.includes[&directive] = add_file(std::make_shared<const Source>(*path, *text));
+      add_included(directive, std::make_shared<const Source>(*path, *text));
       return;
     }
     Result<SourcePtr> source = read_program(*path, include_path_.files, diagnostics_);
     if (!source) {
       diagnostics_.error(where, fmt::format("cannot include {}: {}", *path,
                                             source.diagnostics().items().front().message));
+      ++tree_.left_out_errors;
       return;
     }
-    tree_.includes[&directive] = add_file(source.value());
+    add_included(directive, source.value());
   }
 
   [[nodiscard]] bool is_file(const fs::path& path) const {
@@ -131,8 +145,10 @@ class Loader {
       return std::nullopt;
     }
     if (name.starts_with('$')) return find_mapped(name, where);
+    // As in Jason a path from the folder in which the program is run is kept as it is written.
     const fs::path folder = fs::path(where.source->name()).parent_path();
-    std::vector<fs::path> candidates = {(folder / name).lexically_normal()};
+    std::vector<fs::path> candidates = {folder.empty() ? fs::path(name)
+                                                       : (folder / name).lexically_normal()};
     for (const std::string& searched : include_path_.folders) {
       candidates.push_back((fs::path(searched) / name).lexically_normal());
     }

@@ -25,6 +25,9 @@ struct IncludePath {
 
   /// The text given for a file; null if it is to be looked for.
   [[nodiscard]] const std::string* given_text(std::string_view path) const;
+  /// The program's own file, if the text that is loaded only adds to it (options of a project):
+  /// what is wrong there is no mere include's mistake.
+  std::string program;
   /// What is read from: the disk, unless copies are given.
   SourceFiles files;
 };
@@ -36,6 +39,9 @@ struct SourceTree {
   /// The file that each `include` directive (by its component's address) stands for. An include
   /// that could not be read has no entry; its diagnostic has been added.
   std::unordered_map<const ast::Component*, const ast::File*> includes;
+  /// So many of the errors are those of included files that are left out. As in Jason, the program
+  /// can be run without them.
+  std::size_t left_out_errors = 0;
 
   [[nodiscard]] const ast::File& main() const { return *files.front(); }
 };

@@ -53,10 +53,8 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
                               : load_agent(path, include_path_, diagnostics);
   auto program =
       compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
-  if (program == nullptr) {
-    error = first_error(diagnostics);
-    return nullptr;
-  }
+  if (diagnostics.has_errors()) error = first_error(diagnostics);
+  if (program == nullptr) return nullptr;
   loaded_[key] = {changed, program};
   return program;
 }

@@ -21,7 +21,8 @@ class ProgramLoader {
       : folders_(std::move(folders)), include_path_(std::move(include_path)) {}
 
   /// Compiles a file into `symbols`, which must be the same table in every call. A file that has
-  /// not changed is read once. Null after setting `error`.
+  /// not changed is read once. Null after setting `error`; a program with an error as well has been
+  /// loaded without the included file that has it.
   [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
                                                     SymbolTable& symbols, std::string& error);
 

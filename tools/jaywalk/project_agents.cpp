@@ -76,10 +76,11 @@ std::string find_program(const ProjectAgent& agent, const fs::path& folder,
   const std::string file = agent.file.empty() ? agent.name + ".asl" : agent.file;
   std::error_code ignored;
   for (const std::string& each : source_path) {
-    const fs::path candidate = fs::path(each) / file;
+    const fs::path candidate = (fs::path(each) / file).lexically_normal();
     if (fs::exists(candidate, ignored)) return candidate.string();
   }
-  return (folder / file).lexically_normal().string();
+  // What a path is written like from the working folder is how plans name their place.
+  return folder.empty() ? file : (folder / file).lexically_normal().string();
 }
 
 /// A folder of the source path, perhaps below one that --map gives a place.
@@ -156,7 +157,8 @@ SourcePtr extended_program(const std::string& path, const std::string& project_p
   std::string text;
   for (const std::string& goal : goals) text += fmt::format("!{}.\n", goal);
   const fs::path folder = fs::path(project_path).parent_path();
-  const std::string relative = fs::path(path).lexically_relative(folder.empty() ? "." : folder);
+  const std::string relative =
+      folder.empty() ? path : fs::path(path).lexically_relative(folder).string();
   text += fmt::format("{{ include(\"{}\") }}\n", relative.empty() ? path : relative);
   std::ranges::reverse(beliefs);
   for (const std::string& belief : beliefs) text += fmt::format("{}.\n", belief);
@@ -181,9 +183,15 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
   const fs::path folder = fs::path(path).parent_path();
   IncludePath folders = include_path;
   std::vector<std::string> source_path;
-  for (const std::string& each : project->asl_source_path) {
-    source_path.push_back(
-        (folder / with_mapped_prefix(each, include_path)).lexically_normal().string());
+  // A source path is one from the project's folder, or else from the working one.
+  for (const fs::path& from : {folder, fs::path()}) {
+    for (const std::string& each : project->asl_source_path) {
+      const fs::path searched = from / with_mapped_prefix(each, include_path);
+      if (!from.empty() || folder.empty() || searched.is_relative()) {
+        source_path.push_back(searched.lexically_normal().string());
+      }
+    }
+    if (folder.empty()) break;
   }
   folders.folders.insert(folders.folders.begin(), source_path.begin(), source_path.end());
 
@@ -196,6 +204,8 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
     auto beliefs = literals_of(agent, "beliefs", diagnostics);
     const auto goals = literals_of(agent, "goals", diagnostics);
     if (!beliefs.empty() || !goals.empty()) {
+      program.include_path.program =
+          folder.empty() ? program.path : fs::path(program.path).lexically_normal().string();
       program.text = extended_program(program.path, path, std::move(beliefs), goals);
     }
     sources.push_back(std::move(program));
