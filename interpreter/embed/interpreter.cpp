@@ -59,6 +59,18 @@ class Interpreter::Text {
 
 namespace {
 
+/// While it lives, an interpreter is at work.
+class AtWork {
+ public:
+  explicit AtWork(bool& is_at_work) : is_at_work_(is_at_work) { is_at_work_ = true; }
+  ~AtWork() { is_at_work_ = false; }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+
+ private:
+  bool& is_at_work_;
+};
+
 bool is_formula(Value term) {
   if (is_literal(term) || term.is_variable()) return true;
   if (!term.is_structure()) return false;
@@ -120,7 +132,8 @@ Result<std::shared_ptr<const Program>> Interpreter::compiled(const SourceTree& t
                                                              CompileOptions options) {
   options.actions = &actions_;
   auto program = compile(tree, mas_->symbols(), diagnostics, options);
-  if (program == nullptr) return diagnostics;
+  // What is left out of a program by `run` (an include with errors) is refused here.
+  if (program == nullptr || diagnostics.has_errors()) return diagnostics;
   programs_.push_back(program);
   return program;
 }
@@ -145,19 +158,40 @@ AgentId Interpreter::add_agent(const std::string& name, std::shared_ptr<const Pr
                                std::shared_ptr<const Customisation> customisation) {
   AgentSpec spec;
   spec.name = name;
-  spec.program = std::move(program);
+  spec.program = program != nullptr ? std::move(program) : load_text(name, "").value();
   spec.customisation = std::move(customisation);
   return mas_->add_agent(spec);
 }
 
-RunOutcome Interpreter::run() { return mas_->run(); }
-bool Interpreter::step() { return mas_->step(); }
+RunOutcome Interpreter::run() {
+  if (is_at_work_) return mas_->outcome();
+  const AtWork work(is_at_work_);
+  return mas_->run();
+}
+
+bool Interpreter::step() {
+  if (is_at_work_) return false;
+  const AtWork work(is_at_work_);
+  return mas_->step();
+}
+
+std::string Interpreter::obstacle(AgentId agent) const {
+  if (is_at_work_) return "the interpreter is at work: it can be told and asked when it is done";
+  if (mas_->is_alive(agent)) return {};
+  const bool was_there = static_cast<std::uint32_t>(agent) < mas_->agent_count();
+  return was_there ? "the agent is gone" : "there is no agent of that number";
+}
 
 Diagnostics Interpreter::ask(AgentId agent, const std::string& query,
                              const std::function<bool(const Answer&)>& answer) {
   Text text("query", query, parse_term);
   if (!text.is_good()) return std::move(text.diagnostics());
-  std::string problem;
+  std::string problem = obstacle(agent);
+  if (!problem.empty()) {
+    text.error(std::move(problem));
+    return std::move(text.diagnostics());
+  }
+  const AtWork work(is_at_work_);
   const bool completed = mas_->intervene(
       agent,
       [&](Agent& asked) {
@@ -191,7 +225,12 @@ Diagnostics Interpreter::tell(AgentId agent, const std::string& name, const std:
                               const std::function<void(Agent&, Value literal)>& what) {
   Text parsed(name, text, parse_literal);
   if (!parsed.is_good()) return std::move(parsed.diagnostics());
-  std::string problem;
+  std::string problem = obstacle(agent);
+  if (!problem.empty()) {
+    parsed.error(std::move(problem));
+    return std::move(parsed.diagnostics());
+  }
+  const AtWork work(is_at_work_);
   const bool completed = mas_->intervene(
       agent,
       [&](Agent& told) {
@@ -231,15 +270,20 @@ Diagnostics Interpreter::achieve(AgentId agent, const std::string& goal) {
 }
 
 Diagnostics Interpreter::include(AgentId agent, const std::string& name, std::string text) {
+  Diagnostics found;
+  std::string problem = obstacle(agent);
+  if (!problem.empty()) {
+    found.error(name, problem);
+    return found;
+  }
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>(name, std::move(text));
   const SourceTree tree = load_agent(source, {}, diagnostics);
   auto program = compiled(tree, std::move(diagnostics), {.fresh_labels = true});
   if (!program) return std::move(program.diagnostics());
-  std::string problem;
+  const AtWork work(is_at_work_);
   const bool completed = mas_->intervene(
       agent, [&](Agent& told) { (void)told.include(program.value(), problem); }, problem);
-  Diagnostics found;
   if (!completed || !problem.empty()) found.error(name, problem);
   return found;
 }

@@ -79,19 +79,21 @@ class Interpreter {
       const std::string& name, std::string text, const IncludePath& include_path = {});
 
   /// Agents may come at any time; a name that is taken gets a suffix. `customisation` is what the
-  /// agent does in its own way (agent/customisation.h).
+  /// agent does in its own way (agent/customisation.h). No program: it has none.
   AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program,
                     std::shared_ptr<const Customisation> customisation = {});
 
   /// Runs until all agents are idle, an agent stops the run, the environment is finished or a limit
   /// of the options is reached. After the first, it may be called again when there is more to do.
+  /// Called from within a run, it only says how that stands.
   RunOutcome run();
   /// One tick, or without an environment one reasoning cycle of every agent that has something to
   /// do. False: the run has ended.
   bool step();
 
-  // The agents must be alive. Each function returns what is wrong with its text, or that a limit
-  // was reached; if that is empty, it has been done.
+  // Each function returns what is wrong with its text, that the agent is gone or was never there,
+  // or that a limit was reached; if that is empty, it has been done. So it is, too, if the
+  // functions that this interpreter calls (actions, answers, output) call it in turn.
 
   /// The first `most` answers to a formula of a plan's context (0: all): "age(X, N) & N > 18".
   [[nodiscard]] Result<std::vector<Answer>> ask(AgentId agent, const std::string& query,
@@ -119,6 +121,8 @@ class Interpreter {
   [[nodiscard]] Result<std::shared_ptr<const Program>> compiled(const SourceTree& tree,
                                                                 Diagnostics diagnostics,
                                                                 CompileOptions options);
+  /// What keeps this interpreter from doing anything with the agent now, or nothing.
+  [[nodiscard]] std::string obstacle(AgentId agent) const;
   [[nodiscard]] Diagnostics tell(AgentId agent, const std::string& name, const std::string& text,
                                  const std::function<void(Agent&, Value literal)>& what);
 
@@ -126,6 +130,7 @@ class Interpreter {
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Mas> mas_;
   std::vector<std::shared_ptr<const Program>> programs_;
+  bool is_at_work_ = false;
 };
 
 }  // namespace jaywalk

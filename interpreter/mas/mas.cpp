@@ -48,7 +48,9 @@ const RunOutcome& Mas::outcome() const { return implementation_->outcome(); }
 std::size_t Mas::agent_count() const { return implementation_->residents().size(); }
 
 bool Mas::is_alive(AgentId id) const {
-  return !implementation_->residents()[static_cast<std::uint32_t>(id)].is_leaving;
+  const auto number = static_cast<std::uint32_t>(id);
+  const Residents& residents = implementation_->residents();
+  return number < residents.size() && !residents[number].is_leaving;
 }
 
 const Agent& Mas::agent(AgentId id) const {
@@ -58,10 +60,13 @@ const Agent& Mas::agent(AgentId id) const {
 }
 
 const std::string& Mas::agent_name(AgentId id) const {
+  static const std::string kNobody;
+  if (!is_alive(id)) return kNobody;
   return implementation_->residents()[static_cast<std::uint32_t>(id)].agent->name();
 }
 
 std::vector<std::string> Mas::describe_intentions(AgentId id) const {
+  if (!is_alive(id)) return {};
   const Agent& the_agent = agent(id);
   std::vector<std::string> texts;
   for (const auto& intention : the_agent.circumstance().intentions) {
@@ -79,6 +84,7 @@ std::vector<std::string> Mas::describe_intentions(AgentId id) const {
 }
 
 std::vector<std::string> Mas::describe_beliefs(AgentId id) const {
+  if (!is_alive(id)) return {};
   const Agent& the_agent = agent(id);
   std::vector<std::string> texts;
   for (const auto& relation : the_agent.beliefs().relations()) {
@@ -92,6 +98,10 @@ std::vector<std::string> Mas::describe_beliefs(AgentId id) const {
 
 bool Mas::intervene(AgentId id, const std::function<void(Agent& agent)>& work,
                     std::string& problem) {
+  if (!is_alive(id)) {
+    problem = "there is no such agent";
+    return false;
+  }
   return implementation_->intervene(id, work, problem);
 }
 

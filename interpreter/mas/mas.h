@@ -75,7 +75,8 @@ struct MasOptions {
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
   /// Loads a program during the run (of an agent that is created, or for `.include`) into the run's
-  /// own symbols; null after setting `error`. Not set: that is not possible.
+  /// own symbols; null after setting `error`. With a program, `error` is what was left out of it.
+  /// Not set: that is not possible.
   std::function<std::shared_ptr<const Program>(const ProgramRequest& request, SymbolTable& symbols,
                                                std::string& error)>
       load_program;
@@ -141,9 +142,11 @@ class Mas {
 
   /// How many agents there have been; those that were killed count.
   [[nodiscard]] std::size_t agent_count() const;
+  /// False for those that were killed, and for ids that this system has not given.
   [[nodiscard]] bool is_alive(AgentId id) const;
-  /// REQUIRES: the agent is alive; so do those that follow.
+  /// REQUIRES: the agent is alive.
   [[nodiscard]] const Agent& agent(AgentId id) const;
+  /// This and what follows is empty of an agent that is not alive.
   [[nodiscard]] const std::string& agent_name(AgentId id) const;
   /// What an agent is after, for people: each intention's goals, the outermost first
   /// ("test_av > cross > step(right)"), in the order of the intentions.
@@ -151,8 +154,8 @@ class Mas {
   /// The agent's beliefs as texts, in the order of the belief base.
   [[nodiscard]] std::vector<std::string> describe_beliefs(AgentId id) const;
   /// Does something with an agent between two steps: `work` may ask it, or change its beliefs,
-  /// goals and plans. False: a limit stopped it, and `problem` says which. A run that ended because
-  /// all agents were idle goes on with the next step. REQUIRES: the agent is alive; no step is
+  /// goals and plans. False: a limit stopped it, or the agent is not alive, and `problem` says so.
+  /// A run that ended because all agents were idle goes on with the next step. REQUIRES: no step is
   /// under way.
   [[nodiscard]] bool intervene(AgentId id, const std::function<void(Agent& agent)>& work,
                                std::string& problem);
