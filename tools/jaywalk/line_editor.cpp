@@ -2,6 +2,8 @@
 
 #include <cstdio>
 #include <histedit.h>
+#include <system_error>
+#include <utility>
 
 namespace jaywalk {
 namespace {
@@ -12,6 +14,7 @@ constexpr int kRemembered = 1000;
 struct EditorState {
   std::string prompt;
   bool cancelled = false;
+  std::function<Completion(std::string_view before)> complete;
 };
 
 EditorState& state_of(EditLine* editor) {
@@ -27,13 +30,34 @@ unsigned char cancel_line(EditLine* editor, int /*key*/) {
   return CC_NEWLINE;
 }
 
+// One candidate, or what all have in common, is put into the line; else they are shown below it.
+unsigned char complete_word(EditLine* editor, int /*key*/) {
+  const EditorState& state = state_of(editor);
+  if (!state.complete) return CC_REFRESH_BEEP;
+  const LineInfo* const line = el_line(editor);
+  const Completion found =
+      state.complete({line->buffer, static_cast<std::size_t>(line->cursor - line->buffer)});
+  if (found.candidates.empty()) return CC_REFRESH_BEEP;
+  const std::string missing = found.common().substr(found.replaced);
+  if (!missing.empty()) {
+    return el_insertstr(editor, missing.c_str()) == 0 ? CC_REFRESH : CC_REFRESH_BEEP;
+  }
+  if (found.candidates.size() == 1) return CC_REFRESH;
+  std::fputc('\n', stdout);
+  for (const std::string& candidate : found.candidates) std::printf("%s  ", candidate.c_str());
+  std::fputc('\n', stdout);
+  return CC_REDISPLAY;
+}
+
 class TerminalReader : public LineReader {
  public:
-  TerminalReader()
-      : editor_(el_init("jaywalk", stdin, stdout, stderr), el_end),
+  explicit TerminalReader(std::optional<std::filesystem::path> history_file)
+      : history_file_(std::move(history_file)),
+        editor_(el_init("jaywalk", stdin, stdout, stderr), el_end),
         history_(history_init(), history_end) {
     HistEvent event;
     history(history_.get(), &event, H_SETSIZE, kRemembered);
+    if (history_file_) history(history_.get(), &event, H_LOAD, history_file_->c_str());
     EditLine* const editor = editor_.get();
     el_set(editor, EL_CLIENTDATA, &state_);
     el_set(editor, EL_PROMPT, prompt_of);
@@ -43,6 +67,8 @@ class TerminalReader : public LineReader {
     el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
     el_set(editor, EL_ADDFN, "jaywalk-cancel", "Give up the input", cancel_line);
     el_set(editor, EL_BIND, "^C", "jaywalk-cancel", nullptr);
+    el_set(editor, EL_ADDFN, "jaywalk-complete", "Complete the word", complete_word);
+    el_set(editor, EL_BIND, "^I", "jaywalk-complete", nullptr);
   }
 
   std::optional<Line> read(const std::string& prompt) override {
@@ -68,9 +94,25 @@ class TerminalReader : public LineReader {
   void remember(const std::string& input) override {
     HistEvent event;
     history(history_.get(), &event, H_ENTER, input.c_str());
+    keep_history();
+  }
+
+  void complete_with(std::function<Completion(std::string_view before)> complete) override {
+    state_.complete = std::move(complete);
   }
 
  private:
+  // Written whole, then renamed. A history that cannot be kept is no reason to disturb.
+  void keep_history() {
+    if (!history_file_) return;
+    const std::string fresh = history_file_->string() + ".new";
+    HistEvent event;
+    if (history(history_.get(), &event, H_SAVE, fresh.c_str()) < 0) return;
+    std::error_code ignored;
+    std::filesystem::rename(fresh, *history_file_, ignored);
+  }
+
+  std::optional<std::filesystem::path> history_file_;
   EditorState state_;
   std::unique_ptr<EditLine, void (*)(EditLine*)> editor_;
   std::unique_ptr<History, void (*)(History*)> history_;
@@ -87,6 +129,7 @@ class StreamReader : public LineReader {
     return line;
   }
   void remember(const std::string& /*input*/) override {}
+  void complete_with(std::function<Completion(std::string_view)> /*complete*/) override {}
 
  private:
   std::istream& stream_;
@@ -94,7 +137,10 @@ class StreamReader : public LineReader {
 
 }  // namespace
 
-std::unique_ptr<LineReader> terminal_reader() { return std::make_unique<TerminalReader>(); }
+std::unique_ptr<LineReader> terminal_reader(
+    const std::optional<std::filesystem::path>& history_file) {
+  return std::make_unique<TerminalReader>(history_file);
+}
 
 std::unique_ptr<LineReader> stream_reader(std::istream& stream) {
   return std::make_unique<StreamReader>(stream);

@@ -9,6 +9,8 @@
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/line_editor.h"
+#include "tools/jaywalk/repl_completion.h"
+#include "tools/jaywalk/repl_history.h"
 #include "tools/jaywalk/repl_session.h"
 #include "tools/jaywalk/shipped.h"
 
@@ -34,9 +36,11 @@ std::optional<std::string> read_whole(LineReader& reader) {
 void converse(ReplSession& session, LineReader& reader, Console& console) {
   while (const auto text = read_whole(reader)) {
     if (!text->empty()) reader.remember(*text);
-    const bool goes_on = session.carry_out(read_input(*text));
-    console.flush();
-    if (!goes_on) return;
+    for (const ReplInput& input : read_inputs(*text)) {
+      const bool goes_on = session.carry_out(input);
+      console.flush();
+      if (!goes_on) return;
+    }
   }
 }
 
@@ -48,7 +52,9 @@ CommandHelp help() {
       .description =
           "Asks an agent, tells it beliefs, gives it goals and plans, and shows what it\n"
           "prints: a conversation, with the agent in a file or with an empty one. ':help'\n"
-          "there says what can be typed. Without a terminal inputs are read to the end of\n"
+          "there says what can be typed. In a terminal the Tab key completes names, and what\n"
+          "was typed is kept for the next time, in $XDG_STATE_HOME/jaywalk/repl_history (by\n"
+          "default below ~/.local/state). Without a terminal inputs are read to the end of\n"
           "standard input; the exit code is 2 if one of them was wrong.\n",
       .options = {},
       .examples =
@@ -67,14 +73,18 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto include_path = read_include_path(arguments, console);
   if (!include_path) return ExitCode::usage;
   const bool in_terminal = ::isatty(STDIN_FILENO) == 1 && console.output_is_terminal();
-  const auto reader = in_terminal ? terminal_reader() : stream_reader(std::cin);
+  const auto reader = in_terminal ? terminal_reader(repl_history_file()) : stream_reader(std::cin);
   ReplSession session(*include_path, console, in_terminal ? reader.get() : nullptr);
   const std::string path =
       arguments.operands().empty() ? std::string() : located(arguments.operands().front());
   if (!session.load(path)) return ExitCode::usage;
   // A Ctrl-C that comes when a query has just ended must not end the conversation.
   if (in_terminal) std::signal(SIGINT, SIG_IGN);
-  if (in_terminal) console.print("':help' says what can be typed; Ctrl-D ends.\n");
+  reader->complete_with(
+      [&session](std::string_view before) { return complete_input(before, session.names()); });
+  if (in_terminal) {
+    console.print("':help' says what can be typed, Tab completes it; Ctrl-D ends.\n");
+  }
   console.flush();
   converse(session, *reader, console);
   return !in_terminal && session.had_mistakes() ? ExitCode::usage : ExitCode::success;

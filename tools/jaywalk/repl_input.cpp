@@ -49,24 +49,78 @@ bool is_bare_belief(const ast::Plan& plan) {
          plan.trigger.op != ast::TriggerOperator::goal_state;
 }
 
-ReplInput clause(const std::string& text) {
-  ReplInput input{.kind = ReplInput::Kind::program, .word = {}, .text = text};
-  const auto source = std::make_shared<const Source>("input", text);
-  Diagnostics found;
-  const ast::File file = parse_agent(source, found);
-  if (found.has_errors() || file.components.size() != 1) return input;
-  const ast::Component& component = file.components.front();
+// A clause by itself; `text` is all of it, with its stop.
+ReplInput clause(const ast::Component& component, const Source& source, std::string text) {
+  using Kind = ReplInput::Kind;
   if (component.kind == ast::ComponentKind::goal) {
-    input.kind = ReplInput::Kind::goal;
-    input.text = source->text(component.literal->span);
-  } else if (component.kind == ast::ComponentKind::plan && is_bare_belief(*component.plan)) {
+    return {
+        .kind = Kind::goal, .word = {}, .text = std::string(source.text(component.literal->span))};
+  }
+  if (component.kind == ast::ComponentKind::plan && is_bare_belief(*component.plan)) {
     const ast::Trigger& trigger = component.plan->trigger;
     const bool adds = trigger.op == ast::TriggerOperator::add;
-    input.kind = adds ? ReplInput::Kind::add : ReplInput::Kind::remove;
-    input.text = source->text(trigger.literal->span);
+    return {.kind = adds ? Kind::add : Kind::remove,
+            .word = {},
+            .text = std::string(source.text(trigger.literal->span))};
   }
-  return input;
+  return {.kind = Kind::program, .word = {}, .text = std::move(text)};
 }
+
+// What stands between queries. What is no clause of its own kind stays together, in its order.
+void add_clauses(std::string_view text, std::vector<ReplInput>& inputs) {
+  if (trimmed(text).empty()) return;
+  const auto source = std::make_shared<const Source>("input", std::string(text));
+  Diagnostics found;
+  const ast::File file = parse_agent(source, found);
+  if (found.has_errors()) {
+    inputs.push_back({.kind = ReplInput::Kind::program, .word = {}, .text = std::string(text)});
+    return;
+  }
+  std::size_t begin = 0;
+  for (const ast::Component& component : file.components) {
+    const std::size_t end = component.span.end;
+    ReplInput input =
+        clause(component, *source, std::string(trimmed(text.substr(begin, end - begin))));
+    begin = end;
+    const bool joins = input.kind == ReplInput::Kind::program && !inputs.empty() &&
+                       inputs.back().kind == ReplInput::Kind::program;
+    if (joins) {
+      inputs.back().text += '\n' + input.text;
+    } else {
+      inputs.push_back(std::move(input));
+    }
+  }
+}
+
+ReplInput query(std::string_view text) {
+  text = trimmed(text);
+  text.remove_prefix(1);  // the question mark
+  if (text.starts_with('-')) text.remove_prefix(1);
+  return {.kind = ReplInput::Kind::query, .word = {}, .text = std::string(without_stop(text))};
+}
+
+// Where clauses end: behind a stop outside of braces, or behind the brace of a directive or of
+// sub-plans.
+class ClauseEnds {
+ public:
+  /// Whether a clause ends behind this token.
+  bool ends(TokenKind kind) {
+    if (!is_within_) is_block_ = kind == TokenKind::open_brace;
+    is_within_ = true;
+    if (kind == TokenKind::open_brace) ++braces_;
+    if (kind == TokenKind::close_brace) --braces_;
+    const bool is_end =
+        braces_ <= 0 && (is_block_ ? kind == TokenKind::close_brace : kind == TokenKind::stop);
+    is_within_ = !is_end;
+    return is_end;
+  }
+  [[nodiscard]] bool is_within() const { return is_within_; }
+
+ private:
+  int braces_ = 0;
+  bool is_within_ = false;
+  bool is_block_ = false;  // begins with a brace
+};
 
 }  // namespace
 
@@ -106,25 +160,36 @@ bool is_whole_input(std::string_view text) {
   return true;
 }
 
-ReplInput read_input(const std::string& text) {
+std::vector<ReplInput> read_inputs(const std::string& text) {
   const std::string_view bare = trimmed(text);
   if (bare.empty()) return {};
   if (bare.front() == ':') {
     const std::size_t blank = std::min(bare.find_first_of(kBlanks), bare.size());
-    return {.kind = ReplInput::Kind::command,
-            .word = std::string(bare.substr(1, blank - 1)),
-            .text = std::string(trimmed(bare.substr(blank)))};
+    return {{.kind = ReplInput::Kind::command,
+             .word = std::string(bare.substr(1, blank - 1)),
+             .text = std::string(trimmed(bare.substr(blank)))}};
   }
-  const std::vector<Token> tokens = tokens_of(bare);
-  if (tokens.front().kind == TokenKind::end_of_text) return {};
-  if (tokens.front().kind == TokenKind::question) {
-    std::size_t begin = tokens.front().span.end;
-    if (bare.substr(begin).starts_with('-')) ++begin;
-    return {.kind = ReplInput::Kind::query,
-            .word = {},
-            .text = std::string(without_stop(bare.substr(begin)))};
+  std::vector<ReplInput> inputs;
+  ClauseEnds clauses;
+  std::size_t begin = 0;
+  bool is_query = false;
+  for (const Token& token : tokens_of(bare)) {
+    if (!clauses.is_within() && token.kind == TokenKind::question) {
+      add_clauses(bare.substr(begin, token.span.begin - begin), inputs);
+      begin = token.span.begin;
+      is_query = true;
+    }
+    const bool is_last = token.kind == TokenKind::end_of_text;
+    if (!is_last && !clauses.ends(token.kind)) continue;
+    if (is_query) {
+      inputs.push_back(query(bare.substr(begin, token.span.end - begin)));
+      begin = token.span.end;
+      is_query = false;
+    }
+    if (is_last) break;
   }
-  return clause(std::string(bare));
+  add_clauses(bare.substr(begin), inputs);
+  return inputs;
 }
 
 }  // namespace jaywalk

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace jaywalk {
 
@@ -27,7 +28,9 @@ struct ReplInput {
 /// brackets. What can become none by going on is whole, too: it is an error.
 [[nodiscard]] bool is_whole_input(std::string_view text);
 
-/// Kinds of clauses are told apart by parsing; what does not parse is a program, whose errors tell.
-[[nodiscard]] ReplInput read_input(const std::string& text);
+/// What a whole input consists of: each clause is read as it would be alone, also if several stand
+/// on a line. Kinds of clauses are told apart by parsing; what does not parse is a program, whose
+/// errors tell.
+[[nodiscard]] std::vector<ReplInput> read_inputs(const std::string& text);
 
 }  // namespace jaywalk

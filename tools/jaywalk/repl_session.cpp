@@ -26,6 +26,7 @@ constexpr std::string_view kHelp =
     "  !g(1).                gives the agent a goal\n"
     "  q(X) :- p(X).         adds what a program may contain: beliefs, rules, plans ...\n"
     "  +!g(X) <- .print(X).\n"
+    "Several may stand on a line; each is read as it would be alone. Tab completes names.\n"
     "Commands stand on a line of their own:\n"
     "  :load FILE            begins anew with the agent in a file\n"
     "  :reload               the same with the file as it is now\n"
@@ -38,6 +39,12 @@ constexpr std::string_view kHelp =
     "  :run                  goes on with an agent that never rests\n"
     "  :help                 this\n"
     "  :quit                 ends, as Ctrl-D does; Ctrl-C ends a query that takes long\n";
+
+const std::vector<std::string>& repl_commands() {
+  static const std::vector<std::string> kCommands = {
+      "load", "reload", "beliefs", "rules", "plans", "intentions", "trace", "run", "help", "quit"};
+  return kCommands;
+}
 
 std::string answer_text(const Answer& answer) {
   std::string text;
@@ -137,6 +144,7 @@ bool ReplSession::carry_out(const ReplInput& input) {
       break;
     case Kind::goal:
       done = accept(interpreter_->achieve(agent_, input.text));
+      if (done) suggest(input.text, true);
       break;
     case Kind::program:
       done = accept(interpreter_->include(agent_, "input", input.text));
@@ -164,7 +172,40 @@ void ReplSession::ask(const std::string& query) {
     console_.note("interrupted");
   } else if (accept(found) && !any) {
     print_line("false");
+    suggest(query, false);
   }
+}
+
+void ReplSession::suggest(const std::string& text, bool is_goal) {
+  const std::size_t end = text.find_first_of("([. &|=<>");
+  const std::string name = text.substr(0, std::min(end, text.size()));
+  const bool is_atom = !name.empty() && name.front() >= 'a' && name.front() <= 'z';
+  const ReplNames known = names();
+  const std::vector<std::string>& same_kind = is_goal ? known.goals : known.predicates;
+  if (!is_atom || std::ranges::find(same_kind, name) != same_kind.end()) return;
+  const auto like = closest(name, same_kind);
+  if (like) console_.note(fmt::format("did you mean '{}{}'?", is_goal ? "!" : "", *like));
+}
+
+ReplNames ReplSession::names() const {
+  ReplNames names{.commands = repl_commands(), .predicates = {}, .goals = {}, .actions = {}};
+  for (const ActionDefinition& action : standard_actions().actions()) {
+    names.actions.emplace_back(action.name);
+  }
+  for (const FunctionDefinition& function : standard_actions().functions()) {
+    names.actions.emplace_back(function.name);
+  }
+  if (!interpreter_->mas().is_alive(agent_)) return names;
+  const Agent& agent = interpreter_->mas().agent(agent_);
+  for (const auto& relation : agent.beliefs().relations()) {
+    names.predicates.emplace_back(agent.symbols().functor(relation->predicate()));
+  }
+  for (const auto& plan : agent.library().plans()) {
+    const std::string_view name = functor_of(plan->trigger, agent.symbols());
+    const bool is_goal = plan->key.kind == TriggerKind::achieve;
+    if (is_goal && !plan->is_standard && !name.empty()) names.goals.emplace_back(name);
+  }
+  return names;
 }
 
 void ReplSession::trace(const std::string& goal) {
@@ -225,8 +266,6 @@ void ReplSession::show_intentions() {
 }
 
 bool ReplSession::carry_out_command(const ReplInput& input) {
-  static const std::vector<std::string> kCommands = {
-      "load", "reload", "beliefs", "rules", "plans", "intentions", "trace", "run", "help", "quit"};
   const std::string& word = input.word;
   if (word == "quit") return false;
   if (word == "help") {
@@ -239,8 +278,9 @@ bool ReplSession::carry_out_command(const ReplInput& input) {
     }
   } else if (word == "reload") {
     (void)load(path_);
-  } else if (std::find(kCommands.begin(), kCommands.end(), word) == kCommands.end()) {
-    const std::string hint = did_you_mean(word, kCommands);
+  } else if (std::find(repl_commands().begin(), repl_commands().end(), word) ==
+             repl_commands().end()) {
+    const std::string hint = did_you_mean(word, repl_commands());
     mistake(fmt::format("unknown command ':{}'", word),
             hint.empty() ? "':help' names the commands" : hint);
   } else if (!interpreter_->mas().is_alive(agent_)) {

@@ -9,6 +9,7 @@
 
 #include "interpreter/embed/interpreter.h"
 #include "tools/jaywalk/console.h"
+#include "tools/jaywalk/repl_completion.h"
 #include "tools/jaywalk/repl_input.h"
 #include "tools/jaywalk/repl_trace.h"
 
@@ -26,12 +27,16 @@ class ReplSession {
   bool load(const std::string& path);
   /// False: the conversation is over.
   bool carry_out(const ReplInput& input);
+  /// What can be completed.
+  [[nodiscard]] ReplNames names() const;
   /// Whether some input was wrong.
   [[nodiscard]] bool had_mistakes() const { return had_mistakes_; }
 
  private:
   bool carry_out_command(const ReplInput& input);
   void ask(const std::string& query);
+  /// A name that is like that of the goal or query, if nothing has its own.
+  void suggest(const std::string& text, bool is_goal);
   void trace(const std::string& goal);
   void show_beliefs(const std::string& name);
   void show_rules_and_plans(const std::string& name, bool rules);

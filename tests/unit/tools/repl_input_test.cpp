@@ -1,11 +1,21 @@
 #include "tools/jaywalk/repl_input.h"
 
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace jaywalk {
 namespace {
 
 using Kind = ReplInput::Kind;
+
+/// Of a text that is one input; kind `nothing` if it is none.
+ReplInput read_input(const std::string& text) {
+  const std::vector<ReplInput> inputs = read_inputs(text);
+  EXPECT_LE(inputs.size(), 1U) << text;
+  return inputs.empty() ? ReplInput{} : inputs.front();
+}
 
 TEST(ReplInput, EndsWithAFullStopOutsideOfBrackets) {
   EXPECT_TRUE(is_whole_input("p(1)."));
@@ -46,10 +56,35 @@ TEST(ReplInput, TellsKindsApartByParsing) {
   EXPECT_EQ(read_input("!g(1).").kind, Kind::goal);
   for (const char* const program :
        {"p(1).", "p :- q.", "+p : q.", "+p <- q.", "+!g.", "@l +p.", "^!g.", "p. q.", "+p. { +q. }",
-        "{ begin namespace(n) } p. { end }", "p(", "!a. !b."}) {
+        "{ begin namespace(n) } p. { end }", "p(", "+!g <- if (a) { b } ?c.",
+        "+!g <- !h. { +!h <- ?a; b. }"}) {
     EXPECT_EQ(read_input(program).kind, Kind::program) << program;
     EXPECT_EQ(read_input(program).text, program);
   }
+}
+
+TEST(ReplInput, ReadsEachClauseOfALineAsItWouldBeAlone) {
+  const std::vector<ReplInput> inputs =
+      read_inputs("+a(1). -b(2). ?- a(X), b. !g. p(1). q :- p(1). ?- q. +c <- x. !h.");
+  std::vector<std::pair<Kind, std::string>> seen;
+  for (const ReplInput& input : inputs) seen.emplace_back(input.kind, input.text);
+  const std::vector<std::pair<Kind, std::string>> expected{{Kind::add, "a(1)"},
+                                                           {Kind::remove, "b(2)"},
+                                                           {Kind::query, "a(X), b"},
+                                                           {Kind::goal, "g"},
+                                                           {Kind::program, "p(1).\nq :- p(1)."},
+                                                           {Kind::query, "q"},
+                                                           {Kind::program, "+c <- x."},
+                                                           {Kind::goal, "h"}};
+  EXPECT_EQ(seen, expected);
+}
+
+TEST(ReplInput, ReadsClausesThatStandAroundBlocks) {
+  const std::vector<ReplInput> inputs = read_inputs(
+      "+a(1). { begin namespace(n) } p(1). { end } +b(2).\n+!g <- !h. { +!h <- x. } !g.");
+  std::vector<Kind> kinds;
+  for (const ReplInput& input : inputs) kinds.push_back(input.kind);
+  EXPECT_EQ(kinds, (std::vector{Kind::add, Kind::program, Kind::add, Kind::program, Kind::goal}));
 }
 
 }  // namespace
