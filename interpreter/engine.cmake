@@ -8,6 +8,7 @@ jaywalk_add_library(engine
     term/heap.cpp
     term/object.cpp
     term/print.cpp
+    term/program_terms.cpp
     term/symbol.cpp
     logic/action.cpp
     logic/arithmetic.cpp
@@ -59,6 +60,7 @@ jaywalk_add_library(engine
     agent/plan_terms.cpp
     agent/services.cpp
     agent/step_guard.cpp
+    agent/step_texts.cpp
     agent/stride.cpp
     agent/waiting.cpp
     coverage/coverage.cpp

@@ -11,22 +11,21 @@
 namespace jaywalk::actions {
 namespace {
 
-// What is left of a body, from the current formula of each level on.
-Value remaining_body(Agent& agent, Intention& intention, const IntendedMeans& means) {
+// What is left of a body, from the current formula of each level on. As in Jason it is as it was
+// written, with variables that have no values: these are told by the map of bindings.
+Value remaining_body(Agent& agent, const IntendedMeans& means) {
+  Unifier& unifier = agent.machine().unifier();
+  unifier.set_slot_names({});
+  ScratchSlots slots(unifier, means.plan->slot_count);
   std::vector<Value> steps;
-  agent.machine().unifier().set_slot_names(means.plan->slot_names);
-  const auto add = [&](const Cursor& cursor, std::size_t from) {
-    for (std::size_t i = from; i < cursor.body->steps.size(); ++i) {
+  const auto add = [&](const Cursor& cursor) {
+    for (std::size_t i = cursor.index; i < cursor.body->steps.size(); ++i) {
       const Value source = cursor.body->steps[i].source;
-      if (!source.is_unset()) {
-        steps.push_back(agent.machine().unifier().instantiate(source, intention.frame(means)));
-      }
+      if (!source.is_unset()) steps.push_back(unifier.instantiate(source, slots.data()));
     }
   };
-  add(means.cursor, means.cursor.index);
-  for (std::size_t i = means.outer.size(); i > 0; --i) {
-    add(means.outer[i - 1], means.outer[i - 1].index);
-  }
+  add(means.cursor);
+  for (std::size_t i = means.outer.size(); i > 0; --i) add(means.outer[i - 1]);
   const auto arity = static_cast<std::uint16_t>(steps.size());
   return agent.heap().structure(
       agent.symbols().predicate(Signature{.functor = names::body_text, .arity = arity}), steps,
@@ -45,7 +44,8 @@ Value bindings_term(Agent& agent, Intention& intention, const IntendedMeans& mea
   std::vector<Value> maps;
   for (std::uint32_t i = 0; i < means.plan->slot_count; ++i) {
     const Value value = deref(intention.frame(means)[i]);
-    if (value.is_unset() || value.is_variable()) continue;
+    const bool is_named = means.plan->slot_names[i] != names::unnamed;
+    if (!is_named || value.is_unset() || value.is_variable()) continue;
     const std::array<Value, 2> args{agent.heap().variable(means.plan->slot_names[i]),
                                     agent.machine().unifier().apply(value)};
     maps.push_back(agent.heap().structure(agent.symbols().predicate("map", 2), args));
@@ -73,7 +73,7 @@ Value stack_term(Agent& agent, Intention& intention) {
     }
     const std::array<Value, 4> parts{
         label, trigger_term(agent, means.op, means.kind, means.trigger),
-        remaining_body(agent, intention, means), bindings_term(agent, intention, means)};
+        remaining_body(agent, means), bindings_term(agent, intention, means)};
     stack.push_back(heap.structure(agent.symbols().predicate("im", 4), parts));
   }
   // A copy: the open variables are those of the stack's own frames, perhaps of this very action.

@@ -110,7 +110,7 @@ class ProgramText {
     const std::string indent(static_cast<std::size_t>(depth) * 2, ' ');
     const PlanParts parts = plan_parts(agent_.plan_term(plan));
     text_ += indent;
-    if (is_literal(parts.label)) write_label(literal_parts(parts.label), parts.label);
+    if (is_literal(parts.label)) write_label(literal_parts(parts.label));
     text_ += bare(parts.trigger);
     if (!parts.context.is_unset()) text_ += " : " + source(parts.context);
     if (!parts.goal_condition.is_unset()) text_ += " <: " + source(parts.goal_condition);
@@ -125,12 +125,19 @@ class ProgramText {
     text_ += '\n';
   }
 
-  // Labels that plans got because they had none are left out; their annotations are not.
-  void write_label(const LiteralParts& label, Value whole) {
+  // Labels that plans got because they had none are left out; their annotations are not, but for
+  // the file that the plan was in.
+  void write_label(const LiteralParts& label) {
+    const Predicate url = agent_.symbols().predicate("url", 1);
+    std::vector<Value> kept;
+    for (const Value annot : elements(label.annots)) {
+      if (!annot.is_structure() || annot.structure()->predicate() != url) kept.push_back(annot);
+    }
+    const Value annots = agent_.heap().list(kept);
     if (!agent_.symbols().functor(label.predicate).starts_with("p__")) {
-      text_ += '@' + source(whole) + ' ';
-    } else if (!deref(label.annots).is_empty_list()) {
-      text_ += '@' + source(label.annots) + ' ';
+      text_ += '@' + source(agent_.heap().structure(label.predicate, label.args, annots)) + ' ';
+    } else if (!kept.empty()) {
+      text_ += '@' + source(annots) + ' ';
     }
   }
 

@@ -110,10 +110,15 @@ Outcome signal(ActionCall& call) {
     return call.wrong_argument(0, "a trigger like {+b}");
   }
   Value literal = call.unifier().fresh_copy(trigger.literal);
-  const Value annots = literal_parts(literal).annots;
-  if (!has_source(annots)) {
-    literal = with_annotations(call.heap(), literal,
-                               union_of(call.heap(), annots, source_self(), call.symbols()));
+  const auto annotate = [&](Value annots) {
+    literal = with_annotations(
+        call.heap(), literal,
+        union_of(call.heap(), literal_parts(literal).annots, annots, call.symbols()));
+  };
+  if (!has_source(literal_parts(literal).annots)) annotate(source_self());
+  if (call.count() > 1 && text_of(call.arg(1), call.symbols()) == "type_signal") {
+    const Value signal = Value::atom(call.symbols().predicate("signal", 0));
+    annotate(call.heap().pair(signal, Value::empty_list()));
   }
   call.agent()->add_event({trigger.op, trigger.kind, literal, nullptr, 0});
   return Outcome::succeeded;

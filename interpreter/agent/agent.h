@@ -415,7 +415,6 @@ class Agent final : public MachineSurroundings {
                         const Intention* intention);
   void lose(Intention& intention, const ActionError& error, Value code);
 
-  [[nodiscard]] static bool same_plan(const Plan& a, const Plan& b);
   [[nodiscard]] const Plan* equal_plan(const Plan& plan) const;
   void add_plan_source(const Plan& plan, Value source);
   [[nodiscard]] Value as_template(Value term, std::vector<Symbol>& slot_names);

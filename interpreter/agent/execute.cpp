@@ -7,6 +7,7 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/agent/step_texts.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -19,14 +20,6 @@ ActionError make_error(std::string id, std::string message) {
   error.id = std::move(id);
   error.message = std::move(message);
   return error;
-}
-
-// A formula without its operator, with the variables' names in place of their values.
-std::string text_as_written(Unifier& unifier, const Plan& plan, const Step& step) {
-  ScratchSlots slots(unifier, plan.slot_count);
-  std::string text = term_text(unifier.instantiate(step.source, slots.data()), unifier.symbols());
-  const std::size_t begin = text.find_first_not_of("?!+-<>");
-  return begin == std::string::npos ? text : text.substr(begin);
 }
 
 // The variable of the step has a value, or none, with which it is no formula.
@@ -92,7 +85,7 @@ void Agent::execute_step(Intention& intention, const Step& step) {
     case Step::Kind::constraint: {
       const std::size_t trail = machine().unifier().mark();
       if (!machine().solve(step.goal, intention.frame(intention.top()))) {
-        fail(intention, make_error("constraint_failed", ""));
+        fail(intention, constraint_failure(machine().unifier(), intention));
         return;
       }
       record_bindings(intention, trail);
@@ -361,6 +354,9 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
   }
   auto code = std::make_shared<BodyCode>();
   code->entry = BodyCompiler(*code, machine().actions(), symbols_).compile(value);
+  for (Body& made : code->bodies) {  // a literal that was a term has the place of the variable
+    for (Step& each : made.steps) each.line = each.line == 0 ? step.line : each.line;
+  }
   const Body& body = *code->entry;
   if (is_form(value, Form::body)) {
     // The formulas come in the variable's place, the first of them in this step.

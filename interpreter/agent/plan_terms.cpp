@@ -87,20 +87,11 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   return true;
 }
 
-bool Agent::same_plan(const Plan& a, const Plan& b) {
-  const PlanParts x = plan_parts(a.source);
-  const PlanParts y = plan_parts(b.source);
-  const auto same = [](Value p, Value q) {
-    return (p.is_unset() && q.is_unset()) || (!p.is_unset() && !q.is_unset() && equal_terms(p, q));
-  };
-  return same(x.trigger, y.trigger) && same(x.context, y.context) && same(x.body, y.body);
-}
-
 // Equal plans may have different labels.
 const Plan* Agent::equal_plan(const Plan& plan) const {
   const auto& candidates = library_->candidates(plan.key);
   const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Plan* known) {
-    return known->any_predicate == plan.any_predicate && same_plan(*known, plan);
+    return known->any_predicate == plan.any_predicate && equal_plans(*known, plan);
   });
   return found == candidates.end() ? nullptr : *found;
 }
@@ -232,7 +223,7 @@ bool Agent::include(std::shared_ptr<const Program> program, std::string& problem
     const Plan* const known = plan->is_standard ? plan.get() : plan_with_label(plan->label);
     if (known == nullptr) {
       added.push_back(plan);
-    } else if (known != plan.get() && !same_plan(*known, *plan)) {
+    } else if (known != plan.get() && !equal_plans(*known, *plan)) {
       problem = fmt::format("another plan has the label {} already", plan_name(*plan));
       return false;
     }

@@ -24,6 +24,7 @@
 #include "interpreter/agent/context.h"
 #include "interpreter/agent/plain.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/agent/step_texts.h"
 
 namespace jaywalk {
 
@@ -219,7 +220,7 @@ Agent::Executed Agent::ask(Intention& intention, const Step& step) {
     intention.advance();
   } else {
     if (step.kind == Step::Kind::constraint) {
-      fail(intention, ActionError{.id = "constraint_failed", .message = "", .annots = {}});
+      fail(intention, constraint_failure(machine().unifier(), intention));
     }
     return Executed::elsewhere;
   }

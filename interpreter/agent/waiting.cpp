@@ -49,17 +49,12 @@ Value Agent::wait_reason(const Intention& intention) {
   const auto term = [this](std::string_view name, Value arg) {
     return heap_.structure(symbols_.predicate(name, 1), std::span(&arg, 1));
   };
-  std::vector<Value> annots;
-  if (wait->has_trigger) {
-    const std::string op = trigger_operator(wait->op, wait->kind);
-    annots.push_back(
-        term("event", heap_.structure(symbols_.predicate(op, 1), std::span(&wait->trigger, 1),
-                                      Value::empty_list(), Form::trigger)));
-  }
-  if (wait->has_formula) annots.push_back(term("formula", wait->formula));
-  if (wait->ms >= 0) annots.push_back(term("time", Value::number(wait->ms)));
+  // A limit of time is not told of.
+  const Value awaited = wait->has_trigger   ? wait->trigger
+                        : wait->has_formula ? wait->formula
+                                            : term("time", Value::number(wait->ms));
   return with_annotations(heap_, term("wait", Value::number(intention.id)),
-                          sorted_set(heap_, heap_.list(annots), symbols_));
+                          heap_.pair(awaited, Value::empty_list()));
 }
 
 void Agent::schedule(Event event, double ms) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <unordered_map>
-#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -154,12 +153,14 @@ class ProgramBuilder {
 
   void add_plan(const ast::Plan& plan, PlanLibrary& library, const Plan* enclosing) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
-    const Value term = translator_.plan(plan, scope);
+    const Value term = translator_.program_plan(plan, scope);
     const auto compiled = compile_plan(term, scope.slot_names(), actions_, symbols_);
     if (compiled == nullptr) {
       diagnostics_.error(where(plan.span), "this is not a plan");
       return;
     }
+    compiled->is_standard = in_standard_plans_;
+    if (!in_standard_plans_ && !label_is_free(compiled, plan, library)) return;
     compiled->file = file_name(file_);
     compiled->line = file_ == nullptr ? 0 : file_->source->position(plan.span.begin).line;
     if (enclosing != nullptr) inherit_variables(*compiled, *enclosing);
@@ -169,9 +170,7 @@ class ProgramBuilder {
         add_plan(*inner, *compiled->subplans, compiled.get());
       }
     }
-    compiled->is_standard = in_standard_plans_;
-    if (!in_standard_plans_) check_label(*compiled, plan);
-    complete_label(*compiled);
+    complete_label(*compiled, enclosing == nullptr);
     library.add(compiled);
     if (enclosing == nullptr) plans_.push_back(compiled);
   }
@@ -190,10 +189,16 @@ class ProgramBuilder {
     plan.slot_count = static_cast<std::uint32_t>(plan.slot_names.size());
   }
 
-  // Plans without a label get one, and all have a source, which .remove_plan asks for.
-  void complete_label(Plan& plan) {
+  // Plans without a label get one. All have a source, which .remove_plan asks for, and those of the
+  // program itself their file.
+  void complete_label(Plan& plan, bool is_outermost) {
     Value annots = is_literal(plan.label) ? literal_parts(plan.label).annots : Value::empty_list();
     annots = union_of(constants(), annots, source_self(), symbols_);
+    if (is_outermost && !plan.is_standard) {
+      const Value file = constants().text("file:" + plan.file);
+      const Value url = constants().structure(symbols_.predicate("url", 1), std::span(&file, 1));
+      annots = union_of(constants(), annots, constants().pair(url, Value::empty_list()), symbols_);
+    }
     const bool named =
         is_literal(plan.label) && !symbols_.functor(literal_parts(plan.label).predicate).empty();
     if (!named) plan.label = Value::atom(symbols_.predicate(new_label(), 0));
@@ -208,17 +213,24 @@ class ProgramBuilder {
     return label;
   }
 
-  void check_label(const Plan& plan, const ast::Plan& written) {
-    if (!is_literal(plan.label) || written.label == nullptr ||
+  // A label is one plan's in its library. An equal plan of that label (a file that two others
+  // include) is the one that is there already; a different one is a mistake.
+  bool label_is_free(const std::shared_ptr<Plan>& plan, const ast::Plan& written,
+                     const PlanLibrary& library) {
+    if (!is_literal(plan->label) || written.label == nullptr ||
         written.label->kind != ast::Kind::literal || !written.label->args.empty()) {
-      return;
+      return true;
     }
     const std::string label =
-        term_text(with_annotations(constants(), plan.label, Value::empty_list()), symbols_);
-    if (labels_.insert(label).second) return;
-    diagnostics_.error(where(written.label->span),
-                       fmt::format("another plan has the label '{}' already", label),
-                       "give each plan a label of its own, or none");
+        term_text(with_annotations(constants(), plan->label, Value::empty_list()), symbols_);
+    const auto [known, is_new] = labels_[&library].emplace(label, plan);
+    if (is_new) return true;
+    if (!equal_plans(*known->second, *plan)) {
+      diagnostics_.error(where(written.label->span),
+                         fmt::format("another plan has the label '{}' already", label),
+                         "give each plan a label of its own, or none");
+    }
+    return false;
   }
 
   void register_functions(const ast::Component& component) {
@@ -283,8 +295,8 @@ class ProgramBuilder {
     const Symbol written = symbols_.symbol(directive.args[0]->text);
     if (directive.args.size() > 1 && directive.args[1]->text == "local") {
       translator_.rename_namespace(
-          written,
-          symbols_.symbol(fmt::format("#{}{}", ++local_namespaces_, directive.args[0]->text)));
+          written, symbols_.symbol(fmt::format("{}{}{}", kLocalNamespace, ++local_namespaces_,
+                                               directive.args[0]->text)));
     } else if (directive.args.size() > 1 && directive.args[1]->text == "global") {
       translator_.rename_namespace(written, written);
     }
@@ -325,7 +337,10 @@ class ProgramBuilder {
   Machine machine_;
   const SourceTree* tree_ = nullptr;
   const ast::File* file_ = nullptr;
-  std::unordered_set<std::string> labels_;
+  // Each library's plans whose label was written, by its text.
+  std::unordered_map<const PlanLibrary*,
+                     std::unordered_map<std::string, std::shared_ptr<const Plan>>>
+      labels_;
   std::vector<std::unique_ptr<ast::File>> expanded_;
   std::vector<std::shared_ptr<Plan>> plans_;
   bool in_standard_plans_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "interpreter/term/compare.h"
 
@@ -142,22 +143,39 @@ bool Translator::is_function(std::string_view name, std::size_t arity) const {
 
 Symbol Translator::resolve_namespace(std::string_view written) {
   const Symbol symbol = symbols_.symbol(written);
-  if (written == "this_ns") return namespace_;
+  if (written == "this_ns") return module_;
   const auto found = renamed_.find(symbol);
   return found == renamed_.end() ? symbol : found->second;
 }
 
-Symbol Translator::namespace_of(const ast::Node& node, Position position, std::size_t arity) {
+Symbol Translator::namespace_of(const ast::Node& node, std::size_t arity) {
   if (node.ns != nullptr && node.ns->kind == ast::Kind::literal) {
     return resolve_namespace(node.ns->text);
   }
-  if (node.this_namespace) return namespace_;
-  if (node.ns != nullptr || position == Position::term) return names::default_ns;
+  if (node.this_namespace) return module_;
+  if (node.ns != nullptr) return names::default_ns;
   if (is_dotted(node.text) || is_keyword(node.text, arity)) return names::default_ns;
   return namespace_;
 }
 
-Value Translator::translate(const ast::Node& node, VariableScope& scope, Position position) {
+namespace {
+// The atom `this_ns`, as a term the name of the module.
+bool names_module(const ast::Node& node) {
+  return node.kind == ast::Kind::literal && node.text == "this_ns" && node.args.empty() &&
+         node.ns == nullptr && !node.negated;
+}
+}  // namespace
+
+Value Translator::term(const ast::Node& node, VariableScope& scope) {
+  const Symbol outer = std::exchange(namespace_, names::default_ns);
+  const bool is_module = names_module(node);
+  const Value made = is_module ? Value::atom(symbols_.predicate(Signature{.functor = module_}))
+                               : translate(node, scope);
+  namespace_ = outer;
+  return made;
+}
+
+Value Translator::translate(const ast::Node& node, VariableScope& scope) {
   switch (node.kind) {
     case ast::Kind::number:
       return Value::number(node.number);
@@ -166,15 +184,15 @@ Value Translator::translate(const ast::Node& node, VariableScope& scope, Positio
     case ast::Kind::variable:
       return translate_variable(node, scope);
     case ast::Kind::literal:
-      return translate_literal(node, scope, position);
+      return translate_literal(node, scope);
     case ast::Kind::truth:
       return Value::atom(node.text == "true" ? predicates::truth : predicates::falsity);
     case ast::Kind::list:
       return translate_list(node, scope);
     case ast::Kind::unary:
-      return translate_unary(node, scope, position);
+      return translate_unary(node, scope);
     case ast::Kind::binary:
-      return translate_binary(node, scope, position);
+      return translate_binary(node, scope);
     case ast::Kind::body:
       return body(node.formulas, scope);
     case ast::Kind::trigger:
@@ -196,16 +214,11 @@ Value Translator::annotations(const ast::Node* annots, VariableScope& scope) {
                            : sorted_set(heap_, translate_list(*annots, scope), symbols_);
 }
 
-Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
-                                    Position position) {
-  if (node.text == "this_ns" && position == Position::term && node.args.empty() &&
-      node.ns == nullptr && !node.negated) {
-    return Value::atom(symbols_.predicate(Signature{.functor = namespace_}));
-  }
+Value Translator::translate_literal(const ast::Node& node, VariableScope& scope) {
   std::vector<Value> args;
   args.reserve(node.args.size());
   for (const ast::Node* arg : node.args) args.push_back(term(*arg, scope));
-  const Signature signature{.ns = namespace_of(node, position, args.size()),
+  const Signature signature{.ns = namespace_of(node, args.size()),
                             .functor = symbols_.symbol(node.text),
                             .arity = static_cast<std::uint16_t>(args.size()),
                             .negated = node.negated};
@@ -215,21 +228,22 @@ Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
                       function ? Form::function : Form::literal);
   if (node.ns == nullptr || node.ns->kind != ast::Kind::variable) return made;
   // The namespace is a variable: known when the literal is applied.
-  const std::array<Value, 2> parts{made, translate_variable(*node.ns, scope)};
+  const std::array<Value, 2> parts{made, scope.variable(node.ns->text)};
   return heap_.structure(
       symbols_.predicate(Signature{.functor = names::decorated_text, .arity = 2}), parts,
       Value::empty_list(), Form::decorated);
 }
 
+// Where a literal is expected, a variable stands for one of the namespace in force.
 Value Translator::translate_variable(const ast::Node& node, VariableScope& scope) {
   const Value variable = scope.variable(node.text);
-  if (!node.negated && node.ns == nullptr && node.annots == nullptr && !node.this_namespace) {
-    return variable;
-  }
+  const Symbol ns = node.this_namespace ? module_ : namespace_;
+  const bool is_plain = node.ns == nullptr && ns == names::default_ns && !node.this_namespace;
+  if (!node.negated && is_plain && node.annots == nullptr) return variable;
   std::vector<Value> parts{variable};
-  if (node.this_namespace) {
-    parts.push_back(Value::atom(symbols_.predicate(Signature{.functor = namespace_})));
-  } else if (node.ns != nullptr) {
+  if (node.ns == nullptr) {
+    if (!is_plain) parts.push_back(Value::atom(symbols_.predicate(Signature{.functor = ns})));
+  } else {
     parts.push_back(node.ns->kind == ast::Kind::variable
                         ? scope.variable(node.ns->text)
                         : Value::atom(symbols_.predicate(
@@ -250,32 +264,74 @@ Value Translator::translate_list(const ast::Node& node, VariableScope& scope) {
   return heap_.list(elements, tail);
 }
 
-Value Translator::translate_unary(const ast::Node& node, VariableScope& scope, Position position) {
-  const Value operand = translate(
-      *node.args[0], scope, node.op == ast::Operator::logical_not ? position : Position::term);
+Value Translator::translate_unary(const ast::Node& node, VariableScope& scope) {
+  const bool is_formula = node.op == ast::Operator::logical_not;
+  const Value operand = is_formula ? formula(*node.args[0], scope) : term(*node.args[0], scope);
   if (node.op == ast::Operator::positive) return operand;
   if (node.op == ast::Operator::negative && operand.is_number()) {
     return Value::number(-operand.as_number());
   }
   const std::array<Value, 1> args{operand};
   return heap_.structure(operator_predicate(node.op), args, Value::empty_list(),
-                         node.op == ast::Operator::logical_not ? Form::logical : Form::expression);
+                         is_formula ? Form::logical : Form::expression);
 }
 
-Value Translator::translate_binary(const ast::Node& node, VariableScope& scope, Position position) {
+Value Translator::translate_binary(const ast::Node& node, VariableScope& scope) {
   const Form form = operator_form(node.op);
-  const Position inner = form == Form::logical ? position : Position::term;
-  const std::array<Value, 2> args{translate(*node.args[0], scope, inner),
-                                  translate(*node.args[1], scope, inner)};
+  const auto part = [&](const ast::Node& written) {
+    if (form == Form::expression) return term(written, scope);
+    return form == Form::relation ? operand(written, scope) : formula(written, scope);
+  };
+  const std::array<Value, 2> args{part(*node.args[0]), part(*node.args[1])};
   return heap_.structure(operator_predicate(node.op), args, Value::empty_list(), form);
 }
 
+// A literal or variable on a side of a relation is a term: it is in the default namespace, even if
+// the module's own is written. Formulas and programs there are the module's.
+Value Translator::operand(const ast::Node& node, VariableScope& scope) {
+  if (node.kind != ast::Kind::literal && node.kind != ast::Kind::variable) {
+    return translate(node, scope);
+  }
+  if (names_module(node)) return term(node, scope);
+  const bool has_own_prefix =
+      node.this_namespace || (node.ns != nullptr && node.ns->kind == ast::Kind::literal &&
+                              resolve_namespace(node.ns->text) == namespace_);
+  const Symbol outer = std::exchange(namespace_, names::default_ns);
+  ast::Node bare = node;
+  if (has_own_prefix) {
+    bare.ns = nullptr;
+    bare.this_namespace = false;
+  }
+  const Value made = translate(bare, scope);
+  namespace_ = outer;
+  return made;
+}
+
+// `if`, `for`, `while` and forks are internal actions by name, whose arguments are not terms: they
+// are formulas and bodies of the module.
+Value Translator::statement(const ast::Formula& formula, VariableScope& scope) {
+  const ast::Node& node = *formula.node;
+  const bool is_fork =
+      formula.statement == ast::Statement::fork_and || formula.statement == ast::Statement::fork_or;
+  std::vector<Value> args;
+  args.reserve(node.args.size());
+  for (const ast::Node* arg : node.args) {
+    const bool is_mode = is_fork && args.empty();
+    args.push_back(is_mode ? term(*arg, scope) : translate(*arg, scope));
+    if (arg->kind == ast::Kind::body) args.back().structure()->info |= Structure::kBare;
+  }
+  const Signature signature{.functor = symbols_.symbol(node.text),
+                            .arity = static_cast<std::uint16_t>(args.size())};
+  return heap_.structure(symbols_.predicate(signature), args);
+}
+
 Value Translator::step(const ast::Formula& formula, VariableScope& scope) {
-  const Position position =
-      formula.node->kind == ast::Kind::body ? Position::term : Position::literal;
   const double line =
       source_ == nullptr ? 0 : static_cast<double>(source_->position(formula.span.begin).line);
-  const std::array<Value, 2> args{translate(*formula.node, scope, position), Value::number(line)};
+  const bool is_statement = formula.statement != ast::Statement::formula;
+  const std::array<Value, 2> args{
+      is_statement ? statement(formula, scope) : translate(*formula.node, scope),
+      Value::number(line)};
   const Predicate predicate =
       symbols_.predicate(Signature{.functor = body_operator(formula.op), .arity = 2});
   return heap_.structure(predicate, args, Value::empty_list(), Form::step);
@@ -313,16 +369,30 @@ namespace {
 bool is_true(const ast::Node& node) { return node.kind == ast::Kind::truth && node.text == "true"; }
 }  // namespace
 
-Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
-  Value label;
-  if (plan.label != nullptr && plan.label->kind == ast::Kind::list) {
+Value Translator::label(const ast::Plan& plan, VariableScope& scope) {
+  if (plan.label == nullptr) return {};
+  if (plan.label->kind == ast::Kind::list) {
     // `@[atomic]`: annotations of a label without a name.
-    label = heap_.structure(symbols_.predicate("", 0), {}, annotations(plan.label, scope));
-  } else if (plan.label != nullptr && !plan.label->args.empty()) {
-    label = heap_.structure(symbols_.predicate("", 0), {}, annotations(plan.label->annots, scope));
-  } else if (plan.label != nullptr) {
-    label = literal(*plan.label, scope);
+    return heap_.structure(symbols_.predicate("", 0), {}, annotations(plan.label, scope));
   }
+  if (!plan.label->args.empty()) {
+    return heap_.structure(symbols_.predicate("", 0), {}, annotations(plan.label->annots, scope));
+  }
+  return literal(*plan.label, scope);
+}
+
+Value Translator::plan(const ast::Plan& plan, VariableScope& scope) {
+  const Symbol outer = std::exchange(namespace_, names::default_ns);
+  const Value made = label(plan, scope);
+  namespace_ = outer;
+  return plan_with_label(made, plan, scope);
+}
+
+Value Translator::program_plan(const ast::Plan& plan, VariableScope& scope) {
+  return plan_with_label(label(plan, scope), plan, scope);
+}
+
+Value Translator::plan_with_label(Value label, const ast::Plan& plan, VariableScope& scope) {
   std::array<Value, 6> parts{
       label, trigger(plan.trigger, scope),
       // A context `true` is none.

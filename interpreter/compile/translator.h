@@ -44,26 +44,25 @@ class Translator {
   Translator(Heap& heap, SymbolTable& symbols, const ActionRegistry& actions)
       : heap_(heap), symbols_(symbols), actions_(actions) {}
 
-  /// Whether the namespace in force applies: to literals it does, to terms it does not.
-  enum class Position { literal, term };
-
-  [[nodiscard]] Value term(const ast::Node& node, VariableScope& scope) {
-    return translate(node, scope, Position::term);
-  }
+  /// What stands as a term, an argument or an element of a list, is in the default namespace;
+  /// literals and formulas are in the one in force.
+  [[nodiscard]] Value term(const ast::Node& node, VariableScope& scope);
   [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope) {
-    return translate(node, scope, Position::literal);
+    return translate(node, scope);
   }
   [[nodiscard]] Value formula(const ast::Node& node, VariableScope& scope) {
-    return translate(node, scope, Position::literal);
+    return translate(node, scope);
   }
+  /// A plan of a program, whose label is in the namespace in force.
+  [[nodiscard]] Value program_plan(const ast::Plan& plan, VariableScope& scope);
   /// A term of form plan; sub-plans, if any, are left to the caller.
   [[nodiscard]] Value plan(const ast::Plan& plan, VariableScope& scope);
   [[nodiscard]] Value trigger(const ast::Trigger& trigger, VariableScope& scope);
   [[nodiscard]] Value body(std::span<const ast::Formula> formulas, VariableScope& scope);
 
   /// The namespace in force, and what its name stands for (`local` ones are renamed).
-  void set_namespace(Symbol ns) { namespace_ = ns; }
-  [[nodiscard]] Symbol current_namespace() const { return namespace_; }
+  void set_namespace(Symbol ns) { module_ = namespace_ = ns; }
+  [[nodiscard]] Symbol current_namespace() const { return module_; }
   void rename_namespace(Symbol written, Symbol meant) { renamed_[written] = meant; }
   [[nodiscard]] Symbol resolve_namespace(std::string_view written);
   /// Functions of the program itself (`register_function`).
@@ -72,22 +71,27 @@ class Translator {
   void set_source(const Source* source) { source_ = source; }
 
  private:
-  Value translate(const ast::Node& node, VariableScope& scope, Position position);
-  Value translate_literal(const ast::Node& node, VariableScope& scope, Position position);
+  Value translate(const ast::Node& node, VariableScope& scope);
+  Value translate_literal(const ast::Node& node, VariableScope& scope);
   Value translate_variable(const ast::Node& node, VariableScope& scope);
-  Value translate_unary(const ast::Node& node, VariableScope& scope, Position position);
-  Value translate_binary(const ast::Node& node, VariableScope& scope, Position position);
+  Value translate_unary(const ast::Node& node, VariableScope& scope);
+  Value translate_binary(const ast::Node& node, VariableScope& scope);
   Value translate_list(const ast::Node& node, VariableScope& scope);
+  Value operand(const ast::Node& node, VariableScope& scope);
+  Value statement(const ast::Formula& formula, VariableScope& scope);
   Value annotations(const ast::Node* annots, VariableScope& scope);
   Value step(const ast::Formula& formula, VariableScope& scope);
-  Symbol namespace_of(const ast::Node& node, Position position, std::size_t arity);
+  Value label(const ast::Plan& plan, VariableScope& scope);
+  Value plan_with_label(Value label, const ast::Plan& plan, VariableScope& scope);
+  Symbol namespace_of(const ast::Node& node, std::size_t arity);
   bool is_function(std::string_view name, std::size_t arity) const;
 
   Heap& heap_;
   SymbolTable& symbols_;
   const ActionRegistry& actions_;
   const Source* source_ = nullptr;
-  Symbol namespace_ = names::default_ns;
+  Symbol module_ = names::default_ns;
+  Symbol namespace_ = names::default_ns;  // the module's, but within terms
   std::unordered_map<Symbol, Symbol> renamed_;
   std::vector<std::pair<std::string, std::size_t>> functions_;
 };

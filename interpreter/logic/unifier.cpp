@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "interpreter/term/compare.h"
+#include "interpreter/term/program_terms.h"
 
 namespace jaywalk {
 Value with_annotations(Heap& heap, Value literal, Value annots) {
@@ -95,6 +96,10 @@ bool Unifier::unify_variable(Value variable, Value value) {
 }
 
 bool Unifier::unify_literals(Value a, Value b) {
+  if (is_program(a) != is_program(b)) {
+    if (is_program(a)) return unify_no_undo(program_structure(heap(), symbols_, a), b);
+    return unify_no_undo(a, program_structure(heap(), symbols_, b));
+  }
   if (a.is_atom()) {
     if (b.is_atom()) return false;  // equal ones were found to be the same
     return b.is_structure() && b.structure()->arity == 0 && is_literal(b) &&

@@ -242,7 +242,10 @@ Value Unifier::instantiate_decorated(const Structure& s, Value* slots) {
     const LiteralParts parts = literal_parts(value);
     Signature signature = symbols_.signature(parts.predicate);
     signature.negated = signature.negated != negated;
-    if (ns.is_atom()) signature.ns = symbols_.signature(ns.atom_id()).functor;
+    // Truth and internal actions are of no namespace.
+    const bool has_namespace = !signature.dotted && parts.predicate != predicates::truth &&
+                               parts.predicate != predicates::falsity;
+    if (ns.is_atom() && has_namespace) signature.ns = symbols_.signature(ns.atom_id()).functor;
     if (ns.is_variable() || ns.is_slot()) {
       // The namespace is still to be known: the literal stays as it is, for any of them.
       const std::array<Value, 2> parts_of{value, ns};

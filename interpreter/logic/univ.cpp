@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/term/program_terms.h"
+
 namespace jaywalk {
 namespace {
 
@@ -30,15 +32,27 @@ std::vector<Value> elements_of(Value list) {
   return elements;
 }
 
+// Label, trigger, context and body. The context may be in braces, { p(X) }.
+Value plan_of(Heap& heap, SymbolTable& symbols, const std::vector<Value>& parts) {
+  std::array<Value, 6> plan{parts[0], parts[1], parts[2], parts[3], Value(), Value()};
+  Value& context = plan[2];
+  if (is_form(context, Form::body) && context.structure()->arity > 0) {
+    context = without_operator(context.structure()->arg(0));
+  }
+  if (context.is_atom() && context.atom_id() == predicates::truth) context = Value();
+  const Value made =
+      heap.structure(symbols.predicate(Signature{.functor = names::plan_text, .arity = 6}), plan,
+                     Value::empty_list(), Form::plan);
+  made.structure()->info |= Structure::kBare;
+  return made;
+}
+
 bool put_together(Unifier& unifier, Value term, Value list) {
   Heap& heap = unifier.heap();
   SymbolTable& symbols = unifier.symbols();
   const std::vector<Value> parts = elements_of(list);
   if (parts.size() == 4 && is_form(parts[3], Form::body)) {
-    std::array<Value, 6> plan{parts[0], parts[1], parts[2], parts[3], Value(), Value()};
-    const Predicate predicate =
-        symbols.predicate(Signature{.functor = names::plan_text, .arity = 6});
-    return unifier.unify(term, heap.structure(predicate, plan, Value::empty_list(), Form::plan));
+    return unifier.unify(term, plan_of(heap, symbols, parts));
   }
   if (parts.size() != 3 && parts.size() != 4) return false;
   const std::size_t first = parts.size() - 3;
@@ -71,6 +85,10 @@ bool put_together(Unifier& unifier, Value term, Value list) {
 
 bool unify_univ(Unifier& unifier, Value term, Value list) {
   if (is_literal(term)) return take_apart(unifier, term, list);
+  if (is_program(term) && !is_form(term, Form::plan)) {
+    const Value literal = program_structure(unifier.heap(), unifier.symbols(), term);
+    return is_literal(literal) && take_apart(unifier, literal, list);
+  }
   if (is_form(term, Form::plan)) {
     const Structure& plan = *term.structure();
     std::array<Value, 4> parts{plan.arg(0), plan.arg(1), plan.arg(2), plan.arg(3)};

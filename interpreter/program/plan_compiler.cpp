@@ -5,6 +5,7 @@
 
 #include "interpreter/logic/belief_base.h"
 #include "interpreter/logic/unifier.h"
+#include "interpreter/term/compare.h"
 
 namespace jaywalk {
 namespace {
@@ -194,6 +195,15 @@ PlanParts plan_parts(Value plan) {
   const Structure& s = *plan.structure();
   return {deref(s.arg(0)), deref(s.arg(1)), deref(s.arg(2)),
           deref(s.arg(3)), deref(s.arg(4)), deref(s.arg(5))};
+}
+
+bool equal_plans(const Plan& a, const Plan& b) {
+  const PlanParts x = plan_parts(a.source);
+  const PlanParts y = plan_parts(b.source);
+  const auto same = [](Value p, Value q) {
+    return (p.is_unset() && q.is_unset()) || (!p.is_unset() && !q.is_unset() && equal_terms(p, q));
+  };
+  return same(x.trigger, y.trigger) && same(x.context, y.context) && same(x.body, y.body);
 }
 
 bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts) {

@@ -37,6 +37,9 @@ struct PlanParts {
 };
 [[nodiscard]] PlanParts plan_parts(Value plan);
 
+/// Whether the plans have the same trigger, context and body; labels do not count.
+[[nodiscard]] bool equal_plans(const Plan& a, const Plan& b);
+
 /// The parts of a trigger term.
 struct TriggerParts {
   TriggerOperator op = TriggerOperator::add;

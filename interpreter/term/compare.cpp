@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/term/program_terms.h"
 #include "interpreter/term/walk.h"
 
 namespace jaywalk {
@@ -119,6 +120,7 @@ class Order {
       case 2:
         return a.is_empty_list() ? -1 : 1;  // one of them has ended
       case 3:
+        if (is_program(a) || is_program(b)) return programs(a, b);
         return literals(view_of(a), view_of(b));
       case 4:
         return objects(*a.object()->object, *b.object()->object);
@@ -173,6 +175,45 @@ class Order {
     }
     if (a.args.size() != b.args.size()) return a.args.size() < b.args.size() ? -1 : 1;
     return compare(a.annots, b.annots);
+  }
+
+  // One of them is a program as data, which has a place by what it is as a structure
+  // (program_terms.h): a rule that of its head, others behind the literals of their functor.
+  int programs(Value a, Value b) {
+    const bool rule_a = is_form(a, Form::rule);
+    const bool rule_b = is_form(b, Form::rule);
+    if (rule_a || rule_b) {
+      const int order =
+          compare(rule_a ? a.structure()->arg(0) : a, rule_b ? b.structure()->arg(0) : b);
+      if (order != 0 || rule_a != rule_b) return order != 0 ? order : rule_a ? 1 : -1;
+      return compare(a.structure()->arg(1), b.structure()->arg(1));
+    }
+    const std::string_view left = functor_of(a);
+    const std::string_view right = functor_of(b);
+    if (left != right) return sign(left <=> right);
+    if (is_program(a) != is_program(b)) {
+      const bool is_none = left == "none" && (a.is_atom() || b.is_atom());
+      return is_none ? 0 : is_program(a) ? 1 : -1;
+    }
+    return is_form(a, Form::body) ? bodies(*a.structure(), *b.structure())
+                                  : literals(view_of(a), view_of(b));
+  }
+
+  [[nodiscard]] std::string_view functor_of(Value value) const {
+    return is_program(value) ? program_functor(*value.structure(), symbols_)
+                             : symbols_.functor(view_of(value).predicate);
+  }
+
+  // Formula by formula: first its kind, then what it is about; what ends first stands before.
+  int bodies(const Structure& a, const Structure& b) {
+    for (std::size_t i = 0; i < a.arity && i < b.arity; ++i) {
+      const std::string_view left = formula_functor(a.arg(i), symbols_);
+      const std::string_view right = formula_functor(b.arg(i), symbols_);
+      if (left != right) return sign(left <=> right);
+      const int order = compare(without_operator(a.arg(i)), without_operator(b.arg(i)));
+      if (order != 0) return order;
+    }
+    return a.arity == b.arity ? 0 : a.arity < b.arity ? -1 : 1;
   }
 
   // Sets before maps before queues; the smaller first; then by their contents; queues by age.

@@ -209,7 +209,7 @@ class Printer {
         step(s);
         return;
       case Form::trigger: {
-        const bool bare = (s.info & Structure::kBare) != 0;
+        const bool bare = is_bare(s);
         if (!bare) out_ += "{ ";
         trigger(s);
         if (!bare) out_ += " }";
@@ -279,12 +279,28 @@ class Printer {
   void steps(const Structure& s) {
     for (std::size_t i = 0; i < s.arity; ++i) {
       if (i > 0) out_ += "; ";
-      term(s.arg(i));
+      const Value inner = body_of(s.arg(i));
+      inner.is_unset() ? term(s.arg(i)) : steps(*inner.structure());
     }
   }
 
+  // The body that a variable has become in the place of a formula: it is a part of the one around.
+  [[nodiscard]] Value body_of(Value step) const {
+    step = deref(step);
+    const bool is_step = is_form(step, Form::step) &&
+                         symbols_.signature(step.structure()->predicate()).functor == names::empty;
+    const Value formula = is_step ? deref(step.structure()->arg(0)) : step;
+    const bool is_part = is_form(formula, Form::body) && formula.structure()->arity > 0;
+    return is_part ? formula : Value();
+  }
+
+  // What is to be read again has its braces.
+  [[nodiscard]] bool is_bare(const Structure& s) const {
+    return (s.info & Structure::kBare) != 0 && strings_ == Strings::as_they_are;
+  }
+
   void body(const Structure& s) {
-    const bool bare = (s.info & Structure::kBare) != 0;
+    const bool bare = is_bare(s);
     if (!bare) out_ += "{ ";
     steps(s);
     if (!bare) out_ += s.arity > 0 ? " }" : "}";
@@ -296,7 +312,8 @@ class Printer {
   }
 
   void plan(const Structure& s) {
-    out_ += "{ ";
+    const bool bare = is_bare(s);
+    if (!bare) out_ += "{ ";
     const Value label = deref(s.arg(0));
     if (!label.is_unset()) {
       out_ += '@';
@@ -322,7 +339,7 @@ class Printer {
       out_ += " <- ";
       term(body_term);
     }
-    out_ += " }";
+    out_ += bare ? "." : " }";
   }
 
   void object(Object& object) {

@@ -83,14 +83,16 @@ Symbol SymbolTable::symbol(std::string_view text) {
 
 Predicate SymbolTable::predicate(const Signature& signature) {
   Signature complete = signature;
-  complete.dotted = is_dotted(text(signature.functor));
+  const std::string_view functor = text(signature.functor);
+  complete.dotted = is_dotted(functor);
   if (const Predicate* known = find(complete)) return *known;
   const auto guard = lock<WritingLock>();
   if (const auto found = predicates_.find(complete); found != predicates_.end()) {
     return found->second;
   }
-  const Predicate id{static_cast<std::uint32_t>(predicate_count()) |
-                     (signature.ns == names::default_ns ? 0 : kForeignBit) |
+  // The name of a file's own namespace is as hidden as what is in it.
+  const bool is_hidden = signature.ns != names::default_ns || functor.starts_with(kLocalNamespace);
+  const Predicate id{static_cast<std::uint32_t>(predicate_count()) | (is_hidden ? kForeignBit : 0) |
                      (signature.negated ? kNegatedBit : 0)};
   predicates_.emplace(signatures_.emplace_back(complete), id);
   return id;

@@ -20,7 +20,11 @@ namespace jaywalk {
 enum class Symbol : std::uint32_t {};
 enum class Predicate : std::uint32_t {};
 
-/// Predicates outside the default namespace have this bit: plain variables do not take them.
+/// How the names of namespaces that a file has for itself begin.
+inline constexpr char kLocalNamespace = '#';
+
+/// Predicates outside the default namespace, and the names of local namespaces, have this bit:
+/// plain variables do not take them.
 inline constexpr std::uint32_t kForeignBit = 0x8000'0000U;
 [[nodiscard]] constexpr bool is_foreign(Predicate predicate) {
   return (static_cast<std::uint32_t>(predicate) & kForeignBit) != 0;

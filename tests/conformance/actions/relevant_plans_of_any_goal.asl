@@ -5,11 +5,11 @@
 @three +b.
 @four -!a(_).
 +!start <- .relevant_plans({+!_}, _, Labels);
-           for (.member(L, Labels) & .member(L, [one[source(self)], two[source(self), test],
-                                                 three[source(self)], four[source(self)]])) {
+           for (.member(L, Labels) & .member(L, [one[source(self)|_], two[source(self), test|_],
+                                                 three[source(self)|_], four[source(self)|_]])) {
              .print(L)
            };
            for (.member(L[test], Labels)) { .print(L) }.
-// expect: one[source(self)]
-// expect: two[source(self),test]
+// expect: one[source(self),url("file:agent.asl")]
+// expect: two[source(self),test,url("file:agent.asl")]
 // expect: two

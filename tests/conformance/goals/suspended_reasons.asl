@@ -1,7 +1,7 @@
 // .suspended and .intention tell why a goal waits.
 // expect: [time(50)]
-// expect: [event({ +!e }),time(60)]
-// expect: [formula(f(1))]
+// expect: [e]
+// expect: [f(1)]
 // expect: suspend_ia
 // expect: not suspended
 !main.

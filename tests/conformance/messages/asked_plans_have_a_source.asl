@@ -8,6 +8,6 @@
 -!cook(X)[error(E)] <- .print(X, " ", E).
 // agent bob
 @soup +!cook(X) <- .print("cooking ", X).
-// expect [ann]: [{ @soup[source(bob)] +!cook(X) <- .print("cooking ",X) }]
+// expect [ann]: [{ @soup[source(bob),url("file:bob.asl")] +!cook(X) <- .print("cooking ",X) }]
 // expect [ann]: cooking rice
 // expect [ann]: pasta no_relevant

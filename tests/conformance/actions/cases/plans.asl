@@ -33,19 +33,19 @@
 +!boundary(".save_agent") <- .save_agent("copy.asl", []); .save_agent("copy.asl", [g(1)]); .print("saved").
 +!failure(".save_agent") <- .save_agent.
 // expect log: missing.asl: no such file
-// expect: 2[a[source(self)],b[source(self)]]
+// expect: 2[a[source(self),url("file:agent.asl")],b[source(self),url("file:agent.asl")]]
 // expect: [][]
 // expect: .relevant_plans ia_failed
 // expect: 2
 // expect: 1
 // expect: .relevant_plan ia_failed
-// expect: { @a[source(self)] +!g(1) <- .print(a) }
+// expect: { @a[source(self),url("file:agent.asl")] +!g(1) <- .print(a) }
 // expect: a pattern
 // expect: .plan_label ia_failed
-// expect: @a[source(self)] +!g(1) <- .print(a).
-// expect: @b[source(self)] +!g(X) <- .print(b).
+// expect: @a[source(self),url("file:agent.asl")] +!g(1) <- .print(a).
+// expect: @b[source(self),url("file:agent.asl")] +!g(X) <- .print(b).
 // expect: none
-// expect: @b[source(self)] +!g(X) <- .print(b).
+// expect: @b[source(self),url("file:agent.asl")] +!g(X) <- .print(b).
 // expect: added
 // expect: first
 // expect: .add_plan internal_action

@@ -15,9 +15,9 @@ n(5).
      +{ +!k <- .print(k) }; .relevant_plans({ +!k }, [P]); .add_plan(P, sue); -P; !k; .remove_plan(P, sue); !gone(k).
 +!gone(G) <- !G; .print("never").
 -!gone(G)[error(E)] <- .print(G, " ", E).
-// expect: [a[source(bob),source(self)]]
-// expect: [b[cost(2),source(self),source(tom)]]
-// expect: [b[cost(2),source(tom)]]
+// expect: [a[source(bob),source(self),url("file:agent.asl")]]
+// expect: [b[cost(2),source(self),source(tom),url("file:agent.asl")]]
+// expect: [b[cost(2),source(tom),url("file:agent.asl")]]
 // expect: b
 // expect: a1
 // expect: 5
