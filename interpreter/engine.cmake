@@ -48,6 +48,7 @@ jaywalk_add_library(engine
     agent/context.cpp
     agent/customisation.cpp
     agent/cycle.cpp
+    agent/drops.cpp
     agent/execute.cpp
     agent/failure.cpp
     agent/for_loops.cpp

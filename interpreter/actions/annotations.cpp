@@ -92,7 +92,7 @@ Outcome get_src_info(ActionCall& call) {
   const Intention* const own = call.intention();
   if (own != nullptr && !own->is_finished() && !own->top().cursor.at_end()) {
     source = own->top().plan->file;
-    number = own->top().step().line;
+    number = own->top().step().place.line;
   }
   Heap& heap = call.heap();
   SymbolTable& symbols = call.symbols();

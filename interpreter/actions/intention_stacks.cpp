@@ -61,7 +61,7 @@ Value stack_term(Agent& agent, Intention& intention) {
     const IntendedMeans& means = intention.stack[i - 1];
     Value label = agent.label_of(*means.plan);
     if (is_literal(label)) {
-      const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().line;
+      const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().place.line;
       const Value number = Value::number(line);
       const Value file = heap.text("file:" + means.plan->file);
       const std::array<Value, 2> place{

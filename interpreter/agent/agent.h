@@ -16,6 +16,7 @@
 
 #include "interpreter/agent/circumstance.h"
 #include "interpreter/agent/customisation.h"
+#include "interpreter/agent/drops.h"
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/observer.h"
 #include "interpreter/agent/operands.h"
@@ -25,6 +26,7 @@
 #include "interpreter/mas/environment.h"
 #include "interpreter/program/program.h"
 #include "interpreter/support/random.h"
+#include "interpreter/support/seldom.h"
 
 namespace jaywalk {
 
@@ -126,6 +128,8 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] const Program& program() const { return *program_; }
   /// Null: nobody looks.
   [[nodiscard]] ReasoningObserver* observer() const { return observer_; }
+  /// Why it has dropped intentions, in the order of the first times.
+  [[nodiscard]] const Seldom<std::vector<DropCause>>& drops() const { return drops_; }
 
   /// Believes a literal (source(self) if it has no source) and makes the event; `focus` is the
   /// intention that waits for it, or null. True: something changed.
@@ -414,6 +418,10 @@ class Agent final : public MachineSurroundings {
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line,
                         const Intention* intention);
   void lose(Intention& intention, const ActionError& error, Value code);
+  // Of an intention, or of an event that had none (null); drops.cpp.
+  const DropCause& note_drop(const Intention* intention, const ActionError& error, Value code);
+  [[nodiscard]] std::string drop_details(const Intention& intention, const DropCause& cause) const;
+  [[nodiscard]] SourcePtr find_source(const std::string& file) const;
 
   [[nodiscard]] const Plan* equal_plan(const Plan& plan) const;
   void add_plan_source(const Plan& plan, Value source);
@@ -477,6 +485,7 @@ class Agent final : public MachineSurroundings {
   std::shared_ptr<const Customisation> customisation_;
   const PlanLibrary* library_;  // the program's, or its own
   std::unique_ptr<Own> own_;    // null: nothing
+  Seldom<std::vector<DropCause>> drops_;
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
   std::uint32_t number_ = 0;

@@ -32,7 +32,10 @@ void Agent::cycle() {
 
 void Agent::abandon_cycle(const ActionError& error) {
   log(error.message);
-  if (executing_ != nullptr && executing_->state != Intention::State::finished) drop(*executing_);
+  if (executing_ != nullptr && executing_->state != Intention::State::finished) {
+    (void)note_drop(executing_, error, Value());
+    drop(*executing_);
+  }
   executing_ = nullptr;
   selected_event_ = nullptr;
 }

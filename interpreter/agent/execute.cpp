@@ -25,7 +25,7 @@ ActionError make_error(std::string id, std::string message) {
 // The variable of the step has a value, or none, with which it is no formula.
 ActionError variable_error(std::string id, Unifier& unifier, const Plan& plan, const Step& step,
                            Value value) {
-  const std::string place = "file:" + plan.file + ":" + std::to_string(step.line) + ": ";
+  const std::string place = "file:" + plan.file + ":" + std::to_string(step.place.line) + ": ";
   const std::string name = "'" + text_as_written(unifier, plan, step) + "'";
   std::string message = place;
   if (id == "body_var_without_value") {

@@ -127,16 +127,14 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
 }
 
 void Agent::lose(Intention& intention, const ActionError& error, Value code) {
-  std::string place;
-  std::uint32_t line = 0;
-  if (!intention.is_finished() && !intention.top().cursor.at_end()) {
-    line = intention.top().step().line;
-    place = intention.top().plan->file;
+  const DropCause& cause = note_drop(&intention, error, code);
+  if (host_.keeps_log()) {
+    log(fmt::format(
+        "{}no failure event was generated: {}{}{}{}{}",
+        cause.line == 0 ? "" : fmt::format("{}:{}:{}: ", cause.file, cause.line, cause.column),
+        error.id, error.message.empty() ? "" : ": " + error.message, code.is_unset() ? "" : " in ",
+        code.is_unset() ? "" : term_text(code, symbols_), drop_details(intention, cause)));
   }
-  log(fmt::format("{}{}no failure event was generated: {}{}{}{}",
-                  place.empty() ? "" : fmt::format("{}:{}: ", place, line), "", error.id,
-                  error.message.empty() ? "" : ": " + error.message, code.is_unset() ? "" : " in ",
-                  code.is_unset() ? "" : term_text(code, symbols_)));
   const bool of_belief = !intention.is_finished() && !intention.top().is_goal();
   if (of_belief && settings_.unwanted == ReasoningSettings::Unwanted::requeue) {
     const IntendedMeans& means = intention.top();
@@ -154,7 +152,7 @@ void Agent::fail(Intention& intention, const ActionError& error) {
   const IntendedMeans& top = intention.top();
   if (!top.cursor.at_end()) {
     const Step& step = top.step();
-    line = step.line;
+    line = step.place.line;
     machine().unifier().set_slot_names(top.plan->slot_names);
     ActionError ignored;
     try {
@@ -236,18 +234,21 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
       add_event({TriggerOperator::remove, event.kind,
                  failure_literal(event.literal, error, event.literal, 0, nullptr), nullptr, 0});
     } else {
+      (void)note_drop(nullptr, error, event.literal);
       log(error.message);
     }
     return;
   }
   Intention& intention = *event.intention;
   if (is_failure) {  // a plan for the failure exists, but is not applicable
+    (void)note_drop(&intention, error, event.literal);
     log("could not finish intention: " + error.message);
     drop(intention);
     return;
   }
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
-  const std::uint32_t line = intention.top().cursor.at_end() ? 0 : intention.top().step().line;
+  const std::uint32_t line =
+      intention.top().cursor.at_end() ? 0 : intention.top().step().place.line;
   const Value goal = machine().unifier().fresh_copy(event.literal);
   if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
     signal_failure({{event.kind, event.literal}}, error, true);

@@ -99,6 +99,8 @@ class AgentHost {
   /// Text for the console as it is, for agents with `verbose=0`.
   virtual void write(std::string_view text) = 0;
   virtual void log(Agent& agent, std::string_view text) = 0;
+  /// Somebody reads the log; otherwise its lines need not be made.
+  [[nodiscard]] virtual bool keeps_log() const { return true; }
   [[nodiscard]] virtual Society& society() = 0;
   /// Where agents borrow what they reason with.
   [[nodiscard]] virtual WorkspacePool& workspaces() = 0;

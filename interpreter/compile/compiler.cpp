@@ -39,6 +39,7 @@ class ProgramBuilder {
     tree_ = &tree;
     // Functions first: a term that calls one may stand before its registration.
     for (const auto& file : tree.files) {
+      program_.sources_.push_back(file->source);
       for (const ast::Component& component : file->components) register_functions(component);
     }
     add_file(tree.main());

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "interpreter/program/step_place.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
@@ -326,12 +327,11 @@ Value Translator::statement(const ast::Formula& formula, VariableScope& scope) {
 }
 
 Value Translator::step(const ast::Formula& formula, VariableScope& scope) {
-  const double line =
-      source_ == nullptr ? 0 : static_cast<double>(source_->position(formula.span.begin).line);
+  const double place = source_ == nullptr ? 0 : encode(step_place(*source_, formula.span));
   const bool is_statement = formula.statement != ast::Statement::formula;
   const std::array<Value, 2> args{
       is_statement ? statement(formula, scope) : translate(*formula.node, scope),
-      Value::number(line)};
+      Value::number(place)};
   const Predicate predicate =
       symbols_.predicate(Signature{.functor = body_operator(formula.op), .arity = 2});
   return heap_.structure(predicate, args, Value::empty_list(), Form::step);

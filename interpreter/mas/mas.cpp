@@ -1,27 +1,11 @@
 #include "interpreter/mas/mas.h"
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/mas/system.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
-namespace {
-
-// A literal without its annotations.
-std::string plain_text(Value literal, const SymbolTable& symbols) {
-  literal = deref(literal);
-  if (!is_literal(literal)) return term_text(literal, symbols);
-  const LiteralParts parts = literal_parts(literal);
-  std::string text = term_text(Value::atom(parts.predicate), symbols);
-  for (std::size_t i = 0; i < parts.args.size(); ++i) {
-    text += i == 0 ? '(' : ',';
-    append_term(text, parts.args[i], symbols);
-  }
-  if (!parts.args.empty()) text += ')';
-  return text;
-}
-
-}  // namespace
 
 Mas::Mas(std::shared_ptr<const SymbolTable> symbols, MasOptions options, Environment* environment)
     : implementation_(std::make_unique<Implementation>(
@@ -73,10 +57,7 @@ std::vector<std::string> Mas::describe_intentions(AgentId id) const {
     std::string text;
     for (const IntendedMeans& means : intention->stack) {
       if (!text.empty()) text += " > ";
-      if (means.op == TriggerOperator::remove) text += '-';
-      if (means.op == TriggerOperator::goal_state) text += '^';
-      if (means.op == TriggerOperator::add && means.kind == TriggerKind::belief) text += '+';
-      text += plain_text(means.trigger, the_agent.symbols());
+      text += goal_text(means, the_agent.symbols());
     }
     if (!text.empty()) texts.push_back(std::move(text));
   }

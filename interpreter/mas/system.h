@@ -60,6 +60,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void print(Agent& agent, std::string_view text) override;
   void write(std::string_view text) override;
   void log(Agent& agent, std::string_view text) override;
+  [[nodiscard]] bool keeps_log() const override { return static_cast<bool>(options_.log); }
   [[nodiscard]] Society& society() override { return *this; }
   [[nodiscard]] WorkspacePool& workspaces() override {
     return beside_ != nullptr ? beside_->workspaces : stock_->workspaces;

@@ -14,6 +14,7 @@
 
 #include "interpreter/logic/code.h"
 #include "interpreter/program/plain_code.h"
+#include "interpreter/program/step_place.h"
 #include "interpreter/program/trigger.h"
 #include "interpreter/support/flat_index.h"
 #include "interpreter/term/heap.h"
@@ -59,7 +60,7 @@ struct Step {
   const Body* second = nullptr;
   std::vector<const Body*> branches;
   std::vector<const Goal*> conjuncts;
-  std::uint32_t line = 0;
+  StepPlace place;
   /// The formula as a term of form step, for programs as data.
   Value source;
   /// Of a goal, a change of belief or a constraint: what strides make of it; else null.

@@ -81,8 +81,8 @@ Step BodyCompiler::compile_step(Value term) {
   const Structure& s = *term.structure();
   step.kind = kind_of(symbols_.signature(s.predicate()).functor);
   step.term = deref(s.arg(0));
-  const Value line = deref(s.arg(1));
-  step.line = line.is_number() ? static_cast<std::uint32_t>(line.as_number()) : 0;
+  const Value place = deref(s.arg(1));
+  if (place.is_number()) step.place = decode_step_place(place.as_number());
   const bool open =
       step.term.is_slot() || step.term.is_variable() || is_form(step.term, Form::decorated);
   if (open) {
@@ -184,7 +184,7 @@ bool BodyCompiler::compile_statement(Step& step) {
     Step join;
     join.kind = Step::Kind::join;
     join.variable_kind = step.kind;
-    join.line = step.line;
+    join.place = step.place;
     joined.steps.push_back(std::move(join));
     step.branches.push_back(&joined);
   }

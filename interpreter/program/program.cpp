@@ -11,4 +11,10 @@ bool Program::can_start_later() const {
                      [](const Goal& goal) { return goal.literal.is_closed(); });
 }
 
+SourcePtr Program::find_source(std::string_view file) const {
+  const auto found = std::find_if(sources_.begin(), sources_.end(),
+                                  [&](const SourcePtr& source) { return source->name() == file; });
+  return found == sources_.end() ? nullptr : *found;
+}
+
 }  // namespace jaywalk

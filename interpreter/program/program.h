@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Program {
   [[nodiscard]] const PlanLibrary& library() const { return library_; }
   [[nodiscard]] const std::vector<RuleFunction>& functions() const { return functions_; }
   [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
+  /// The text of one of its files, by the name that its plans have (Plan::file); null: none of its.
+  [[nodiscard]] SourcePtr find_source(std::string_view file) const;
   /// There are initial goals, and nobody notices whether an agent starts at once or only when it
   /// first reasons: it makes no variables and cannot fail, since all goals are ground.
   [[nodiscard]] bool can_start_later() const;
@@ -58,6 +61,7 @@ class Program {
   std::vector<Goal> goals_;
   PlanLibrary library_;
   std::vector<RuleFunction> functions_;
+  std::vector<SourcePtr> sources_;
 };
 
 }  // namespace jaywalk

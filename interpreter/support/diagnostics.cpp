@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/excerpt.h"
 #include "interpreter/support/silenced.h"
 
 namespace jaywalk {
@@ -97,7 +98,7 @@ std::string_view name_of(Severity severity) {
 }
 
 // The line of the text that is meant, and below it the caret.
-std::string excerpt(const Source& source, Span span, Paint paint) {
+std::string marked_line(const Source& source, Span span, Paint paint) {
   const std::string_view line = source.line(source.position(span.begin).line);
   const auto line_begin = static_cast<std::size_t>(line.data() - source.text().data());
   const std::size_t caret = std::min<std::size_t>(span.begin - line_begin, line.size());
@@ -137,10 +138,36 @@ std::string render(const Diagnostic& diagnostic, Colour colour) {
   if (!diagnostic.code.empty()) text += fmt::format(" [{}]", diagnostic.code);
   text += '\n';
   if (diagnostic.where.source) {
-    text += excerpt(*diagnostic.where.source, diagnostic.where.span, paint);
+    text += marked_line(*diagnostic.where.source, diagnostic.where.span, paint);
   }
   if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", printable(diagnostic.hint));
   return text;
+}
+
+std::string excerpt(const SourceSpan& where, Colour colour) {
+  return marked_line(*where.source, where.span, Paint{colour});
+}
+
+std::uint32_t offset_of(const Source& source, Source::Position position) {
+  const std::string_view line = source.line(position.line);
+  if (line.data() == nullptr) return static_cast<std::uint32_t>(source.text().size());
+  const std::size_t at = step_forward(line, 0, position.column == 0 ? 0 : position.column - 1);
+  return static_cast<std::uint32_t>(line.data() - source.text().data()) +
+         static_cast<std::uint32_t>(at);
+}
+
+Diagnostics with_errors(const Diagnostics& diagnostics, std::string_view code,
+                        std::string_view hint) {
+  Diagnostics changed;
+  for (Diagnostic item : diagnostics.items()) {
+    if (item.severity == Severity::warning && item.code == code) {
+      item.severity = Severity::error;
+      item.code.clear();
+      item.hint += fmt::format("{}{}", item.hint.empty() ? "" : "; ", hint);
+    }
+    changed.add(std::move(item));
+  }
+  return changed;
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {

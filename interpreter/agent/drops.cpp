@@ -1,0 +1,152 @@
+#include "interpreter/agent/drops.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
+#include "interpreter/support/excerpt.h"
+#include "interpreter/term/print.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr std::size_t kMostCauses = 32;  // of one agent; further ones are counted with the last
+constexpr std::size_t kLongestText = 300;
+// Of a deep stack, so many goals from its bottom and from its top are named.
+constexpr std::size_t kOuterGoals = 3;
+constexpr std::size_t kInnerGoals = 5;
+
+std::string cut(std::string text) {
+  if (text.size() <= kLongestText) return text;
+  std::size_t end = kLongestText;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end) + "...";
+}
+
+std::string goal_with_place(const IntendedMeans& means, const SymbolTable& symbols) {
+  const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().place.line;
+  std::string text = cut(goal_text(means, symbols));
+  return line == 0 ? text : fmt::format("{} ({}:{})", text, means.plan->file, line);
+}
+
+// Where the formula stands that has failed; nowhere if it was made at run time.
+StepPlace place_of(const Intention* intention) {
+  if (intention == nullptr || intention->is_finished() || intention->top().cursor.at_end()) {
+    return {};
+  }
+  return intention->top().step().place;
+}
+
+// REQUIRES: the place is one of this source, and its column is known.
+Span span_of(const Source& source, StepPlace place) {
+  const std::uint32_t begin = offset_of(source, {place.line, place.column});
+  return {begin, begin + place.length};
+}
+
+}  // namespace
+
+std::string plain_text(Value term, const SymbolTable& symbols) {
+  term = deref(term);
+  if (!is_literal(term)) return term_text(term, symbols);
+  const LiteralParts parts = literal_parts(term);
+  std::string text = term_text(Value::atom(parts.predicate), symbols);
+  for (std::size_t i = 0; i < parts.args.size(); ++i) {
+    text += i == 0 ? '(' : ',';
+    append_term(text, parts.args[i], symbols);
+  }
+  if (!parts.args.empty()) text += ')';
+  return text;
+}
+
+std::string goal_stack_text(const Intention& intention, const SymbolTable& symbols) {
+  std::string text;
+  const std::size_t size = intention.stack.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!text.empty()) text += " > ";
+    if (i == kOuterGoals && size > kOuterGoals + kInnerGoals + 1) {
+      const std::size_t left_out = size - kOuterGoals - kInnerGoals;
+      text += fmt::format("... {} more ... > ", left_out);
+      i += left_out;
+    }
+    text += goal_with_place(intention.stack[i], symbols);
+  }
+  return text;
+}
+
+std::string formula_place(const Intention& intention) {
+  const StepPlace place = place_of(&intention);
+  if (place.line == 0) return {};
+  std::string text = fmt::format("{}:{}", intention.top().plan->file, place.line);
+  return place.column == 0 ? text : fmt::format("{}:{}", text, place.column);
+}
+
+std::string goal_text(const IntendedMeans& means, const SymbolTable& symbols) {
+  std::string text;
+  if (means.op == TriggerOperator::remove) text += '-';
+  if (means.op == TriggerOperator::goal_state) text += '^';
+  if (means.op == TriggerOperator::add && means.kind == TriggerKind::belief) text += '+';
+  return text + plain_text(means.trigger, symbols);
+}
+
+std::string describe(const DropCause& cause) {
+  std::string text = cause.error;
+  if (cause.line > 0) text += fmt::format(", {}:{}", cause.file, cause.line);
+  if (cause.line > 0 && cause.column > 0) text += fmt::format(":{}", cause.column);
+  if (!cause.formula.empty()) text += ", " + cause.formula;
+  if (!cause.message.empty()) text += ": " + cause.message;
+  return text;
+}
+
+const DropCause& Agent::note_drop(const Intention* intention, const ActionError& error,
+                                  Value code) {
+  const StepPlace place = place_of(intention);
+  const bool nowhere = place.line == 0;
+  std::string formula;
+  if (nowhere && !code.is_unset()) formula = cut(plain_text(code, symbols_));
+  const auto is_same = [&](const DropCause& cause) {
+    return cause.line == place.line && cause.column == place.column && cause.error == error.id &&
+           (nowhere ? cause.formula == formula : cause.file == intention->top().plan->file);
+  };
+  std::vector<DropCause>& causes = drops_.all();
+  auto cause = std::find_if(causes.begin(), causes.end(), is_same);
+  if (cause == causes.end() && causes.size() == kMostCauses) cause = std::prev(causes.end());
+  if (cause == causes.end()) {
+    cause = causes.insert(causes.end(), DropCause{});
+    cause->error = error.id;
+    cause->message = cut(error.message);
+    cause->formula =
+        nowhere || code.is_unset() ? std::move(formula) : cut(plain_text(code, symbols_));
+    if (intention != nullptr) cause->goals = goal_stack_text(*intention, symbols_);
+    cause->line = place.line;
+    cause->column = place.column;
+    if (place.line > 0) cause->file = intention->top().plan->file;
+  }
+  ++cause->times;
+  return *cause;
+}
+
+// The line of the program that an intention had come to, and its goals: for the first of many equal
+// drops.
+std::string Agent::drop_details(const Intention& intention, const DropCause& cause) const {
+  if (cause.times > 1) return {};
+  std::string text;
+  const StepPlace place = place_of(&intention);
+  const SourcePtr source = place.line == 0 ? nullptr : find_source(cause.file);
+  if (source != nullptr && place.column > 0)
+    text = "\n" + excerpt({source, span_of(*source, place)});
+  if (text.ends_with('\n')) text.pop_back();
+  if (!cause.goals.empty()) text += "\n  goals: " + cause.goals;
+  return text;
+}
+
+SourcePtr Agent::find_source(const std::string& file) const {
+  if (SourcePtr source = program_->find_source(file)) return source;
+  for (const auto& program : included()) {
+    if (SourcePtr source = program->find_source(file)) return source;
+  }
+  return nullptr;
+}
+
+}  // namespace jaywalk

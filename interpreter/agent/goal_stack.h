@@ -1,0 +1,26 @@
+#pragma once
+
+// The goals of an intention as text, for people.
+
+#include <string>
+
+#include "interpreter/agent/intention.h"
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+/// A term as text; of a literal without its annotations.
+[[nodiscard]] std::string plain_text(Value term, const SymbolTable& symbols);
+
+/// The goal of a means: `cross(left)`; `-g` for its failure, `+b` of a belief's event.
+[[nodiscard]] std::string goal_text(const IntendedMeans& means, const SymbolTable& symbols);
+
+/// The outermost first, each with the line that it has come to: `go (x.asl:2) > cross (x.asl:5)`.
+/// Of a deep stack the goals in the middle are left out.
+[[nodiscard]] std::string goal_stack_text(const Intention& intention, const SymbolTable& symbols);
+
+/// Where the formula stands that the intention has come to, `x.asl:2:21`; empty if it was made at
+/// run time.
+[[nodiscard]] std::string formula_place(const Intention& intention);
+
+}  // namespace jaywalk

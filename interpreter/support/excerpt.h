@@ -1,0 +1,23 @@
+#pragma once
+
+// Places of a text for people, beside what diagnostics.h does with them.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+/// The line of a place and below it the caret, each with a line break. REQUIRES: a source.
+[[nodiscard]] std::string excerpt(const SourceSpan& where, Colour colour = Colour::off);
+
+/// Where a place begins; the end of its line, or of the text, if there is no such place.
+[[nodiscard]] std::uint32_t offset_of(const Source& source, Source::Position position);
+
+/// The same, with errors in place of the warnings with that code; `hint` is added to theirs.
+[[nodiscard]] Diagnostics with_errors(const Diagnostics& diagnostics, std::string_view code,
+                                      std::string_view hint);
+
+}  // namespace jaywalk
