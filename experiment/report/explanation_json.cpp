@@ -47,11 +47,22 @@ ordered_json to_json(const TriedPlan& plan) {
   return result;
 }
 
+ordered_json failure_json(const Deliberation& deliberation) {
+  const FailedFormula& failed = *deliberation.failure;
+  return {{"tick", deliberation.tick}, {"agent", deliberation.agent}, {"failed", failed.formula},
+          {"where", failed.where},     {"error", failed.error},       {"message", failed.message},
+          {"goals", failed.goals},     {"dropped", !failed.has_plan}};
+}
+
 }  // namespace
 
 std::string explanation_json(std::span<const Deliberation> deliberations) {
   ordered_json all = ordered_json::array();
   for (const Deliberation& deliberation : deliberations) {
+    if (deliberation.failure) {
+      all.push_back(failure_json(deliberation));
+      continue;
+    }
     ordered_json plans = ordered_json::array();
     for (const TriedPlan& plan : deliberation.plans) plans.push_back(to_json(plan));
     ordered_json beliefs = ordered_json::array();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/explain/near_misses.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
@@ -42,6 +43,21 @@ enum class Answer { none, some };
 // A condition as written, with what stands right before it.
 bool holds(const ProbedCondition& condition, Answer answer) {
   return (answer == Answer::some) == (condition.nots % 2 == 0);
+}
+
+// With the values that its variables have; empty if there is no memory left for that.
+std::string formula_text(Agent& agent, const Intention& intention, const Step& step) {
+  const IntendedMeans& top = intention.top();
+  Unifier& unifier = agent.machine().unifier();
+  ScratchSlots slots(unifier, top.plan->slot_count);
+  std::copy_n(intention.values.data() + top.frame, top.plan->slot_count, slots.data());
+  try {
+    return plain_text(unifier.instantiate(step.source, slots.data()), agent.symbols());
+  } catch (const DivisionByZero&) {
+  } catch (const TermTooDeep&) {
+  } catch (const HeapExhausted&) {
+  }
+  return {};
 }
 
 }  // namespace
@@ -209,6 +225,30 @@ void ExplainingObserver::no_plan(Agent& agent, const Event& event, bool had_cand
   if (!had_candidates) deliberations_.back().hint = missing_plan_hint(agent, event);
 }
 
+void ExplainingObserver::formula_failed(Agent& agent, const Intention& intention,
+                                        const ActionError& error) {
+  if (!is_wanted(agent) || intention.is_finished()) return;
+  const IntendedMeans& top = intention.top();
+  FailedFormula failed{.where = formula_place(intention),
+                       .error = error.id,
+                       .message = error.message,
+                       .goals = goal_stack_text(intention, agent.symbols())};
+  if (!top.cursor.at_end()) failed.formula = formula_text(agent, intention, top.step());
+  failed.has_plan =
+      std::any_of(intention.stack.begin(), intention.stack.end(), [&](const IntendedMeans& means) {
+        return means.is_goal_addition() && is_literal(means.trigger) &&
+               !agent.library()
+                    .candidates(trigger_key(TriggerOperator::remove, means.kind,
+                                            predicate_of(means.trigger), agent.symbols()))
+                    .empty();
+      });
+  Deliberation told{.agent = agent.name(), .tick = tick_};
+  told.failure = std::move(failed);
+  // What is being deliberated stays the last.
+  const auto place = deliberations_.end() - (recording_ ? 1 : 0);
+  deliberations_.insert(place, std::move(told));
+}
+
 // Those that were not tried, too, in the order of the program.
 void ExplainingObserver::add_candidates(Agent& agent, const Event& event) {
   if (!is_literal(event.literal)) return;
@@ -274,7 +314,7 @@ void ExplainingObserver::event_posted(Agent& agent, const Event& event) {
   } else if (intention != nullptr && !intention->is_finished()) {
     const IntendedMeans& means = intention->top();
     origin = fmt::format("its own, {}:{}, in tick {}", means.plan->file,
-                         means.cursor.at_end() ? means.plan->line : means.step().line, tick_);
+                         means.cursor.at_end() ? means.plan->line : means.step().place.line, tick_);
   } else {
     origin = fmt::format("its own, in tick {}", tick_);
   }

@@ -63,12 +63,27 @@ struct AskedBelief {
   std::string origin;
 };
 
+/// A formula that failed.
+struct FailedFormula {
+  std::string formula;
+  /// "file:line:column"; empty if it was made at run time.
+  std::string where;
+  /// "action_failed", and what was wrong.
+  std::string error;
+  std::string message;
+  /// The goals for which it was executed, the outermost first.
+  std::string goals;
+  /// Some plan is for the failure of one of these goals.
+  bool has_plan = false;
+};
+
 struct Deliberation {
   std::string agent;
   /// From 1; 0: before the first.
   std::uint32_t tick = 0;
-  /// "+!cross[source(self)]".
+  /// "+!cross[source(self)]"; empty: nothing was deliberated, a formula failed.
   std::string event;
+  std::optional<FailedFormula> failure;
   std::vector<TriedPlan> plans;
   std::vector<AskedBelief> beliefs;
   /// Of an event that has no plan: a plan that the programmer may have meant.
@@ -103,6 +118,7 @@ class ExplainingObserver : public ProbeObserver {
   void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                    const Intention& intention) override;
   void no_plan(Agent& agent, const Event& event, bool had_candidates) override;
+  void formula_failed(Agent& agent, const Intention& intention, const ActionError& error) override;
   void event_posted(Agent& agent, const Event& event) override;
 
  private:

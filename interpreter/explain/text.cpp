@@ -100,11 +100,28 @@ std::string conclusion(const Deliberation& deliberation) {
   return text;
 }
 
+void add_failure(std::string& out, const Deliberation& deliberation) {
+  const FailedFormula& failed = *deliberation.failure;
+  out += fmt::format("{}tick {}, {}: {} failed\n", out.empty() ? "" : "\n", deliberation.tick,
+                     deliberation.agent, failed.formula.empty() ? "a formula" : failed.formula);
+  out +=
+      fmt::format("  {}{}{}\n", failed.error, failed.message.empty() ? "" : ": ", failed.message);
+  if (!failed.where.empty()) out += fmt::format("  at {}\n", failed.where);
+  if (!failed.goals.empty()) out += fmt::format("  goals: {}\n", failed.goals);
+  if (!failed.has_plan) {
+    out += "  no plan is for the failure of these goals: the intention is dropped\n";
+  }
+}
+
 }  // namespace
 
 std::string explanation_text(std::span<const Deliberation> deliberations) {
   std::string out;
   for (const Deliberation& deliberation : deliberations) {
+    if (deliberation.failure) {
+      add_failure(out, deliberation);
+      continue;
+    }
     out += fmt::format("{}tick {}, {}: {}\n", out.empty() ? "" : "\n", deliberation.tick,
                        deliberation.agent, deliberation.event);
     std::size_t number = 0;
