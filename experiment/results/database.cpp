@@ -12,6 +12,7 @@
 namespace jaywalk {
 namespace {
 
+/// Of an extended code.
 DatabaseTrouble trouble_of(int code) {
   switch (code & 0xFF) {
     case SQLITE_BUSY:
@@ -23,7 +24,10 @@ DatabaseTrouble trouble_of(int code) {
     case SQLITE_FULL:
       return DatabaseTrouble::no_space;
     case SQLITE_READONLY:
-      return DatabaseTrouble::interrupted;
+      return code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY ||
+                     code == SQLITE_READONLY_CANTINIT || code == SQLITE_READONLY_CANTLOCK
+                 ? DatabaseTrouble::interrupted
+                 : DatabaseTrouble::read_only;
     default:
       return DatabaseTrouble::other;
   }
@@ -102,7 +106,7 @@ void Database::fail(std::string why) {
 
 void Database::note(int code) {
   if (failure_) return;
-  trouble_ = trouble_of(code);
+  trouble_ = trouble_of(connection_ ? sqlite3_extended_errcode(connection_.get()) : code);
   failure_ = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(code);
   const int error = connection_ ? sqlite3_system_errno(connection_.get()) : 0;
   const bool of_the_system = (code & 0xFF) == SQLITE_IOERR || (code & 0xFF) == SQLITE_CANTOPEN;

@@ -17,8 +17,8 @@ struct sqlite3_stmt;
 namespace jaywalk {
 
 /// `interrupted`: what another process was writing when it was killed has to be undone first, which
-/// whoever only reads cannot do.
-enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, other };
+/// whoever only reads cannot do. `read_only`: the file, or its folder, cannot be written to.
+enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, read_only, other };
 
 /// A path as a URI, `file:/a/b?mode=ro`, by which SQLite is told how to open it.
 [[nodiscard]] std::string file_uri(const std::string& path, std::string_view query);

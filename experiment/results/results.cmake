@@ -4,6 +4,7 @@ target_sources(jaywalk_experiment PRIVATE
   results/database.cpp
   results/description.cpp
   results/excerpt.cpp
+  results/extend.cpp
   results/geometry.cpp
   results/merge.cpp
   results/new_file.cpp

@@ -138,6 +138,8 @@ std::string trouble_with(const Database& database) {
       return "no space is left for the store";
     case DatabaseTrouble::interrupted:
       return "a process was killed while it wrote the file, and what it wrote cannot be undone";
+    case DatabaseTrouble::read_only:
+      return "the store can only be read: its file or its folder is write-protected";
     case DatabaseTrouble::other:
     case DatabaseTrouble::none:
       break;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/results/extend.h"
 #include "experiment/results/new_file.h"
 #include "experiment/results/row_writer.h"
 #include "experiment/results/schema.h"
@@ -56,6 +57,27 @@ std::optional<Diagnostics> mismatch(const std::string& path, const ExperimentDes
                               stored.shard.count, wanted.shard.index, wanted.shard.count));
   }
   return std::nullopt;
+}
+
+/// The experiment is the store's, but for more tests.
+bool is_extension(const ExperimentDescription& stored, const ExperimentDescription& wanted) {
+  ExperimentDescription extended = stored;
+  extended.tests = wanted.tests;
+  return wanted.tests > stored.tests && !mismatch({}, extended, wanted);
+}
+
+/// Opens the store to see what it has, after making it one of more tests if these are wanted.
+Result<OpenStore> open_to_continue(const std::string& path, const ExperimentDescription& wanted) {
+  auto seen = open_to_read(path, Scrutiny::all);
+  if (!seen || !is_extension(seen.value().description, wanted)) return seen;
+  seen.value().database.reset();
+  auto database = open_to_write(path);
+  if (!database) return std::move(database.diagnostics());
+  extend_store(*database.value(), seen.value().description, wanted.tests);
+  if (database.value()->failure()) return store_error(path, trouble_with(*database.value()));
+  database.value()->execute("PRAGMA journal_mode = DELETE");
+  database.value().reset();
+  return open_to_read(path, Scrutiny::header);
 }
 
 /// Which tests a store has.
@@ -221,7 +243,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
     };
     if (auto failure = create_store_file(path, fill)) return std::move(*failure);
   }
-  auto seen = open_to_read(path, Scrutiny::all);
+  auto seen = open_to_continue(path, description);
   if (!seen) return std::move(seen.diagnostics());
   if (auto why = mismatch(path, seen.value().description, description)) return std::move(*why);
   auto ids = read_ids(path, seen.value());

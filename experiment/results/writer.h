@@ -21,7 +21,8 @@ class ResultsWriter {
   /// A new store. Errors: the file exists, or its folder does not.
   [[nodiscard]] static Result<std::unique_ptr<ResultsWriter>> create(
       const std::string& path, const ExperimentDescription& description);
-  /// Continues a store; a new one if there is no file. Errors: a file that is no store, is damaged,
+  /// Continues a store, perhaps with more tests of each behaviour and number of agents than it was
+  /// made for; a new one if there is no file. Errors: a file that is no store, is damaged,
   /// has another version, is in use, or holds another experiment. Such a file is left as it is.
   [[nodiscard]] static Result<std::unique_ptr<ResultsWriter>> resume(
       const std::string& path, const ExperimentDescription& description);
