@@ -10,6 +10,7 @@
 #include "experiment/findings.h"
 #include "experiment/published/published.h"
 #include "experiment/summary.h"
+#include "experiment/troubles.h"
 
 namespace jaywalk {
 
@@ -26,6 +27,8 @@ struct Comparison {
   /// empty if none were asked for.
   std::vector<std::string> assertions;
   std::vector<FindingsSummary> findings;
+  /// What went wrong with the agents of each of the summaries.
+  std::vector<Troubles> troubles;
   /// False if the user ended it before all of its tests were run.
   bool complete = true;
 };

@@ -58,6 +58,7 @@ class ScenarioBuilder {
     draft_.scenario.name = source_->name();
     draft_.scenario.sources.push_back(source_);
     draft_.scenario.files = options_.files;
+    draft_.scenario.include = options_.include;
     std::optional<ConfigNode> file = parse_config(source_, diagnostics_);
     if (file && file->kind == ConfigNode::Kind::null) {
       diagnostics_.error(source_->name(), "the scenario is empty",
@@ -135,22 +136,29 @@ class ScenarioBuilder {
   }
 
   std::optional<BehaviourSpec> find_behaviour(const std::string& wanted) {
-    const std::string path = path_in("", wanted);
+    const std::string path = program_path("", wanted);
     std::vector<std::string> names;
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
       if (behaviour.name == wanted || behaviour.program == path) return behaviour;
       names.push_back(behaviour.name);
     }
     const std::string option = fmt::format("behaviour {}", wanted);
-    if (wanted.ends_with(".asl")) {
+    if (wanted.ends_with(".asl") || options_.files.has(path)) {
       BehaviourSpec behaviour;
       behaviour.name = behaviour_name(wanted);
       behaviour.program = path;
       behaviour.origin.option = option;
       return behaviour;
     }
-    diagnostics_.error(option, "neither a behaviour of the scenario nor an .asl file",
-                       did_you_mean(wanted, names));
+    const std::string folder(kInstalledBehaviours);
+    for (const std::string& installed : options_.files.installed_in(folder)) {
+      names.push_back(behaviour_name(installed));
+    }
+    std::string hint = did_you_mean(wanted, names);
+    if (hint.empty()) hint = "`jaywalk list behaviours` names the installed ones";
+    diagnostics_.error(option,
+                       "neither a behaviour of the scenario, an installed one nor an .asl file",
+                       std::move(hint));
     return std::nullopt;
   }
 

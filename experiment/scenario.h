@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -75,6 +76,12 @@ struct ExperimentSpec {
   std::uint64_t feedback = 0;
 };
 
+/// Where programs look for what they include, after their own folder (IncludePath).
+struct IncludeFolders {
+  std::vector<std::string> folders;
+  std::vector<std::pair<std::string, std::string>> mapped;
+};
+
 struct Scenario {
   /// The file's name.
   std::string name;
@@ -94,6 +101,7 @@ struct Scenario {
   /// the programs are.
   std::vector<SourcePtr> sources;
   SourceFiles files;
+  IncludeFolders include;
   /// Copies of the AV's external controller that its command names; null if there are none.
   std::shared_ptr<const ProgramCopies> programs;
 };
@@ -107,7 +115,11 @@ struct ScenarioOptions {
   std::vector<std::string> behaviours;
   /// Where the scenario and all that it names are read: the disk, unless copies are given.
   SourceFiles files;
+  IncludeFolders include;
 };
+
+/// Where the installed behaviours are, among the installed programs (source_files.h).
+inline constexpr std::string_view kInstalledBehaviours = "$jaywalk/crossing";
 
 /// A scenario larger than this is refused.
 inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;

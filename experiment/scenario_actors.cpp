@@ -56,7 +56,7 @@ class ActorsReader : LayerPart {
                {"program",
                 [&](const ConfigNode& value, const std::string&) {
                   if (const auto file = reader_.text(value, "the path of a program")) {
-                    program.program = path_in(folder_, *file);
+                    program.program = program_path(folder_, *file);
                   }
                 }},
                {"start",

@@ -71,7 +71,7 @@ class LayerReader : LayerPart {
       read_behaviour(node, path, behaviour);
 
     } else if (const auto program = reader_.text(node, "the path of an AgentSpeak program")) {
-      behaviour.program = path_in(folder_, *program);
+      behaviour.program = program_path(folder_, *program);
     }
     if (behaviour.program.empty()) return;
     if (behaviour.name.empty()) behaviour.name = behaviour_name(behaviour.program);
@@ -97,7 +97,7 @@ class LayerReader : LayerPart {
                   {"program",
                    [&](const ConfigNode& value, const std::string&) {
                      if (const auto program = reader_.text(value, "the path of a program")) {
-                       behaviour.program = path_in(folder_, *program);
+                       behaviour.program = program_path(folder_, *program);
                      }
                    }},
                   {"name",
@@ -127,7 +127,7 @@ class LayerReader : LayerPart {
       member.origin = entry.value.origin;
       const auto program = reader_.text(entry.value, "the path of a program");
       if (!program || !read_numbers(entry.key, entry.origin, member.agents)) continue;
-      member.program = path_in(folder_, *program);
+      member.program = program_path(folder_, *program);
       behaviour.team.push_back(std::move(member));
     }
     if (behaviour.program.empty() && !behaviour.team.empty()) {
@@ -238,6 +238,16 @@ void read_layer(const ConfigNode& root, const std::string& folder, ScenarioDraft
 
 std::string path_in(const std::string& folder, const std::string& path) {
   return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
+}
+
+std::string program_path(const std::string& folder, const std::string& text) {
+  if (text.starts_with(kLibraryPrefix)) return text;
+  if (text.ends_with(".asl") || text.find('/') != std::string::npos) return path_in(folder, text);
+  return installed_behaviour(text);
+}
+
+std::string installed_behaviour(std::string_view name) {
+  return fmt::format("{}/{}.asl", kInstalledBehaviours, name);
 }
 
 std::string behaviour_name(const std::string& program) {

@@ -39,6 +39,12 @@ void read_layer(const ConfigNode& root, const std::string& folder, ScenarioDraft
 /// `folder`/`path`, or `path` if that is absolute.
 [[nodiscard]] std::string path_in(const std::string& folder, const std::string& path);
 
+/// The file of a program: as path_in, or an installed one, by its name in `$jaywalk/` or, without
+/// folder and `.asl`, as a behaviour (`proximity`).
+[[nodiscard]] std::string program_path(const std::string& folder, const std::string& text);
+/// `$jaywalk/crossing/proximity.asl` for `proximity`.
+[[nodiscard]] std::string installed_behaviour(std::string_view name);
+
 /// The name of a program's behaviour: its file name without folder and `.asl`.
 [[nodiscard]] std::string behaviour_name(const std::string& program);
 

@@ -9,6 +9,7 @@
 #include "env/crossing/spawn.h"
 #include "env/grid/random.h"
 #include "experiment/feedback.h"
+#include "interpreter/agent/agent.h"
 
 namespace jaywalk {
 namespace {
@@ -89,6 +90,19 @@ void record_events(const Crossing& crossing, const TrialInput& input, Recording&
                                 .kind = "collision",
                                 .text = fmt::format("impact at {:.3f} m/s", each.impact_mps)});
   }
+}
+
+/// REQUIRES: the agents are those of the crossing, then perhaps others that they have created.
+TestTroubles troubles_of(const Mas& mas, const CrossingResult& outcome) {
+  TestTroubles troubles{.agents = mas.agent_count(), .pedestrians = outcome.pedestrians.size()};
+  for (const PedestrianOutcome& each : outcome.pedestrians) troubles.idle += each.actions == 0;
+  for (std::uint32_t number = 0; number < mas.agent_count(); ++number) {
+    if (!mas.is_alive(AgentId{number})) continue;
+    for (const DropCause& cause : mas.agent(AgentId{number}).drops()) {
+      troubles.drops.push_back({.actor = number + 1, .cause = cause});
+    }
+  }
+  return troubles;
 }
 
 void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& options,
@@ -194,6 +208,7 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   result.outcome = crossing.result();
   result.left_over = crossing.left_over();
   result.cycles = mas_->outcome().cycles;
+  result.troubles = troubles_of(*mas_, result.outcome);
   result.cpu_s = mas_->reasoning_cpu_s();
   return result;
 }

@@ -15,7 +15,9 @@
 #include "env/crossing/crossing.h"
 #include "experiment/recording.h"
 #include "experiment/scenario.h"
+#include "experiment/troubles.h"
 #include "interpreter/mas/mas.h"
+#include "interpreter/syntax/load.h"
 
 namespace jaywalk {
 
@@ -34,6 +36,9 @@ struct PreparedBehaviour {
   /// Parameters of single agents, by number from 1; they take the place of the common ones.
   std::map<std::uint32_t, std::vector<Parameter>> agent_parameters;
 };
+
+/// Where a scenario's programs look for what they include.
+[[nodiscard]] IncludePath include_path(const Scenario& scenario);
 
 /// A scenario made ready to run: immutable, shared by all trials on all threads.
 class PreparedScenario {
@@ -119,6 +124,7 @@ struct TrialResult {
   bool completed = true;
   std::string message;
   std::uint64_t cycles = 0;
+  TestTroubles troubles;
   /// CPU time that the agents spent reasoning, if measured.
   double cpu_s = 0;
 };

@@ -9,6 +9,7 @@
 #include "experiment/scenario_yaml.h"
 #include "experiment/trial.h"
 #include "interpreter/compile/compiler.h"
+#include "interpreter/support/excerpt.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
@@ -28,11 +29,12 @@ Indicator parse_indicator(const std::string& text) {
 /// Loads and compiles behaviours into one symbol table.
 class Preparation {
  public:
-  Preparation(const SourceFiles& files, SymbolTable& symbols, std::vector<SourcePtr>& inputs,
+  Preparation(const Scenario& scenario, SymbolTable& symbols, std::vector<SourcePtr>& inputs,
               Diagnostics& diagnostics)
-      : symbols_(symbols), inputs_(inputs), diagnostics_(diagnostics) {
-    include_path_.files = files;
-  }
+      : symbols_(symbols),
+        inputs_(inputs),
+        diagnostics_(diagnostics),
+        include_path_(include_path(scenario)) {}
 
   PreparedBehaviour prepare(const BehaviourSpec& spec) {
     PreparedBehaviour result;
@@ -67,10 +69,13 @@ class Preparation {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
     // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
     if (!include_path_.files.has(path)) {
-      report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path));
+      const std::string folder(kInstalledBehaviours);
+      report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path),
+             did_you_mean(path, include_path_.files.installed_in(folder)));
       return nullptr;
     }
     const SourceTree tree = load_agent(path, include_path_, diagnostics_);
+    diagnostics_ = with_errors(diagnostics_, kMissingInclude, kMissingIncludeHint);
     for (const auto& file : tree.files) {
       add_input(file->source);
       result.sources.push_back(file->source);
@@ -139,6 +144,14 @@ class Preparation {
 
 }  // namespace
 
+IncludePath include_path(const Scenario& scenario) {
+  IncludePath path;
+  path.folders = scenario.include.folders;
+  path.mapped = scenario.include.mapped;
+  path.files = scenario.files;
+  return path;
+}
+
 PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
                                    CrossingVocabulary vocabulary,
                                    std::vector<PreparedBehaviour> behaviours,
@@ -161,7 +174,7 @@ Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenar
     std::vector<PreparedBehaviour> prepared;
     for (const BehaviourSpec& spec : specs) {
       Diagnostics found;
-      prepared.push_back(Preparation(scenario.files, *symbols, inputs, found).prepare(spec));
+      prepared.push_back(Preparation(scenario, *symbols, inputs, found).prepare(spec));
       (found.has_errors() ? errors : warnings).append(std::move(found));
     }
     return prepared;

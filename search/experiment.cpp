@@ -116,7 +116,7 @@ class ExperimentReader {
     if (!chosen) return nullptr;
     if (experiment_.sut.empty()) experiment_.sut = (*chosen)->name;
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
-    return (*chosen)->read({node, path, reader_, folder});
+    return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include});
   }
 
   void read_sut(const ConfigNode& node, const std::string& path) {

@@ -16,6 +16,9 @@ struct SearchOptions {
   std::vector<std::string> sets;
   /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
   std::vector<std::string> generators;
+  /// Where the programs of agents are looked for.
+  SourceFiles files;
+  IncludeFolders include;
 };
 
 struct SearchExperiment {

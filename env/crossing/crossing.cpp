@@ -113,7 +113,11 @@ ActionResult Crossing::show(std::size_t agent, std::span<const Value> args) {
 void Crossing::execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) {
   assert(actions.size() == results.size());
   // A move never depends on where others are: one after another is all at once.
-  for (std::size_t i = 0; i < actions.size(); ++i) results[i] = act(actions[i]);
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    results[i] = act(actions[i]);
+    const auto agent = static_cast<std::size_t>(actions[i].agent);
+    if (results[i].succeeded && agent < pedestrians_) ++result_.pedestrians[agent].actions;
+  }
 }
 
 void Crossing::charge_costs() {

@@ -28,6 +28,8 @@ namespace jaywalk {
 struct PedestrianOutcome {
   double cost = 0;
   double reward = 0;
+  /// How many of its actions were carried out.
+  std::uint32_t actions = 0;
 };
 
 /// A signal begins to show another colour in a tick. The bodies are the pedestrians and then the

@@ -66,6 +66,23 @@ Json to_object(const Summary& summary, const PublishedRows& rows) {
   return object;
 }
 
+Json to_object(const SharedCause& shared) {
+  const DropCause& cause = shared.cause;
+  return {{"error", cause.error},   {"file", cause.file},       {"line", cause.line},
+          {"column", cause.column}, {"formula", cause.formula}, {"message", cause.message},
+          {"goals", cause.goals},   {"agents", shared.agents},  {"times", cause.times}};
+}
+
+Json to_object(const Troubles& troubles) {
+  Json causes = Json::array();
+  for (const SharedCause& each : troubles.causes) causes.push_back(to_object(each));
+  return {{"agents", troubles.agents},
+          {"dropped_an_intention", troubles.dropping},
+          {"pedestrians", troubles.pedestrians},
+          {"never_acted", troubles.idle},
+          {"causes", std::move(causes)}};
+}
+
 }  // namespace
 
 std::string to_json(const Comparison& comparison) {
@@ -74,6 +91,9 @@ std::string to_json(const Comparison& comparison) {
     results.push_back(to_object(comparison.summaries[row], comparison.published));
     if (!comparison.findings.empty()) {
       add_findings(results.back(), comparison, comparison.findings[row]);
+    }
+    if (row < comparison.troubles.size()) {
+      results.back()["what_happened_to_agents"] = to_object(comparison.troubles[row]);
     }
   }
   Json document = {{"scenario", comparison.scenario},

@@ -27,6 +27,14 @@ std::optional<std::string> write_text(const std::string& path, std::string_view 
   return std::nullopt;
 }
 
+/// Where a text is kept until all of it is written.
+std::string part_of(const std::string& path) { return fmt::format("{}.{}.part", path, ::getpid()); }
+
+std::string folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
 }  // namespace
 
 std::optional<std::string> write_file(const std::string& path, std::string_view text) {
@@ -36,11 +44,39 @@ std::optional<std::string> write_file(const std::string& path, std::string_view 
   const bool regular = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
   if (!regular) return write_text(path, text);
 
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
+  const std::string temporary = part_of(path);
   auto failure = write_text(temporary, text);
   if (!failure && std::rename(temporary.c_str(), path.c_str()) != 0) failure = reason();
   if (failure) std::filesystem::remove(temporary, ignored);
   return failure;
+}
+
+std::optional<std::string> why_not_writable(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  if (fs::is_directory(status)) return "it is a folder";
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    return ::access(path.c_str(), W_OK) == 0 ? std::nullopt : std::optional(reason());
+  }
+  const std::string folder = folder_of(path);
+  if (!fs::exists(folder, ignored)) return fmt::format("there is no folder '{}'", folder);
+  const std::string temporary = part_of(path);
+  auto failure = write_text(temporary, "");
+  fs::remove(temporary, ignored);
+  return failure;
+}
+
+std::optional<std::string> why_no_folder(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  fs::path there = fs::path(path).lexically_normal();
+  while (!there.empty() && !fs::exists(there, ignored)) there = there.parent_path();
+  if (there.empty()) there = ".";
+  if (!fs::is_directory(there, ignored)) {
+    return fmt::format("'{}' is no folder", there.string());
+  }
+  return why_not_writable((there / "probe").string());
 }
 
 }  // namespace jaywalk

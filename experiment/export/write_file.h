@@ -11,4 +11,10 @@ namespace jaywalk {
 /// not be done, for people, if so.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text);
 
+/// Why write_file would fail there, found out by trying: there is no such folder, it cannot be
+/// written to, ... Nothing is left behind.
+[[nodiscard]] std::optional<std::string> why_not_writable(const std::string& path);
+/// Why a folder of that name, which is made where it is missing, could not be written to.
+[[nodiscard]] std::optional<std::string> why_no_folder(const std::string& path);
+
 }  // namespace jaywalk

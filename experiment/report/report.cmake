@@ -13,6 +13,7 @@ target_sources(jaywalk_experiment PRIVATE
   report/report.cpp
   report/report_data.cpp
   report/road.cpp
+  report/sections/agents.cpp
   report/sections/figures.cpp
   report/sections/metrics.cpp
   report/sections/overview.cpp

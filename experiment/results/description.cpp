@@ -109,6 +109,7 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
                                     .preset = options.preset,
                                     .sets = options.sets,
                                     .behaviour_options = options.behaviours,
+                                    .include = options.include,
                                     .agents = plan.agents,
                                     .tests = plan.tests,
                                     .seed = seed,

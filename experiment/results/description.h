@@ -58,6 +58,7 @@ struct ExperimentDescription {
   std::optional<std::string> preset;
   std::vector<std::string> sets;
   std::vector<std::string> behaviour_options;
+  IncludeFolders include;
   /// The files of `--assertions`, by their names among the inputs, and whether tests were measured.
   std::vector<std::string> assertion_files;
   bool metrics = false;

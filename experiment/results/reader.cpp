@@ -61,7 +61,8 @@ class ResultsReader::Impl {
         read_scenario(description_.scenario, {.preset = description_.preset,
                                               .sets = description_.sets,
                                               .behaviours = description_.behaviour_options,
-                                              .files = copies()});
+                                              .files = copies(),
+                                              .include = description_.include});
     if (!scenario) return std::move(scenario.diagnostics());
     Diagnostics warnings;  // were shown when the tests ran
     auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
@@ -260,6 +261,10 @@ Result<Comparison> ResultsReader::comparison() const {
       summary.agents = agents;
       summary.code_lines = plan.behaviours[behaviour].code_lines;
       comparison.summaries.push_back(std::move(summary));
+      auto troubles = impl_->checked(
+          read_troubles(impl_->database(), stored.value().front().id, stored.value().back().id));
+      if (!troubles) return std::move(troubles.diagnostics());
+      comparison.troubles.push_back(std::move(troubles).value());
     }
   }
   if (auto failure = add_findings(comparison)) return std::move(*failure);

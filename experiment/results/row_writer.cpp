@@ -22,9 +22,10 @@ RowWriter::RowWriter(Database& database, const ExperimentDescription& descriptio
       description_(description),
       placement_(description.anchor),
       test_(database, "INSERT INTO tests VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      actor_(database, "INSERT INTO actors VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      actor_(database, "INSERT INTO actors VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       observation_(database, "INSERT INTO observations VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       event_(database, "INSERT INTO events VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      drop_(database, "INSERT INTO drops VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       assessment_(database, "INSERT INTO assessments VALUES (?, ?, ?, ?, ?, ?, ?, ?)") {}
 
 void RowWriter::write(const TestRecord& record) {
@@ -46,6 +47,7 @@ void RowWriter::write(const TestRecord& record) {
   write_actors(id, record);
   if (scenes) write_scenes(id, recording);
   write_events(id, recording);
+  write_drops(id, record.drops);
   write(id, record.assessments);
 }
 
@@ -53,12 +55,14 @@ void RowWriter::write_actors(std::int64_t test_id, const TestRecord& record) {
   const std::span<const Actor> actors = record.recording.actors();
   for (std::size_t i = 0; i < actors.size(); ++i) {
     std::optional<double> cost, reward;
+    std::optional<std::uint32_t> actions;
     if (i > 0 && i <= record.scores.size()) {
       cost = number(record.scores[i - 1].cost);
       reward = number(record.scores[i - 1].reward);
+      actions = record.scores[i - 1].actions;
     }
     actor_.run(row_id(test_id, static_cast<std::int64_t>(i)), test_id, i, actors[i].name,
-               name(actors[i].kind), actors[i].length_m, actors[i].width_m, cost, reward);
+               name(actors[i].kind), actors[i].length_m, actors[i].width_m, cost, reward, actions);
   }
 }
 
@@ -90,6 +94,15 @@ void RowWriter::write_events(std::int64_t test_id, const Recording& recording) {
     }
     event_.run(row++, test_id, event.tick, event.actor, time_of(event.tick), event.kind, event.text,
                x, y, geometry);
+  }
+}
+
+void RowWriter::write_drops(std::int64_t test_id, std::span<const AgentDrop> drops) {
+  std::int64_t row = row_id(test_id, 0);
+  for (const AgentDrop& drop : drops) {
+    const DropCause& cause = drop.cause;
+    drop_.run(row++, test_id, drop.actor, cause.error, cause.file, cause.line, cause.column,
+              cause.formula, cause.message, cause.goals, cause.times);
   }
 }
 

@@ -26,6 +26,7 @@ class RowWriter {
   void write_actors(std::int64_t test_id, const TestRecord& record);
   void write_scenes(std::int64_t test_id, const Recording& recording);
   void write_events(std::int64_t test_id, const Recording& recording);
+  void write_drops(std::int64_t test_id, std::span<const AgentDrop> drops);
   [[nodiscard]] PointBlob point_of(const ActorState& state) const;
   [[nodiscard]] const std::string& time_of(std::size_t tick);
 
@@ -34,7 +35,7 @@ class RowWriter {
   Placement placement_;
   std::vector<std::string> times_;  // of the first ticks
   std::string late_time_;
-  Statement test_, actor_, observation_, event_, assessment_;
+  Statement test_, actor_, observation_, event_, drop_, assessment_;
 };
 
 }  // namespace jaywalk

@@ -67,7 +67,7 @@ CREATE TABLE tests (
 CREATE TABLE actors (
   id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL,
   actor INTEGER NOT NULL, name TEXT NOT NULL, kind TEXT NOT NULL, length_m DOUBLE NOT NULL,
-  width_m DOUBLE NOT NULL, cost DOUBLE, reward DOUBLE);
+  width_m DOUBLE NOT NULL, cost DOUBLE, reward DOUBLE, actions INTEGER);
 CREATE TABLE observations (
   id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL,
   tick INTEGER NOT NULL, actor INTEGER NOT NULL, time DATETIME NOT NULL, x DOUBLE NOT NULL,
@@ -76,6 +76,10 @@ CREATE TABLE events (
   id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL,
   tick INTEGER NOT NULL, actor INTEGER, time DATETIME NOT NULL, kind TEXT NOT NULL,
   text TEXT NOT NULL, x DOUBLE, y DOUBLE, geom POINT);
+CREATE TABLE drops (
+  id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL, actor INTEGER NOT NULL,
+  error TEXT NOT NULL, file TEXT NOT NULL, line INTEGER NOT NULL, "column" INTEGER NOT NULL,
+  formula TEXT NOT NULL, message TEXT NOT NULL, goals TEXT NOT NULL, times INTEGER NOT NULL);
 CREATE TABLE assessments (
   id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL, name TEXT NOT NULL,
   verdict TEXT NOT NULL, value DOUBLE, tick INTEGER, actor INTEGER, robustness DOUBLE);
@@ -100,7 +104,8 @@ constexpr std::array kAttributes = {
     Layer{"agent_numbers", "of the plan, in its order"},
     Layer{"inputs", "every file that the tests were made from"},
     Layer{"tests", "each test and what came of it"},
-    Layer{"actors", "who took part in a test, and the agents' costs and rewards"},
+    Layer{"actors", "who took part in a test, and the agents' costs, rewards and actions"},
+    Layer{"drops", "why agents dropped intentions"},
     Layer{"assessments", "metrics' values and assertions' verdicts"},
 };
 

@@ -14,7 +14,7 @@
 namespace jaywalk {
 
 /// Changes with the tables. A store of another version is refused.
-inline constexpr std::int64_t kStoreVersion = 1;
+inline constexpr std::int64_t kStoreVersion = 2;
 
 /// The four bytes `GPKG` in the header of a SQLite file.
 inline constexpr std::uint32_t kGeoPackageId = 0x47504B47;
@@ -33,8 +33,8 @@ inline constexpr std::int64_t kMaxRows = std::int64_t{1} << kRowBits;
 }
 
 /// The tables with rows for each test, which are copied when stores are merged.
-inline constexpr std::array<std::string_view, 5> kTablesOfTests = {
-    "tests", "actors", "observations", "events", "assessments"};
+inline constexpr std::array<std::string_view, 6> kTablesOfTests = {
+    "tests", "actors", "observations", "events", "drops", "assessments"};
 
 /// Creates all tables in an empty file.
 void create_tables(Database& database, const Placement& placement);

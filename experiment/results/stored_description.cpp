@@ -1,5 +1,6 @@
 // How an experiment's description is kept in a store's tables.
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -29,6 +30,10 @@ void write_options(Database& database, const ExperimentDescription& description)
   for (const std::string& behaviour : description.behaviour_options) {
     option.run("behaviour", behaviour);
   }
+  for (const std::string& folder : description.include.folders) option.run("include", folder);
+  for (const auto& [prefix, folder] : description.include.mapped) {
+    option.run("map", fmt::format("{}={}", prefix, folder));
+  }
   write_judging(database, description);
 }
 
@@ -50,6 +55,13 @@ void read_options(Database& database, ExperimentDescription& description) {
     if (option == "preset") description.preset = row.text(1);
     if (option == "set") description.sets.push_back(row.text(1));
     if (option == "behaviour") description.behaviour_options.push_back(row.text(1));
+    if (option == "include") description.include.folders.push_back(row.text(1));
+    if (option == "map") {
+      const std::string mapping = row.text(1);
+      const std::size_t equals = std::min(mapping.find('='), mapping.size());
+      description.include.mapped.emplace_back(mapping.substr(0, equals),
+                                              mapping.substr(std::min(equals + 1, mapping.size())));
+    }
     if (option == "assertions") description.assertion_files.push_back(row.text(1));
     if (option == "metrics") description.metrics = true;
   }

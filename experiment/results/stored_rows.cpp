@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -133,9 +134,11 @@ std::optional<StoredTest> read_test(Database& database, const ExperimentDescript
 
 std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id) {
   std::vector<AgentScore> scores;
-  Statement row = rows_of(database, test_id, "cost, reward", "actors");
+  Statement row = rows_of(database, test_id, "cost, reward, actions", "actors");
   while (row.step()) {
-    if (!row.is_null(0)) scores.push_back({.cost = row.real(0), .reward = row.real(1)});
+    if (row.is_null(0)) continue;
+    scores.push_back(
+        {.cost = row.real(0), .reward = row.real(1), .actions = row.integer<std::uint32_t>(2)});
   }
   return scores;
 }
@@ -152,6 +155,39 @@ std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
                       .width_m = row.real(3)});
   }
   return actors;
+}
+
+Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last) {
+  // The tests in their order, and each one's agents: as the sum wants them.
+  std::map<std::int64_t, TestTroubles> tests;
+  Statement actor(database,
+                  "SELECT test_id, count(*), count(actions), sum(actions = 0) FROM actors "
+                  "WHERE id >= ? AND id < ? AND actor > 0 GROUP BY test_id");
+  actor.bind(row_id(first, 0), row_id(last + 1, 0));
+  while (actor.step()) {
+    TestTroubles& test = tests[actor.number(0)];
+    test.agents = actor.integer<std::uint64_t>(1);
+    test.pedestrians = actor.integer<std::uint64_t>(2);
+    test.idle = actor.is_null(3) ? 0 : actor.integer<std::uint64_t>(3);
+  }
+  Statement drop(database,
+                 "SELECT test_id, actor, error, file, line, \"column\", formula, message, goals, "
+                 "times FROM drops WHERE id >= ? AND id < ? ORDER BY id");
+  drop.bind(row_id(first, 0), row_id(last + 1, 0));
+  while (drop.step()) {
+    tests[drop.number(0)].drops.push_back({.actor = drop.integer<std::uint32_t>(1),
+                                           .cause = {.error = drop.text(2),
+                                                     .file = drop.text(3),
+                                                     .line = drop.integer<std::uint32_t>(4),
+                                                     .column = drop.integer<std::uint32_t>(5),
+                                                     .formula = drop.text(6),
+                                                     .message = drop.text(7),
+                                                     .goals = drop.text(8),
+                                                     .times = drop.integer<std::uint64_t>(9)}});
+  }
+  TroublesSum sum;
+  for (const auto& [id, test] : tests) sum.add(static_cast<std::uint64_t>(id), test);
+  return sum.sum();
 }
 
 std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id) {

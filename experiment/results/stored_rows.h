@@ -21,6 +21,8 @@ namespace jaywalk {
                                                   std::int64_t id);
 [[nodiscard]] std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id);
 [[nodiscard]] std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id);
+/// What went wrong with the agents of the tests with these ids, both included.
+[[nodiscard]] Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last);
 [[nodiscard]] std::vector<Actor> read_actors(Database& database, std::int64_t test_id);
 /// The names of assertions, in the order in which tests were judged by them.
 [[nodiscard]] std::vector<std::string> read_assertion_ids(Database& database);

@@ -26,8 +26,10 @@ TestRecord make_test_record(const TestCase& test, const TestResult& result,
                             const TrialResult& trial, Recording recording) {
   TestRecord record{.test = test, .result = result, .recording = std::move(recording)};
   for (const PedestrianOutcome& outcome : trial.outcome.pedestrians) {
-    record.scores.push_back({.cost = outcome.cost, .reward = outcome.reward});
+    record.scores.push_back(
+        {.cost = outcome.cost, .reward = outcome.reward, .actions = outcome.actions});
   }
+  record.drops = trial.troubles.drops;
   return record;
 }
 

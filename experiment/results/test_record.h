@@ -17,6 +17,8 @@ namespace jaywalk {
 struct AgentScore {
   double cost = 0;
   double reward = 0;
+  /// How many of its actions were carried out.
+  std::uint32_t actions = 0;
 
   friend bool operator==(const AgentScore&, const AgentScore&) = default;
 };
@@ -27,6 +29,8 @@ struct TestRecord {
   /// Of the agents in their order; the agent i is the recording's actor i + 1.
   std::vector<AgentScore> scores;
   std::vector<Assessment> assessments;
+  /// Why agents dropped intentions.
+  std::vector<AgentDrop> drops;
   /// Everything that was seen. The store keeps actors and events, and scenes as its level says.
   Recording recording;
 };

@@ -1,27 +1,94 @@
 #include "interpreter/support/source_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace jaywalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a folder holds, sorted; nothing if it cannot be read.
+std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
+  std::vector<fs::directory_entry> entries;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    entries.push_back(*entry);
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+/// Nothing that leads out of the folder that it is looked for in.
+bool stays_below(std::string_view path) {
+  const fs::path normal = fs::path(path).lexically_normal();
+  return !normal.empty() && !normal.is_absolute() && *normal.begin() != "..";
+}
+
+}  // namespace
 
 SourceFiles::SourceFiles(std::span<const SourcePtr> copies) : copies_(std::in_place) {
   for (const SourcePtr& copy : copies) copies_->emplace(copy->name(), copy);
 }
 
+std::string SourceFiles::place(const std::string& path) const {
+  if (library_.empty() || !path.starts_with(kLibraryPrefix)) return path;
+  const std::string below = path.substr(kLibraryPrefix.size());
+  return stays_below(below) ? (fs::path(library_) / below).string() : path;
+}
+
 bool SourceFiles::has(const std::string& path) const {
   if (copies_) return copies_->contains(path);
   std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
+  return fs::is_regular_file(place(path), error);
 }
 
 Result<SourcePtr> SourceFiles::read(const std::string& path, std::size_t max_bytes) const {
-  if (!copies_) return read_source(path, max_bytes);
+  if (!copies_) {
+    const std::string file = place(path);
+    Result<SourcePtr> source = read_source(file, max_bytes);
+    if (!source || file == path) return source;
+    return std::make_shared<const Source>(path, std::string(source.value()->text()));
+  }
   const auto found = copies_->find(path);
   if (found != copies_->end()) return found->second;
   Diagnostics diagnostics;
   diagnostics.error(path, "no copy of this file was kept");
   return diagnostics;
+}
+
+std::optional<std::string> SourceFiles::find_installed(std::string_view path) const {
+  if (!stays_below(path)) return std::nullopt;
+  if (copies_) {
+    for (const auto& [name, copy] : *copies_) {
+      const std::size_t world = name.find('/', kLibraryPrefix.size());
+      if (name.starts_with(kLibraryPrefix) && world != std::string::npos &&
+          std::string_view(name).substr(world + 1) == path) {
+        return name;
+      }
+    }
+    return std::nullopt;
+  }
+  if (library_.empty()) return std::nullopt;
+  for (const fs::directory_entry& world : entries_of(library_)) {
+    const std::string name = std::string(kLibraryPrefix) +
+                             (world.path().filename() / path).lexically_normal().generic_string();
+    if (has(name)) return name;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> SourceFiles::installed_in(std::string_view folder) const {
+  std::vector<std::string> names;
+  if (copies_ || library_.empty()) return names;
+  for (const fs::directory_entry& entry : entries_of(place(std::string(folder)))) {
+    if (entry.path().extension() != ".asl") continue;
+    names.push_back(std::string(folder) + '/' + entry.path().filename().generic_string());
+  }
+  return names;
 }
 
 }  // namespace jaywalk

@@ -1,21 +1,30 @@
 #pragma once
 
 // Where the texts of files are read from: the disk, or copies that were kept of them, so that what
-// was once read can be read again wherever the files are now.
+// was once read can be read again wherever the files are now. Programs that are installed with
+// Jaywalk have names of their own, `$jaywalk/crossing/proximity.asl`, which are the same wherever
+// it is installed; that is how copies of them are named, too.
 
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
 
+/// How the names of installed programs begin; a folder for each world follows.
+inline constexpr std::string_view kLibraryPrefix = "$jaywalk/";
+
 class SourceFiles {
  public:
-  /// The disk.
+  /// The disk, without installed programs.
   SourceFiles() = default;
+  /// The disk; the installed programs are in the folder `library`.
+  explicit SourceFiles(std::string library) : library_(std::move(library)) {}
   /// These, by their names, and no others.
   explicit SourceFiles(std::span<const SourcePtr> copies);
 
@@ -24,9 +33,18 @@ class SourceFiles {
   /// As read_source() does; a missing copy is an error, too.
   [[nodiscard]] Result<SourcePtr> read(const std::string& path,
                                        std::size_t max_bytes = std::size_t{64} << 20U) const;
+  /// The file on the disk that a name means. REQUIRES: there are no copies.
+  [[nodiscard]] std::string place(const std::string& path) const;
+
+  /// The name of the installed program of that path below the folder of some world:
+  /// `$jaywalk/crossing/shared/steps.asl` for `shared/steps.asl`.
+  [[nodiscard]] std::optional<std::string> find_installed(std::string_view path) const;
+  /// The names of the programs in a folder of the installed ones, `$jaywalk/crossing`, sorted.
+  [[nodiscard]] std::vector<std::string> installed_in(std::string_view folder) const;
 
  private:
   std::optional<std::map<std::string, SourcePtr>> copies_;
+  std::string library_;  // empty: none
 };
 
 }  // namespace jaywalk

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "interpreter/support/read_program.h"
 #include "interpreter/syntax/parser.h"
@@ -17,13 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMissingInclude = "missing-include";
-
 // In any encoding. What cannot be read for another reason says so.
 Result<SourcePtr> read_program(const std::string& path, const SourceFiles& files,
                                Diagnostics& diagnostics) {
   Result<SourcePtr> source = files.read(path);
-  return source || !files.has(path) ? source : read_any_encoding(path, diagnostics);
+  return source || !files.has(path) ? source : read_any_encoding(files.place(path), diagnostics);
 }
 
 // A text that is given for the file at a path; null if there is none.
@@ -155,11 +154,43 @@ class Loader {
     const auto found = std::find_if(candidates.begin(), candidates.end(),
                                     [this](const fs::path& path) { return is_file(path); });
     if (found != candidates.end()) return found->generic_string();
+    if (auto installed = find_installed(name, where)) return installed;
     std::string places = fmt::format("looked for {}", candidates.front().generic_string());
     for (std::size_t i = 1; i < candidates.size(); ++i) {
       places += fmt::format(", {}", candidates[i].generic_string());
     }
     warn(where, fmt::format("cannot find '{}', which is included here", name), std::move(places));
+    return std::nullopt;
+  }
+
+  // A program that was copied away from the installed ones finds what it included there.
+  std::optional<std::string> find_installed(const std::string& name, const SourceSpan& where) {
+    if (name.find('/') == std::string::npos) return std::nullopt;
+    auto installed = include_path_.files.find_installed(name);
+    if (!installed) return std::nullopt;
+    diagnostics_.add({.severity = Severity::note,
+                      .message = fmt::format("'{}' is not beside the program; the installed one "
+                                             "is taken",
+                                             name),
+                      .where = where,
+                      .hint = fmt::format("include(\"{}\") says so", *installed),
+                      .code = {},
+                      .subject = {}});
+    return installed;
+  }
+
+  // `$jaywalk/crossing/shared/steps.asl`: installed with Jaywalk.
+  std::optional<std::string> find_in_library(const std::string& name, const SourceSpan& where) {
+    const std::string path = fs::path(name).lexically_normal().generic_string();
+    if (is_file(path)) return path;
+    const std::string folder = fs::path(path).parent_path().generic_string();
+    const std::vector<std::string> known = include_path_.files.installed_in(folder);
+    std::string hint = did_you_mean(path, known);
+    if (hint.empty()) {
+      hint = known.empty() ? "the programs of the crossing are in $jaywalk/crossing"
+                           : fmt::format("in that folder are {}", fmt::join(known, ", "));
+    }
+    warn(where, fmt::format("cannot find '{}', which is included here", name), std::move(hint));
     return std::nullopt;
   }
 
@@ -176,6 +207,7 @@ class Loader {
            fmt::format("looked for {}", path.generic_string()));
       return std::nullopt;
     }
+    if (name.starts_with(kLibraryPrefix)) return find_in_library(name, where);
     warn(where, fmt::format("nobody knows the folder '{}', from which is included here", prefix),
          fmt::format("say where it is with --map '{}=FOLDER'", prefix));
     return std::nullopt;

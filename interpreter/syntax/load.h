@@ -14,6 +14,12 @@
 
 namespace jaywalk {
 
+/// The code of the warning that an included file is missing, which leaves it out, as in Jason; and
+/// what to do about it where that is an error.
+inline constexpr std::string_view kMissingInclude = "missing-include";
+inline constexpr std::string_view kMissingIncludeHint =
+    "`// jaywalk: allow missing-include` in the line before runs without it";
+
 /// Where included files are looked for, after the folder of the including file.
 struct IncludePath {
   /// Folders, in order (`aslSourcePath` of a project, `--include`).

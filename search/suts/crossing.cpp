@@ -33,6 +33,9 @@ struct CrossingSettings {
   std::uint32_t agents = 1;
   std::uint64_t seed = 0;
   std::vector<Assertion> assertions;
+  /// Where programs are looked for.
+  SourceFiles files;
+  IncludeFolders include;
 };
 
 double bounded(double value) { return std::clamp(value, -kNone, kNone); }
@@ -77,7 +80,10 @@ class CrossingRun : public Sut {
       : space_(space), settings_(settings) {}
 
   Outcome run(const TestInput& input, std::size_t) override {
-    ScenarioOptions options{.sets = space_.settings(input), .behaviours = {settings_.behaviour}};
+    ScenarioOptions options{.sets = space_.settings(input),
+                            .behaviours = {settings_.behaviour},
+                            .files = settings_.files,
+                            .include = settings_.include};
     Result<Scenario> scenario = parse_scenario(settings_.scenario, options);
     if (!scenario.ok()) return failed(scenario.diagnostics());
     if (std::vector<Position> starts = space_.starts(input); !starts.empty()) {
@@ -276,22 +282,20 @@ class CrossingReader {
   }
 
   std::shared_ptr<const SutModel> make() {
-    Result<Scenario> scenario = parse_scenario(settings_.scenario);
+    ScenarioOptions options{.files = setup_.files, .include = setup_.include};
+    if (!settings_.behaviour.empty()) options.behaviours = {settings_.behaviour};
+    settings_.files = setup_.files;
+    settings_.include = setup_.include;
+    Result<Scenario> scenario = parse_scenario(settings_.scenario, options);
     if (!scenario.ok()) {
+      const Diagnostic& first = scenario.diagnostics().items().front();
       reader_.error(setup_.node.origin,
-                    fmt::format("the scenario cannot be read: {}",
-                                scenario.diagnostics().items().front().message));
+                    fmt::format("the scenario cannot be read: {}{}{}", first.subject,
+                                first.subject.empty() ? "" : ": ", first.message),
+                    first.hint);
       return nullptr;
     }
-    std::vector<std::string> names;
-    for (const BehaviourSpec& each : scenario.value().behaviours) names.push_back(each.name);
-    if (settings_.behaviour.empty()) settings_.behaviour = names.front();
-    if (std::ranges::find(names, settings_.behaviour) == names.end()) {
-      reader_.error(setup_.node.origin,
-                    fmt::format("the scenario has no behaviour '{}'", settings_.behaviour),
-                    did_you_mean(settings_.behaviour, names));
-      return nullptr;
-    }
+    settings_.behaviour = scenario.value().behaviours.front().name;
     const CrossingParameters& world = scenario.value().world;
     auto model = std::make_shared<CrossingModel>(settings_, dimensions_, pavement_rows(world),
                                                  world.length, searches_starts_);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "env/number_parameter.h"
+#include "experiment/scenario.h"
 #include "experiment/scenario_reader.h"
 #include "search/sut.h"
 
@@ -20,6 +21,9 @@ struct SutSetup {
   const ConfigReader& reader;
   /// What paths are relative to; empty: the current folder.
   std::string folder;
+  /// Where the programs of agents are looked for.
+  SourceFiles files;
+  IncludeFolders include;
 };
 
 struct SutKind {

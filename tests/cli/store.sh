@@ -9,7 +9,7 @@ results() {
 content() {
   local table
   for table in experiment options behaviours parameters agent_numbers inputs versions actors observations \
-    events assessments gpkg_spatial_ref_sys gpkg_geometry_columns; do
+    events drops assessments gpkg_spatial_ref_sys gpkg_geometry_columns; do
     echo "$table"
     sqlite3 "file:$1?mode=ro" "SELECT * FROM $table ORDER BY 1" | od -c | sha256sum
   done

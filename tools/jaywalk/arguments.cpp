@@ -59,6 +59,10 @@ std::span<const OptionSpec> common_options() {
 
 bool Arguments::has(std::string_view option) const { return text(option).has_value(); }
 
+bool Arguments::has_value(std::string_view value) const {
+  return std::ranges::any_of(options_, [&](const auto& option) { return option.second == value; });
+}
+
 std::optional<std::string> Arguments::text(std::string_view option) const {
   std::vector<std::string> all = texts(option);
   if (all.empty()) return std::nullopt;

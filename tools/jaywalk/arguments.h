@@ -15,11 +15,16 @@
 
 namespace jaywalk {
 
+/// Whether a command writes to the place that an option names: a file, or a folder that it makes.
+enum class Written { no, file, folder };
+
 struct OptionSpec {
   std::string_view name;
   /// What its value is called, "N"; empty if it has none.
   std::string_view value;
   std::string_view summary;
+  /// Places are tried before the command begins.
+  Written written = Written::no;
 };
 
 /// --help and its like, which every command has.
@@ -30,6 +35,8 @@ class Arguments {
   /// What is not an option, in order.
   [[nodiscard]] const std::vector<std::string>& operands() const { return operands_; }
   [[nodiscard]] bool has(std::string_view option) const;
+  /// Some option has this value.
+  [[nodiscard]] bool has_value(std::string_view value) const;
   /// The value given last.
   [[nodiscard]] std::optional<std::string> text(std::string_view option) const;
   /// All values, in order.

@@ -116,24 +116,21 @@ class Checker {
   }
 
   void check_search(const SourcePtr& source) {
-    auto experiment = jaywalk::search::parse_search(source);
+    auto experiment = jaywalk::search::parse_search(
+        source,
+        {.files = include_path_.files, .include = {include_path_.folders, include_path_.mapped}});
     if (!experiment) diagnostics_.append(std::move(experiment.diagnostics()));
   }
 
   void check_scenario(const std::string& path) {
-    auto scenario = read_scenario(path);
+    auto scenario = read_scenario(path, {.files = include_path_.files,
+                                         .include = {include_path_.folders, include_path_.mapped}});
     if (!scenario) {
       diagnostics_.append(std::move(scenario.diagnostics()));
       return;
     }
     const std::size_t errors = diagnostics_.error_count();
-    for (const BehaviourSpec& behaviour : scenario.value().behaviours) {
-      if (!is_new(behaviour.program)) continue;
-      check_program(load({.path = behaviour.program, .text = {}, .include_path = include_path_}),
-                    find_environment("crossing"), [&](Vocabulary& vocabulary) {
-                      vocabulary.settings = settings_of(scenario.value(), behaviour.program);
-                    });
-    }
+    check_programs(scenario.value(), include_path_, checked_, diagnostics_);
     if (diagnostics_.error_count() > errors) return;
     // What remains is how parameters and programs fit together.
     Diagnostics known_warnings;

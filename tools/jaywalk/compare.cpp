@@ -1,11 +1,13 @@
 // `jaywalk compare`: behaviours x numbers of agents x seeded tests, in parallel.
 
-#include "experiment/report/verdict_table.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/compare_results.h"
+#include "tools/jaywalk/comparison_output.h"
 #include "tools/jaywalk/coverage_options.h"
+#include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/scenario_options.h"
 
@@ -22,23 +24,29 @@ CommandHelp help() {
       .options =
           {
               {"behaviours", "LIST",
-               "these behaviours: names of the scenario's or .asl files,\n"
-               "separated by commas; repeatable"},
+               "these behaviours: names of the scenario's, of installed ones\n"
+               "(jaywalk list behaviours) or .asl files, separated by commas;\n"
+               "repeatable"},
               {"agents", "LIST", "these numbers of agents, as 1..10,15,20"},
               {"tests", "N", "tests for each behaviour and number of agents"},
               {"threads", "N", "threads (default: as many as cores)"},
-              {"csv", "FILE", "write the results as CSV"},
-              {"json", "FILE", "write the results as JSON, the published ones with them"},
+              {"csv", "FILE", "write the results as CSV", Written::file},
+              {"json", "FILE", "write the results as JSON, the published ones with them",
+               Written::file},
               {"starts", "FILE",
                "write the start cells of the largest number of agents as CSV,\n"
-               "which world.spawn.cells reads"},
-              {"report", "FILE", "write a page (.html) or a picture (.svg) of the results"},
+               "which world.spawn.cells reads",
+               Written::file},
+              {"report", "FILE", "write a page (.html) or a picture (.svg) of the results",
+               Written::file},
               {"fail-on", "EXPR",
                "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
                "== !=), as accuracy<40, or of an assertion ID.fail>0 (also\n"
                "pass, vacuous, unavoidable, exercised_pct); repeatable"},
               {"situations", "", "print which situations the tests covered"},
               kCoverageOption,
+              kStrictOption,
+              kFormatOption,
               {"quiet", "", "print no table"},
           },
       .examples =
@@ -51,6 +59,7 @@ CommandHelp help() {
           "  jaywalk compare scenarios/paper.yaml --behaviours election --fail-on 'accuracy<40'\n"
           "  jaywalk compare scenarios/paper.yaml --assertions "
           "scenarios/assertions/crossing.yaml\n"};
+  help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   help.options.insert(help.options.end(), kJudgingOptions.begin(), kJudgingOptions.end());
   help.options.insert(help.options.end(), kStoreOptions.begin(), kStoreOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
@@ -98,16 +107,17 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     const std::string subject = coverage_subject(describe_experiment(*request, arguments), {});
     written = write_coverage(arguments, request->coverage->total(), subject, console) && written;
   }
-  const bool quiet = arguments.has("quiet");
-  if (!quiet) console.print(render_tables(*comparison));
+  show_comparison(arguments, *comparison, console);
   if (arguments.has("situations")) {
-    console.print((quiet ? "" : "\n") + situations_of(*request, *comparison, collected.situations));
+    console.print((prints_table(arguments) ? "\n" : "") +
+                  situations_of(*request, *comparison, collected.situations));
   }
   if (!comparison->complete) {
     console.note(interruption(*request, outcome, *comparison));
     return ExitCode::interrupted;
   }
-  if (report_failures(request->conditions, *comparison, console) || !written) {
+  const bool failed = report_failures(request->conditions, *comparison, console);
+  if (fails_strictly(arguments, *comparison, console) || failed || !written) {
     return ExitCode::failed;
   }
   return ExitCode::success;

@@ -5,6 +5,7 @@
 #include "experiment/carry_over.h"
 #include "experiment/number_list.h"
 #include "experiment/trial.h"
+#include "tools/jaywalk/comparison_output.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/scenario_options.h"
@@ -40,6 +41,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   options.conditions = read_conditions(arguments, diagnostics);
   options.store = read_store_options(arguments, diagnostics);
   check_coverage_options(arguments, diagnostics);
+  check_format(arguments, diagnostics);
   return options;
 }
 

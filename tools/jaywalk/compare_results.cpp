@@ -76,6 +76,11 @@ std::optional<Comparison> comparison_of(const Request& request, const Collected&
   if (request.store) return stored_comparison(request, console);
   Comparison comparison = make_comparison(request, outcome);
   add_findings(request.inquiry, collected.findings, request.plan.behaviours, comparison);
+  for (const Summary& summary : comparison.summaries) {
+    const auto behaviour = std::ranges::find(request.plan.behaviours, summary.behaviour);
+    comparison.troubles.push_back(collected.troubles.troubles(
+        static_cast<std::size_t>(behaviour - request.plan.behaviours.begin()), summary.agents));
+  }
   return comparison;
 }
 

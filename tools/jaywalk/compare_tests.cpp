@@ -54,6 +54,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
                           .score = trial.outcome.score(),
                           .cpu_us = trial.cpu_s * 1e6,
                           .wall_us = wall.count()};
+  listeners.collected.troubles.add(test, trial.troubles);
   std::vector<Assessment> assessments;
   if (asks(request.inquiry)) {
     const TestFindings found = assess(request.inquiry, recording, request.ground);

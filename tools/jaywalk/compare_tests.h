@@ -16,13 +16,14 @@ namespace jaywalk::command::compare {
 /// What is collected while tests run, beside their results.
 struct Collected {
   explicit Collected(const Request& request)
-      : findings(request.inquiry, request.plan), situations(request.plan) {
+      : findings(request.inquiry, request.plan), troubles(request.plan), situations(request.plan) {
     const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
     if (generation > 0) feedback.emplace(request.plan, generation, situations);
     if (request.plan.order == TestOrder::chained) carry_over.emplace(request.plan);
   }
 
   FindingsTable findings;
+  TroublesTable troubles;
   SituationTable situations;
   std::optional<CoverageFeedback> feedback;
   std::optional<CarryOver> carry_over;

@@ -64,26 +64,27 @@ ExitCode report_failure(const Result<Value>& result, const InterruptGuard& inter
 }  // namespace
 
 CommandHelp help() {
-  return {.usage = "STORE [OPTIONS]",
-          .description =
-              "Tells which situations the tests of a store have covered: in bins of where the\n"
-              "pedestrian who met the precondition first started, where and when it did, how\n"
-              "long before a collision, and so on, with the holes and how coverage grew from\n"
-              "test to test. With --coverage the tests are run again to see which plans,\n"
-              "conditions and formulas of the agents' programs they used.\n",
-          .options =
-              {
-                  {"behaviour", "NAME", "of this behaviour's tests"},
-                  {"agents", "N", "of the tests with this number of agents"},
-                  {"csv", "FILE", "write the situations as CSV"},
-                  {"json", "FILE", "write the situations as JSON, with their growth"},
-                  kCoverageOption,
-                  {"threads", "N", "threads for --coverage (default: as many as cores)"},
-                  {"quiet", "", "print no table"},
-              },
-          .examples =
-              "  jaywalk coverage runs.gpkg\n"
-              "  jaywalk coverage runs.gpkg --behaviour election --coverage election.html\n"};
+  return {
+      .usage = "STORE [OPTIONS]",
+      .description =
+          "Tells which situations the tests of a store have covered: in bins of where the\n"
+          "pedestrian who met the precondition first started, where and when it did, how\n"
+          "long before a collision, and so on, with the holes and how coverage grew from\n"
+          "test to test. With --coverage the tests are run again to see which plans,\n"
+          "conditions and formulas of the agents' programs they used.\n",
+      .options =
+          {
+              {"behaviour", "NAME", "of this behaviour's tests"},
+              {"agents", "N", "of the tests with this number of agents"},
+              {"csv", "FILE", "write the situations as CSV", Written::file},
+              {"json", "FILE", "write the situations as JSON, with their growth", Written::file},
+              kCoverageOption,
+              {"threads", "N", "threads for --coverage (default: as many as cores)"},
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk coverage runs.gpkg\n"
+          "  jaywalk coverage runs.gpkg --behaviour election --coverage election.html\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
@@ -100,7 +101,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto rows = stored_situations(*store, options->wanted, progress);
   line.clear();
   if (!rows.ok()) return report_failure(rows, interrupt, console);
-  if (!arguments.has("quiet")) console.print(situation_text(rows.value()));
+  if (prints_table(arguments)) console.print(situation_text(rows.value()));
   const std::array outputs = {
       OutputFile{"csv", [&] { return situation_csv(rows.value()); }},
       OutputFile{"json", [&] { return situation_json(rows.value()); }},

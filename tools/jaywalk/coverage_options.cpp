@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "tools/jaywalk/output_files.h"
+#include "tools/jaywalk/shipped.h"
 
 namespace jaywalk {
 namespace {
@@ -57,9 +58,10 @@ SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& count
   for (const ProbedRule& rule : probes.rules()) {
     if (rule.where.source != nullptr) names.insert(rule.where.source->name());
   }
+  const SourceFiles files = files_on_disk();
   std::vector<SourcePtr> sources;
   for (const std::string& name : names) {
-    auto source = read_source(name);
+    auto source = files.read(name);
     if (source.ok()) sources.push_back(std::move(source).value());
   }
   return locate(probes, counts, find_texts(probes, sources));

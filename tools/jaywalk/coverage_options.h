@@ -15,7 +15,8 @@ inline constexpr OptionSpec kCoverageOption{
     "write which plans, conditions and formulas of the agents'\n"
     "programs were used: a listing (.txt), a page (.html) or a\n"
     "tracefile of LCOV (.info); repeatable. A rule's last call\n"
-    "takes memory then, so deep recursion may reach the limit"};
+    "takes memory then, so deep recursion may reach the limit",
+    Written::file};
 
 /// Adds an error for each file whose ending says nothing.
 void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics);

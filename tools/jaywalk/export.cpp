@@ -98,7 +98,7 @@ CommandHelp help() {
                   {"format", "NAME",
                    "what to write: openscenario (default), csv, trace, json,\n"
                    "postgis"},
-                  {"out", "DIR", "where to; made if it is not there (default: here)"},
+                  {"out", "DIR", "where to; made if it is not there (default: here)", Written::folder},
                   {"test", "N", "the tests of this number alone"},
                   {"all", "", "all tests"},
                   {"dialect", "NAME", "of openscenario: standard (default) or carla"},

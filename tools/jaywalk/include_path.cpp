@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "tools/jaywalk/shipped.h"
+
 namespace jaywalk {
 
-std::optional<IncludePath> read_include_path(const Arguments& arguments, Console& console) {
+IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics) {
   IncludePath path;
+  path.files = files_on_disk();
   path.folders = arguments.texts("include");
-  Diagnostics diagnostics;
   for (const std::string& mapping : arguments.texts("map")) {
     const auto equals = mapping.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -19,6 +21,12 @@ std::optional<IncludePath> read_include_path(const Arguments& arguments, Console
       path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
     }
   }
+  return path;
+}
+
+std::optional<IncludePath> read_include_path(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  IncludePath path = parse_include_path(arguments, diagnostics);
   if (!diagnostics.has_errors()) return path;
   console.report(diagnostics);
   return std::nullopt;

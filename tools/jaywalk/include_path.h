@@ -12,12 +12,16 @@
 namespace jaywalk {
 
 inline constexpr std::array kIncludeOptions = {
-    OptionSpec{"include", "FOLDER", "look for included files here too; repeatable"},
+    OptionSpec{"include", "FOLDER",
+               "look for included files here, too; repeatable (the installed\n"
+               "agents are in $jaywalk/crossing)"},
     OptionSpec{"map", "PREFIX=FOLDER",
                "what stands for a prefix of included files: '$jasonJar=DIR';\n"
                "repeatable"},
 };
 
+/// What is wrong with the options is added to the diagnostics.
+[[nodiscard]] IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics);
 /// Nothing after reporting what is wrong with the options.
 [[nodiscard]] std::optional<IncludePath> read_include_path(const Arguments& arguments,
                                                            Console& console);

@@ -170,8 +170,8 @@ CommandHelp help() {
                "assertions count (default: the paper's road)"},
               {"test", "N", "tell all about the test of this number in the store"},
               {"write", "", "keep the verdicts and metrics in the store, in place of old ones"},
-              {"csv", "FILE", "write the results as CSV"},
-              {"json", "FILE", "write the results as JSON"},
+              {"csv", "FILE", "write the results as CSV", Written::file},
+              {"json", "FILE", "write the results as JSON", Written::file},
               {"fail-on", "EXPR",
                "exit with 1 if a row meets it: ASSERTION.VERDICT>NUMBER, as\n"
                "collision_avoidance.fail>0, or MEASURE<NUMBER; repeatable"},
@@ -223,7 +223,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       OutputFile{"junit", [&] { return to_junit(comparison.value()); }},
   };
   written = write_outputs(arguments, outputs, console) && written;
-  if (!arguments.has("quiet")) {
+  if (prints_table(arguments)) {
     console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()));
   }
   const bool failed = report_failures(request->conditions, comparison.value(), console);

@@ -23,7 +23,7 @@ inline constexpr std::array kJudgingOptions = {
     OptionSpec{"metrics", "",
                "measure the tests: minimum distance, time to collision, ...\n"
                "(jaywalk list metrics)"},
-    OptionSpec{"junit", "FILE", "write the verdicts as JUnit XML"},
+    OptionSpec{"junit", "FILE", "write the verdicts as JUnit XML", Written::file},
 };
 
 /// The assertions of the options, or else those others (the scenario's); nothing after reporting

@@ -19,6 +19,7 @@
 #include "search/generator.h"
 #include "search/suts/suts.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/shipped.h"
 
 namespace jaywalk::command::list {
 namespace {
@@ -130,6 +131,28 @@ std::string signal_text() {
   return columns("", rows);
 }
 
+/// What the first comment of a program says it is, up to the first full stop or colon.
+std::string first_words(const SourcePtr& source) {
+  std::string words;
+  for (std::uint32_t line = 1; source->line(line).starts_with("//"); ++line) {
+    const std::string_view text = source->line(line).substr(2);
+    words += words.empty() ? text.substr(std::min(text.find_first_not_of(' '), text.size())) : text;
+  }
+  return words.substr(0, words.find('.'));
+}
+
+std::string behaviour_text() {
+  const SourceFiles files = files_on_disk();
+  std::vector<Row> rows;
+  for (const std::string& name : files.installed_in(kInstalledBehaviours)) {
+    const auto source = files.read(name);
+    if (!source) continue;
+    const std::size_t slash = name.rfind('/') + 1;
+    rows.push_back({name.substr(slash, name.size() - slash - 4), first_words(source.value())});
+  }
+  return columns("", rows);
+}
+
 struct Kind {
   std::string_view name;
   std::string_view summary;
@@ -138,6 +161,8 @@ struct Kind {
 
 constexpr std::array kKinds = {
     Kind{"environments", "worlds, with what agents perceive and do in them", environment_text},
+    Kind{"behaviours", "installed pedestrians (and cyclist, signal), for --behaviours",
+         behaviour_text},
     Kind{"internal-actions", "what agents can call as .name(...)", action_text},
     Kind{"functions", "what agents can use in expressions, as math.abs(X)", function_text},
     Kind{"checks", "what check warns of", [] { return named_rows(checks()); }},
@@ -162,9 +187,9 @@ constexpr std::array kKinds = {
 CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
-              "Names what there is of a kind: environments, internal-actions, functions,\n"
-              "checks, measures, metrics, signals, exporters, vehicles, generators, suts,\n"
-              "controllers, presets or commands.\n",
+              "Names what there is of a kind: environments, behaviours, internal-actions,\n"
+              "functions, checks, measures, metrics, signals, exporters, vehicles, generators,\n"
+              "suts, controllers, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"

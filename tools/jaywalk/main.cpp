@@ -1,5 +1,6 @@
 // The command `jaywalk`: finds the subcommand, reads its arguments, carries it out.
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/output_files.h"
 
 namespace jaywalk {
 namespace {
@@ -27,7 +29,7 @@ std::string overview() {
     text += fmt::format("  {:<9} {}\n", command.name, command.summary);
   }
   text +=
-      "\n'jaywalk COMMAND --help' explains a command; 'jaywalk --version' names the version.\n\n"
+      "\n'jaywalk help COMMAND' explains a command; 'jaywalk --version' names the version.\n\n"
       "Examples:\n"
       "  jaywalk run hello.asl\n"
       "  jaywalk run scenarios/paper.yaml --watch\n"
@@ -57,7 +59,8 @@ ExitCode wrong_command(const std::string& word, Console& console) {
   return ExitCode::usage;
 }
 
-ExitCode execute(const Command& command, const Arguments& arguments) {
+ExitCode execute(const Command& command, const Arguments& arguments,
+                 std::span<const OptionSpec> options) {
   static const std::vector<std::string> kColours = {"auto", "always", "never"};
   static const std::vector<std::string> kLevels = {"warning", "error", "info", "debug"};
   constexpr std::array kLevelValues = {LogLevel::warning, LogLevel::error, LogLevel::info,
@@ -73,11 +76,19 @@ ExitCode execute(const Command& command, const Arguments& arguments) {
     code = ExitCode::success;
   } else if (diagnostics.has_errors()) {
     console.report(diagnostics);
-  } else {
+  } else if (can_write_outputs(arguments, options, console)) {
     code = command.execute(arguments, console);
   }
   if (!console.finish() && code == ExitCode::success) code = ExitCode::failed;
   return code;
+}
+
+/// `-h` as people type it.
+std::vector<std::string> with_long_help(std::span<const std::string> words) {
+  std::vector<std::string> result(words.begin(), words.end());
+  const auto end = std::ranges::find(result, "--");
+  std::replace(result.begin(), end, std::string("-h"), std::string("--help"));
+  return result;
 }
 
 ExitCode dispatch(std::span<const std::string> words) {
@@ -87,11 +98,15 @@ ExitCode dispatch(std::span<const std::string> words) {
     return ExitCode::usage;
   }
   const std::string& first = words.front();
+  if (first == "help" && words.size() > 1 && !words[1].starts_with('-')) {
+    const std::array asked = {words[1], std::string("--help")};
+    return dispatch(asked);
+  }
   if (first == "--help" || first == "-h" || first == "help") {
     console.print(overview());
     return console.finish() ? ExitCode::success : ExitCode::failed;
   }
-  if (first == "--version") {
+  if (first == "--version" || first == "-V") {
     console.print(fmt::format("jaywalk {}\n", JAYWALK_VERSION));
     return console.finish() ? ExitCode::success : ExitCode::failed;
   }
@@ -100,12 +115,12 @@ ExitCode dispatch(std::span<const std::string> words) {
 
   std::vector<OptionSpec> options = command->help().options;
   options.insert(options.end(), common_options().begin(), common_options().end());
-  const auto arguments = parse_arguments(words.subspan(1), options);
+  const auto arguments = parse_arguments(with_long_help(words.subspan(1)), options);
   if (!arguments) {
     console.report(arguments.diagnostics());
     return ExitCode::usage;
   }
-  return execute(*command, arguments.value());
+  return execute(*command, arguments.value(), options);
 }
 
 /// A program that was started without standard streams must not take the files that it opens for

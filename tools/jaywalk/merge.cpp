@@ -8,9 +8,9 @@
 
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
-#include "experiment/report/verdict_table.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/comparison_output.h"
 #include "tools/jaywalk/output_files.h"
 
 namespace jaywalk::command::merge {
@@ -33,7 +33,7 @@ ExitCode show(const std::string& path, const Arguments& arguments, Console& cons
       OutputFile{"json", [&] { return to_json(comparison.value()); }},
   };
   const bool written = write_outputs(arguments, outputs, console);
-  if (!arguments.has("quiet")) console.print(render_tables(comparison.value()));
+  show_comparison(arguments, comparison.value(), console);
   return written ? ExitCode::success : ExitCode::failed;
 }
 
@@ -47,8 +47,10 @@ CommandHelp help() {
               "once. What no shard has can be run with compare --resume on the new store.\n",
           .options =
               {
-                  {"csv", "FILE", "write the results as CSV"},
-                  {"json", "FILE", "write the results as JSON, the published ones with them"},
+                  {"csv", "FILE", "write the results as CSV", Written::file},
+                  {"json", "FILE", "write the results as JSON, the published ones with them",
+                   Written::file},
+                  kFormatOption,
                   {"quiet", "", "print no table"},
               },
           .examples =
@@ -61,6 +63,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.error(fmt::format("expected a new store and those to merge, found {}",
                               arguments.operands().size()),
                   "jaywalk merge --help shows how to write it");
+    return ExitCode::usage;
+  }
+  Diagnostics wrong;
+  check_format(arguments, wrong);
+  if (wrong.has_errors()) {
+    console.report(wrong);
     return ExitCode::usage;
   }
   const std::string& path = arguments.operands().front();

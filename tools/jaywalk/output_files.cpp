@@ -7,10 +7,36 @@
 namespace jaywalk {
 
 bool write_output(const std::string& path, std::string_view text, Console& console) {
+  if (path == kStandardOutput) {
+    console.print(text);
+    return true;
+  }
   console.flush();
   const auto why = write_file(path, text);
   if (why) console.error(fmt::format("cannot write '{}': {}", path, *why));
   return !why;
+}
+
+bool prints_table(const Arguments& arguments) {
+  return !arguments.has("quiet") && !arguments.has_value(kStandardOutput);
+}
+
+bool can_write_outputs(const Arguments& arguments, std::span<const OptionSpec> options,
+                       Console& console) {
+  Diagnostics diagnostics;
+  for (const OptionSpec& option : options) {
+    if (option.written == Written::no) continue;
+    for (const std::string& path : arguments.texts(option.name)) {
+      if (path == kStandardOutput) continue;
+      const auto why =
+          option.written == Written::folder ? why_no_folder(path) : why_not_writable(path);
+      if (!why) continue;
+      diagnostics.error(fmt::format("--{}", option.name),
+                        fmt::format("cannot write '{}': {}", path, *why));
+    }
+  }
+  console.report(diagnostics);
+  return !diagnostics.has_errors();
 }
 
 bool write_outputs(const Arguments& arguments, std::span<const OutputFile> files,

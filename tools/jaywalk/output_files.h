@@ -13,6 +13,17 @@
 
 namespace jaywalk {
 
+/// The name that means standard output.
+inline constexpr std::string_view kStandardOutput = "-";
+
+/// Whether a command prints its table: not with --quiet, nor where an option takes standard output.
+[[nodiscard]] bool prints_table(const Arguments& arguments);
+
+/// Tries the places that options name before anything is done; false after reporting those that
+/// cannot be written.
+[[nodiscard]] bool can_write_outputs(const Arguments& arguments,
+                                     std::span<const OptionSpec> options, Console& console);
+
 /// Writes a whole file, after what was printed so far, for it may be /dev/stdout. False, and said
 /// so, if it cannot be written.
 [[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console);

@@ -1,9 +1,13 @@
 #include "tools/jaywalk/program_check.h"
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "interpreter/compile/compiler.h"
+#include "interpreter/support/excerpt.h"
 #include "interpreter/term/symbol.h"
 #include "tools/jaywalk/vocabulary.h"
 
@@ -27,6 +31,19 @@ bool lies_in_project(const std::string& path) {
   return false;
 }
 
+/// The world of all scenarios.
+constexpr std::string_view kScenarioWorld = "crossing";
+
+std::vector<std::string> programs_of(const Scenario& scenario) {
+  std::vector<std::string> programs;
+  for (const BehaviourSpec& behaviour : scenario.behaviours) {
+    programs.push_back(behaviour.program);
+    for (const TeamMember& member : behaviour.team) programs.push_back(member.program);
+  }
+  for (const BehaviourSpec& actor : scenario.actors) programs.push_back(actor.program);
+  return programs;
+}
+
 }  // namespace
 
 void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
@@ -38,6 +55,28 @@ void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
   if (found.has_errors()) return;
   Vocabulary vocabulary = vocabulary_for(environment);
   complete(vocabulary);
+  check_program(program, vocabulary, found);
+}
+
+void check_programs(const Scenario& scenario, const IncludePath& include_path,
+                    std::set<std::string>& known, Diagnostics& found) {
+  for (const std::string& program : programs_of(scenario)) {
+    if (!known.insert(fs::path(program).lexically_normal().string()).second) continue;
+    Diagnostics of_program;
+    const SourceTree tree = load_agent(program, include_path, of_program);
+    of_program = with_errors(of_program, kMissingInclude, kMissingIncludeHint);
+    const auto complete = [&](Vocabulary& vocabulary) {
+      vocabulary.settings = settings_of(scenario, program);
+    };
+    check_loaded(tree, find_environment(kScenarioWorld), complete, of_program);
+    found.append(std::move(of_program));
+  }
+}
+
+void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
+                    Diagnostics& found) {
+  Vocabulary vocabulary = vocabulary_for(environment_of(program));
+  vocabulary.may_be_alone = started == StartedAs::alone && !lies_in_project(path);
   check_program(program, vocabulary, found);
 }
 

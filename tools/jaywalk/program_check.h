@@ -4,9 +4,11 @@
 // server.
 
 #include <functional>
+#include <set>
 #include <string>
 
 #include "env/environments.h"
+#include "experiment/scenario.h"
 #include "interpreter/check/check.h"
 #include "interpreter/syntax/load.h"
 
@@ -17,6 +19,20 @@ namespace jaywalk {
 /// environment (null: nothing) into what is known of the agent.
 void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
                   const std::function<void(Vocabulary&)>& complete, Diagnostics& found);
+
+/// What `check` says of the programs that a scenario names, each once: its behaviours', with their
+/// teams, and its actors'. Those in `known` are left out, and the others are added to it. A missing
+/// include is an error.
+void check_programs(const Scenario& scenario, const IncludePath& include_path,
+                    std::set<std::string>& known, Diagnostics& found);
+
+/// Whether a program was started by itself or as one of a project.
+enum class StartedAs { alone, part };
+
+/// What the checker alone says of a program that compiles, for the environment that it seems to be
+/// written for.
+void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
+                    Diagnostics& found);
 
 /// The same for a program by itself, for the environment that it seems to be written for.
 void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found);

@@ -61,10 +61,10 @@ CommandHelp help() {
                   kStoredTestOptions[1],
                   kStoredTestOptions[2],
                   {"speed", "N", "ticks per second in the terminal and in a GIF (default 2)"},
-                  {"html", "FILE", "write the player's page instead"},
-                  {"png", "FILE", "write a picture instead"},
+                  {"html", "FILE", "write the player's page instead", Written::file},
+                  {"png", "FILE", "write a picture instead", Written::file},
                   {"tick", "T", "of this tick (default: when the first thing happens)"},
-                  {"gif", "FILE", "write a moving picture instead"},
+                  {"gif", "FILE", "write a moving picture instead", Written::file},
               },
           .examples =
               "  jaywalk replay runs.gpkg --test 7\n"

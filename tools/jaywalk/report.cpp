@@ -50,7 +50,8 @@ CommandHelp help() {
               "experiment's shards make one page. Of a store of searches, the searches' page.\n",
           .options =
               {
-                  {"html", "FILE", "the page's name (default: the store's, ending in .html)"},
+                  {"html", "FILE", "the page's name (default: the store's, ending in .html)",
+                   Written::file},
                   {"replays", "",
                    "run the tests that the page names again and link pages that\n"
                    "play them, in a folder beside it"},

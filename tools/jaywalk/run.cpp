@@ -19,11 +19,10 @@ namespace jaywalk::command::run {
 namespace {
 
 /// Options that mean something for one kind of file only.
-constexpr std::array<std::string_view, 12> kForScenarios = {
-    "set",   "preset", "behaviour",  "agents",  "test",  "watch",
-    "speed", "store",  "assertions", "metrics", "junit", "fail-on"};
-constexpr std::array<std::string_view, 5> kForPrograms = {"realtime", "threads", "include", "map",
-                                                          "ignore-java"};
+constexpr std::array<std::string_view, 13> kForScenarios = {
+    "set",   "preset",     "behaviour", "agents", "test",    "watch", "speed",
+    "store", "assertions", "metrics",   "junit",  "fail-on", "strict"};
+constexpr std::array<std::string_view, 3> kForPrograms = {"realtime", "threads", "ignore-java"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
             const Arguments& arguments, Console& console) {
@@ -59,14 +58,18 @@ CommandHelp help() {
                "do and print does not depend on it"},
               {"ignore-java", "", "run a project without its Java classes"},
               {"behaviour", "FILE",
-               "of a scenario: this program (.asl) or behaviour of the\n"
-               "scenario instead of the first"},
+               "of a scenario: this program (.asl), behaviour of the scenario\n"
+               "or installed one (jaywalk list behaviours) instead of the first"},
               {"agents", "N", "of a scenario: the number of pedestrians"},
               {"test", "N", "of a scenario: which test, from 0"},
               {"watch", "", "of a scenario: draw the test tick by tick"},
               {"speed", "X", "of --watch: ticks a second (default 2)"},
               kCoverageOption,
-              {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)"},
+              {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)",
+               Written::file},
+              {"strict", "",
+               "of a scenario: exit with 1 if agents dropped intentions or\n"
+               "never acted"},
               {"fail-on", "EXPR",
                "of a scenario: exit with 1 if the test meets it, as\n"
                "collision_avoidance.fail>0; repeatable"},

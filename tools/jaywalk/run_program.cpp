@@ -12,10 +12,12 @@
 #include "experiment/export/write_file.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
+#include "interpreter/support/excerpt.h"
 #include "interpreter/syntax/load.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/program_check.h"
 #include "tools/jaywalk/program_loader.h"
 #include "tools/jaywalk/project_agents.h"
 
@@ -90,16 +92,26 @@ ExitCode run_to_end(Mas& mas, const Limits& limits, Console& console) {
   return verdict(mas.outcome(), console);
 }
 
+/// Whether what `check` says of programs is reported, and what it knows of them.
+enum class ProgramCheck { off, alone, in_project };
+
 /// Loads and compiles each agent's program, once for all agents that share it. Those whose program
 /// is missing or wrong are left out; the diagnostics tell.
-std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, SymbolTable& symbols,
-                                   Diagnostics& all) {
+std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, ProgramCheck check,
+                                   SymbolTable& symbols, Diagnostics& all) {
   std::vector<AgentSpec> agents;
   for (const ProgramSource& source : sources) {
     Diagnostics diagnostics;
     const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
                                         : load_agent(source.path, source.include_path, diagnostics);
     const auto program = compile(tree, symbols, diagnostics);
+    // The agent runs without what is missing, as in Jason; but that is a mistake.
+    diagnostics = with_errors(diagnostics, kMissingInclude, kMissingIncludeHint);
+    if (program && check != ProgramCheck::off) {
+      check_compiled(tree, source.path,
+                     check == ProgramCheck::alone ? StartedAs::alone : StartedAs::part,
+                     diagnostics);
+    }
     all.append(std::move(diagnostics));
     if (!program) continue;
     for (const std::string& name : source.agents) {
@@ -112,10 +124,12 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Sy
 
 /// `folder` is the one of the program or project.
 ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
-                     const Limits& limits, const Arguments& arguments, Console& console) {
+                     ProgramCheck check, const Limits& limits, const Arguments& arguments,
+                     Console& console) {
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
-  std::vector<AgentSpec> agents = compile_all(sources, *symbols, diagnostics);
+  std::vector<AgentSpec> agents = compile_all(
+      sources, arguments.has("no-check") ? ProgramCheck::off : check, *symbols, diagnostics);
   console.report(diagnostics);
   if (agents.empty() && diagnostics.has_errors()) return ExitCode::usage;
   MasOptions options = limits.mas;
@@ -163,7 +177,7 @@ ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Con
   const ProgramSource source{.path = path,
                              .include_path = *include_path,
                              .agents = {std::filesystem::path(path).stem().string()}};
-  return run_sources({source}, folder_of(path), *limits, arguments, console);
+  return run_sources({source}, folder_of(path), ProgramCheck::alone, *limits, arguments, console);
 }
 
 ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
@@ -175,7 +189,8 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   auto sources = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
   if (!sources) return ExitCode::usage;
-  return run_sources(std::move(*sources), folder_of(path), *limits, arguments, console);
+  return run_sources(std::move(*sources), folder_of(path), ProgramCheck::in_project, *limits,
+                     arguments, console);
 }
 
 }  // namespace jaywalk

@@ -14,8 +14,10 @@
 #include "experiment/carry_over.h"
 #include "experiment/export/junit.h"
 #include "experiment/plan_coverage.h"
+#include "experiment/report/troubles_text.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/trial.h"
+#include "tools/jaywalk/comparison_output.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/judging.h"
@@ -131,6 +133,9 @@ Comparison comparison_of(const Request& request, const TrialResult& trial,
   table.add({.agents = request.input.agents}, findings);
   const TestResult result = result_of(trial);
   Comparison comparison{.summaries = {summarise({&result, 1})}};
+  TroublesSum troubles;
+  troubles.add(request.input.test, trial.troubles);
+  comparison.troubles.push_back(troubles.sum());
   comparison.summaries.front().behaviour = behaviour;
   comparison.summaries.front().agents = request.input.agents;
   add_findings(request.inquiry, table, plan.behaviours, comparison);
@@ -145,8 +150,12 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Tria
     if (!write_output(*path, xml, console)) return ExitCode::failed;
   }
   const Comparison comparison = comparison_of(request, trial, findings);
+  std::string troubles = render_troubles(troubles_of(comparison));
+  if (troubles.ends_with('\n')) troubles.pop_back();
+  if (!troubles.empty()) console.note(troubles);
   const bool failed = report_failures(request.conditions, comparison, console);
-  return failed ? ExitCode::failed : ExitCode::success;
+  return fails_strictly(arguments, comparison, console) || failed ? ExitCode::failed
+                                                                  : ExitCode::success;
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "tools/jaywalk/scenario_options.h"
 
+#include <set>
 #include <utility>
 
+#include "tools/jaywalk/include_path.h"
+#include "tools/jaywalk/program_check.h"
 #include "tools/jaywalk/shipped.h"
 
 namespace jaywalk {
@@ -11,19 +14,26 @@ bool is_scenario_file(const std::string& path) {
 }
 
 ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours) {
+  Diagnostics ignored;  // prepare_scenario() reports them
+  IncludePath include_path = parse_include_path(arguments, ignored);
   // Programs may be installed ones, as scenarios may.
   for (std::string& behaviour : behaviours) {
-    if (behaviour.ends_with(".asl")) behaviour = located(behaviour);
+    if (behaviour.ends_with(".asl") && !behaviour.starts_with(kLibraryPrefix)) {
+      behaviour = located(behaviour);
+    }
   }
   return {.preset = arguments.text("preset"),
           .sets = arguments.texts("set"),
-          .behaviours = std::move(behaviours)};
+          .behaviours = std::move(behaviours),
+          .files = std::move(include_path.files),
+          .include = {std::move(include_path.folders), std::move(include_path.mapped)}};
 }
 
 std::shared_ptr<const PreparedScenario> prepare_scenario(const std::string& path,
                                                          const Arguments& arguments,
                                                          std::vector<std::string> behaviours,
                                                          Console& console) {
+  if (!read_include_path(arguments, console)) return nullptr;
   const ScenarioOptions options = scenario_options(arguments, std::move(behaviours));
   Result<Scenario> scenario = read_scenario(path, options);
   if (!scenario) {
@@ -32,11 +42,19 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(const std::string& path
   }
   Diagnostics warnings;
   auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
-  console.report(warnings);
   if (!prepared) {
+    console.report(warnings);
     console.report(prepared.diagnostics());
     return nullptr;
   }
+  if (!arguments.has("no-check")) {
+    // They are among what the checker says.
+    warnings = {};
+    std::set<std::string> known;
+    const Scenario& checked = prepared.value()->scenario();
+    check_programs(checked, include_path(checked), known, warnings);
+  }
+  console.report(warnings);
   return std::move(prepared).value();
 }
 

@@ -22,6 +22,7 @@ inline constexpr std::array kScenarioOptions = {
                "(world.length=80); repeatable"},
     OptionSpec{"preset", "NAME", "begin with these values instead of the scenario's preset"},
     OptionSpec{"seed", "N", "the seed from which all chance derives"},
+    OptionSpec{"no-check", "", "leave out the warnings of `jaywalk check`"},
 };
 
 /// More pedestrians than this are a slip.
@@ -36,7 +37,8 @@ inline constexpr std::uint64_t kMaxAgents = 10'000;
                                                std::vector<std::string> behaviours);
 
 /// Reads the scenario with the options of `arguments`, `behaviours` in place of its own if there
-/// are any, and compiles its programs; reports what is wrong and returns null if that fails.
+/// are any, and compiles its programs; reports what is wrong and returns null if that fails. Says
+/// what `check` warns of, unless --no-check is given.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> prepare_scenario(
     const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
     Console& console);

@@ -10,9 +10,11 @@
 #include "search/report/page.h"
 #include "search/store/search_store.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/shipped.h"
 #include "tools/jaywalk/usual_options.h"
 
 namespace jaywalk::command::search {
@@ -40,9 +42,14 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
     console.report(diagnostics);
     return std::nullopt;
   }
+  auto include_path = read_include_path(arguments, console);
+  if (!include_path) return std::nullopt;
   Result<js::SearchExperiment> experiment = js::read_search(
-      arguments.operands().front(),
-      {.sets = arguments.texts("set"), .generators = listed(arguments, "generators")});
+      located(arguments.operands().front()),
+      {.sets = arguments.texts("set"),
+       .generators = listed(arguments, "generators"),
+       .files = std::move(include_path->files),
+       .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
   if (!experiment.ok()) {
     console.report(experiment.diagnostics());
     return std::nullopt;
@@ -80,7 +87,7 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
 }  // namespace
 
 CommandHelp help() {
-  return {
+  CommandHelp help{
       .usage = "EXPERIMENT.yaml [OPTIONS]",
       .description =
           "Looks for test inputs under which a system under test fails: generators are\n"
@@ -98,20 +105,23 @@ CommandHelp help() {
                "another value for a key of the experiment, as a dotted path\n"
                "(budget.tests=100); repeatable"},
               {"seed", "N", "the seed from which all chance derives"},
-              {"csv", "FILE", "write a row for each search as CSV"},
-              {"json", "FILE", "write everything, each test with it, as JSON"},
-              {"store", "FILE.gpkg", "keep every finished test in a GeoPackage"},
+              {"csv", "FILE", "write a row for each search as CSV", Written::file},
+              {"json", "FILE", "write everything, each test with it, as JSON", Written::file},
+              {"store", "FILE.gpkg", "keep every finished test in a GeoPackage", Written::file},
               {"resume", "", "go on with the store where an earlier process ended"},
-              {"report", "FILE.html", "write a page with tables and pictures"},
+              {"report", "FILE.html", "write a page with tables and pictures", Written::file},
               {"export", "FOLDER",
                "write the failing roads as OpenDRIVE with OpenSCENARIO and as\n"
-               "the SBST competition's JSON"},
+               "the SBST competition's JSON",
+               Written::folder},
               {"quiet", "", "print no table"},
           },
       .examples =
           "  jaywalk search scenarios/lane-keeping.yaml\n"
           "  jaywalk search scenarios/lane-keeping.yaml --generators random,graft --repetitions 5\n"
           "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"};
+  help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
+  return help;
 }
 
 namespace {
@@ -180,7 +190,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       OutputFile{"report", [&] { return js::to_html(*experiment, generators); }},
   };
   if (!write_outputs(arguments, outputs, console)) well = false;
-  if (!arguments.has("quiet")) console.print(js::render_table(generators));
+  if (prints_table(arguments)) console.print(js::render_table(generators));
   if (!have_results(results, console)) well = false;
   if (!well) return ExitCode::failed;
   if (results.complete || !interrupted) return ExitCode::success;

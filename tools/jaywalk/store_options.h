@@ -15,7 +15,7 @@
 namespace jaywalk {
 
 inline constexpr OptionSpec kStoreOption{
-    "store", "FILE", "keep every test in this GeoPackage (.gpkg), which is new"};
+    "store", "FILE", "keep every test in this GeoPackage (.gpkg), which is new", Written::file};
 
 inline constexpr std::array kStoreOptions = {
     kStoreOption,

@@ -18,11 +18,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/export/write_file.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/interrupt.h"
+#include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
 #include "tools/jaywalk/unit_tests.h"
 #include "tools/jaywalk/usual_options.h"
@@ -237,7 +237,7 @@ CommandHelp help() {
       .options =
           {
               {"filter", "TEXT", "only tests whose 'file: name' contains the text"},
-              {"junit", "FILE", "write the results as JUnit XML"},
+              {"junit", "FILE", "write the results as JUnit XML", Written::file},
               kCoverageOption,
               {"threads", "N", "run so many tests at a time (default: all cores)"},
               {"seed", "N", "of the agents' random numbers (default 0)"},
@@ -287,10 +287,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       return ExitCode::failed;
   }
   if (const auto file = arguments.text("junit")) {
-    if (const auto problem = write_file(*file, junit_xml(tests, *reports))) {
-      console.error(fmt::format("{}: {}", *file, *problem));
-      return ExitCode::failed;
-    }
+    if (!write_output(*file, junit_xml(tests, *reports), console)) return ExitCode::failed;
   }
   return code;
 }

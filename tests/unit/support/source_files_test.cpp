@@ -29,5 +29,26 @@ TEST(SourceFiles, ThatAreCopiesAreNeverReadFromTheDisk) {
   EXPECT_EQ(missing.diagnostics().items().front().message, "no copy of this file was kept");
 }
 
+TEST(SourceFiles, OfTheLibraryHaveNamesThatDoNotDependOnWhereItIs) {
+  const SourceFiles files(std::string(JAYWALK_SOURCE_DIR "/agents"));
+  EXPECT_TRUE(files.has("$jaywalk/crossing/proximity.asl"));
+  EXPECT_EQ(files.read("$jaywalk/crossing/proximity.asl").value()->name(),
+            "$jaywalk/crossing/proximity.asl");
+  EXPECT_FALSE(files.has("$jaywalk/crossing"));
+  EXPECT_FALSE(files.has("$jaywalk/../README.md"));
+  EXPECT_FALSE(SourceFiles().has("$jaywalk/crossing/proximity.asl"));
+}
+
+TEST(SourceFiles, FindWhatIsInstalledByItsPathBelowAWorld) {
+  const SourceFiles files(std::string(JAYWALK_SOURCE_DIR "/agents"));
+  EXPECT_EQ(files.find_installed("shared/alone.asl"), "$jaywalk/crossing/shared/alone.asl");
+  EXPECT_EQ(files.find_installed("shared/none.asl"), std::nullopt);
+  EXPECT_EQ(files.find_installed("../../README.md"), std::nullopt);
+  const std::array copies = {files.read("$jaywalk/crossing/shared/alone.asl").value()};
+  EXPECT_EQ(SourceFiles(copies).find_installed("shared/alone.asl"),
+            "$jaywalk/crossing/shared/alone.asl");
+  EXPECT_EQ(SourceFiles(copies).find_installed("alone.asl"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace jaywalk

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "interpreter/support/excerpt.h"
 #include "tests/unit/syntax/outline.h"
 
 namespace jaywalk {
@@ -84,6 +85,50 @@ TEST_F(Load, MapsPrefixesToFolders) {
   (void)load_agent(path, {}, diagnostics_);
   ASSERT_EQ(diagnostics_.warning_count(), 1U);
   EXPECT_EQ(diagnostics_.items().front().hint, "say where it is with --map '$jasonJar=FOLDER'");
+}
+
+TEST_F(Load, FindsInstalledProgramsByTheirNames) {
+  write("lib/crossing/shared/a.asl", "{ include(\"b.asl\") } a.");
+  write("lib/crossing/shared/b.asl", "b.");
+  IncludePath installed;
+  installed.files = SourceFiles((folder_ / "lib").string());
+  const std::string path = write("main.asl", "{ include(\"$jaywalk/crossing/shared/a.asl\") }");
+  const SourceTree tree = load_agent(path, installed, diagnostics_);
+  EXPECT_TRUE(diagnostics_.empty()) << diagnostics_.render();
+  ASSERT_EQ(tree.files.size(), 3U);
+  EXPECT_EQ(tree.files[2]->source->name(), "$jaywalk/crossing/shared/b.asl");
+
+  const std::string slip = write("slip.asl", "{ include(\"$jaywalk/crossing/shared/c.asl\") }");
+  (void)load_agent(slip, installed, diagnostics_);
+  ASSERT_EQ(diagnostics_.warning_count(), 1U);
+  EXPECT_EQ(diagnostics_.items().front().code, "missing-include");
+  EXPECT_NE(diagnostics_.items().front().hint.find("$jaywalk/crossing/shared/a.asl"),
+            std::string::npos);
+}
+
+TEST_F(Load, TakesInstalledProgramsForThoseThatAreNotBesideACopy) {
+  write("lib/crossing/shared/a.asl", "a(installed).");
+  IncludePath installed;
+  installed.files = SourceFiles((folder_ / "lib").string());
+  const std::string path = write("main.asl", "{ include(\"shared/a.asl\") }");
+  const SourceTree tree = load_agent(path, installed, diagnostics_);
+  ASSERT_EQ(tree.files.size(), 2U);
+  EXPECT_EQ(tree.files[1]->source->name(), "$jaywalk/crossing/shared/a.asl");
+  ASSERT_EQ(diagnostics_.items().size(), 1U);
+  EXPECT_EQ(diagnostics_.items().front().severity, Severity::note);
+  EXPECT_EQ(diagnostics_.warning_count(), 0U);
+
+  write("shared/a.asl", "a(own).");
+  EXPECT_EQ(files_of(load_agent(path, installed, diagnostics_)), "main.asl shared/a.asl ");
+}
+
+TEST_F(Load, MakesErrorsOfMissingIncludesWhereTheyAreWanted) {
+  const std::string path = write("main.asl", "{ include(\"none.asl\") } b.");
+  (void)load_agent(path, {}, diagnostics_);
+  diagnostics_ = with_errors(diagnostics_, kMissingInclude, kMissingIncludeHint);
+  EXPECT_EQ(diagnostics_.error_count(), 1U);
+  EXPECT_EQ(diagnostics_.warning_count(), 0U);
+  EXPECT_NE(diagnostics_.items().front().hint.find(kMissingIncludeHint), std::string::npos);
 }
 
 TEST_F(Load, WarnsOfMissingIncludesAndGoesOn) {
