@@ -89,36 +89,37 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
 }  // namespace
 
 CommandHelp help() {
-  return {.usage = "STORE [OPTIONS]",
-          .description =
-              "Writes the tests of a store as files for other programs: those that met the\n"
-              "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
-          .options =
-              {
-                  {"format", "NAME",
-                   "what to write: openscenario (default), csv, trace, json,\n"
-                   "postgis"},
-                  {"out", "DIR", "where to; made if it is not there (default: here)", Written::folder},
-                  {"test", "N", "the tests of this number alone"},
-                  {"all", "", "all tests"},
-                  {"dialect", "NAME", "of openscenario: standard (default) or carla"},
-                  {"validate", "DIR",
-                   "check the files against ASAM's .xsd files in DIR, each against\n"
-                   "the schema of its own version, by xmllint"},
-                  {"connection", "TEXT",
-                   "of postgis: the database, as ogr2ogr wants it, with or without\n"
-                   "PG: before it"},
-                  {"schema", "NAME",
-                   "of postgis: the schema for the tables (default: the store's\n"
-                   "name); it must be new"},
-                  {"overwrite", "", "of postgis: replace the store's tables in an existing schema"},
-                  {"list", "", "name the formats"},
-              },
-          .examples =
-              "  jaywalk export runs.gpkg --out found\n"
-              "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
-              "  jaywalk export runs.gpkg --format csv --all --out tables\n"
-              "  jaywalk export runs.gpkg --format postgis --connection 'PG:dbname=tests'\n"};
+  return {
+      .usage = "STORE [OPTIONS]",
+      .description =
+          "Writes the tests of a store as files for other programs: those that met the\n"
+          "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
+      .options =
+          {
+              {"format", "NAME",
+               "what to write: openscenario (default), csv, trace, json,\n"
+               "postgis"},
+              {"out", "DIR", "where to; made if it is not there (default: here)", Written::folder},
+              {"test", "N", "the tests of this number alone"},
+              {"all", "", "all tests"},
+              {"dialect", "NAME", "of openscenario: standard (default) or carla"},
+              {"validate", "DIR",
+               "check the files against ASAM's .xsd files in DIR, each against\n"
+               "the schema of its own version, by xmllint"},
+              {"connection", "TEXT",
+               "of postgis: the database, as ogr2ogr wants it, with or without\n"
+               "PG: before it"},
+              {"schema", "NAME",
+               "of postgis: the schema for the tables (default: the store's\n"
+               "name); it must be new"},
+              {"overwrite", "", "of postgis: replace the store's tables in an existing schema"},
+              {"list", "", "name the formats"},
+          },
+      .examples =
+          "  jaywalk export runs.gpkg --out found\n"
+          "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
+          "  jaywalk export runs.gpkg --format csv --all --out tables\n"
+          "  jaywalk export runs.gpkg --format postgis --connection 'PG:dbname=tests'\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {

@@ -2,6 +2,6 @@
 !go.
 +!go <- !cross(left).
 +!cross(Way) <- +way(Way); act(Way).
-// expect log: goal_stack.asl:4:28: no failure event was generated: action_failed
+// expect log: agent.asl:4:28: no failure event was generated: action_failed
 // expect log: goals: go (
 // expect log: > cross(left) (

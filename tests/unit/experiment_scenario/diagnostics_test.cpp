@@ -227,7 +227,8 @@ TEST(ScenarioDiagnostics, SuggestABehaviour) {
   ScenarioOptions options;
   options.behaviours = {"wlak"};
   EXPECT_EQ(errors(parse(kWalk, options)),
-            "behaviour wlak: error: neither a behaviour of the scenario, an installed one nor an .asl file\n"
+            "behaviour wlak: error: neither a behaviour of the scenario, an installed one nor an "
+            ".asl file\n"
             "  hint: did you mean 'walk'?\n");
   EXPECT_EQ(errors(with({"behaviours.wlak.parameters.radius=3"})),
             "--set behaviours.wlak.parameters.radius=3: error: no behaviour 'wlak' has been "
