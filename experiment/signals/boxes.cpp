@@ -66,8 +66,9 @@ std::optional<Span1D> contact(std::span<const Point> fixed, std::span<const Poin
   return times;
 }
 
-double closest_m(const Actor& fixed, const Step& its_step, const Actor& moving, const Step& step) {
-  const auto begin = [](Step each) {
+double closest_m(const Actor& fixed, const Movement& its_step, const Actor& moving,
+                 const Movement& step) {
+  const auto begin = [](Movement each) {
     each.from.heading_rad = each.to.heading_rad;
     return each.from;
   };

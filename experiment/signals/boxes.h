@@ -40,12 +40,12 @@ struct Span1D {
 
 /// The smallest distance of two boxes while both move evenly from one state to the next, turned all
 /// the while as they are in the later one; 0 if they touch.
-struct Step {
+struct Movement {
   ActorState from;
   ActorState to;
 };
-[[nodiscard]] double closest_m(const Actor& fixed, const Step& its_step, const Actor& moving,
-                               const Step& step);
+[[nodiscard]] double closest_m(const Actor& fixed, const Movement& its_step, const Actor& moving,
+                               const Movement& step);
 
 /// The smallest convex polygon around the points, counter-clockwise.
 [[nodiscard]] std::vector<Point> convex_hull(std::vector<Point> points);

@@ -355,7 +355,9 @@ void Agent::execute_variable(Intention& intention, const Step& step) {
   auto code = std::make_shared<BodyCode>();
   code->entry = BodyCompiler(*code, machine().actions(), symbols_).compile(value);
   for (Body& made : code->bodies) {  // a literal that was a term has the place of the variable
-    for (Step& each : made.steps) each.line = each.line == 0 ? step.line : each.line;
+    for (Step& each : made.steps) {
+      if (each.place.line == 0) each.place = step.place;
+    }
   }
   const Body& body = *code->entry;
   if (is_form(value, Form::body)) {

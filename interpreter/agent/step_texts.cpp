@@ -55,7 +55,7 @@ ActionError constraint_failure(Unifier& unifier, Intention& intention) {
   error.id = "constraint_failed";
   error.message =
       fmt::format("Constraint {} was not satisfied (file:{}:{}) un={{{}}}", left, plan.file,
-                  means.step().line, values_of(unifier, plan, intention.frame(means)));
+                  means.step().place.line, values_of(unifier, plan, intention.frame(means)));
   return error;
 }
 

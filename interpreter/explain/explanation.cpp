@@ -38,11 +38,11 @@ std::string source_of(Value literal, const SymbolTable& symbols) {
   return {};
 }
 
-enum class Answer { none, some };
+enum class Answered { none, some };
 
 // A condition as written, with what stands right before it.
-bool holds(const ProbedCondition& condition, Answer answer) {
-  return (answer == Answer::some) == (condition.nots % 2 == 0);
+bool holds(const ProbedCondition& condition, Answered answer) {
+  return (answer == Answered::some) == (condition.nots % 2 == 0);
 }
 
 // With the values that its variables have; empty if there is no memory left for that.
@@ -135,7 +135,7 @@ std::size_t ExplainingObserver::condition_asked(Agent& agent, std::size_t number
   AskedCondition made{.number = number, .negated = condition.negated};
   for (std::uint32_t i = 0; i < condition.nots; ++i) made.text += "not ";
   made.text += texts_.conditions[number].text;
-  made.held = holds(condition, Answer::none);
+  made.held = holds(condition, Answered::none);
   if (rule != Probes::kNone) {
     made.in_rule = true;
     made.rule = texts_.rules[rule].text;
@@ -155,14 +155,14 @@ void ExplainingObserver::condition_answered(Agent&, std::size_t number, std::siz
   std::vector<AskedCondition>& asked = deliberations_.back().plans[current_].asked;
   if (asking > 0) {
     if (asking <= asked.size()) {
-      asked[asking - 1].held = holds(probes_.conditions()[number], Answer::some);
+      asked[asking - 1].held = holds(probes_.conditions()[number], Answered::some);
     }
     return;
   }
   const auto latest = std::find_if(asked.rbegin(), asked.rend(), [&](const AskedCondition& each) {
     return each.number == number;
   });
-  if (latest != asked.rend()) latest->held = holds(probes_.conditions()[number], Answer::some);
+  if (latest != asked.rend()) latest->held = holds(probes_.conditions()[number], Answered::some);
 }
 
 std::size_t ExplainingObserver::rule_of(std::size_t condition) const {
