@@ -31,7 +31,6 @@ namespace jaywalk::command::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Verdict = UnitTestReport::Verdict;
 
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
 
@@ -176,21 +175,21 @@ std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string_view word_for(Verdict verdict) {
+std::string_view word_for(UnitTestVerdict verdict) {
   switch (verdict) {
-    case Verdict::passed:
+    case UnitTestVerdict::passed:
       return "ok  ";
-    case Verdict::failed:
-    case Verdict::broken:
+    case UnitTestVerdict::failed:
+    case UnitTestVerdict::broken:
       return "FAIL";
-    case Verdict::no_assertions:
+    case UnitTestVerdict::no_assertions:
       return "??  ";
   }
   std::abort();
 }
 
 void print_report(const UnitTest& test, const UnitTestReport& report, Console& console) {
-  const std::string what = report.verdict == Verdict::no_assertions
+  const std::string what = report.verdict == UnitTestVerdict::no_assertions
                                ? "asserts nothing"
                                : counted(report.assertions, "assertion");
   console.print(
@@ -210,7 +209,7 @@ ExitCode print_reports(const std::vector<UnitTest>& tests,
   for (std::size_t i = 0; i < tests.size(); ++i) {
     print_report(tests[i], reports[i], console);
     failed += reports[i].is_failure() ? 1 : 0;
-    without += reports[i].verdict == Verdict::no_assertions ? 1 : 0;
+    without += reports[i].verdict == UnitTestVerdict::no_assertions ? 1 : 0;
     assertions += reports[i].assertions;
   }
   std::string line =

@@ -9,8 +9,6 @@
 namespace jaywalk {
 namespace {
 
-using Verdict = UnitTestReport::Verdict;
-
 std::string test_case(const UnitTest& test, const UnitTestReport& report) {
   const auto line = test.where.source->position(test.where.span.begin).line;
   std::string xml = fmt::format(
@@ -18,9 +16,9 @@ std::string test_case(const UnitTest& test, const UnitTestReport& report) {
       "assertions=\"{}\" time=\"{:g}\"",
       escaped_xml(test.file), escaped_xml(test.name), escaped_xml(test.where.source->name()), line,
       report.assertions, report.seconds);
-  if (report.verdict == Verdict::passed) return xml + "/>\n";
+  if (report.verdict == UnitTestVerdict::passed) return xml + "/>\n";
   xml += ">\n";
-  if (report.verdict == Verdict::no_assertions) {
+  if (report.verdict == UnitTestVerdict::no_assertions) {
     xml += "      <skipped message=\"the test asserts nothing\"/>\n";
   }
   for (const UnitTestReport::Failure& failure : report.failures) {
@@ -47,9 +45,9 @@ struct AssertionCounts {
 
   void add(const UnitTestReport& report) {
     ++tests;
-    failures += report.verdict == Verdict::failed ? 1 : 0;
-    errors += report.verdict == Verdict::broken ? 1 : 0;
-    skipped += report.verdict == Verdict::no_assertions ? 1 : 0;
+    failures += report.verdict == UnitTestVerdict::failed ? 1 : 0;
+    errors += report.verdict == UnitTestVerdict::broken ? 1 : 0;
+    skipped += report.verdict == UnitTestVerdict::no_assertions ? 1 : 0;
     seconds += report.seconds;
   }
   [[nodiscard]] std::string attributes() const {

@@ -23,7 +23,6 @@ namespace jaywalk {
 namespace {
 
 namespace fs = std::filesystem;
-using Verdict = UnitTestReport::Verdict;
 
 /// What else goes on in the program under test ends so many steps after the test's goal.
 constexpr std::uint64_t kStepsAfterTest = 10'000;
@@ -190,7 +189,7 @@ class TestRun {
       for (const Diagnostic& each : diagnostics.items()) {
         if (each.severity == Severity::error) report_.failures.push_back({"", each});
       }
-      report_.verdict = Verdict::broken;
+      report_.verdict = UnitTestVerdict::broken;
       return std::move(report_);
     }
     names_.emplace(*symbols);
@@ -261,7 +260,7 @@ class TestRun {
   }
 
   void break_off(std::string message, SourceSpan where, std::string hint = {}) {
-    report_.verdict = Verdict::broken;
+    report_.verdict = UnitTestVerdict::broken;
     report_.failures.push_back({"",
                                 {.severity = Severity::error,
                                  .message = std::move(message),
@@ -279,7 +278,7 @@ class TestRun {
     }
     const auto broken = findings(agent, names_->broken);
     const bool finished = believes(agent, names_->finished);
-    if (!report_.failures.empty()) report_.verdict = Verdict::failed;
+    if (!report_.failures.empty()) report_.verdict = UnitTestVerdict::failed;
     if (!broken.empty()) {
       add_broken(broken.front(), places);
     } else if (!finished) {
@@ -288,7 +287,7 @@ class TestRun {
           problem.empty() ? "the test's goal was not achieved: nothing goes on any more" : problem,
           test_.where, intentions.empty() ? std::string() : "it waits in " + intentions.front());
     } else if (report_.failures.empty() && report_.assertions == 0) {
-      report_.verdict = Verdict::no_assertions;
+      report_.verdict = UnitTestVerdict::no_assertions;
     }
   }
 

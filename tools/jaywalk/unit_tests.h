@@ -67,6 +67,7 @@ struct UnitTestReport {
     return verdict == Verdict::failed || verdict == Verdict::broken;
   }
 };
+using UnitTestVerdict = UnitTestReport::Verdict;
 
 /// May be called from several threads at once.
 [[nodiscard]] UnitTestReport run_unit_test(const UnitTest& test, const IncludePath& include_path,
