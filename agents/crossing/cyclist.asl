@@ -16,9 +16,9 @@ in_the_way :-
 near_side(First, _, First) :- riding(forward).
 near_side(_, Last, Last)   :- riding(back).
 
-must_stop :- signal(N, Colour) & Colour \== green & crosswalk(N, First, Last, _) &
-             near_side(First, Last, Line) & at(_, Y) & ahead(Y, Line, Gap) &
-             clearance(Least) & Gap < Least.
+must_stop :-
+  signal(N, Colour) & Colour \== green & crosswalk(N, First, Last, _) &
+  near_side(First, Last, Line) & at(_, Y) & ahead(Y, Line, Gap) & clearance(Least) & Gap < Least.
 
 +!ride : in_the_way  <- stay; !ride.
 +!ride : must_stop   <- stay; !ride.

@@ -17,6 +17,6 @@ steps(0).
      -at(X, L);
      +at(Next, L);
      !drive.
-+at(X, L) : danger(X, D) & lane(K) & not K = L <- +swerved(X, K).
++at(X, L) : danger(X, _D) & lane(K) & not K = L <- +swerved(X, K).
 +at(X, _) : target(X) <- +arrived.
 +at(_, L) : lane(L) & speed(V) & V > 0.

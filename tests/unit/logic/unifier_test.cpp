@@ -146,7 +146,7 @@ TEST(Unifier, UnifiesPlanBodiesFormulaByFormula) {
       {"{ !g }", "{ ?g }", ""},
       {"{ !g }", "{ !g; !h }", ""},
       {"{ }", "{ }", "{ }"},
-      {"{ !g; R }", "{ !g; +b; -c }", "{ !g; { +b; -c } }"},
+      {"{ !g; R }", "{ !g; +b; -c }", "{ !g; +b; -c }"},
       {"{ !G }", "{ !walk(3) }", "{ !walk(3) }"},
   });
 }

@@ -82,8 +82,10 @@ TEST(Restart, ForgetsWhatWasGoingOn) {
   TestWorld world(*system.symbols, kLastTick);
   Mas fresh(system.symbols, system.options, &world);
   const std::vector<std::string> expected = run(system, fresh, 2);
-  EXPECT_THAT(expected, testing::IsSupersetOf({"[a0] due", "[a1] goes_on", "[h] a0",
-                                               "[a0] [p__10[source(self)],made[source(self)]]"}));
+  EXPECT_THAT(expected,
+              testing::IsSupersetOf(
+                  {"[a0] due", "[a1] goes_on", "[h] a0",
+                   "[a0] [p__10[source(self),url(\"file:ann.asl\")],made[source(self)]]"}));
   TestWorld unused(*system.symbols, kLastTick);
   Mas reused(system.symbols, system.options, &unused);
   for (int steps = 0; steps <= kLastTick; ++steps) {

@@ -87,12 +87,12 @@ TEST(Print, ProgramsAsData) {
 
 TEST(Print, StatementsAsTheInternalActionsThatTheyAre) {
   expect_printed({
-      {"{ if (a) { b } }", "{ .if_then_else(a,{ b }) }"},
-      {"{ if (a) { b } else { c } }", "{ .if_then_else(a,{ b },{ c }) }"},
-      {"{ while (a) { b } }", "{ .loop(a,{ b }) }"},
-      {"{ for (a(X)) { b(X) } }", "{ .foreach(a(X),{ b(X) }) }"},
-      {"{ a |&| b }", "{ .fork(and,{ a },{ b }) }"},
-      {"{ a ||| b ||| c }", "{ .fork(or,{ a },{ b },{ c }) }"},
+      {"{ if (a) { b } }", "{ .if_then_else(a,b) }"},
+      {"{ if (a) { b } else { c } }", "{ .if_then_else(a,b,c) }"},
+      {"{ while (a) { b } }", "{ .loop(a,b) }"},
+      {"{ for (a(X)) { b(X) } }", "{ .foreach(a(X),b(X)) }"},
+      {"{ a |&| b }", "{ .fork(and,a,b) }"},
+      {"{ a ||| b ||| c }", "{ .fork(or,a,b,c) }"},
   });
 }
 

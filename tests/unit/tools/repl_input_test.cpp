@@ -55,12 +55,14 @@ TEST(ReplInput, TellsKindsApartByParsing) {
   EXPECT_EQ(read_input("-p(_).").kind, Kind::remove);
   EXPECT_EQ(read_input("!g(1).").kind, Kind::goal);
   for (const char* const program :
-       {"p(1).", "p :- q.", "+p : q.", "+p <- q.", "+!g.", "@l +p.", "^!g.", "p. q.", "+p. { +q. }",
+       {"p(1).", "p :- q.", "+p : q.", "+p <- q.", "+!g.", "@l +p.", "^!g.", "+p. { +q. }",
         "{ begin namespace(n) } p. { end }", "p(", "+!g <- if (a) { b } ?c.",
         "+!g <- !h. { +!h <- ?a; b. }"}) {
     EXPECT_EQ(read_input(program).kind, Kind::program) << program;
     EXPECT_EQ(read_input(program).text, program);
   }
+  EXPECT_EQ(read_input("p. q.").kind, Kind::program);
+  EXPECT_EQ(read_input("p. q.").text, "p.\nq.");
 }
 
 TEST(ReplInput, ReadsEachClauseOfALineAsItWouldBeAlone) {
