@@ -45,6 +45,7 @@ CommandHelp help() {
                "pass, vacuous, unavoidable, exercised_pct); repeatable"},
               {"situations", "", "print which situations the tests covered"},
               kCoverageOption,
+              kTraceOption,
               kStrictOption,
               kFormatOption,
               {"quiet", "", "print no table"},
@@ -84,21 +85,25 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   ProgressLine line(console);
   const Selection selection(*request, store.get());
   reporting::FactsTable facts(request->plan);
+  std::optional<TraceFile> trace;
+  if (!open_trace(arguments, trace, console)) return ExitCode::usage;
   const Listeners listeners{.collected = collected,
                             .store = store.get(),
-                            .facts = wants_page(arguments) && !store ? &facts : nullptr};
+                            .facts = wants_page(arguments) && !store ? &facts : nullptr,
+                            .trace = trace ? &*trace : nullptr};
   ExperimentOutcome outcome =
       run_selection(*request, selection, listeners, [&](const Progress& now) {
         line.show(now);
         return interrupt.interrupted() ? Proceed::no : Proceed::yes;
       });
   line.clear();
+  const bool traced = finish_trace(arguments, trace, console);
   const bool kept = !store || finish_store(*store, request->store->path, console);
   if (outcome.failed_test && !interrupt.interrupted()) {
     console.report(outcome.failure);
     return ExitCode::failed;
   }
-  if (!kept) return ExitCode::failed;
+  if (!kept || !traced) return ExitCode::failed;
 
   const std::optional<Comparison> comparison = comparison_of(*request, collected, outcome, console);
   if (!comparison) return ExitCode::failed;

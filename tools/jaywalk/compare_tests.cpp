@@ -1,5 +1,6 @@
 #include "tools/jaywalk/compare_tests.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -18,6 +19,13 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
   diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
                     std::move(why));
   return diagnostics;
+}
+
+/// Its place in the plan.
+std::uint64_t number_of(const ExperimentPlan& plan, const TestCase& test) {
+  const auto agents = std::ranges::find(plan.agents, test.agents) - plan.agents.begin();
+  const std::uint64_t cell = test.behaviour * plan.agents.size() + static_cast<std::size_t>(agents);
+  return cell * plan.tests + test.number;
 }
 
 /// Runs a test, finds out about it and hands it to the store, if there is one.
@@ -43,7 +51,18 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = true};
   std::optional<PlanCoverage::Borrowed> observer;
   if (request.coverage != nullptr) options.observer = observer.emplace(*request.coverage).get();
+  std::optional<TestTrace> trace;
+  if (listeners.trace != nullptr) {
+    trace.emplace(options.observer);
+    options.observer = &*trace;
+    options.observe = [&](const Crossing& crossing, const Mas& mas) { trace->tick(crossing, mas); };
+    trace->begin(request.plan.behaviours[test.behaviour], input);
+  }
   TrialResult trial = trials.run(input, options);
+  if (trace) {
+    trace->end(trial);
+    listeners.trace->add(number_of(request.plan, test), trace->lines());
+  }
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (!trial.completed) {
     return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
@@ -119,7 +138,10 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
   std::atomic<std::uint64_t> done = 0;
   TrialRunners trials(*request.prepared);
   const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
-    if (!selection.has(test_case)) return TestResult{};
+    if (!selection.has(test_case)) {
+      if (listeners.trace != nullptr) listeners.trace->add(number_of(request.plan, test_case), {});
+      return TestResult{};
+    }
     auto result = run_test(request, test_case, trials, listeners);
     if (!result && feedback) feedback->give_up();
     done.fetch_add(1, std::memory_order_relaxed);

@@ -10,6 +10,7 @@
 #include "experiment/report/facts.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/compare_request.h"
+#include "tools/jaywalk/test_trace.h"
 
 namespace jaywalk::command::compare {
 
@@ -34,6 +35,7 @@ struct Listeners {
   Collected& collected;
   ResultsWriter* store = nullptr;
   reporting::FactsTable* facts = nullptr;
+  TraceFile* trace = nullptr;
 };
 
 /// What is to be run: everything, or what the store wants and does not have.

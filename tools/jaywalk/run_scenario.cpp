@@ -24,6 +24,7 @@
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/store_options.h"
+#include "tools/jaywalk/test_trace.h"
 #include "tools/jaywalk/viewer.h"
 #include "tools/jaywalk/watch.h"
 
@@ -196,11 +197,27 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     const BehavioursRun run{{request->input.behaviour, request->input.agents}};
     options.observer = observer.emplace(coverage.emplace(*request->prepared, run)).get();
   }
+  std::optional<TraceFile> trace_file;
+  if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
+  TestTrace trace(options.observer);
+  if (trace_file) {
+    options.observer = &trace;
+    options.observe = [&trace, show = options.observe](const Crossing& crossing, const Mas& mas) {
+      trace.tick(crossing, mas);
+      if (show) show(crossing, mas);
+    };
+    trace.begin(request->prepared->behaviours()[request->input.behaviour].name, request->input);
+  }
   const auto input = in_its_chain(*request->prepared, request->input, [&] {
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;
   });
   const TrialResult result = input ? run_trial(*request->prepared, *input, options) : TrialResult{};
   observer.reset();
+  if (trace_file) {
+    trace.end(result);
+    trace_file->add(0, trace.lines());
+  }
+  if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
   if (interrupt.interrupted()) {
     console.note("interrupted");
     return ExitCode::interrupted;
