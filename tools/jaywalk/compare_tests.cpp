@@ -53,8 +53,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   if (request.coverage != nullptr) options.observer = observer.emplace(*request.coverage).get();
   std::optional<TestTrace> trace;
   if (listeners.trace != nullptr) {
-    trace.emplace(options.observer);
-    options.observer = &*trace;
+    options.observer = &trace.emplace();
     options.observe = [&](const Crossing& crossing, const Mas& mas) { trace->tick(crossing, mas); };
     trace->begin(request.plan.behaviours[test.behaviour], input);
   }

@@ -199,7 +199,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   }
   std::optional<TraceFile> trace_file;
   if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
-  TestTrace trace(options.observer);
+  TestTrace trace;
   if (trace_file) {
     options.observer = &trace;
     options.observe = [&trace, show = options.observe](const Crossing& crossing, const Mas& mas) {

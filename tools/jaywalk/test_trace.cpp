@@ -47,31 +47,6 @@ bool is_percept(Value literal, const SymbolTable& symbols) {
 
 }  // namespace
 
-const Goal* TestTrace::context_of(const Plan& plan) {
-  return inner_ != nullptr ? inner_->context_of(plan) : ReasoningObserver::context_of(plan);
-}
-
-const RuleCode& TestTrace::rule_for(const RuleCode& rule) {
-  return inner_ != nullptr ? inner_->rule_for(rule) : rule;
-}
-
-void TestTrace::event_selected(Agent& agent, const Event& event) {
-  if (inner_ != nullptr) inner_->event_selected(agent, event);
-}
-
-void TestTrace::plan_relevant(Agent& agent, const Plan& plan, const Event& event,
-                              std::span<const Value> slots) {
-  if (inner_ != nullptr) inner_->plan_relevant(agent, plan, event, slots);
-}
-
-void TestTrace::plan_tried(Agent& agent, const Plan& plan, bool applicable) {
-  if (inner_ != nullptr) inner_->plan_tried(agent, plan, applicable);
-}
-
-void TestTrace::no_plan(Agent& agent, const Event& event, bool had_candidates) {
-  if (inner_ != nullptr) inner_->no_plan(agent, event, had_candidates);
-}
-
 void TestTrace::begin(std::string_view behaviour, const TrialInput& input) {
   append(lines_, {{"kind", "test"},
                   {"behaviour", behaviour},
@@ -81,7 +56,6 @@ void TestTrace::begin(std::string_view behaviour, const TrialInput& input) {
 }
 
 void TestTrace::event_posted(Agent& agent, const Event& event) {
-  if (inner_ != nullptr) inner_->event_posted(agent, event);
   const bool percept =
       event.kind == TriggerKind::belief && is_percept(event.literal, agent.symbols());
   append(lines_, {{"kind", percept ? "percept" : "event"},
@@ -91,8 +65,7 @@ void TestTrace::event_posted(Agent& agent, const Event& event) {
 }
 
 void TestTrace::plan_chosen(Agent& agent, const Plan& plan, const Event& event,
-                            const Intention& intention) {
-  if (inner_ != nullptr) inner_->plan_chosen(agent, plan, event, intention);
+                            const Intention& /*intention*/) {
   if (plan.is_standard) return;
   append(lines_, {{"kind", "plan"},
                   {"tick", tick_},
@@ -102,12 +75,14 @@ void TestTrace::plan_chosen(Agent& agent, const Plan& plan, const Event& event,
 }
 
 void TestTrace::formula_executes(Agent& agent, const Intention& intention, const Step& step) {
-  if (inner_ != nullptr) inner_->formula_executes(agent, intention, step);
   const bool acts = step.kind == Step::Kind::action;
   if ((!acts && step.kind != Step::Kind::internal_action) || step.term.is_unset()) return;
   std::size_t trail = 0;
   const Value literal = literal_of(agent, intention, step, trail);
   if (acts) {
+    // Whoever acts again has not heard of a failure.
+    const auto before = actions_.find(agent.name());
+    if (before != actions_.end()) write(before->second, before->first);
     actions_[agent.name()] = {.text = term_text(literal, agent.symbols()), .tick = tick_};
   } else if (is_literal(literal)) {
     const LiteralParts parts = literal_parts(literal);
@@ -127,8 +102,8 @@ void TestTrace::formula_executes(Agent& agent, const Intention& intention, const
   agent.machine().unifier().undo(trail);
 }
 
-void TestTrace::formula_failed(Agent& agent, const Intention& intention, const ActionError& error) {
-  if (inner_ != nullptr) inner_->formula_failed(agent, intention, error);
+void TestTrace::formula_failed(Agent& agent, const Intention& /*intention*/,
+                               const ActionError& error) {
   const auto action = actions_.find(agent.name());
   if (action != actions_.end() && error.id == "action_failed") {
     action->second.failed = true;
@@ -239,6 +214,11 @@ std::string TraceFile::finish() {
 bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace, Console& console) {
   const auto path = arguments.text("trace");
   if (!path) return true;
+  if (arguments.has("coverage")) {
+    console.error("--trace and --coverage each look at the agents alone",
+                  "run the same tests twice: they are the same for one seed");
+    return false;
+  }
   trace.emplace(*path);
   if (trace->failure().empty()) return true;
   console.error(fmt::format("cannot write '{}': {}", *path, trace->failure()));

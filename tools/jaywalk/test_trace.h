@@ -24,9 +24,6 @@ namespace jaywalk {
 /// tick; it says in which tick the agent acted.
 class TestTrace final : public ReasoningObserver {
  public:
-  /// `inner` sees everything, too; null: there is none. It must outlive it.
-  explicit TestTrace(ReasoningObserver* inner = nullptr) : inner_(inner) {}
-
   void begin(std::string_view behaviour, const TrialInput& input);
   /// As TrialOptions::observe: before the first tick and after each.
   void tick(const Crossing& crossing, const Mas& mas);
@@ -34,16 +31,8 @@ class TestTrace final : public ReasoningObserver {
   /// The lines so far.
   [[nodiscard]] const std::string& lines() const { return lines_; }
 
-  [[nodiscard]] bool interrupted() override { return inner_ != nullptr && inner_->interrupted(); }
-  [[nodiscard]] const Goal* context_of(const Plan& plan) override;
-  [[nodiscard]] const RuleCode& rule_for(const RuleCode& rule) override;
-  void event_selected(Agent& agent, const Event& event) override;
-  void plan_relevant(Agent& agent, const Plan& plan, const Event& event,
-                     std::span<const Value> slots) override;
-  void plan_tried(Agent& agent, const Plan& plan, bool applicable) override;
   void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                    const Intention& intention) override;
-  void no_plan(Agent& agent, const Event& event, bool had_candidates) override;
   void formula_executes(Agent& agent, const Intention& intention, const Step& step) override;
   void formula_failed(Agent& agent, const Intention& intention, const ActionError& error) override;
   void event_posted(Agent& agent, const Event& event) override;
@@ -57,7 +46,6 @@ class TestTrace final : public ReasoningObserver {
   };
   void write(const Action& action, const std::string& agent);
 
-  ReasoningObserver* inner_;
   int tick_ = 1;                           // the one that agents reason in
   std::map<std::string, Action> actions_;  // whose outcome is not known yet, by the agents' names
   std::string lines_;
@@ -98,7 +86,8 @@ inline constexpr OptionSpec kTraceOption{
     "event, message, plan, action with its outcome, failure, end",
     Written::file};
 
-/// Opens the file that --trace names, if it does; false, and said so, if it cannot be written.
+/// Opens the file that --trace names, if it does; false, after reporting why, if it cannot be
+/// written or --coverage is asked for, too: agents have one observer.
 [[nodiscard]] bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace,
                               Console& console);
 /// Ends it; false, and said so, if it could not be written.
