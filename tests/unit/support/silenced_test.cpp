@@ -34,7 +34,8 @@ TEST(Silenced, IsNothingByWordsThatAreNoComment) {
 }
 
 TEST(Silenced, TakesWordsBehindTheLastCommaForAReason) {
-  const auto codes = allowed_codes(*source_of("// jaywalk: allow one,two since it is told\r\n"));
+  const auto source = source_of("// jaywalk: allow one,two since it is told\r\n");
+  const auto codes = allowed_codes(*source);
   ASSERT_EQ(codes.size(), 2U);
   EXPECT_EQ(codes[0].code, "one");
   EXPECT_EQ(codes[1].code, "two");
