@@ -49,7 +49,7 @@ Value Agent::wait_reason(const Intention& intention) {
   const auto term = [this](std::string_view name, Value arg) {
     return heap_.structure(symbols_.predicate(name, 1), std::span(&arg, 1));
   };
-  // A limit of time is not told of.
+  // A time limit is not reported.
   const Value awaited = wait->has_trigger   ? wait->trigger
                         : wait->has_formula ? wait->formula
                                             : term("time", Value::number(wait->ms));
