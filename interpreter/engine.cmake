@@ -55,6 +55,7 @@ jaywalk_add_library(engine
     agent/goals.cpp
     agent/intention.cpp
     agent/messages.cpp
+    agent/observer.cpp
     agent/options.cpp
     agent/perception.cpp
     agent/plain.cpp

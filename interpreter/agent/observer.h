@@ -7,7 +7,9 @@
 // Observers are told things between the steps of the reasoning cycle, on the thread that runs the
 // system. They may read the agent; they must not change it. Values are good until they return.
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "interpreter/agent/circumstance.h"
 #include "interpreter/logic/code.h"
@@ -29,6 +31,15 @@ class ReasoningObserver {
   /// outlive the run.
   [[nodiscard]] virtual const Goal* context_of(const Plan& plan) { return plan.context; }
   [[nodiscard]] virtual const RuleCode& rule_for(const RuleCode& rule) { return rule; }
+  /// Told by such goals (coverage/probes.h): a condition, by its number, is asked, with the values
+  /// of its variables. What is returned names this asking; of a context it is of no meaning.
+  virtual std::size_t condition_asked(Agent& /*agent*/, std::size_t /*number*/,
+                                      std::span<const Value> /*variables*/) {
+    return 0;
+  }
+  /// The condition has an answer, perhaps not its first; 0: to its latest asking.
+  virtual void condition_answered(Agent& /*agent*/, std::size_t /*number*/,
+                                  std::size_t /*asking*/) {}
 
   /// An event was selected (rule SelEv), and a plan is looked for.
   virtual void event_selected(Agent& /*agent*/, const Event& /*event*/) {}
@@ -51,6 +62,38 @@ class ReasoningObserver {
   /// Something happened: a belief came or went, a goal was posted. Told before it is known whether
   /// any plan is for it.
   virtual void event_posted(Agent& /*agent*/, const Event& /*event*/) {}
+};
+
+/// Several observers that stand where one is expected: each is told everything, in the order in
+/// which they were added. REQUIRES: one at most gives contexts and rules of its own.
+class Observers final : public ReasoningObserver {
+ public:
+  void add(ReasoningObserver& observer) { all_.push_back(&observer); }
+  /// Whom agents are to tell: null if there is nobody, the only one if there is one.
+  [[nodiscard]] ReasoningObserver* get() {
+    if (all_.size() > 1) return this;
+    return all_.empty() ? nullptr : all_.front();
+  }
+
+  [[nodiscard]] bool interrupted() override;
+  [[nodiscard]] const Goal* context_of(const Plan& plan) override;
+  [[nodiscard]] const RuleCode& rule_for(const RuleCode& rule) override;
+  std::size_t condition_asked(Agent& agent, std::size_t number,
+                              std::span<const Value> variables) override;
+  void condition_answered(Agent& agent, std::size_t number, std::size_t asking) override;
+  void event_selected(Agent& agent, const Event& event) override;
+  void plan_relevant(Agent& agent, const Plan& plan, const Event& event,
+                     std::span<const Value> slots) override;
+  void plan_tried(Agent& agent, const Plan& plan, bool applicable) override;
+  void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
+                   const Intention& intention) override;
+  void no_plan(Agent& agent, const Event& event, bool had_candidates) override;
+  void formula_executes(Agent& agent, const Intention& intention, const Step& step) override;
+  void formula_failed(Agent& agent, const Intention& intention, const ActionError& error) override;
+  void event_posted(Agent& agent, const Event& event) override;
+
+ private:
+  std::vector<ReasoningObserver*> all_;
 };
 
 }  // namespace jaywalk

@@ -39,7 +39,7 @@ struct CoverageCounts {
 };
 
 /// Counts. One observer serves one run after another, on one thread at a time.
-class CoverageObserver : public ProbeObserver {
+class CoverageObserver : public ReasoningObserver {
  public:
   explicit CoverageObserver(const Probes& probes);
 

@@ -14,16 +14,12 @@ namespace {
 constexpr std::string_view kAsked = ".condition_asked";
 constexpr std::string_view kAnswered = ".condition_answered";
 
-// Whoever is asked for contexts and rules with probes is there to hear them.
-ProbeObserver& observer_of(ActionCall& call) {
-  return static_cast<ProbeObserver&>(*call.agent()->observer());
-}
-
+// An agent that solves these has got them from its observer.
 // .condition_asked(Number, Asking, Variables...)
 Outcome asked(ActionCall& call) {
   const auto number = static_cast<std::size_t>(call.arg(0).as_number());
   const std::size_t asking =
-      observer_of(call).condition_asked(*call.agent(), number, call.args().subspan(2));
+      call.agent()->observer()->condition_asked(*call.agent(), number, call.args().subspan(2));
   if (!call.arg(1).is_variable()) return Outcome::succeeded;
   return call.result(1, Value::number(static_cast<double>(asking)));
 }
@@ -31,8 +27,8 @@ Outcome asked(ActionCall& call) {
 // .condition_answered(Number, Asking)
 Outcome answered(ActionCall& call) {
   const auto number = static_cast<std::size_t>(call.arg(0).as_number());
-  observer_of(call).condition_answered(*call.agent(), number,
-                                       static_cast<std::size_t>(call.arg(1).as_number()));
+  call.agent()->observer()->condition_answered(*call.agent(), number,
+                                               static_cast<std::size_t>(call.arg(1).as_number()));
   return Outcome::succeeded;
 }
 

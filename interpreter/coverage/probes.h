@@ -22,17 +22,6 @@
 
 namespace jaywalk {
 
-/// Who hears probes: gives agents the contexts and rules that have them.
-class ProbeObserver : public ReasoningObserver {
- public:
-  /// A condition, by its number, is asked, with the values of its variables. What is returned names
-  /// this asking; of a context it is of no meaning.
-  virtual std::size_t condition_asked(Agent& agent, std::size_t number,
-                                      std::span<const Value> variables) = 0;
-  /// The condition has an answer, perhaps not its first; 0: to its latest asking.
-  virtual void condition_answered(Agent& agent, std::size_t number, std::size_t asking) = 0;
-};
-
 /// A condition, which is no conjunction, disjunction or negation itself.
 struct ProbedCondition {
   /// The numbers of its variables among the slots of the plan or rule.

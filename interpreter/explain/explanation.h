@@ -93,7 +93,7 @@ struct Deliberation {
   [[nodiscard]] const TriedPlan* chosen() const;
 };
 
-class ExplainingObserver : public ProbeObserver {
+class ExplainingObserver : public ReasoningObserver {
  public:
   /// Of which agent, and in which tick; empty: any. REQUIRES: probes with Detail::bindings.
   struct Wanted {

@@ -10,6 +10,7 @@
 #include "experiment/results/reader.h"
 #include "experiment/trial.h"
 #include "tools/jaywalk/judging.h"
+#include "tools/jaywalk/test_trace.h"
 
 namespace jaywalk::command::compare {
 namespace {
@@ -50,13 +51,15 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   Recording recording;
   TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = true};
   std::optional<PlanCoverage::Borrowed> observer;
-  if (request.coverage != nullptr) options.observer = observer.emplace(*request.coverage).get();
+  Observers observers;
+  if (request.coverage != nullptr) observers.add(*observer.emplace(*request.coverage).get());
   std::optional<TestTrace> trace;
   if (listeners.trace != nullptr) {
-    options.observer = &trace.emplace();
+    observers.add(trace.emplace());
     options.observe = [&](const Crossing& crossing, const Mas& mas) { trace->tick(crossing, mas); };
     trace->begin(request.plan.behaviours[test.behaviour], input);
   }
+  options.observer = observers.get();
   TrialResult trial = trials.run(input, options);
   if (trace) {
     trace->end(trial);

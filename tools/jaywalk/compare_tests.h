@@ -10,7 +10,7 @@
 #include "experiment/report/facts.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/compare_request.h"
-#include "tools/jaywalk/test_trace.h"
+#include "tools/jaywalk/trace_output.h"
 
 namespace jaywalk::command::compare {
 

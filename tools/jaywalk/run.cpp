@@ -19,9 +19,9 @@ namespace jaywalk::command::run {
 namespace {
 
 /// Options that mean something for one kind of file only.
-constexpr std::array<std::string_view, 14> kForScenarios = {
-    "set",   "preset",     "behaviour", "agents", "test",    "watch",  "speed",
-    "store", "assertions", "metrics",   "junit",  "fail-on", "strict", "trace"};
+constexpr std::array<std::string_view, 13> kForScenarios = {
+    "set",   "preset",     "behaviour", "agents", "test",    "watch", "speed",
+    "store", "assertions", "metrics",   "junit",  "fail-on", "strict"};
 constexpr std::array<std::string_view, 3> kForPrograms = {"realtime", "threads", "ignore-java"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
@@ -66,7 +66,10 @@ CommandHelp help() {
               {"speed", "X", "of --watch: ticks a second (default 2)"},
               kCoverageOption,
               {"trace", "FILE.jsonl",
-               "of a scenario: what happens in the test, a JSON object a line", Written::file},
+               "write what happens, a JSON object a line: test (of a program:\n"
+               "run), tick (cycle), percept, event, message, plan, action with\n"
+               "its outcome, failure, end",
+               Written::file},
               {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)",
                Written::file},
               {"strict", "",

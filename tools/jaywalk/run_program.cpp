@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "experiment/export/write_file.h"
+#include "interpreter/agent/observer.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/support/excerpt.h"
@@ -19,6 +20,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/program_check.h"
 #include "tools/jaywalk/program_loader.h"
+#include "tools/jaywalk/program_trace.h"
 #include "tools/jaywalk/project_agents.h"
 
 namespace jaywalk {
@@ -74,22 +76,44 @@ ExitCode verdict(const RunOutcome& outcome, Console& console) {
   std::abort();
 }
 
-ExitCode run_to_end(Mas& mas, const Limits& limits, Console& console) {
+std::string_view name(RunEnd end) {
+  switch (end) {
+    case RunEnd::stopped:
+      return "stopped";
+    case RunEnd::idle:
+      return "idle";
+    case RunEnd::finished:
+      return "finished";
+    case RunEnd::limit:
+      return "limit";
+    case RunEnd::looping:
+      return "looping";
+  }
+  std::abort();
+}
+
+/// How a run ended: as a RunEnd, "interrupted", or "timeout".
+struct End {
+  ExitCode code = ExitCode::success;
+  std::string_view how;
+};
+
+End run_to_end(Mas& mas, const Limits& limits, Console& console) {
   const InterruptGuard interrupt;
   const Deadline deadline(limits.timeout_s);
   for (std::uint64_t steps = 1; mas.stride(); ++steps) {
     if (interrupt.interrupted()) {
       console.note("interrupted");
-      return ExitCode::interrupted;
+      return {ExitCode::interrupted, "interrupted"};
     }
     // In real time a step may sleep.
     if ((limits.mas.realtime || steps % kStepsBetweenLooks == 0) && deadline.passed()) {
       console.error(fmt::format("stopped after {:g} s, as --timeout asks", deadline.seconds()));
-      return ExitCode::failed;
+      return {ExitCode::failed, "timeout"};
     }
   }
-  if (interrupt.interrupted()) return ExitCode::interrupted;
-  return verdict(mas.outcome(), console);
+  if (interrupt.interrupted()) return {ExitCode::interrupted, "interrupted"};
+  return {verdict(mas.outcome(), console), name(mas.outcome().end)};
 }
 
 /// Whether what `check` says of programs is reported, and what it knows of them.
@@ -145,22 +169,36 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
     if (problem) error = *problem;
     return !problem;
   };
+  const std::string& subject = arguments.operands().front();
+  Observers observers;
   Probes probes(symbols, Probes::Detail::counts);
-  std::optional<CoverageObserver> observer;
+  std::optional<CoverageObserver> coverage;
   if (arguments.has("coverage")) {
     for (const AgentSpec& agent : agents) probes.add(agent.program);
-    options.observer = &observer.emplace(probes);
+    observers.add(coverage.emplace(probes));
   }
+  std::optional<TraceFile> trace_file;
+  if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
+  std::optional<ProgramTrace> trace;
+  if (trace_file) {
+    observers.add(trace.emplace(*trace_file));
+    trace->begin(subject, agents.size(), options.seed);
+  }
+  options.observer = observers.get();
   Mas mas(symbols, std::move(options), nullptr);
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
   agents = {};
-  const ExitCode code = run_to_end(mas, limits, console);
-  if (observer && !write_coverage(arguments, locate_in_files(probes, observer->counts()),
-                                  arguments.operands().front(), console)) {
+  const End end = run_to_end(mas, limits, console);
+  if (trace) {
+    trace->end(end.how, mas.outcome().message, mas.now_ms() / 1000, static_cast<int>(end.code));
+  }
+  if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
+  if (coverage &&
+      !write_coverage(arguments, locate_in_files(probes, coverage->counts()), subject, console)) {
     return ExitCode::failed;
   }
   // As in Jason, the agents of a project whose programs are in order run without the others.
-  return code == ExitCode::success && diagnostics.has_errors() ? ExitCode::usage : code;
+  return end.code == ExitCode::success && diagnostics.has_errors() ? ExitCode::usage : end.code;
 }
 
 std::string folder_of(const std::string& path) {

@@ -25,6 +25,7 @@
 #include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/store_options.h"
 #include "tools/jaywalk/test_trace.h"
+#include "tools/jaywalk/trace_output.h"
 #include "tools/jaywalk/viewer.h"
 #include "tools/jaywalk/watch.h"
 
@@ -193,21 +194,23 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   if (store || asks(request->inquiry)) options.record = &recording;
   std::optional<PlanCoverage> coverage;
   std::optional<PlanCoverage::Borrowed> observer;
+  Observers observers;
   if (arguments.has("coverage")) {
     const BehavioursRun run{{request->input.behaviour, request->input.agents}};
-    options.observer = observer.emplace(coverage.emplace(*request->prepared, run)).get();
+    observers.add(*observer.emplace(coverage.emplace(*request->prepared, run)).get());
   }
   std::optional<TraceFile> trace_file;
   if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
   TestTrace trace;
   if (trace_file) {
-    options.observer = &trace;
+    observers.add(trace);
     options.observe = [&trace, show = options.observe](const Crossing& crossing, const Mas& mas) {
       trace.tick(crossing, mas);
       if (show) show(crossing, mas);
     };
     trace.begin(request->prepared->behaviours()[request->input.behaviour].name, request->input);
   }
+  options.observer = observers.get();
   const auto input = in_its_chain(*request->prepared, request->input, [&] {
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;
   });

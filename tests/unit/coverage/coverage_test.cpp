@@ -47,6 +47,48 @@ std::string text(const std::vector<CoveredCondition>& conditions) {
   return text;
 }
 
+/// Counts calls, and gives no contexts or rules.
+class Onlooker final : public ReasoningObserver {
+ public:
+  void plan_chosen(Agent&, const Plan&, const Event&, const Intention&) override { ++chosen; }
+  void formula_executes(Agent&, const Intention&, const Step&) override { ++executed; }
+  void event_posted(Agent&, const Event&) override { ++posted; }
+  int chosen = 0;
+  int executed = 0;
+  int posted = 0;
+};
+
+TEST(Observers, EachSeesWhatItSeesAlone) {
+  for (const bool first : {true, false}) {
+    Observed alone(kProgram);
+    Onlooker lonely;
+    alone.run(lonely);
+    Observed together(kProgram);
+    Onlooker onlooker;
+    CoverageObserver coverage(*together.probes);
+    Observers observers;
+    if (first) observers.add(onlooker);
+    observers.add(coverage);
+    if (!first) observers.add(onlooker);
+    together.run(*observers.get());
+    Observed counted(kProgram);
+    const std::string expected = coverage_text(covered(counted));
+    EXPECT_EQ(coverage_text(locate(*together.probes, coverage.counts(), together.texts)), expected);
+    EXPECT_GT(lonely.executed, 0);
+    EXPECT_EQ(onlooker.executed, lonely.executed);
+    EXPECT_EQ(onlooker.chosen, lonely.chosen);
+    EXPECT_EQ(onlooker.posted, lonely.posted);
+  }
+}
+
+TEST(Observers, OfNobodyAreNone) {
+  Observers observers;
+  EXPECT_EQ(observers.get(), nullptr);
+  Onlooker onlooker;
+  observers.add(onlooker);
+  EXPECT_EQ(observers.get(), &onlooker);
+}
+
 TEST(PlanCoverage, CountsHowOftenPlansWereRelevantApplicableAndChosen) {
   const auto found = plans(covered(kProgram));
   ASSERT_EQ(found.size(), 3U);

@@ -1,0 +1,78 @@
+#include "tools/jaywalk/trace_output.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+
+TraceFile::TraceFile(std::string path) : path_(std::move(path)) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path_, ignored);
+  const bool regular = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+  temporary_ = regular ? fmt::format("{}.{}.part", path_, ::getpid()) : path_;
+  file_ = std::fopen(temporary_.c_str(), "wb");
+  if (file_ == nullptr) failure_ = std::generic_category().message(errno);
+}
+
+TraceFile::~TraceFile() {
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  if (temporary_ == path_) return;
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+}
+
+void TraceFile::write(std::string_view lines) {
+  if (!failure_.empty() || file_ == nullptr || lines.empty()) return;
+  if (std::fwrite(lines.data(), 1, lines.size(), file_) != lines.size()) {
+    failure_ = std::generic_category().message(errno);
+  }
+}
+
+void TraceFile::add(std::uint64_t number, std::string lines) {
+  const std::lock_guard lock(mutex_);
+  waiting_.emplace(number, std::move(lines));
+  for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_; ++next_) {
+    write(it->second);
+    it = waiting_.erase(it);
+  }
+}
+
+std::string TraceFile::finish() {
+  // After an interruption there are gaps.
+  for (const auto& [number, lines] : waiting_) write(lines);
+  waiting_.clear();
+  if (file_ != nullptr && std::fclose(file_) != 0 && failure_.empty()) {
+    failure_ = std::generic_category().message(errno);
+  }
+  file_ = nullptr;
+  if (failure_.empty() && temporary_ != path_ &&
+      std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    failure_ = std::generic_category().message(errno);
+  }
+  return failure_;
+}
+
+bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace, Console& console) {
+  const auto path = arguments.text("trace");
+  if (!path) return true;
+  trace.emplace(*path);
+  if (trace->failure().empty()) return true;
+  console.error(fmt::format("cannot write '{}': {}", *path, trace->failure()));
+  return false;
+}
+
+bool finish_trace(const Arguments& arguments, std::optional<TraceFile>& trace, Console& console) {
+  if (!trace) return true;
+  const std::string why = trace->finish();
+  if (why.empty()) return true;
+  console.error(fmt::format("cannot write '{}': {}", arguments.text("trace").value_or(""), why));
+  return false;
+}
+
+}  // namespace jaywalk
