@@ -72,12 +72,21 @@ std::vector<StopLine> Av::stop_lines(const Surroundings& around) const {
   return lines;
 }
 
+std::vector<SeenObstacle> Av::seen_obstacles() const {
+  std::vector<SeenObstacle> seen;
+  for (const Rectangle& each : obstacles_) {
+    seen.push_back({each.near - front_m(), each.far - front_m(), each.left, each.right});
+  }
+  return seen;
+}
+
 double Av::decide(double time_s, double period_s, const Surroundings& around) {
   if (!controller_) return 0;
   const double cell = parameters_.cell_m;
   const Interval lane = av_lane(parameters_).empty() ? parameters_.av.rows : av_lane(parameters_);
   const std::vector<SeenActor> actors = look(around);
   const std::vector<StopLine> lines = stop_lines(around);
+  const std::vector<SeenObstacle> obstacles = seen_obstacles();
   return controller_
       ->decide({.time_s = time_s,
                 .period_s = period_s,
@@ -88,7 +97,8 @@ double Av::decide(double time_s, double period_s, const Surroundings& around) {
                 .lane_left_m = lane.first * cell,
                 .lane_right_m = (lane.last + 1) * cell,
                 .actors = actors,
-                .stop_lines = lines})
+                .stop_lines = lines,
+                .obstacles = obstacles})
       .acceleration_mps2;
 }
 

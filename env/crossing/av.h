@@ -52,6 +52,7 @@ class Av {
   [[nodiscard]] int periods() const;
   [[nodiscard]] std::vector<SeenActor> look(const Surroundings& around) const;
   [[nodiscard]] std::vector<StopLine> stop_lines(const Surroundings& around) const;
+  [[nodiscard]] std::vector<SeenObstacle> seen_obstacles() const;
 
   const CrossingParameters& parameters_;
   std::unique_ptr<VehicleController> controller_;

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "env/vehicle/defects.h"
 #include "env/vehicle/models.h"
 
 namespace jaywalk {
@@ -39,7 +40,7 @@ const VehicleModel* find_vehicle_model(std::string_view name) {
 std::unique_ptr<VehicleController> make_controller(const VehicleParameters& parameters) {
   const VehicleModel* model = find_vehicle_model(parameters.model);
   assert(model != nullptr && "scenarios name models that exist");
-  return model->make(parameters);
+  return with_defects(model->make(parameters), parameters.defects);
 }
 
 }  // namespace jaywalk

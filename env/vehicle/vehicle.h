@@ -41,6 +41,16 @@ struct StopLine {
   bool closed = false;
 };
 
+/// Something that nobody can be where it is or look through: a parked car.
+struct SeenObstacle {
+  /// From the vehicle's front to its near and its far side.
+  double gap_m = 0;
+  double far_m = 0;
+  /// Its sides, as the vehicle's own.
+  double left_m = 0;
+  double right_m = 0;
+};
+
 /// What the controller is told, once every control period.
 struct VehicleView {
   double time_s = 0;
@@ -56,11 +66,22 @@ struct VehicleView {
   /// In the order of their numbers; what is hidden or out of range is not among them.
   std::span<const SeenActor> actors;
   std::span<const StopLine> stop_lines;
+  /// What the map has of them, ahead and behind.
+  std::span<const SeenObstacle> obstacles{};
 };
 
 /// What the controller decides. The world keeps the speed between 0 and what the limits allow.
 struct VehicleDecision {
   double acceleration_mps2 = 0;
+};
+
+/// A fault put on a controller: the name of a row of defects.def, and how severe it is, in the
+/// row's unit. Read defects.h after this file.
+struct VehicleDefect {
+  std::string name;
+  double severity = 1;
+
+  friend bool operator==(const VehicleDefect&, const VehicleDefect&) = default;
 };
 
 /// Limits and habits; a model uses those that it names in models.def.
@@ -81,6 +102,8 @@ struct VehicleParameters {
   double period_s = 0;
   /// The program of an external controller with its arguments.
   std::vector<std::string> command;
+  /// Faults put on the model, the first one next to it. Without any it is the healthy twin.
+  std::vector<VehicleDefect> defects;
 
   friend bool operator==(const VehicleParameters&, const VehicleParameters&) = default;
 };
@@ -120,8 +143,8 @@ struct VehicleModel {
 /// Null if there is none of that name.
 [[nodiscard]] const VehicleModel* find_vehicle_model(std::string_view name);
 
-/// Null for the model `constant`, which needs no controller.
-/// REQUIRES: the model exists.
+/// The model with its defects on it. Null for the model `constant`, which needs no controller.
+/// REQUIRES: the model and the defects exist.
 [[nodiscard]] std::unique_ptr<VehicleController> make_controller(
     const VehicleParameters& parameters);
 

@@ -1,0 +1,108 @@
+#pragma once
+
+// What defects are made of: a controller around another one that changes what that one sees or what
+// becomes of its answers.
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "env/vehicle/hazards.h"
+#include "env/vehicle/vehicle.h"
+
+namespace jaywalk {
+
+/// What of a view a defect can change.
+struct Sensed {
+  std::vector<SeenActor> actors;
+  std::vector<StopLine> stop_lines;
+};
+
+class Defective : public VehicleController {
+ public:
+  Defective(std::unique_ptr<VehicleController> inner, double severity)
+      : severity_(severity), inner_(std::move(inner)) {}
+
+  VehicleDecision decide(const VehicleView& view) final {
+    Sensed sensed{{view.actors.begin(), view.actors.end()},
+                  {view.stop_lines.begin(), view.stop_lines.end()}};
+    look(view, sensed);
+    VehicleView seen = view;
+    seen.actors = sensed.actors;
+    seen.stop_lines = sensed.stop_lines;
+    return {act(view, inner_->decide(seen).acceleration_mps2)};
+  }
+  [[nodiscard]] double longest_period_s() const override { return inner_->longest_period_s(); }
+  [[nodiscard]] std::string failure() const override { return inner_->failure(); }
+
+ protected:
+  /// Turns what there is to see into what the inner controller sees.
+  virtual void look(const VehicleView& /*view*/, Sensed& /*sensed*/) {}
+  /// Turns the acceleration that the inner controller wants into that of the vehicle.
+  virtual double act(const VehicleView& /*view*/, double wanted_mps2) { return wanted_mps2; }
+
+  const double severity_;  // in the row's unit
+
+ private:
+  std::unique_ptr<VehicleController> inner_;
+};
+
+/// Does not see whom the predicate, of view, actor and severity, is true of.
+template <class Predicate>
+class Unseeing final : public Defective {
+ public:
+  Unseeing(std::unique_ptr<VehicleController> inner, double severity, Predicate is_missed)
+      : Defective(std::move(inner), severity), is_missed_(std::move(is_missed)) {}
+
+ protected:
+  void look(const VehicleView& view, Sensed& sensed) override {
+    std::erase_if(sensed.actors,
+                  [&](const SeenActor& each) { return is_missed_(view, each, severity_); });
+  }
+
+ private:
+  Predicate is_missed_;
+};
+
+template <class Predicate>
+std::unique_ptr<VehicleController> unseeing(std::unique_ptr<VehicleController> inner,
+                                            double severity, Predicate is_missed) {
+  return std::make_unique<Unseeing<Predicate>>(std::move(inner), severity, std::move(is_missed));
+}
+
+/// Times are sums of periods: what is as long but for rounding is as long.
+inline constexpr double kTimeRoundingS = 1e-9;
+/// Whoever is slower stands.
+inline constexpr double kStandingMps = 0.1;
+/// Weaker braking than this is coasting.
+inline constexpr double kCoastingMps2 = 0.1;
+
+[[nodiscard]] inline bool brakes(double acceleration_mps2) {
+  return acceleration_mps2 < -kCoastingMps2;
+}
+[[nodiscard]] inline double middle_of(const SeenActor& actor) {
+  return (actor.left_m + actor.right_m) / 2;
+}
+[[nodiscard]] inline double speed_of(const SeenActor& actor) {
+  return std::hypot(actor.speed_ahead_mps, actor.speed_right_mps);
+}
+
+/// How far the vehicle has come since the first view, so that places can be remembered.
+class Odometer {
+ public:
+  /// To be called once in every period.
+  double driven_m(const VehicleView& view) {
+    if (time_s_) driven_m_ += (speed_mps_ + view.speed_mps) / 2 * (view.time_s - *time_s_);
+    time_s_ = view.time_s;
+    speed_mps_ = view.speed_mps;
+    return driven_m_;
+  }
+
+ private:
+  std::optional<double> time_s_;
+  double speed_mps_ = 0;
+  double driven_m_ = 0;
+};
+
+}  // namespace jaywalk
