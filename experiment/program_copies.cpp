@@ -52,20 +52,22 @@ Result<std::string> ProgramCopies::add(const Source& program) {
   return path.string();
 }
 
-Result<std::shared_ptr<const ProgramCopies>> keep_programs(std::vector<std::string>& command,
-                                                           const SourceFiles& files,
-                                                           std::vector<SourcePtr>& sources) {
+Result<std::shared_ptr<const ProgramCopies>> keep_programs(
+    std::span<std::vector<std::string>* const> commands, const SourceFiles& files,
+    std::vector<SourcePtr>& sources) {
   std::shared_ptr<ProgramCopies> copies;
-  for (std::string& word : command) {
-    if (!files.has(word)) continue;
-    const auto program = files.read(word);
-    if (!program.ok()) continue;  // no text, as the interpreter itself
-    sources.push_back(program.value());
-    if (is_as_it_was(*program.value())) continue;
-    if (!copies) copies = std::make_shared<ProgramCopies>();
-    auto copy = copies->add(*program.value());
-    if (!copy) return std::move(copy.diagnostics());
-    word = std::move(copy).value();
+  for (std::vector<std::string>* const command : commands) {
+    for (std::string& word : *command) {
+      if (!files.has(word)) continue;
+      const auto program = files.read(word);
+      if (!program.ok()) continue;  // no text, as the interpreter itself
+      sources.push_back(program.value());
+      if (is_as_it_was(*program.value())) continue;
+      if (!copies) copies = std::make_shared<ProgramCopies>();
+      auto copy = copies->add(*program.value());
+      if (!copy) return std::move(copy.diagnostics());
+      word = std::move(copy).value();
+    }
   }
   return std::shared_ptr<const ProgramCopies>(std::move(copies));
 }

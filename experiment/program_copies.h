@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,11 @@ class ProgramCopies {
   int count_ = 0;
 };
 
-/// The words of a command that are text files: `sources` gets their texts. A word whose file is not
+/// The words of commands that are text files: `sources` gets their texts. A word whose file is not
 /// (or no longer) what `files` has is replaced by the name of a copy, which lasts as long as the
 /// result; null if none is needed.
 [[nodiscard]] Result<std::shared_ptr<const ProgramCopies>> keep_programs(
-    std::vector<std::string>& command, const SourceFiles& files, std::vector<SourcePtr>& sources);
+    std::span<std::vector<std::string>* const> commands, const SourceFiles& files,
+    std::vector<SourcePtr>& sources);
 
 }  // namespace jaywalk

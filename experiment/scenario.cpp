@@ -187,7 +187,7 @@ class ScenarioBuilder {
     }
     check_behaviours();
     if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
-    if (!world.av.vehicle.command.empty() && !diagnostics_.has_errors()) read_programs();
+    if (!diagnostics_.has_errors()) read_programs();
     if (draft_.assertions_file) {
       read_assertions();
     } else if (!draft_.judged.empty()) {
@@ -198,8 +198,9 @@ class ScenarioBuilder {
 
   void read_programs() {
     Scenario& scenario = draft_.scenario;
-    auto programs =
-        keep_programs(scenario.world.av.vehicle.command, options_.files, scenario.sources);
+    std::vector<std::vector<std::string>*> commands{&scenario.world.av.vehicle.command};
+    if (auto& twin = scenario.world.av.twin) commands.push_back(&twin->command);
+    auto programs = keep_programs(commands, options_.files, scenario.sources);
     if (programs.ok()) {
       scenario.programs = std::move(programs).value();
     } else {

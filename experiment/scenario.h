@@ -102,7 +102,8 @@ struct Scenario {
   std::vector<SourcePtr> sources;
   SourceFiles files;
   IncludeFolders include;
-  /// Copies of the AV's external controller that its command names; null if there are none.
+  /// Copies of the AV's external controller and its twin that their commands name; null if there
+  /// are none.
   std::shared_ptr<const ProgramCopies> programs;
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "env/vehicle/defects.h"
 #include "experiment/scenario_layer.h"
 #include "experiment/scenario_ranges.h"
 
@@ -24,46 +25,51 @@ class AvReader : LayerPart {
     if (node.find("speed") != nullptr && node.find("speed_mps") != nullptr) {
       reader_.error(node.origin, "give either 'speed' or 'speed_mps'");
     }
-    read_keys(node, path,
-              {
-                  {"length", integer(av.length, kCells)},
-                  {"rows", interval(av.rows, kRows)},
-                  {"start", integer(av.start, kCellsFromAnywhere)},
-                  {"stopping_distance", integer(av.stopping_distance, {0, kCells.most})},
-                  {"carry_over", choice<bool>(av.carry_over, {{"true", true}, {"false", false}})},
-                  {"model", [&](const ConfigNode& value,
-                                const std::string& key) { read_model(value, key); }},
-                  {"reaction", optional_number(av.vehicle.reaction_s, kWindow)},
-                  {"deceleration", optional_number(av.vehicle.deceleration_mps2, kAcceleration)},
-                  {"acceleration", number(av.vehicle.acceleration_mps2, kAcceleration)},
-                  {"range", number(av.vehicle.range_m, kMetresFar)},
-                  {"standoff", number(av.vehicle.standoff_m, kStandoff)},
-                  {"period", number(av.vehicle.period_s, kWindow)},
-                  {"command", [&](const ConfigNode& value,
-                                  const std::string& key) { read_command(value, key); }},
-                  {"speed",
-                   [&](const ConfigNode& value, const std::string&) {
-                     if (const auto speed = reader_.number(value, kSpeed)) {
-                       av.speed = *speed;
-                       draft_.speed_mps.reset();
-                     }
-                   }},
-                  {"speed_mps",
-                   [&](const ConfigNode& value, const std::string&) {
-                     if (const auto speed = reader_.number(value, kSpeed)) {
-                       draft_.speed_mps = *speed;
-                     }
-                   }},
-              });
+    read_keys(
+        node, path,
+        {
+            {"length", integer(av.length, kCells)},
+            {"rows", interval(av.rows, kRows)},
+            {"start", integer(av.start, kCellsFromAnywhere)},
+            {"stopping_distance", integer(av.stopping_distance, {0, kCells.most})},
+            {"carry_over", choice<bool>(av.carry_over, {{"true", true}, {"false", false}})},
+            {"model", [&](const ConfigNode& value,
+                          const std::string& key) { read_model(value, key, av.vehicle); }},
+            {"reaction", optional_number(av.vehicle.reaction_s, kWindow)},
+            {"deceleration", optional_number(av.vehicle.deceleration_mps2, kAcceleration)},
+            {"acceleration", number(av.vehicle.acceleration_mps2, kAcceleration)},
+            {"range", number(av.vehicle.range_m, kMetresFar)},
+            {"standoff", number(av.vehicle.standoff_m, kStandoff)},
+            {"period", number(av.vehicle.period_s, kWindow)},
+            {"command", [&](const ConfigNode& value,
+                            const std::string& key) { read_command(value, key, av.vehicle); }},
+            {"defect",
+             [&](const ConfigNode& value, const std::string& key) { read_defects(value, key); }},
+            {"twin",
+             [&](const ConfigNode& value, const std::string& key) { read_twin(value, key); }},
+            {"speed",
+             [&](const ConfigNode& value, const std::string&) {
+               if (const auto speed = reader_.number(value, kSpeed)) {
+                 av.speed = *speed;
+                 draft_.speed_mps.reset();
+               }
+             }},
+            {"speed_mps",
+             [&](const ConfigNode& value, const std::string&) {
+               if (const auto speed = reader_.number(value, kSpeed)) {
+                 draft_.speed_mps = *speed;
+               }
+             }},
+        });
   }
 
  private:
-  void read_model(const ConfigNode& node, const std::string& path) {
+  void read_model(const ConfigNode& node, const std::string& path, VehicleParameters& vehicle) {
     draft_.origins[path] = node.origin;
     const std::optional<std::string> name = reader_.text(node, "how the AV drives");
     if (!name) return;
     if (find_vehicle_model(*name) != nullptr) {
-      world().av.vehicle.model = *name;
+      vehicle.model = *name;
       return;
     }
     std::vector<std::string> names;
@@ -72,8 +78,78 @@ class AvReader : LayerPart {
                   did_you_mean(*name, names));
   }
 
+  // One defect or a list of them, which takes the place of what was there.
+  void read_defects(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    std::vector<VehicleDefect> defects;
+    const bool is_list = node.kind == ConfigNode::Kind::list;
+    if (is_list && node.items.size() > kMaxItems) {
+      reader_.unexpected(node, fmt::format("{} defects at most", kMaxItems));
+      return;
+    }
+    for (const ConfigNode& item : is_list ? node.items : std::vector{node}) {
+      if (auto defect = read_defect(item)) defects.push_back(std::move(*defect));
+    }
+    world().av.vehicle.defects = std::move(defects);
+  }
+
+  std::optional<VehicleDefect> read_defect(const ConfigNode& node) {
+    const auto text = reader_.text(node, "a defect as latency or latency=0.6, or a list of them");
+    if (!text) return std::nullopt;
+    if (auto defect = parse_defect(*text)) return defect;
+    const std::string name = text->substr(0, text->find('='));
+    if (const DefectModel* const model = find_defect(name)) {
+      const std::string expected =
+          model->unit.empty() ? fmt::format("'{}' alone, it has no severity", name)
+                              : fmt::format("'{}=' and a positive number of {}{}", name,
+                                            model->unit, model->unit == "%" ? " up to 100" : "");
+      reader_.unexpected(node, expected);
+      return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const DefectModel& model : defect_models()) names.emplace_back(model.name);
+    std::string hint = did_you_mean(name, names);
+    if (hint.empty()) hint = "`jaywalk list defects` shows them";
+    reader_.error(node.origin, fmt::format("unknown defect '{}'", name), std::move(hint));
+    return std::nullopt;
+  }
+
+  // A model, a command, or some of the keys that say how an AV drives.
+  void read_twin(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    VehicleParameters twin;
+    if (node.kind == ConfigNode::Kind::list) {
+      twin.model = "external";
+      read_command(node, path, twin);
+    } else if (node.kind == ConfigNode::Kind::scalar) {
+      read_model(node, path, twin);
+    } else {
+      read_twin_keys(node, path, twin);
+    }
+    world().av.twin = std::move(twin);
+  }
+
+  void read_twin_keys(const ConfigNode& node, const std::string& path, VehicleParameters& twin) {
+    if (node.kind != ConfigNode::Kind::map) {
+      reader_.unexpected(node, "the healthy twin: a model, a command or keys and values");
+      return;
+    }
+    if (world().av.twin) twin = *world().av.twin;
+    read_keys(node, path,
+              {
+                  {"model", [&](const ConfigNode& value,
+                                const std::string& key) { read_model(value, key, twin); }},
+                  {"reaction", optional_number(twin.reaction_s, kWindow)},
+                  {"deceleration", optional_number(twin.deceleration_mps2, kAcceleration)},
+                  {"acceleration", number(twin.acceleration_mps2, kAcceleration)},
+                  {"standoff", number(twin.standoff_m, kStandoff)},
+                  {"command", [&](const ConfigNode& value,
+                                  const std::string& key) { read_command(value, key, twin); }},
+              });
+  }
+
   // A program and its arguments. One that is a file beside the scenario is found there.
-  void read_command(const ConfigNode& node, const std::string& path) {
+  void read_command(const ConfigNode& node, const std::string& path, VehicleParameters& vehicle) {
     draft_.origins[path] = node.origin;
     std::vector<std::string> command;
     if (node.kind == ConfigNode::Kind::list && !node.items.empty()) {
@@ -86,7 +162,7 @@ class AvReader : LayerPart {
             draft_.scenario.files.has(beside) || std::filesystem::is_regular_file(beside, ignored);
         command.push_back(found ? beside : *word);
       }
-      world().av.vehicle.command = std::move(command);
+      vehicle.command = std::move(command);
     } else {
       reader_.unexpected(node, "a program and its arguments as [python3, controller.py]");
     }

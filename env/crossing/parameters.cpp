@@ -39,6 +39,25 @@ void check_av(const CrossingParameters& parameters, std::vector<ParameterProblem
   }
 }
 
+// Whoever does not brake can neither brake wrongly nor show how it is done rightly.
+void check_defects(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const AvParameters& av = parameters.av;
+  if (!av.vehicle.defects.empty() && av.vehicle.model == "constant") {
+    found.push_back({"world.av.defect",
+                     "the AV's model 'constant' does not brake, so that no defect of it shows"});
+  }
+  if (!av.twin) return;
+  if (av.twin->model == "constant") {
+    found.push_back({"world.av.twin",
+                     "the model 'constant' does not brake, so that it is nobody's "
+                     "healthy twin"});
+  }
+  if (av.vehicle.model == "constant") {
+    found.push_back({"world.av.twin",
+                     "the AV's model 'constant' does not brake, so that it has no healthy twin"});
+  }
+}
+
 void check_zone(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const ZoneParameters& zone = parameters.zone;
   const int rows = grid(parameters).rows;
@@ -169,6 +188,14 @@ void check_carry_over(const CrossingParameters& parameters, std::vector<Paramete
 
 }  // namespace
 
+VehicleParameters healthy_twin(const AvParameters& av) {
+  VehicleParameters twin = av.twin.value_or(av.vehicle);
+  twin.defects.clear();
+  twin.range_m = av.vehicle.range_m;
+  twin.period_s = av.vehicle.period_s;
+  return twin;
+}
+
 Grid grid(const CrossingParameters& parameters) {
   int rows = 0;
   for (const Band& band : parameters.bands) rows += band.rows;
@@ -253,6 +280,7 @@ int max_ticks(const CrossingParameters& parameters) {
 std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
   std::vector<ParameterProblem> found;
   check_av(parameters, found);
+  check_defects(parameters, found);
   check_zone(parameters, found);
   check_carry_over(parameters, found);
   check_spawn(parameters, found);

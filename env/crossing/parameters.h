@@ -39,6 +39,9 @@ struct AvParameters {
   double speed = 6;
   /// How it drives.
   VehicleParameters vehicle;
+  /// How it would drive if it were healthy, where defects alone do not say so: the twin of a
+  /// controller of one's own. Its sensors and its period are the vehicle's (see healthy_twin).
+  std::optional<VehicleParameters> twin;
   /// The cell of the leading edge before the first tick; may lie before the grid.
   int start = 0;
   /// Cells that it would take to stop; matters only to a zone measured from there.
@@ -183,6 +186,10 @@ struct CrossingParameters {
 
   friend bool operator==(const CrossingParameters&, const CrossingParameters&) = default;
 };
+
+/// The vehicle's parameters by which kills are measured: those of the named twin, else its own
+/// without defects.
+[[nodiscard]] VehicleParameters healthy_twin(const AvParameters& av);
 
 [[nodiscard]] Grid grid(const CrossingParameters& parameters);
 /// The rows of each band, in the same order.

@@ -5,9 +5,11 @@
 #include <functional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "env/environments.h"
 #include "env/lane/controller.h"
+#include "env/vehicle/defects.h"
 #include "env/vehicle/vehicle.h"
 #include "experiment/export/exporter.h"
 #include "experiment/measures/measures.h"
@@ -131,6 +133,20 @@ std::string signal_text() {
   return columns("", rows);
 }
 
+std::string defect_text() {
+  std::vector<Row> rows;
+  for (const DefectModel& defect : defect_models()) {
+    const std::string severities =
+        defect.unit.empty()
+            ? ""
+            : fmt::format(" {} {}", fmt::join(defect.severities, ", "), defect.unit);
+    rows.push_back(
+        {std::string(defect.name), fmt::format("[{}{}] {} ({})", name(defect.family), severities,
+                                               defect.summary, defect.source)});
+  }
+  return columns("", rows);
+}
+
 /// What the first comment of a program says it is, up to the first full stop or colon.
 std::string first_words(const SourcePtr& source) {
   std::string words;
@@ -171,6 +187,7 @@ constexpr std::array kKinds = {
          [] { return named_rows(exporters()); }},
     Kind{"vehicles", "how automated vehicles drive, world.av.model",
          [] { return named_rows(vehicle_models()); }},
+    Kind{"defects", "faults that can be put on an automated vehicle, world.av.defect", defect_text},
     Kind{"metrics", "what --metrics measures of each test", metric_text},
     Kind{"signals", "what assertions speak of", signal_text},
     Kind{"generators", "what search can look for tests with",
@@ -188,8 +205,8 @@ CommandHelp help() {
   return {.usage = "KIND [OPTIONS]",
           .description =
               "Names what there is of a kind: environments, behaviours, internal-actions,\n"
-              "functions, checks, measures, metrics, signals, exporters, vehicles, generators,\n"
-              "suts, controllers, presets or commands.\n",
+              "functions, checks, measures, metrics, signals, exporters, vehicles, defects,\n"
+              "generators, suts, controllers, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"
