@@ -42,6 +42,12 @@ const EnvironmentKind* find_environment(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::string description(const EnvironmentWord& word) {
+  std::string text(word.meaning);
+  if (!word.needs.empty()) text += " [needs " + std::string(word.needs) + ']';
+  return text;
+}
+
 std::string_view functor(const EnvironmentWord& word) {
   return word.form.substr(0, word.form.find('('));
 }

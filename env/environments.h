@@ -17,6 +17,8 @@ struct EnvironmentWord {
   std::string_view meaning;
   /// The atoms that arguments of the form take, by the arguments' names: "Way: left right; ...".
   std::string_view values = {};
+  /// Of percepts: the keys of a scenario under which agents have it; empty: they always do.
+  std::string_view needs = {};
 };
 
 struct EnvironmentKind {
@@ -29,6 +31,9 @@ struct EnvironmentKind {
 [[nodiscard]] std::span<const EnvironmentKind> environments();
 /// Null if there is none of that name.
 [[nodiscard]] const EnvironmentKind* find_environment(std::string_view name);
+
+/// The meaning, and the keys that a percept needs.
+[[nodiscard]] std::string description(const EnvironmentWord& word);
 
 /// The functor of a form, `at` of `at(X,Y)`, and its number of arguments.
 [[nodiscard]] std::string_view functor(const EnvironmentWord& word);

@@ -17,6 +17,7 @@ near_side(First, _, First) :- riding(forward).
 near_side(_, Last, Last)   :- riding(back).
 
 must_stop :-
+  // Where a road has no signals there is none to stop for. jaywalk: allow absent-percept
   signal(N, Colour) & Colour \== green & crosswalk(N, First, Last, _) &
   near_side(First, Last, Line) & at(_, Y) & ahead(Y, Line, Gap) & clearance(Least) & Gap < Least.
 

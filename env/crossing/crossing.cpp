@@ -48,6 +48,7 @@ Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabular
                    std::vector<Position> start, int head_start)
     : parameters_(parameters),
       vocabulary_(vocabulary),
+      given_(given_percepts(parameters)),
       layout_(parameters),
       zone_rows_(jaywalk::zone_rows(parameters)),
       zone_ahead_(zone_ahead(parameters)),

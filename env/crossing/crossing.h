@@ -10,6 +10,7 @@
 // tick t - 1, cell by cell, until it meets a pedestrian; then it moves (av.h); then the test may
 // end.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -122,6 +123,7 @@ class Crossing final : public Environment {
 
   const CrossingParameters& parameters_;
   const CrossingVocabulary& vocabulary_;
+  std::array<bool, kCrossingPercepts.size()> given_;
   Layout layout_;
   Interval zone_rows_;
   Interval zone_ahead_;

@@ -14,9 +14,9 @@ class Crossing::Perceiver {
 
   void perceive() {
     how_the_test_stands();
-    if (!world_.parameters_.crosswalks.empty()) signals();
-    if (world_.parameters_.pedestrians.sight > 0) road_users();
-    if (world_.parameters_.pedestrians.features && !self().gone) features();
+    if (gives(crosswalk)) signals();
+    if (gives(road_user)) road_users();
+    if (gives(ground_here) && !self().gone) features();
     if (percepts_.keep_rest(vocabulary().percept(id), world_.rest_number_)) return;
     oneself();
     road();
@@ -26,8 +26,12 @@ class Crossing::Perceiver {
  private:
   using enum CrossingPercept;
 
+  [[nodiscard]] bool gives(CrossingPercept percept) const {
+    return world_.given_[static_cast<std::size_t>(percept)];
+  }
   template <class... Args>
   void add(CrossingPercept percept, Args... args) {
+    assert(gives(percept) && "percepts.def says when");
     percepts_.add(vocabulary().percept(percept), {term(args)...});
   }
   static Value term(double number) { return Value::number(number); }
@@ -44,11 +48,15 @@ class Crossing::Perceiver {
     add(tick, world_.ticks_ + 1);
     add(at, self().place.x, self().place.y);
     add(CrossingPercept::av, world_.origin_);
-    for (const std::size_t hit : world_.result_.hit_by) {
-      add(precondition_met, static_cast<double>(hit + 1));
+    if (gives(precondition_met)) {
+      for (const std::size_t hit : world_.result_.hit_by) {
+        add(precondition_met, static_cast<double>(hit + 1));
+      }
     }
-    for (const Collision& each : world_.result_.collisions) {
-      add(collision, static_cast<double>(each.body + 1));
+    if (gives(collision)) {
+      for (const Collision& each : world_.result_.collisions) {
+        add(collision, static_cast<double>(each.body + 1));
+      }
     }
   }
 

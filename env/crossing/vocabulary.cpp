@@ -13,6 +13,16 @@ void fill(std::array<Value, N>& atoms, SymbolTable& symbols) {
 
 }  // namespace
 
+std::array<bool, kCrossingPercepts.size()> given_percepts(const CrossingParameters& parameters) {
+#define JAYWALK_PERCEPT(id, need, form, ...) percept_needs::need.met(parameters),
+#define JAYWALK_ACTION(id, form, ...)
+  return {
+#include "env/crossing/percepts.def"
+  };
+#undef JAYWALK_PERCEPT
+#undef JAYWALK_ACTION
+}
+
 CrossingVocabulary::CrossingVocabulary(SymbolTable& symbols)
     : move_(symbols.predicate("move", 1)),
       move_by_(symbols.predicate("move", 2)),

@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
+#include "env/crossing/parameters.h"
+#include "env/crossing/percept_needs.h"
 #include "env/crossing/road_user.h"
 #include "env/environments.h"
 #include "env/grid/grid.h"
@@ -13,7 +16,7 @@
 
 namespace jaywalk {
 
-#define JAYWALK_PERCEPT(id, form, ...) id,
+#define JAYWALK_PERCEPT(id, need, form, ...) id,
 #define JAYWALK_ACTION(id, form, ...)
 enum class CrossingPercept : std::size_t {
 #include "env/crossing/percepts.def"
@@ -21,7 +24,13 @@ enum class CrossingPercept : std::size_t {
 #undef JAYWALK_PERCEPT
 #undef JAYWALK_ACTION
 
-#define JAYWALK_PERCEPT(id, form, ...) EnvironmentWord{form, __VA_ARGS__},
+/// A row's percept, with its need.
+constexpr EnvironmentWord crossing_percept(const PerceptNeed& need, std::string_view form,
+                                           std::string_view meaning, std::string_view values = {}) {
+  return {.form = form, .meaning = meaning, .values = values, .needs = need.keys};
+}
+
+#define JAYWALK_PERCEPT(id, need, ...) crossing_percept(percept_needs::need, __VA_ARGS__),
 #define JAYWALK_ACTION(id, form, ...)
 inline constexpr std::array kCrossingPercepts{
 #include "env/crossing/percepts.def"
@@ -29,13 +38,17 @@ inline constexpr std::array kCrossingPercepts{
 #undef JAYWALK_PERCEPT
 #undef JAYWALK_ACTION
 
-#define JAYWALK_PERCEPT(id, form, ...)
+#define JAYWALK_PERCEPT(id, need, form, ...)
 #define JAYWALK_ACTION(id, form, ...) EnvironmentWord{form, __VA_ARGS__},
 inline constexpr std::array kCrossingActions{
 #include "env/crossing/percepts.def"
 };
 #undef JAYWALK_PERCEPT
 #undef JAYWALK_ACTION
+
+/// Which percepts agents have in a world of these parameters, in the order of kCrossingPercepts.
+[[nodiscard]] std::array<bool, kCrossingPercepts.size()> given_percepts(
+    const CrossingParameters& parameters);
 
 /// The words interned in one symbol table; made once, before the table is shared.
 class CrossingVocabulary {

@@ -27,6 +27,8 @@ struct Vocabulary {
     std::string summary;
     /// The atoms that each argument takes; none, or no entry, where it takes others, too.
     std::vector<std::vector<std::string>> values = {};
+    /// Of percepts: the keys that would give it, where the scenario does not.
+    std::string absent_without = {};
     /// Of internal actions: its value can stand in a term.
     bool is_function = false;
   };

@@ -43,6 +43,7 @@ class Indexer {
             belief(*component.literal);
           } else {
             index_.beliefs.add(component.literal->text, arity_of(*component.literal));
+            index_.given.add(component.literal->text, arity_of(*component.literal));
           }
           terms_of(*component.literal);
           if (component.body != nullptr) term(*component.body);
@@ -88,6 +89,11 @@ class Indexer {
   }
 
   void belief(const Node& node) {
+    reaction(node);
+    if (node.kind == Kind::literal) index_.given.add(node.text, arity_of(node));
+  }
+
+  void reaction(const Node& node) {
     if (node.kind == Kind::literal) {
       index_.beliefs.add(node.text, arity_of(node));
       index_.facts.add(node.text, arity_of(node));
@@ -118,7 +124,7 @@ class Indexer {
         if (known) index_.planned_tests.add(literal.text, arity_of(literal));
         break;
       case ast::TriggerKind::belief:
-        if (known) belief(literal);
+        if (known) reaction(literal);
         break;
     }
     terms_of(literal);

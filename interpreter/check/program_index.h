@@ -43,6 +43,8 @@ struct ProgramIndex {
   NameSet beliefs;
   /// Those of them that are not only heads of rules.
   NameSet facts;
+  /// Beliefs that the program gives itself or others, rules too: not those to which it only reacts.
+  NameSet given;
   /// Functions and internal actions that the program registers.
   NameSet functions;
   /// There is a plan for any goal, `+!G`, or plans come from where the checker cannot look.

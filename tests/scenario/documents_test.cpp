@@ -26,12 +26,29 @@ TEST(Documents, ListEveryWordOfTheWorlds) {
   for (const EnvironmentKind& kind : environments()) {
     for (const auto& words : {kind.percepts, kind.actions}) {
       for (const EnvironmentWord& word : words) {
-        const std::string row =
-            "| `" + std::string(word.form) + "` | " + std::string(word.meaning) + " |";
+        const std::string row = "| `" + std::string(word.form) + "` | " +
+                                std::string(word.meaning) + " |" +
+                                (word.needs.empty() ? "" : " " + std::string(word.needs) + " |");
         EXPECT_NE(readme.find(row), std::string::npos) << row;
       }
     }
   }
+}
+
+TEST(Documents, NameKeysThatScenariosHaveWherePerceptsNeedThem) {
+  const std::string readme = text_of("scenarios/README.md");
+  int keys = 0;
+  for (const EnvironmentKind& kind : environments()) {
+    for (const EnvironmentWord& word : kind.percepts) {
+      std::istringstream words{std::string(word.needs)};
+      for (std::string key; words >> key;) {
+        if (!key.starts_with("world.")) continue;
+        ++keys;
+        EXPECT_NE(readme.find("| `" + key + "` |"), std::string::npos) << key;
+      }
+    }
+  }
+  EXPECT_GT(keys, 0);
 }
 
 TEST(Documents, ListEveryPreset) {

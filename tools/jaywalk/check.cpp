@@ -73,13 +73,13 @@ class Checker {
   }
 
   bool is_new(const std::string& path) {
-    return checked_.insert(std::filesystem::path(path).lexically_normal().string()).second;
+    return checked_.programs.insert(std::filesystem::path(path).lexically_normal().string()).second;
   }
 
   void check_program(LoadedProgram program, const EnvironmentKind* environment,
                      const std::function<void(Vocabulary&)>& complete) {
     check_loaded(program.tree, environment, complete, program.found);
-    diagnostics_.append(std::move(program.found));
+    add_news(program.found, checked_, diagnostics_);
   }
 
   /// A program by itself, for the environment that it seems to be written for.
@@ -87,7 +87,7 @@ class Checker {
     if (!is_new(path)) return;
     LoadedProgram program = load({.path = path, .text = {}, .include_path = include_path_});
     jaywalk::check_alone(program.tree, path, program.found);
-    diagnostics_.append(std::move(program.found));
+    add_news(program.found, checked_, diagnostics_);
   }
 
   void check_project(const std::string& path) {
@@ -139,7 +139,7 @@ class Checker {
   }
 
   IncludePath include_path_;
-  std::set<std::string> checked_;
+  Checked checked_;
   Diagnostics diagnostics_;
 };
 

@@ -82,7 +82,7 @@ std::string named_rows(const Table& table) {
 std::string words(std::string_view title, std::span<const EnvironmentWord> words) {
   std::vector<Row> rows;
   for (const EnvironmentWord& word : words) {
-    rows.push_back({std::string(word.form), std::string(word.meaning)});
+    rows.push_back({std::string(word.form), description(word)});
   }
   return fmt::format("  {}\n{}", title, columns("    ", rows));
 }

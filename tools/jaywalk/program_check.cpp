@@ -34,13 +34,20 @@ bool lies_in_project(const std::string& path) {
 /// The world of all scenarios.
 constexpr std::string_view kScenarioWorld = "crossing";
 
+/// Each once, in the order of the scenario.
 std::vector<std::string> programs_of(const Scenario& scenario) {
   std::vector<std::string> programs;
+  std::set<std::string> known;
+  const auto add = [&](const std::string& program) {
+    if (known.insert(fs::path(program).lexically_normal().string()).second) {
+      programs.push_back(program);
+    }
+  };
   for (const BehaviourSpec& behaviour : scenario.behaviours) {
-    programs.push_back(behaviour.program);
-    for (const TeamMember& member : behaviour.team) programs.push_back(member.program);
+    add(behaviour.program);
+    for (const TeamMember& member : behaviour.team) add(member.program);
   }
-  for (const BehaviourSpec& actor : scenario.actors) programs.push_back(actor.program);
+  for (const BehaviourSpec& actor : scenario.actors) add(actor.program);
   return programs;
 }
 
@@ -58,18 +65,25 @@ void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
   check_program(program, vocabulary, found);
 }
 
-void check_programs(const Scenario& scenario, const IncludePath& include_path,
-                    std::set<std::string>& known, Diagnostics& found) {
+void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found) {
+  for (const Diagnostic& each : news.items()) {
+    if (checked.said.insert(render(each)).second) found.add(each);
+  }
+}
+
+void check_programs(const Scenario& scenario, const IncludePath& include_path, Checked& checked,
+                    Diagnostics& found) {
   for (const std::string& program : programs_of(scenario)) {
-    if (!known.insert(fs::path(program).lexically_normal().string()).second) continue;
+    checked.programs.insert(fs::path(program).lexically_normal().string());
     Diagnostics of_program;
     const SourceTree tree = load_agent(program, include_path, of_program);
     of_program = with_errors(of_program, kMissingInclude, kMissingIncludeHint);
     const auto complete = [&](Vocabulary& vocabulary) {
       vocabulary.settings = settings_of(scenario, program);
+      mark_absent_percepts(scenario, vocabulary);
     };
     check_loaded(tree, find_environment(kScenarioWorld), complete, of_program);
-    found.append(std::move(of_program));
+    add_news(of_program, checked, found);
   }
 }
 

@@ -20,11 +20,22 @@ namespace jaywalk {
 void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
                   const std::function<void(Vocabulary&)>& complete, Diagnostics& found);
 
-/// What `check` says of the programs that a scenario names, each once: its behaviours', with their
-/// teams, and its actors'. Those in `known` are left out, and the others are added to it. A missing
-/// include is an error.
-void check_programs(const Scenario& scenario, const IncludePath& include_path,
-                    std::set<std::string>& known, Diagnostics& found);
+/// What was checked already, so that nothing is said twice.
+struct Checked {
+  /// Programs, by their normal paths.
+  std::set<std::string> programs;
+  /// Diagnostics, as text.
+  std::set<std::string> said;
+};
+
+/// Adds what was not said before.
+void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found);
+
+/// What `check` says of the programs that a scenario names: its behaviours', with their teams, and
+/// its actors'. Of a program that another scenario names, too, only that is said which is new. A
+/// missing include is an error.
+void check_programs(const Scenario& scenario, const IncludePath& include_path, Checked& checked,
+                    Diagnostics& found);
 
 /// Whether a program was started by itself or as one of a project.
 enum class StartedAs { alone, part };

@@ -1,6 +1,5 @@
 #include "tools/jaywalk/scenario_options.h"
 
-#include <set>
 #include <utility>
 
 #include "tools/jaywalk/include_path.h"
@@ -50,9 +49,9 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(const std::string& path
   if (!arguments.has("no-check")) {
     // They are among what the checker says.
     warnings = {};
-    std::set<std::string> known;
-    const Scenario& checked = prepared.value()->scenario();
-    check_programs(checked, include_path(checked), known, warnings);
+    Checked checked;
+    const Scenario& own = prepared.value()->scenario();
+    check_programs(own, include_path(own), checked, warnings);
   }
   console.report(warnings);
   return std::move(prepared).value();

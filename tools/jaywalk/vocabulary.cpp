@@ -1,6 +1,8 @@
 #include "tools/jaywalk/vocabulary.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <set>
@@ -11,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "env/crossing/vocabulary.h"
 #include "interpreter/check/program_index.h"
 #include "interpreter/check/uses.h"
 #include "interpreter/check/words.h"
@@ -25,7 +28,7 @@ Vocabulary::Entry entry_for(const EnvironmentWord& word) {
   return {.name = std::string(functor(word)),
           .least_args = arity(word),
           .most_args = arity(word),
-          .summary = std::string(word.meaning),
+          .summary = description(word),
           .values = argument_values(word)};
 }
 
@@ -146,6 +149,14 @@ const EnvironmentKind* environment_of(const SourceTree& program) {
     if (evidence.is_for()) return &environment;
   }
   return nullptr;
+}
+
+void mark_absent_percepts(const Scenario& scenario, Vocabulary& vocabulary) {
+  const auto given = given_percepts(scenario.world);
+  assert(vocabulary.percepts.size() == given.size() && "they are the crossing's");
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) vocabulary.percepts[i].absent_without = kCrossingPercepts[i].needs;
+  }
 }
 
 namespace {

@@ -19,6 +19,10 @@ namespace jaywalk {
 /// has its percepts or the values of its actions, too. Null if there is none.
 [[nodiscard]] const EnvironmentKind* environment_of(const SourceTree& program);
 
+/// Marks the percepts that agents never have in the world of a scenario. REQUIRES: the vocabulary
+/// is that of the environment `crossing`, the world of all scenarios.
+void mark_absent_percepts(const Scenario& scenario, Vocabulary& vocabulary);
+
 /// The values that a scenario gives the initial beliefs of a program.
 [[nodiscard]] std::vector<Vocabulary::Setting> settings_of(const Scenario& scenario,
                                                            const std::string& program);

@@ -4,8 +4,11 @@
 
 #include "env/crossing/crossing.h"
 
+#include <cstddef>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -344,6 +347,48 @@ TEST_F(CrossingTest, VehiclesLeaveAtTheEndOfTheRoadAndPedestriansDoNot) {
   let_pass(crossing);
   EXPECT_EQ(car.place.y, -22) << "and stays where nobody sees it";
   EXPECT_EQ(crossing.scene()[2].speed_mps, 0);
+}
+
+// Each world is one in which the percepts of one need exist, or of none. One pedestrian stands in
+// the zone beside the AV's way, the other in its way.
+TEST_F(CrossingTest, GivesThePerceptsThatTheirNeedsSay) {
+  const CrossingParameters bare;
+  CrossingParameters zebra = bare;
+  zebra.crosswalks = {{CrosswalkKind::zebra, {30, 32}}};
+  CrossingParameters signalled = bare;
+  signalled.crosswalks = {{CrosswalkKind::signalled, {30, 32}}};
+  CrossingParameters sight = bare;
+  sight.pedestrians.sight = 50;
+  CrossingParameters features = bare;
+  features.pedestrians.features = true;
+  CrossingParameters aftermath = bare;
+  aftermath.aftermath = 3;
+  CrossingParameters until_collision = bare;
+  until_collision.end = TestEnd::collision;
+  CrossingParameters until_road_end = bare;
+  until_road_end.end = TestEnd::road;
+  std::set<std::string_view> seen_somewhere;
+  for (const CrossingParameters& parameters :
+       {bare, zebra, signalled, sight, features, aftermath, until_collision, until_road_end}) {
+    parameters_ = parameters;
+    Crossing crossing = world({{2, 12}, {3, 40}});
+    std::set<std::string> seen;
+    while (!crossing.finished()) {
+      for (const auto& [name, args] : percepts(crossing, 0)) seen.insert(name);
+      tick(crossing, {});
+    }
+    const auto given = given_percepts(parameters);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const std::string_view name = functor(kCrossingPercepts[i]);
+      const bool is_seen = seen.contains(std::string(name));
+      // Where the precondition ends the test, nobody is touched before.
+      if (name != "collision" || parameters.end != TestEnd::precondition) {
+        EXPECT_EQ(is_seen, given[i]) << name;
+      }
+      if (is_seen) seen_somewhere.insert(name);
+    }
+  }
+  EXPECT_EQ(seen_somewhere.size(), kCrossingPercepts.size());
 }
 
 }  // namespace
