@@ -4,6 +4,7 @@
 
 { include("shared/steps.asl") }
 { include("shared/prediction.asl") }
+{ include("shared/reckoning.asl") }
 
 assertion(collision_avoidance).  // its id in the scenario's file of assertions
 
@@ -18,13 +19,13 @@ assertion(collision_avoidance).  // its id in the scenario's file of assertions
 
 // Between 2 s and 4 s ahead of the AV when the row of its body is reached: time enough to brake.
 stands_in_time :-
-  at(X, Y) & av_rows(First, Last) & rows_to(X, First, Last, N) & av(AvY) & av_speed(V) &
-  Y >= AvY + V * (N + 2) & Y <= AvY + V * (N + 4).
+  at(_, Y) & av_rows(First, Last) & seconds_to_rows(First, Last, S) & av_in(S + 2, From) &
+  av_in(S + 4, To) & Y >= From & Y <= To.
 
 // Out of the AV's lane again before the AV comes.
 crosses_before :-
-  at(X, Y) & zone_rows(First, Last) & rows_to(X, First, Last, N) & av(AvY) & av_speed(V) &
-  Y > AvY + V * (N + Last - First + 1).
+  at(X, Y) & zone_rows(First, Last) & rows_to(X, First, Last, N) &
+  seconds_to_walk(N + Last - First + 1, S) & av_in(S, AvY) & Y > AvY.
 
 +!stand_in_its_way : at(X, _) & av_rows(First, Last) & First <= X & X <= Last
   <- stay;

@@ -11,10 +11,10 @@
 +!exercise_av : first_way(Way)    <- +way(Way); !go.
 
 // Where the next step would lead: across once the AV has come near, else along the pavement.
-next(left, X - 1, Y)    :- at(X, Y).
-next(right, X + 1, Y)   :- at(X, Y).
-next(forward, X, Y + 1) :- at(X, Y).
-next(back, X, Y - 1)    :- at(X, Y).
+next(left, X - V, Y)    :- at(X, Y) & walking_speed(V).
+next(right, X + V, Y)   :- at(X, Y) & walking_speed(V).
+next(forward, X, Y + V) :- at(X, Y) & walking_speed(V).
+next(back, X, Y - V)    :- at(X, Y) & walking_speed(V).
 turned(forward, back).
 turned(back, forward).
 
@@ -33,8 +33,19 @@ turned(back, forward).
 
 +claim(T, _, _, _, _, _) : pedestrians(N) & .count(claim(T, _, _, _, _, _), N) <- !decide(T).
 
-taken(T) :- id(Me) & claim(T, Me, _, _, X, Y) & claim(T, Other, X, Y, _, _) & Other \== Me.
-taken(T) :- id(Me) & claim(T, Me, _, _, X, Y) & claim(T, Other, _, _, X, Y) & Other < Me.
+// Whoever steps from (X,Y) to (ToX,ToY) comes too near to (OtherX,OtherY): the bodies would touch.
+size(0.5).  // of a body, in metres
+touches(X, Y, ToX, ToY, OtherX, OtherY) :-
+  size(M) & cell_length(Cell) & math.abs(ToX - OtherX) < M / Cell &
+  math.abs(ToY - OtherY) < M / Cell &
+  math.abs(ToX - OtherX) + math.abs(ToY - OtherY) < math.abs(X - OtherX) + math.abs(Y - OtherY).
+
+taken(T) :-
+  id(Me) & claim(T, Me, X, Y, ToX, ToY) & claim(T, Other, OtherX, OtherY, _, _) & Other \== Me &
+  touches(X, Y, ToX, ToY, OtherX, OtherY).
+taken(T) :-
+  id(Me) & claim(T, Me, X, Y, ToX, ToY) & claim(T, Other, _, _, OtherX, OtherY) & Other < Me &
+  touches(X, Y, ToX, ToY, OtherX, OtherY).
 
 +!decide(T) : wish(none) | taken(T) <- .abolish(claim(T, _, _, _, _, _)); stay; !go.
 +!decide(T) : wish(Way)             <- .abolish(claim(T, _, _, _, _, _)); move(Way); !go.

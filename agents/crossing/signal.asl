@@ -1,6 +1,6 @@
 // A traffic signal: green, amber and red for vehicles, in turns.
 
-green(10).  // ticks
+green(10).  // seconds
 amber(2).
 red(8).
 
@@ -12,5 +12,7 @@ red(8).
      !hold(red, R);
      !run.
 
-+!hold(Colour, Ticks) : Ticks > 0 <- show(Colour); !hold(Colour, Ticks - 1).
-+!hold(_, _).
++!hold(Colour, Seconds) : tick_length(S) <- !show_for(Colour, math.round(Seconds / S)).
+
++!show_for(Colour, Ticks) : Ticks > 0 <- show(Colour); !show_for(Colour, Ticks - 1).
++!show_for(_, _).
