@@ -12,18 +12,20 @@
 namespace jaywalk {
 namespace {
 
-int terminal_columns() {
+/// Takes what the terminal has, less the line of the cursor.
+void fit_to_terminal(FrameOptions& options) {
   winsize size{};
-  return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return;
+  if (size.ws_col > 0) options.columns = size.ws_col;
+  if (size.ws_row > 1) options.rows = size.ws_row - 1;
 }
 
 }  // namespace
 
 void Viewer::show(const Crossing& crossing, const Mas& mas) {
   const bool live = console_.output_is_terminal();
-  const FrameOptions options{.title = title_,
-                             .colour = console_.output_colour(),
-                             .columns = live ? terminal_columns() : 0};
+  FrameOptions options{.title = title_, .colour = console_.output_colour()};
+  if (live) fit_to_terminal(options);
   const std::string frame = draw_frame(crossing, mas, printed_, options);
   printed_.clear();
   if (live && lines_ > 0) {

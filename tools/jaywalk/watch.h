@@ -1,7 +1,7 @@
 #pragma once
 
 // A test of the crossing world, drawn in a terminal tick by tick: the road seen from above, driving
-// to the right, and below it what each pedestrian is after.
+// to the right, and below it what each agent is after.
 
 #include <string>
 #include <vector>
@@ -14,11 +14,14 @@ namespace jaywalk {
 struct FrameOptions {
   std::string title;
   Colour colour = Colour::off;
-  /// Columns that the picture may take; 0: as many as the road is long.
-  int columns = 0;
+  /// Columns and lines that a frame may take. Of a longer or wider road that part is shown which is
+  /// round the AV, and of many agents the first.
+  int columns = 80;
+  int rows = 23;
 };
 
-/// One tick as lines of text. `printed` is what the agents have said in this tick.
+/// The world as it is after a tick, as lines of text: the road, what its letters mean, and the
+/// agents. `printed` is what the agents have said in this tick.
 [[nodiscard]] std::string draw_frame(const Crossing& crossing, const Mas& mas,
                                      const std::vector<std::string>& printed,
                                      const FrameOptions& options);

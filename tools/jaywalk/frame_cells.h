@@ -1,0 +1,60 @@
+#pragma once
+
+// What each cell of a crossing world shows in a terminal: a letter and how it is coloured, and the
+// legend of those letters.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "env/crossing/crossing.h"
+
+namespace jaywalk {
+
+/// What a cell shows: a letter, and how it is coloured on a terminal that can.
+struct Glyph {
+  char letter = ' ';
+  std::string_view style;
+};
+
+/// What ends a style.
+inline constexpr std::string_view kPlainStyle = "\x1b[0m";
+
+/// Pedestrians are shown by number, from 1, and then by letters, those above 35 all alike; other
+/// actors by a letter of their kind, a signal by that of its colour.
+[[nodiscard]] char letter_of(const Crossing& crossing, std::size_t body);
+
+/// Where the AV is and which zone is at stake: that which the next tick tests or, once the
+/// precondition was met, that in which it was.
+struct AvSituation {
+  int edge = 0;
+  Interval zone;
+};
+[[nodiscard]] AvSituation av_situation(const Crossing& crossing);
+
+/// The cells of one moment.
+class FrameCells {
+ public:
+  /// The world must outlive it.
+  explicit FrameCells(const Crossing& crossing);
+
+  [[nodiscard]] Glyph at(Position cell) const;
+
+ private:
+  struct Body {
+    Interval rows;
+    Interval cells;
+    Glyph glyph;
+  };
+
+  [[nodiscard]] Glyph ground(Position cell) const;
+
+  const Crossing& crossing_;
+  AvSituation av_;
+  std::vector<Body> bodies_;
+};
+
+/// What the letters mean that occur in the world, as "X parked car", in a fixed order.
+[[nodiscard]] std::vector<std::string> legend(const Crossing& crossing);
+
+}  // namespace jaywalk
