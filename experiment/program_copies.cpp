@@ -1,5 +1,6 @@
 #include "experiment/program_copies.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
@@ -61,7 +62,10 @@ Result<std::shared_ptr<const ProgramCopies>> keep_programs(
       if (!files.has(word)) continue;
       const auto program = files.read(word);
       if (!program.ok()) continue;  // no text, as the interpreter itself
-      sources.push_back(program.value());
+      const auto has_its_name = [&](const SourcePtr& s) {
+        return s->name() == program.value()->name();
+      };
+      if (std::ranges::none_of(sources, has_its_name)) sources.push_back(program.value());
       if (is_as_it_was(*program.value())) continue;
       if (!copies) copies = std::make_shared<ProgramCopies>();
       auto copy = copies->add(*program.value());

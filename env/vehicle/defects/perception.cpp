@@ -90,7 +90,7 @@ class ClassChange final : public Defective {
   void look(const VehicleView& view, Sensed& sensed) override {
     const double classes = (view.time_s + kTimeRoundingS) / severity_;
     const double whole = std::floor(classes);
-    if (whole < 1) return;
+    if (whole < 1 || !std::isfinite(whole)) return;
     const auto changes = static_cast<std::uint32_t>(std::fmod(whole, kMostChanges));
     for (SeenActor& actor : sensed.actors) {
       actor.id += changes * kNumbers;

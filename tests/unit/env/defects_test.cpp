@@ -278,6 +278,18 @@ TEST(DefectText, IsRefusedWhereItMeansNothing) {
   }
 }
 
+TEST(Defect, OfAnySeverityAnswersWithANumber) {
+  for (const DefectModel& model : defect_models()) {
+    for (const double severity : {1e-308, 1e-9, 1.0, 1e9, 1e300}) {
+      if (model.unit.empty() && severity != 1) continue;
+      const VehicleDefect defect{std::string(model.name), severity};
+      for (const double speed : drive("braking", {defect}, kSetsOut).speeds_mps) {
+        ASSERT_TRUE(speed >= 0 && speed <= kSetsOut.cruise_mps) << text_of(defect);
+      }
+    }
+  }
+}
+
 /// Notes what it sees and answers as told.
 class Probe final : public VehicleController {
  public:
