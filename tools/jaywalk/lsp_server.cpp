@@ -265,9 +265,10 @@ nlohmann::json Server::answer_of(const std::string& method, const Json& paramete
 
 // As the client writes the URI, if it has the file open.
 nlohmann::json Server::to_json(const Place& place) const {
-  std::string uri = uri_of_path(place.path);
+  const std::string file = file_of(place.path, include_path_.files);
+  std::string uri = uri_of_path(file);
   for (const auto& [opened, document] : documents_) {
-    if (document.source->name() == place.path) uri = opened;
+    if (document.source->name() == file) uri = opened;
   }
   return {{"uri", std::move(uri)}, {"range", lsp::to_json(place.range)}};
 }
@@ -281,7 +282,10 @@ nlohmann::json Server::to_json(const std::vector<Place>& places) const {
 IncludePath Server::with_open_texts() const {
   IncludePath include_path = include_path_;
   for (const auto& [uri, opened] : documents_) {
-    include_path.given.emplace_back(opened.source->name(), opened.source->text());
+    const std::string& file = opened.source->name();
+    include_path.given.emplace_back(file, opened.source->text());
+    const std::string installed = installed_name(file, include_path_.files);
+    if (!installed.empty()) include_path.given.emplace_back(installed, opened.source->text());
   }
   return include_path;
 }
@@ -308,6 +312,14 @@ nlohmann::json Server::references(const Document& document, const Json& paramete
                                           all ? Definitions::included : Definitions::left_out));
 }
 
+// Installed, and in none of the workspace's folders.
+bool Server::is_foreign(const std::string& file) const {
+  if (installed_name(file, include_path_.files).empty()) return false;
+  return std::ranges::none_of(folders_, [&file](const std::string& folder) {
+    return !folder.empty() && file.starts_with(folder.ends_with('/') ? folder : folder + '/');
+  });
+}
+
 nlohmann::json Server::renaming(const Document& document, Position at, const std::string& name,
                                 std::string& problem) const {
   const Use* const use = document.use_there(at);
@@ -327,6 +339,10 @@ nlohmann::json Server::renaming(const Document& document, Position at, const std
   }
   Json changes = Json::object();
   for (const Place& place : workspace.uses(Name(*use), path, Definitions::included)) {
+    if (is_foreign(place.path)) {
+      problem = fmt::format("'{}' is also used in {}, which is installed", use->name, place.path);
+      return nullptr;
+    }
     const Json where = to_json(place);
     changes[where["uri"].get<std::string>()].push_back(
         {{"range", where["range"]}, {"newText", name}});
@@ -422,7 +438,9 @@ void Server::settle() {
   for (auto& [uri, opened] : documents_) {
     const bool concerned =
         opened.document == nullptr || std::ranges::any_of(changed, [&](const std::string& path) {
-          return path == opened.source->name() || opened.document->depends_on(path);
+          const std::string installed = installed_name(path, include_path.files);
+          return path == opened.source->name() || opened.document->depends_on(path) ||
+                 (!installed.empty() && opened.document->depends_on(installed));
         });
     if (!concerned) continue;
     opened.document = std::make_unique<Document>(uri, opened.source, include_path);

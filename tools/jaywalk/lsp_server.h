@@ -53,6 +53,7 @@ class Server {
   [[nodiscard]] Json references(const Document& document, const Json& parameters) const;
   [[nodiscard]] Json renaming(const Document& document, Position at, const std::string& name,
                               std::string& problem) const;
+  [[nodiscard]] bool is_foreign(const std::string& file) const;
   [[nodiscard]] Workspace workspace(const Document& document) const;
   [[nodiscard]] IncludePath with_open_texts() const;
   [[nodiscard]] Json to_json(const Place& place) const;

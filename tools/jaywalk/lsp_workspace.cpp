@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 namespace jaywalk::lsp {
 namespace {
@@ -31,16 +32,43 @@ void find_programs(const std::string& folder, int depth, std::set<std::string>& 
   }
 }
 
+// Installed programs may be reached by links; empty if there are none.
+fs::path library_of(const SourceFiles& files) {
+  std::error_code failure;
+  const std::string name = std::string(kLibraryPrefix) + "crossing";
+  const std::string place = files.place(name);
+  return place == name ? fs::path() : fs::weakly_canonical(place, failure).parent_path();
+}
+
 }  // namespace
 
+std::string file_of(const std::string& name, const SourceFiles& files) {
+  if (!name.starts_with(kLibraryPrefix)) return name;
+  const fs::path library = library_of(files);
+  return library.empty() ? name : (library / name.substr(kLibraryPrefix.size())).generic_string();
+}
+
+std::string installed_name(const std::string& file, const SourceFiles& files) {
+  const fs::path library = library_of(files);
+  std::error_code failure;
+  const fs::path below = fs::weakly_canonical(file, failure).lexically_relative(library);
+  const bool outside = library.empty() || below.empty() || *below.begin() == "..";
+  return outside ? std::string() : std::string(kLibraryPrefix) + below.generic_string();
+}
+
 Workspace::Workspace(const Folders& folders, const std::vector<std::string>& open,
-                     const IncludePath& include_path) {
+                     const IncludePath& include_path)
+    : files_(include_path.files) {
   constexpr int kDeepest = 100;
   for (const std::string& path : open) read(path, include_path);
   std::set<std::string> paths;
   for (const std::string& folder : folders.whole) find_programs(folder, kDeepest, paths);
   for (const std::string& folder : folders.alone) find_programs(folder, 0, paths);
   for (const std::string& path : paths) read(path, include_path);
+}
+
+std::string Workspace::file_of(const Use& use) const {
+  return lsp::file_of(use.file->source->name(), files_);
 }
 
 void Workspace::read(const std::string& path, const IncludePath& include_path) {
@@ -60,7 +88,7 @@ std::set<std::string> Workspace::files_of(const Name& name, const std::string& p
     std::set<std::string> files;
     for (const Use& use : program.uses) {
       if (!is_name(use, name)) continue;
-      files.insert(use.file->source->name());
+      files.insert(file_of(use));
       is_told = is_told || use.in_message;
     }
     together.push_back(std::move(files));
@@ -83,11 +111,10 @@ std::vector<Place> Workspace::uses(const Name& name, const std::string& path,
   std::vector<Place> places;
   for (const auto& [main, program] : programs_) {
     for (const Use& use : program.uses) {
-      const SourcePtr& source = use.file->source;
-      const bool wanted = is_name(use, name) && files.contains(source->name()) &&
-                          (definitions == Definitions::included || !use.defines);
-      if (!wanted || !seen.emplace(source->name(), use.span.begin).second) continue;
-      places.push_back({source->name(), TextPlaces(source->text()).range(use.span)});
+      if (!is_name(use, name) || (definitions == Definitions::left_out && use.defines)) continue;
+      std::string file = file_of(use);
+      if (!files.contains(file) || !seen.emplace(file, use.span.begin).second) continue;
+      places.push_back({std::move(file), TextPlaces(use.file->source->text()).range(use.span)});
     }
   }
   std::ranges::sort(places, {}, [](const Place& place) {
@@ -101,7 +128,7 @@ bool Workspace::is_taken(const Name& name, std::string_view text, const std::str
   return std::ranges::any_of(programs_, [&](const auto& each) {
     const auto& [main, program] = each;
     const bool concerned = std::ranges::any_of(program.uses, [&](const Use& use) {
-      return is_name(use, name) && files.contains(use.file->source->name());
+      return is_name(use, name) && files.contains(file_of(use));
     });
     return concerned && std::ranges::any_of(program.uses, [&](const Use& use) {
              return use.what == name.what && use.arity == name.arity && use.name == text;

@@ -33,6 +33,12 @@ struct Folders {
   std::set<std::string> alone;
 };
 
+/// The file on the disk that bears a source's name: an installed program, $jaywalk/..., is where
+/// the installation has it.
+[[nodiscard]] std::string file_of(const std::string& name, const SourceFiles& files);
+/// The name $jaywalk/... of a file, if it is installed; else an empty text.
+[[nodiscard]] std::string installed_name(const std::string& file, const SourceFiles& files);
+
 /// All programs that are there when it is made.
 class Workspace {
  public:
@@ -42,7 +48,8 @@ class Workspace {
 
   /// The places of a name that is used in a file, in the files where it means the same: those of
   /// programs that both are part of, by way of further ones, too. What agents tell each other or
-  /// ask each other for means the same in all programs. By path and place.
+  /// ask each other for means the same in all programs. By path, of the file on the disk, and
+  /// place.
   [[nodiscard]] std::vector<Place> uses(const Name& name, const std::string& path,
                                         Definitions definitions) const;
   /// Whether those programs use the name as something else already, as it would be with that text.
@@ -55,9 +62,11 @@ class Workspace {
     std::vector<Use> uses;
   };
 
+  [[nodiscard]] std::string file_of(const Use& use) const;
   void read(const std::string& path, const IncludePath& include_path);
   [[nodiscard]] std::set<std::string> files_of(const Name& name, const std::string& path) const;
 
+  SourceFiles files_;
   std::map<std::string, Program> programs_;  // by path
 };
 
