@@ -9,7 +9,12 @@ target_sources(jaywalk_experiment PRIVATE
   assertions/resolve.cpp
   assertions/robustness.cpp
   export/junit.cpp
+  export/kills_csv.cpp
   findings.cpp
+  kills/kills.cpp
+  kills/predictors.cpp
+  kills/team.cpp
+  per_test.cpp
   metrics/encroachment.cpp
   metrics/impact_speed.cpp
   metrics/max_btn.cpp
@@ -23,6 +28,7 @@ target_sources(jaywalk_experiment PRIVATE
   metrics/time_exposed.cpp
   metrics/time_in_road.cpp
   report/explanation_json.cpp
+  report/kill_table.cpp
   report/situation_table.cpp
   report/verdict_table.cpp
   signals/boxes.cpp

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiment/findings.h"
+#include "experiment/kills/kills.h"
 #include "experiment/published/published.h"
 #include "experiment/summary.h"
 #include "experiment/troubles.h"
@@ -27,6 +28,8 @@ struct Comparison {
   /// empty if none were asked for.
   std::vector<std::string> assertions;
   std::vector<FindingsSummary> findings;
+  /// What the tests with defective AVs came to; empty without such.
+  KillMatrix kills;
   /// What went wrong with the agents of each of the summaries.
   std::vector<Troubles> troubles;
   /// False if the user ended it before all of its tests were run.

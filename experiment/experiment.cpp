@@ -37,7 +37,7 @@ class Work {
         test_(test),
         chunk_(plan.order == TestOrder::chained ? std::max<std::uint64_t>(plan.tests, 1) : kChunk),
         chunks_per_cell_((plan.tests + chunk_ - 1) / chunk_),
-        cells_(plan.behaviours.size() * plan.agents.size()) {
+        cells_(plan.cells()) {
     for (Cell& cell : cells_) cell.remaining = plan.tests;
   }
 
@@ -93,8 +93,10 @@ class Work {
     std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
     const std::uint64_t first = chunk % chunks_per_cell_ * chunk_;
     const std::uint64_t last = std::min(first + chunk_, plan_.tests);
-    TestCase test_case{.behaviour = index / plan_.agents.size(),
-                       .agents = plan_.agents[index % plan_.agents.size()]};
+    const std::size_t row = index % plan_.rows();
+    TestCase test_case{.behaviour = row / plan_.agents.size(),
+                       .agents = plan_.agents[row % plan_.agents.size()],
+                       .vehicle = index / plan_.rows()};
     for (std::uint64_t number = first; number < last; ++number) {
       if (cancelled_) return false;
       test_case.number = number;
@@ -111,9 +113,11 @@ class Work {
   }
 
   void finish(Cell& cell, const TestCase& test_case) {
-    cell.summary = summarise(cell.results);
-    cell.summary->behaviour = plan_.behaviours[test_case.behaviour];
-    cell.summary->agents = test_case.agents;
+    if (test_case.vehicle == 0) {
+      cell.summary = summarise(cell.results);
+      cell.summary->behaviour = plan_.behaviours[test_case.behaviour];
+      cell.summary->agents = test_case.agents;
+    }
     std::vector<TestResult>().swap(cell.results);
   }
 
@@ -146,6 +150,12 @@ class Work {
 };
 
 }  // namespace
+
+std::size_t ExperimentPlan::cell_of(const TestCase& test) const {
+  const auto column = std::ranges::find(agents, test.agents) - agents.begin();
+  return (test.vehicle * behaviours.size() + test.behaviour) * agents.size() +
+         static_cast<std::size_t>(column);
+}
 
 ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction& test,
                                  const ProgressFunction& progress) {

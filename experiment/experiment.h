@@ -15,11 +15,13 @@
 
 namespace jaywalk {
 
-/// Which test: the index of its behaviour in the plan, the number of agents, its number from 0.
+/// Which test: the index of its behaviour in the plan, the number of agents, its number from 0, and
+/// the index of the automated vehicle (AV) that it runs with.
 struct TestCase {
   std::size_t behaviour = 0;
   std::uint32_t agents = 1;
   std::uint64_t number = 0;
+  std::size_t vehicle = 0;
 };
 
 /// Runs one test. Called from several threads at once.
@@ -38,9 +40,18 @@ struct ExperimentPlan {
   std::vector<std::uint32_t> agents;
   /// REQUIRES: at most kMaxTests.
   std::uint64_t tests = 1000;
+  /// The AVs that every test is run with; the measures are of the first.
+  std::vector<std::string> vehicles{"given"};
   TestOrder order = TestOrder::any;
   /// REQUIRES: at least 1.
   unsigned threads = 1;
+
+  /// Pairs of behaviour and number of agents, and the same for every vehicle.
+  [[nodiscard]] std::size_t rows() const { return behaviours.size() * agents.size(); }
+  [[nodiscard]] std::size_t cells() const { return rows() * vehicles.size(); }
+  /// In the order of vehicles, then behaviours, then numbers of agents. REQUIRES: a test of the
+  /// plan.
+  [[nodiscard]] std::size_t cell_of(const TestCase& test) const;
 };
 
 struct Progress {
@@ -54,8 +65,8 @@ enum class Proceed { yes, no };
 using ProgressFunction = std::function<Proceed(const Progress&)>;
 
 struct ExperimentOutcome {
-  /// The pairs of behaviour and number of agents all of whose tests are finished, in the order of
-  /// the plan. Their code lines are left to the caller.
+  /// The pairs of behaviour and number of agents all of whose tests with the first vehicle are
+  /// finished, in the order of the plan. Their code lines are left to the caller.
   std::vector<Summary> summaries;
   Progress progress;
   /// The first test (in the plan's order) that could not be run, with the reason.

@@ -47,6 +47,12 @@ double quantile(const std::vector<double>& values, double part) {
 
 }  // namespace
 
+std::vector<std::string> ids_of(const Inquiry& inquiry) {
+  std::vector<std::string> ids;
+  for (const Assertion& assertion : inquiry.assertions) ids.push_back(assertion.id);
+  return ids;
+}
+
 TestFindings assess(const Inquiry& inquiry, const Recording& recording, const Ground& ground) {
   const TestView view(recording, ground);
   TestFindings findings;

@@ -27,6 +27,8 @@ struct Inquiry {
   std::vector<SourcePtr> files;
 };
 
+[[nodiscard]] std::vector<std::string> ids_of(const Inquiry& inquiry);
+
 struct TestFindings {
   /// In the order of the assertions.
   std::vector<Judgement> judgements;

@@ -8,6 +8,7 @@ target_sources(jaywalk_experiment PRIVATE
   scenario.cpp
   scenario_actors.cpp
   scenario_av.cpp
+  scenario_defects.cpp
   scenario_parameters.cpp
   scenario_presets.cpp
   scenario_reader.cpp
@@ -15,6 +16,7 @@ target_sources(jaywalk_experiment PRIVATE
   scenario_schema.cpp
   scenario_world.cpp
   scenario_yaml.cpp
+  tested_vehicles.cpp
   trial.cpp
   trial_prepare.cpp)
 target_link_libraries(jaywalk_experiment PUBLIC jaywalk::env PRIVATE yaml-cpp)

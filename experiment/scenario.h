@@ -72,6 +72,8 @@ struct ExperimentSpec {
   /// The numbers of agents to compare, in this order.
   std::vector<std::uint32_t> agents{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20};
   std::uint64_t seed = 0;
+  /// Defects that each test is run with beside the healthy AV (kills/kills.h).
+  std::vector<VehicleDefect> defects;
   /// Tests in a generation: those of later ones believe what earlier ones covered; 0: none do.
   std::uint64_t feedback = 0;
 };

@@ -88,30 +88,9 @@ class AvReader : LayerPart {
       return;
     }
     for (const ConfigNode& item : is_list ? node.items : std::vector{node}) {
-      if (auto defect = read_defect(item)) defects.push_back(std::move(*defect));
+      if (auto defect = read_defect(item, reader_)) defects.push_back(std::move(*defect));
     }
     world().av.vehicle.defects = std::move(defects);
-  }
-
-  std::optional<VehicleDefect> read_defect(const ConfigNode& node) {
-    const auto text = reader_.text(node, "a defect as latency or latency=0.6, or a list of them");
-    if (!text) return std::nullopt;
-    if (auto defect = parse_defect(*text)) return defect;
-    const std::string name = text->substr(0, text->find('='));
-    if (const DefectModel* const model = find_defect(name)) {
-      const std::string expected =
-          model->unit.empty() ? fmt::format("'{}' alone, it has no severity", name)
-                              : fmt::format("'{}=' and a positive number of {}{}", name,
-                                            model->unit, model->unit == "%" ? " up to 100" : "");
-      reader_.unexpected(node, expected);
-      return std::nullopt;
-    }
-    std::vector<std::string> names;
-    for (const DefectModel& model : defect_models()) names.emplace_back(model.name);
-    std::string hint = did_you_mean(name, names);
-    if (hint.empty()) hint = "`jaywalk list defects` shows them";
-    reader_.error(node.origin, fmt::format("unknown defect '{}'", name), std::move(hint));
-    return std::nullopt;
   }
 
   // A model, a command, or some of the keys that say how an AV drives.

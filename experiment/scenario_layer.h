@@ -110,6 +110,13 @@ PartReader read_world, read_bands, read_map, read_crosswalks, read_obstacles, re
 void read_parameters(const ConfigNode& node, const ConfigReader& reader,
                      std::vector<ParameterSetting>& settings);
 
+/// A defect of the AV, `latency` or `latency=0.6`; nothing after reporting what is wrong.
+[[nodiscard]] std::optional<VehicleDefect> read_defect(const ConfigNode& node,
+                                                       const ConfigReader& reader);
+/// `all`, which is every defect with each of its severities; or a list, or a text with commas.
+[[nodiscard]] std::vector<VehicleDefect> read_defect_list(const ConfigNode& node,
+                                                          const ConfigReader& reader);
+
 /// Whether a text can be an atom of AgentSpeak.
 [[nodiscard]] bool is_atom(std::string_view text);
 

@@ -190,7 +190,13 @@ class LayerReader : LayerPart {
                   {"agents", method(&LayerReader::read_agent_numbers)},
                   {"seed", integer(experiment.seed, kSeeds)},
                   {"feedback", integer(experiment.feedback, kGenerations)},
+                  {"defects", method(&LayerReader::read_defects)},
               });
+  }
+
+  void read_defects(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    draft_.scenario.experiment.defects = read_defect_list(node, reader_);
   }
 
   void read_agent_numbers(const ConfigNode& node, const std::string& path) {

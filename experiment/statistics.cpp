@@ -1,12 +1,27 @@
 #include "experiment/statistics.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 namespace jaywalk {
+namespace {
+
+std::vector<double> ranks(std::span<const double> values) {
+  std::vector<double> ranks;
+  for (const double value : values) {
+    const auto below = std::ranges::count_if(values, [&](double v) { return v < value; });
+    const auto equal = std::ranges::count(values, value);
+    ranks.push_back(static_cast<double>(below) + (static_cast<double>(equal) + 1) / 2);
+  }
+  return ranks;
+}
+
+}  // namespace
 
 Sample summarise(std::span<const double> values) {
   Sample sample;
@@ -19,6 +34,19 @@ Sample summarise(std::span<const double> values) {
     sample.squares += (value - sample.mean) * (value - sample.mean);
   }
   return sample;
+}
+
+std::optional<double> rank_correlation(std::span<const double> first,
+                                       std::span<const double> second) {
+  assert(first.size() == second.size());
+  const std::vector<double> x = ranks(first);
+  const std::vector<double> y = ranks(second);
+  const Sample of_x = summarise(x);
+  const Sample of_y = summarise(y);
+  if (of_x.squares == 0 || of_y.squares == 0) return std::nullopt;
+  double products = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) products += (x[i] - of_x.mean) * (y[i] - of_y.mean);
+  return products / std::sqrt(of_x.squares * of_y.squares);
 }
 
 ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t trials,

@@ -31,6 +31,11 @@ struct Sample {
 [[nodiscard]] ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t trials,
                                                  double confidence = kConfidence);
 
+/// Spearman's coefficient of rank correlation; equal values share their ranks' mean. Nothing for
+/// fewer than two pairs, or if all values of a side are equal. REQUIRES: as many of each.
+[[nodiscard]] std::optional<double> rank_correlation(std::span<const double> first,
+                                                     std::span<const double> second);
+
 /// The interval of a mean by Student's t; none for fewer than two values.
 [[nodiscard]] std::optional<ConfidenceInterval> mean_interval(const Sample& sample,
                                                               double confidence = kConfidence);

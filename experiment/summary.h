@@ -4,6 +4,7 @@
 // measures/measures.h) is computed.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -21,6 +22,20 @@ struct TestResult {
   double cpu_us = 0;
   /// Of the whole test, in microseconds.
   double wall_us = 0;
+};
+
+/// How one test went, beside what the measures see.
+struct TestOutcome {
+  /// Of the whole test.
+  std::uint32_t ticks = 0;
+  /// Until the precondition was met, if it was.
+  std::optional<std::uint32_t> precondition_ticks;
+  /// Why the test ended: `precondition`, `collision`, `road_end`, `time_limit`.
+  std::string ended_by;
+  /// Of the first collision, if there was one, in m/s.
+  std::optional<double> impact_mps;
+
+  friend bool operator==(const TestOutcome&, const TestOutcome&) = default;
 };
 
 struct Summary {

@@ -160,6 +160,15 @@ std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) 
   return {};
 }
 
+TestOutcome outcome_of(const TrialResult& trial) {
+  const CrossingResult& of = trial.outcome;
+  TestOutcome outcome{.ticks = static_cast<std::uint32_t>(of.all_ticks)};
+  if (of.success) outcome.precondition_ticks = static_cast<std::uint32_t>(of.ticks);
+  if (of.end) outcome.ended_by = name(*of.end);
+  if (!of.collisions.empty()) outcome.impact_mps = of.collisions.front().impact_mps;
+  return outcome;
+}
+
 void TrialRunner::add_agents(const TrialInput& input) {
   if (specs_.empty() || behaviour_ != input.behaviour || agents_ != input.agents) {
     specs_ = agents_of(prepared_, input);
@@ -181,7 +190,7 @@ void TrialRunner::add_agents(const TrialInput& input) {
 
 TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& options) {
   assert(obstacle(prepared_, input).empty() && "the caller has asked for obstacles");
-  Crossing crossing(prepared_.scenario().world, prepared_.vocabulary(),
+  Crossing crossing(prepared_.world(input.vehicle), prepared_.vocabulary(),
                     start_cells(prepared_.scenario(), input), input.head_start);
   MasOptions mas_options;
   mas_options.seed = seed_for(input, Purpose::agents);

@@ -15,6 +15,8 @@
 #include "env/crossing/crossing.h"
 #include "experiment/recording.h"
 #include "experiment/scenario.h"
+#include "experiment/summary.h"
+#include "experiment/tested_vehicles.h"
 #include "experiment/troubles.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
@@ -57,6 +59,11 @@ class PreparedScenario {
   /// with copies of these (ScenarioOptions::files) it can be made again.
   [[nodiscard]] const std::vector<SourcePtr>& inputs() const { return inputs_; }
   [[nodiscard]] const CrossingVocabulary& vocabulary() const { return vocabulary_; }
+  /// The AVs that tests can be run with (tested_vehicles.h), by name, and the world with each.
+  [[nodiscard]] const std::vector<std::string>& vehicles() const { return vehicles_; }
+  [[nodiscard]] const CrossingParameters& world(std::size_t vehicle) const {
+    return worlds_[vehicle];
+  }
 
  private:
   PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
@@ -69,6 +76,8 @@ class PreparedScenario {
   std::vector<PreparedBehaviour> behaviours_;
   std::vector<PreparedBehaviour> actors_;
   std::vector<SourcePtr> inputs_;
+  std::vector<std::string> vehicles_;
+  std::vector<CrossingParameters> worlds_;
 };
 
 /// How often earlier tests have covered a bin of a situation item (situations/situations.h).
@@ -92,6 +101,8 @@ struct TrialInput {
   std::vector<CoveredBin> feedback;
   /// Cells that the AV is ahead of its start: what the test before has left over (carry_over.h).
   int head_start = 0;
+  /// Index into the prepared scenario's vehicles.
+  std::size_t vehicle = 0;
 };
 
 /// Looks at a trial as it runs: called before the first tick and after each.
@@ -128,6 +139,9 @@ struct TrialResult {
   /// CPU time that the agents spent reasoning, if measured.
   double cpu_s = 0;
 };
+
+/// What comes of it for a table of single tests.
+[[nodiscard]] TestOutcome outcome_of(const TrialResult& trial);
 
 /// Runs trials one after another, each as if it were the only one: what it has built for one is
 /// used again for the next, which with the same behaviour and number of agents costs little.

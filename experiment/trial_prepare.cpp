@@ -162,7 +162,13 @@ PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const Symb
       vocabulary_(vocabulary),
       behaviours_(std::move(behaviours)),
       actors_(std::move(actors)),
-      inputs_(std::move(inputs)) {}
+      inputs_(std::move(inputs)) {
+  for (TestedVehicle& vehicle : tested_vehicles(scenario_)) {
+    vehicles_.push_back(std::move(vehicle.name));
+    worlds_.push_back(scenario_.world);
+    worlds_.back().av.vehicle = std::move(vehicle.parameters);
+  }
+}
 
 Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenario scenario,
                                                                           Diagnostics& warnings) {

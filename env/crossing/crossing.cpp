@@ -1,6 +1,7 @@
 #include "env/crossing/crossing.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -61,6 +62,13 @@ Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabular
       origin_(zone_origin_at(parameters, head_start)) {
   result_.start = positions_;
   result_.pedestrians.resize(positions_.size());
+  result_.end = end_reason();
+}
+
+std::string_view name(EndReason reason) {
+  constexpr std::array<std::string_view, 4> kNames = {"precondition", "collision", "road_end",
+                                                      "time_limit"};
+  return kNames[static_cast<std::size_t>(reason)];
 }
 
 ActionResult Crossing::act(const ActionRequest& action) {
@@ -171,6 +179,8 @@ void Crossing::advance() {
     sweep_zone();
   }
   drive();
+  result_.all_ticks = ticks_;
+  result_.end = end_reason();
 }
 
 void Crossing::drive() {
@@ -184,21 +194,19 @@ void Crossing::drive() {
   if (av_.speed() != speed_before || zone_ahead_ != ahead_before) ++rest_number_;
 }
 
-bool Crossing::finished() const {
-  if (max_ticks_ > 0 && ticks_ >= max_ticks_) return true;
-  switch (parameters_.end) {
-    case TestEnd::precondition:
-      if (result_.success) return ticks_ >= result_.ticks + parameters_.aftermath;
-      break;
-    case TestEnd::collision:
-      if (!result_.collisions.empty()) {
-        return ticks_ >= result_.collisions.front().tick + parameters_.aftermath;
-      }
-      break;
-    case TestEnd::road:
-      break;
+std::optional<EndReason> Crossing::end_reason() const {
+  std::optional<int> begun;  // the tick of what ends the test after the aftermath
+  if (parameters_.end == TestEnd::precondition && result_.success) begun = result_.ticks;
+  if (parameters_.end == TestEnd::collision && !result_.collisions.empty()) {
+    begun = result_.collisions.front().tick;
   }
-  return origin_ >= parameters_.road_end;
+  if (begun && ticks_ >= *begun + parameters_.aftermath) {
+    return parameters_.end == TestEnd::precondition ? EndReason::precondition
+                                                    : EndReason::collision;
+  }
+  if (max_ticks_ > 0 && ticks_ >= max_ticks_) return EndReason::time_limit;
+  if (!begun && origin_ >= parameters_.road_end) return EndReason::road_end;
+  return std::nullopt;
 }
 
 int Crossing::left_over() const {

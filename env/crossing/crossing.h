@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "env/crossing/av.h"
@@ -41,12 +42,21 @@ struct SignalChange {
   SignalColour colour = SignalColour::green;
 };
 
+/// Why a test has ended.
+enum class EndReason { precondition, collision, road_end, time_limit };
+
+/// `precondition`, `collision`, `road_end` or `time_limit`.
+[[nodiscard]] std::string_view name(EndReason reason);
+
 /// What came of a test.
 struct CrossingResult {
   /// The precondition was met.
   bool success = false;
   /// The ticks that it took, until success or in all.
   int ticks = 0;
+  /// Those of the whole test, and why it has ended; empty while it goes on.
+  int all_ticks = 0;
+  std::optional<EndReason> end;
   /// The nearest occupied cell of the zone when the precondition was met, and the zone's origin.
   std::optional<int> hit_cell;
   std::optional<int> hit_origin;
@@ -77,7 +87,7 @@ class Crossing final : public Environment {
   void perceive(AgentId agent, Percepts& percepts) const override;
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;
   void advance() override;
-  [[nodiscard]] bool finished() const override;
+  [[nodiscard]] bool finished() const override { return end_reason().has_value(); }
   [[nodiscard]] double tick_ms() const override { return parameters_.tick_s * 1000; }
 
   [[nodiscard]] const CrossingParameters& parameters() const { return parameters_; }
@@ -113,6 +123,7 @@ class Crossing final : public Environment {
  private:
   class Perceiver;
 
+  [[nodiscard]] std::optional<EndReason> end_reason() const;
   ActionResult act(const ActionRequest& action);
   ActionResult move(RoadUser& body, std::span<const Value> args);
   ActionResult show(std::size_t agent, std::span<const Value> args);

@@ -5,33 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/csv_fields.h"
 #include "experiment/measures/measures.h"
 
 namespace jaywalk {
 namespace {
-
-std::string decimal(double value) {
-  std::string text = fmt::format("{:.6f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
-void add_field(std::string& line, std::optional<double> value) {
-  line += ',';
-  if (value) line += decimal(*value);
-}
-
-/// A name as a field: in quotes if it holds a separator.
-std::string quoted(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
-  std::string field = "\"";
-  for (const char c : text) {
-    if (c == '"') field += '"';
-    field += c;
-  }
-  return field + '"';
-}
 
 std::string findings_heading(const Comparison& comparison) {
   std::string text;
@@ -59,7 +37,7 @@ std::string findings_fields(const FindingsSummary& findings) {
     text += fmt::format(",{}", metric.count);
     for (const double value : {metric.mean, metric.least, metric.lower_quartile, metric.median,
                                metric.upper_quartile, metric.greatest}) {
-      add_field(text, metric.count > 0 ? std::optional(value) : std::nullopt);
+      add_csv_field(text, metric.count > 0 ? std::optional(value) : std::nullopt);
     }
   }
   return text;
@@ -77,13 +55,13 @@ std::string to_csv(const Comparison& comparison) {
   text += findings_heading(comparison) + '\n';
   for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
     const Summary& summary = comparison.summaries[row];
-    text += fmt::format("{},{},{},{}", quoted(summary.behaviour), summary.agents, summary.tests,
+    text += fmt::format("{},{},{},{}", csv_quoted(summary.behaviour), summary.agents, summary.tests,
                         summary.successes);
     for (const Measure& measure : measures()) {
       const Estimate estimate = measure.estimate(summary);
-      add_field(text, estimate.value);
-      if (!measure.low_column.empty()) add_field(text, estimate.low);
-      if (!measure.high_column.empty()) add_field(text, estimate.high);
+      add_csv_field(text, estimate.value);
+      if (!measure.low_column.empty()) add_csv_field(text, estimate.low);
+      if (!measure.high_column.empty()) add_csv_field(text, estimate.high);
     }
     if (!comparison.findings.empty()) text += findings_fields(comparison.findings[row]);
     text += '\n';

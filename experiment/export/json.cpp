@@ -7,6 +7,7 @@
 
 #include "experiment/measures/measures.h"
 #include "experiment/published/published.h"
+#include "experiment/statistics.h"
 
 namespace jaywalk {
 namespace {
@@ -83,6 +84,49 @@ Json to_object(const Troubles& troubles) {
           {"causes", std::move(causes)}};
 }
 
+Json to_object(const KillCell& cell, const std::string& defect) {
+  const ConfidenceInterval interval = wilson_interval(cell.kills, cell.tests);
+  Json object = {{"defect", defect}, {"tests", cell.tests}, {"kills", cell.kills}};
+  add_number(object, "low", 100 * interval.low);
+  add_number(object, "high", 100 * interval.high);
+  object["first_kill"] = cell.first ? Json(*cell.first) : Json(nullptr);
+  const auto median = first_kill_median(cell);
+  object["first_kill_median"] = median ? Json(*median) : Json(nullptr);
+  return object;
+}
+
+Json to_object(const KillRow& row, const KillMatrix& matrix) {
+  Json cells = Json::array();
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    if (row.cells[i].tests > 0) cells.push_back(to_object(row.cells[i], matrix.defects[i]));
+  }
+  const auto median = first_kill_median(row);
+  return {{"behaviour", row.behaviour},
+          {"agents", row.agents},
+          {"kills", row.kills()},
+          {"kill_pct", kill_pct(row)},
+          {"defects_killed", row.killed()},
+          {"first_kill_median", median ? Json(*median) : Json(nullptr)},
+          {"healthy_failures", row.healthy_failures},
+          {"defects", std::move(cells)}};
+}
+
+Json to_object(const KillMatrix& matrix) {
+  Json rows = Json::array();
+  for (const KillRow& row : matrix.rows) rows.push_back(to_object(row, matrix));
+  Json team = Json::array();
+  for (const std::size_t row : smallest_team(matrix)) {
+    team.push_back(
+        {{"behaviour", matrix.rows[row].behaviour}, {"agents", matrix.rows[row].agents}});
+  }
+  Json alive = Json::array();
+  for (const std::size_t defect : survivors(matrix)) alive.push_back(matrix.defects[defect]);
+  return {{"defects", matrix.defects},
+          {"rows", std::move(rows)},
+          {"smallest_team", std::move(team)},
+          {"survivors", std::move(alive)}};
+}
+
 }  // namespace
 
 std::string to_json(const Comparison& comparison) {
@@ -104,6 +148,7 @@ std::string to_json(const Comparison& comparison) {
     document["published_left_out"] = comparison.published.left_out;
   }
   document["results"] = std::move(results);
+  if (!comparison.kills.empty()) document["kills"] = to_object(comparison.kills);
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

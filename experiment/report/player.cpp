@@ -139,12 +139,14 @@ void MindRecorder::plan_chosen(Agent& agent, const Plan& plan, const Event& even
 }
 
 std::string render_player(const std::string& title, const CrossingParameters& parameters,
-                          const Recording& recording, const MindRecorder& minds) {
+                          const Recording& recording, const MindRecorder& minds,
+                          const std::optional<Recording>& twin) {
   const json data{{"title", title},
                   {"tick_s", recording.tick_s()},
                   {"world", world(parameters)},
                   {"actors", actors(recording)},
                   {"scenes", scenes(recording)},
+                  {"twin", twin ? scenes(*twin) : json::array()},
                   {"events", events(recording)},
                   {"texts", minds.texts()},
                   {"minds", to_json(minds)}};

@@ -4,6 +4,7 @@
 // intends. The page needs nothing beside it and no network.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,9 +45,11 @@ class MindRecorder : public ReasoningObserver {
       chosen_;  // by the agents' numbers, in this tick
 };
 
-/// The page of one test. `title` is shown above it.
+/// The page of one test. `title` is shown above it, `twin`, the same test with the healthy AV,
+/// behind it, faintly.
 [[nodiscard]] std::string render_player(const std::string& title,
                                         const CrossingParameters& parameters,
-                                        const Recording& recording, const MindRecorder& minds);
+                                        const Recording& recording, const MindRecorder& minds,
+                                        const std::optional<Recording>& twin = {});
 
 }  // namespace jaywalk

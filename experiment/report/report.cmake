@@ -15,6 +15,7 @@ target_sources(jaywalk_experiment PRIVATE
   report/road.cpp
   report/sections/agents.cpp
   report/sections/figures.cpp
+  report/sections/kills.cpp
   report/sections/metrics.cpp
   report/sections/overview.cpp
   report/sections/places.cpp
@@ -23,4 +24,5 @@ target_sources(jaywalk_experiment PRIVATE
   report/sections/significance.cpp
   report/sections/situations.cpp
   report/sections/verdicts.cpp
+  report/side_by_side.cpp
   significance.cpp)

@@ -7,16 +7,6 @@
 namespace jaywalk::reporting {
 namespace {
 
-ExperimentPlan plan_of(const ExperimentDescription& description) {
-  ExperimentPlan plan;
-  for (const StoredBehaviour& behaviour : description.behaviours) {
-    plan.behaviours.push_back(behaviour.name);
-  }
-  plan.agents = description.agents;
-  plan.tests = description.tests;
-  return plan;
-}
-
 class DataReader {
  public:
   explicit DataReader(const ResultsReader& store)
@@ -69,7 +59,7 @@ class DataReader {
       for (const StoredTest& test : tests) table.add(in_plan(test.test), test.result);
     }
     note(store_.for_each_place("precondition", [&](const TestCase& test, double x_m, double y_m) {
-      table.add_place(in_plan(test), x_m, y_m);
+      if (test.vehicle == 0) table.add_place(in_plan(test), x_m, y_m);
     }));
     for (const Summary& summary : data_.comparison.summaries) {
       data_.facts.push_back(table.facts(behaviour_index(summary.behaviour), summary.agents));
@@ -79,6 +69,7 @@ class DataReader {
   void read_violations() {
     if (data_.comparison.assertions.empty() || !data_.prepared) return;
     note(store_.for_each_assessed([&](const TestCase& test, const std::vector<Assessment>& rows) {
+      if (test.vehicle > 0) return;
       for (const Assessment& row : rows) note_violation(test, row);
     }));
     // Those of files, if there are any, take the place of the scenario's.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/report/kill_table.h"
 #include "experiment/report/table.h"
 
 namespace jaywalk {
@@ -81,7 +82,8 @@ std::string render_metrics(const Comparison& comparison) {
 
 std::string render_tables(const Comparison& comparison) {
   std::string text = render_table(comparison);
-  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison)}) {
+  for (const std::string& more :
+       {render_verdicts(comparison), render_metrics(comparison), render_kills(comparison)}) {
     if (!more.empty()) text += '\n' + more;
   }
   return text;

@@ -111,6 +111,7 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
                                     .behaviour_options = options.behaviours,
                                     .include = options.include,
                                     .agents = plan.agents,
+                                    .vehicles = plan.vehicles,
                                     .tests = plan.tests,
                                     .seed = seed,
                                     .tick_s = scenario.world.tick_s,
@@ -148,20 +149,40 @@ std::int64_t test_id(const ExperimentDescription& description, const TestCase& t
   const auto agents = std::ranges::find(description.agents, test.agents);
   assert(agents != description.agents.end() && "a test of the plan");
   const auto column = static_cast<std::uint64_t>(agents - description.agents.begin());
-  const std::uint64_t cell = test.behaviour * description.agents.size() + column;
+  const std::uint64_t row = test.vehicle * description.behaviours.size() + test.behaviour;
+  const std::uint64_t cell = row * description.agents.size() + column;
   return static_cast<std::int64_t>(cell * description.tests + test.number - description.first_test +
                                    1);
+}
+
+std::int64_t twin_id(const ExperimentDescription& description, TestCase test) {
+  test.vehicle = 0;
+  return test_id(description, test);
 }
 
 std::optional<TestCase> find_test(const ExperimentDescription& description, std::int64_t id) {
   if (id < 1 || description.tests == 0 || description.agents.empty()) return std::nullopt;
   const auto place = static_cast<std::uint64_t>(id - 1);
   const std::uint64_t cell = place / description.tests;
-  const std::uint64_t behaviour = cell / description.agents.size();
-  if (behaviour >= description.behaviours.size()) return std::nullopt;
-  return TestCase{.behaviour = behaviour,
+  if (cell >= cells(description)) return std::nullopt;
+  const std::uint64_t row = cell / description.agents.size();
+  return TestCase{.behaviour = row % description.behaviours.size(),
                   .agents = description.agents[cell % description.agents.size()],
-                  .number = place % description.tests + description.first_test};
+                  .number = place % description.tests + description.first_test,
+                  .vehicle = row / description.behaviours.size()};
+}
+
+ExperimentPlan plan_of(const ExperimentDescription& description) {
+  ExperimentPlan plan{
+      .agents = description.agents, .tests = description.tests, .vehicles = description.vehicles};
+  for (const StoredBehaviour& behaviour : description.behaviours) {
+    plan.behaviours.push_back(behaviour.name);
+  }
+  return plan;
+}
+
+std::uint64_t cells(const ExperimentDescription& description) {
+  return description.vehicles.size() * description.behaviours.size() * description.agents.size();
 }
 
 std::uint64_t tests_in_shard(const ExperimentDescription& description) {
@@ -189,6 +210,8 @@ std::string difference(const ExperimentDescription& left, const ExperimentDescri
            fmt::format("{}", right.first_test)},
       Fact{"the numbers of agents", list(left.agents), list(right.agents)},
       Fact{"the behaviours", names_of(left.behaviours), names_of(right.behaviours)},
+      Fact{"the vehicles", fmt::format("{}", fmt::join(left.vehicles, ",")),
+           fmt::format("{}", fmt::join(right.vehicles, ","))},
       Fact{"the scenario's options", options_of(left), options_of(right)},
       Fact{"the assertions and metrics", judging_of(left), judging_of(right)},
   };

@@ -65,6 +65,8 @@ struct ExperimentDescription {
   /// The plan: behaviours x agents x tests, numbered from `first_test`.
   std::vector<StoredBehaviour> behaviours;
   std::vector<std::uint32_t> agents;
+  /// The AVs that each of its tests is run with, by name; the first is that of the measures.
+  std::vector<std::string> vehicles{"given"};
   std::uint64_t first_test = 0;
   std::uint64_t tests = 0;
   std::uint64_t seed = 0;
@@ -92,11 +94,18 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
 /// The number under which a store keeps a test, from 1 in the order of the plan. Shards and the
 /// whole run agree on it. REQUIRES: a test of the plan.
 [[nodiscard]] std::int64_t test_id(const ExperimentDescription& description, const TestCase& test);
-/// The inverse. Nothing if the plan has no such test.
+/// That of the same test with the first vehicle.
+[[nodiscard]] std::int64_t twin_id(const ExperimentDescription& description, TestCase test);
+/// The inverse of test_id(). Nothing if the plan has no such test.
 [[nodiscard]] std::optional<TestCase> find_test(const ExperimentDescription& description,
                                                 std::int64_t id);
 
-/// How many tests its shard has in each pair of behaviour and number of agents.
+/// What was run, on one thread.
+[[nodiscard]] ExperimentPlan plan_of(const ExperimentDescription& description);
+
+/// The plan's pairs of behaviour and number of agents, for every vehicle.
+[[nodiscard]] std::uint64_t cells(const ExperimentDescription& description);
+/// How many tests its shard has in each cell.
 [[nodiscard]] std::uint64_t tests_in_shard(const ExperimentDescription& description);
 
 /// Why two stores do not belong to one experiment ("the seeds are 1 and 2"); empty if they do.

@@ -98,7 +98,7 @@ Result<MergeOutcome> merge_stores(const std::string& output,
   ExperimentDescription whole = parts.value().front().description;
   whole.shard = {};
   MergeOutcome outcome;
-  outcome.planned = whole.behaviours.size() * whole.agents.size() * whole.tests;
+  outcome.planned = cells(whole) * whole.tests;
   const auto fill = [&](Database& database) {
     const Placement placement(whole.anchor);
     create_tables(database, placement);

@@ -1,15 +1,19 @@
 #include "experiment/results/reader.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "experiment/feedback.h"
+#include "experiment/kills/kills.h"
+#include "experiment/per_test.h"
 #include "experiment/results/schema.h"
 #include "experiment/results/store_file.h"
 #include "experiment/results/stored_rows.h"
 #include "experiment/scenario_reader.h"
+#include "experiment/tested_vehicles.h"
 
 namespace jaywalk {
 namespace {
@@ -96,7 +100,7 @@ std::uint64_t ResultsReader::count() const { return impl_->count(); }
 
 bool ResultsReader::complete() const {
   const ExperimentDescription& plan = description();
-  return count() == plan.behaviours.size() * plan.agents.size() * tests_in_shard(plan);
+  return count() == cells(plan) * tests_in_shard(plan);
 }
 
 Result<std::vector<StoredTest>> ResultsReader::tests(const TestFilter& filter) const {
@@ -107,8 +111,7 @@ Result<StoredTest> ResultsReader::test(std::int64_t id) const {
   auto found = impl_->checked(read_test(impl_->database(), description(), id));
   if (!found) return std::move(found.diagnostics());
   if (found.value()) return *found.value();
-  const std::uint64_t planned =
-      description().behaviours.size() * description().agents.size() * description().tests;
+  const std::uint64_t planned = cells(description()) * description().tests;
   return store_error(path(), fmt::format("the store has no test {}", id),
                      fmt::format("it has {} of the tests 1 to {}", count(), planned));
 }
@@ -179,6 +182,13 @@ Result<TrialInput> ResultsReader::input(std::int64_t id) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
   const TestCase& wanted = stored.value().test;
+  auto scenario = prepared();
+  if (!scenario) return std::move(scenario.diagnostics());
+  const auto vehicle = find_vehicle(*scenario.value(), description().vehicles[wanted.vehicle]);
+  if (!vehicle) {
+    return store_error(path(), fmt::format("its scenario has no vehicle '{}'",
+                                           description().vehicles[wanted.vehicle]));
+  }
   const auto told = impl_->checked(read_event(impl_->database(), id, "feedback"));
   if (!told) return told.diagnostics();
   const auto ahead = impl_->checked(read_event(impl_->database(), id, "head_start"));
@@ -193,7 +203,8 @@ Result<TrialInput> ResultsReader::input(std::int64_t id) const {
                     .seed = description().seed,
                     .test = wanted.number,
                     .feedback = std::move(*feedback),
-                    .head_start = static_cast<int>(*head_start)};
+                    .head_start = static_cast<int>(*head_start),
+                    .vehicle = *vehicle};
 }
 
 Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& options) const {
@@ -220,20 +231,20 @@ Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& op
 std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) const {
   auto ids = assertion_ids();
   if (!ids) return std::move(ids.diagnostics());
-  ExperimentPlan plan{.agents = description().agents, .tests = description().tests};
-  for (const StoredBehaviour& behaviour : description().behaviours) {
-    plan.behaviours.push_back(behaviour.name);
-  }
+  const ExperimentPlan plan = plan_of(description());
   Inquiry inquiry;
   inquiry.assertions.resize(ids.value().size());
   FindingsTable table(inquiry, plan);
+  KillTable kills(plan, tests_in_shard(description()));
   bool any = false;
   auto failure = for_each_assessed([&](TestCase test, const std::vector<Assessment>& rows) {
     any = true;
     test.number -= description().first_test;
-    table.add(test, from_assessments(rows, ids.value()));
+    kills.add(test, blames_the_av(rows));
+    if (test.vehicle == 0) table.add(test, from_assessments(rows, ids.value()));
   });
   if (failure || !any) return failure;
+  comparison.kills = kills.matrix();
   comparison.assertions = std::move(ids).value();
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(plan.behaviours, summary.behaviour);
@@ -271,6 +282,28 @@ Result<Comparison> ResultsReader::comparison() const {
   // A scenario that this version cannot read any more has no published figures beside it.
   if (const auto scenario = prepared()) comparison.published = published_rows(*scenario.value());
   return comparison;
+}
+
+Result<std::string> per_test_table(const ResultsReader& store) {
+  auto tests = store.tests({.vehicle = std::nullopt});
+  if (!tests) return std::move(tests.diagnostics());
+  auto ids = store.assertion_ids();
+  if (!ids) return std::move(ids.diagnostics());
+  std::map<std::int64_t, TestFindings> findings;
+  const ExperimentDescription& description = store.description();
+  auto failure = store.for_each_assessed([&](const TestCase& test, const auto& rows) {
+    findings[test_id(description, test)] = from_assessments(rows, ids.value());
+  });
+  if (failure) return std::move(*failure);
+  PerTestTable table(plan_of(description), ids.value());
+  for (const StoredTest& each : tests.value()) {
+    TestCase test = each.test;
+    test.number -= description.first_test;
+    TestFindings& found = findings[each.id];
+    found.judgements.resize(ids.value().size());
+    table.add(test, each.outcome, found);
+  }
+  return table.csv(description.first_test);
 }
 
 }  // namespace jaywalk

@@ -24,12 +24,15 @@ struct StoredTest {
   std::int64_t id = 0;
   TestCase test;
   TestResult result;
+  TestOutcome outcome;
   /// The store has its scenes; otherwise the test is run again when they are asked for.
   bool has_scenes = false;
 };
 
 /// Which tests are wanted; empty fields: any.
 struct TestFilter {
+  /// Index into the description's vehicles; the tests of the measures unless another is named.
+  std::optional<std::size_t> vehicle = 0;
   /// Index into the description's behaviours.
   std::optional<std::size_t> behaviour;
   std::optional<std::uint32_t> agents;
@@ -100,5 +103,8 @@ class ResultsReader {
   explicit ResultsReader(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// Its tests one by one, as PerTestTable::csv has them.
+[[nodiscard]] Result<std::string> per_test_table(const ResultsReader& store);
 
 }  // namespace jaywalk

@@ -21,7 +21,7 @@ RowWriter::RowWriter(Database& database, const ExperimentDescription& descriptio
     : database_(database),
       description_(description),
       placement_(description.anchor),
-      test_(database, "INSERT INTO tests VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      test_(database, "INSERT INTO tests VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       actor_(database, "INSERT INTO actors VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       observation_(database, "INSERT INTO observations VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       event_(database, "INSERT INTO events VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -40,9 +40,12 @@ void RowWriter::write(const TestRecord& record) {
     return;
   }
   const TestResult& result = record.result;
+  const TestOutcome& outcome = record.outcome;
   test_.run(id, description_.behaviours[record.test.behaviour].name, record.test.agents,
-            record.test.number, description_.seed, result.succeeded ? 1 : 0, result.ticks,
-            number(result.score), number(result.cpu_us), number(result.wall_us),
+            description_.vehicles[record.test.vehicle], record.test.number, description_.seed,
+            outcome.ended_by, outcome.ticks, result.succeeded ? 1 : 0, outcome.precondition_ticks,
+            outcome.impact_mps ? 1 : 0, outcome.impact_mps, number(result.score),
+            number(result.cpu_us), number(result.wall_us),
             scenes ? recording.scenes() : std::size_t{0});
   write_actors(id, record);
   if (scenes) write_scenes(id, recording);

@@ -56,13 +56,16 @@ CREATE TABLE parameters (
   value TEXT NOT NULL);
 CREATE TABLE agent_numbers (
   id INTEGER PRIMARY KEY NOT NULL, agents INTEGER NOT NULL UNIQUE);
+CREATE TABLE vehicles (
+  id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL UNIQUE);
 CREATE TABLE inputs (
   id INTEGER PRIMARY KEY NOT NULL, path TEXT NOT NULL, sha256 TEXT NOT NULL,
   text TEXT NOT NULL);
 CREATE TABLE tests (
   id INTEGER PRIMARY KEY NOT NULL, behaviour TEXT NOT NULL,
-  agents INTEGER NOT NULL, number INTEGER NOT NULL, seed INTEGER NOT NULL,
-  met_precondition BOOLEAN NOT NULL, ticks INTEGER NOT NULL, score DOUBLE NOT NULL,
+  agents INTEGER NOT NULL, vehicle TEXT NOT NULL, number INTEGER NOT NULL, seed INTEGER NOT NULL,
+  ended_by TEXT NOT NULL, ticks INTEGER NOT NULL, met_precondition BOOLEAN NOT NULL,
+  precondition_ticks INTEGER, collision BOOLEAN NOT NULL, impact_mps DOUBLE, score DOUBLE NOT NULL,
   cpu_us DOUBLE NOT NULL, wall_us DOUBLE NOT NULL, scenes INTEGER NOT NULL);
 CREATE TABLE actors (
   id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL,
@@ -102,6 +105,7 @@ constexpr std::array kAttributes = {
     Layer{"behaviours", "of the plan, in its order"},
     Layer{"parameters", "of the behaviours, as the scenario sets them"},
     Layer{"agent_numbers", "of the plan, in its order"},
+    Layer{"vehicles", "that each test was run with: the first is that of the measures"},
     Layer{"inputs", "every file that the tests were made from"},
     Layer{"tests", "each test and what came of it"},
     Layer{"actors", "who took part in a test, and the agents' costs, rewards and actions"},

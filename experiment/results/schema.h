@@ -14,7 +14,7 @@
 namespace jaywalk {
 
 /// Changes with the tables. A store of another version is refused.
-inline constexpr std::int64_t kStoreVersion = 2;
+inline constexpr std::int64_t kStoreVersion = 3;
 
 /// The four bytes `GPKG` in the header of a SQLite file.
 inline constexpr std::uint32_t kGeoPackageId = 0x47504B47;

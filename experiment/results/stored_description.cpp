@@ -46,6 +46,8 @@ void write_plan(Database& database, const ExperimentDescription& description) {
   }
   Statement agents(database, "INSERT INTO agent_numbers (agents) VALUES (?)");
   for (const std::uint32_t number : description.agents) agents.run(number);
+  Statement vehicle(database, "INSERT INTO vehicles (name) VALUES (?)");
+  for (const std::string& name : description.vehicles) vehicle.run(name);
 }
 
 void read_options(Database& database, ExperimentDescription& description) {
@@ -83,12 +85,14 @@ void read_plan(Database& database, ExperimentDescription& description) {
   }
   Statement agents(database, "SELECT agents FROM agent_numbers ORDER BY id");
   while (agents.step()) description.agents.push_back(agents.integer<std::uint32_t>(0));
+  Statement vehicle(database, "SELECT name FROM vehicles ORDER BY id");
+  description.vehicles.clear();
+  while (vehicle.step()) description.vehicles.push_back(vehicle.text(0));
 }
 
 /// Whether the numbers can be reckoned with.
 bool sensible(const ExperimentDescription& description) {
-  const auto cells = static_cast<std::int64_t>(description.behaviours.size()) *
-                     static_cast<std::int64_t>(description.agents.size());
+  const auto cells = static_cast<std::int64_t>(jaywalk::cells(description));
   const Shard& shard = description.shard;
   return cells > 0 && description.tests > 0 && description.tests <= kMaxTests &&
          cells <= kMaxTestId / static_cast<std::int64_t>(description.tests) && shard.index > 0 &&

@@ -13,10 +13,22 @@ namespace jaywalk {
 namespace {
 
 constexpr std::string_view kTestColumns =
-    "SELECT id, met_precondition, ticks, score, cpu_us, wall_us, scenes FROM tests ";
+    "SELECT id, met_precondition, coalesce(precondition_ticks, ticks), score, cpu_us, wall_us, "
+    "scenes, ticks, precondition_ticks, ended_by, impact_mps FROM tests ";
 
 void damaged(Database& database, std::string_view what, std::int64_t test_id) {
   database.fail(fmt::format("the store is damaged: {} of test {}", what, test_id));
+}
+
+template <class T>
+std::optional<T> integer_or_null(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.integer<T>(column);
+}
+
+std::optional<double> real_or_null(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.real(column);
 }
 
 StoredTest test_of(Database& database, const ExperimentDescription& description,
@@ -33,6 +45,10 @@ StoredTest test_of(Database& database, const ExperimentDescription& description,
                  .cpu_us = row.real(4),
                  .wall_us = row.real(5)};
   test.has_scenes = row.number(6) > 0;
+  test.outcome = {.ticks = row.integer<std::uint32_t>(7),
+                  .precondition_ticks = integer_or_null<std::uint32_t>(row, 8),
+                  .ended_by = row.text(9),
+                  .impact_mps = real_or_null(row, 10)};
   return test;
 }
 
@@ -42,17 +58,6 @@ std::optional<ActorKind> parse_kind(std::string_view text) {
     if (name(kind) == text) return kind;
   }
   return std::nullopt;
-}
-
-template <class T>
-std::optional<T> integer_or_null(const Statement& row, int column) {
-  if (row.is_null(column)) return std::nullopt;
-  return row.integer<T>(column);
-}
-
-std::optional<double> real_or_null(const Statement& row, int column) {
-  if (row.is_null(column)) return std::nullopt;
-  return row.real(column);
 }
 
 /// A statement about the rows of one test, by their numbers.
@@ -78,6 +83,25 @@ Assessment assessment_of(Database& database, std::int64_t test_id, const Stateme
           .verdict = verdict.value_or(AssessmentVerdict::none)};
 }
 
+/// The ids that the tests of a vehicle, a behaviour, a number of agents have.
+std::pair<std::int64_t, std::int64_t> ids_of(const ExperimentDescription& description,
+                                             const TestFilter& filter) {
+  if (!filter.vehicle) return {0, kMaxTestId};
+  const auto tests = static_cast<std::int64_t>(description.tests);
+  std::int64_t width = tests * static_cast<std::int64_t>(description.agents.size());
+  std::int64_t first = 1;
+  const std::int64_t of_vehicle = width * static_cast<std::int64_t>(description.behaviours.size());
+  first += static_cast<std::int64_t>(*filter.vehicle) * of_vehicle;
+  if (!filter.behaviour) return {first, first + of_vehicle - 1};
+  first += static_cast<std::int64_t>(*filter.behaviour) * width;
+  const auto column = std::ranges::find(description.agents, filter.agents.value_or(0));
+  if (column != description.agents.end()) {
+    first += (column - description.agents.begin()) * tests;
+    width = tests;
+  }
+  return {first, first + width - 1};
+}
+
 void read_scenes(Database& database, std::int64_t test_id, Recording& recording) {
   std::vector<ActorState> scene;
   Statement row = rows_of(database, test_id, "x, y, speed, heading", "observations");
@@ -101,19 +125,7 @@ std::vector<StoredTest> read_tests(Database& database, const ExperimentDescripti
   sql +=
       "WHERE id >= ?1 AND id <= ?2 AND (?3 IS NULL OR agents = ?3) "
       "AND (?4 IS NULL OR met_precondition = ?4) ORDER BY id LIMIT ?5";
-  std::int64_t first = 0;
-  std::int64_t last = kMaxTestId;
-  if (filter.behaviour) {
-    const auto width = static_cast<std::int64_t>(description.agents.size() * description.tests);
-    first = static_cast<std::int64_t>(*filter.behaviour) * width + 1;
-    last = first + width - 1;
-    const auto column = std::ranges::find(description.agents, filter.agents.value_or(0));
-    if (column != description.agents.end()) {
-      const auto tests = static_cast<std::int64_t>(description.tests);
-      first += (column - description.agents.begin()) * tests;
-      last = first + tests - 1;
-    }
-  }
+  const auto [first, last] = ids_of(description, filter);
   std::optional<int> succeeded;
   if (filter.succeeded) succeeded = *filter.succeeded ? 1 : 0;
   Statement row(database, sql);

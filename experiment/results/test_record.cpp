@@ -24,7 +24,10 @@ std::optional<AssessmentVerdict> parse_assessment_verdict(std::string_view text)
 
 TestRecord make_test_record(const TestCase& test, const TestResult& result,
                             const TrialResult& trial, Recording recording) {
-  TestRecord record{.test = test, .result = result, .recording = std::move(recording)};
+  TestRecord record{.test = test,
+                    .result = result,
+                    .outcome = outcome_of(trial),
+                    .recording = std::move(recording)};
   for (const PedestrianOutcome& outcome : trial.outcome.pedestrians) {
     record.scores.push_back(
         {.cost = outcome.cost, .reward = outcome.reward, .actions = outcome.actions});

@@ -26,6 +26,7 @@ struct AgentScore {
 struct TestRecord {
   TestCase test;
   TestResult result;
+  TestOutcome outcome;
   /// Of the agents in their order; the agent i is the recording's actor i + 1.
   std::vector<AgentScore> scores;
   std::vector<Assessment> assessments;

@@ -33,7 +33,7 @@ std::size_t weight(const TestRecord& record) {
 
 /// Why the plan is too large to number its tests.
 std::optional<std::string> excess(const ExperimentDescription& description) {
-  const std::uint64_t cells = description.behaviours.size() * description.agents.size();
+  const std::uint64_t cells = jaywalk::cells(description);
   if (cells == 0 || description.tests == 0) return "there are no tests to store";
   if (cells <= static_cast<std::uint64_t>(kMaxTestId) / description.tests) return std::nullopt;
   return fmt::format("more than {} tests cannot be stored", kMaxTestId);
@@ -188,12 +188,12 @@ class ResultsWriter::Impl {
   }
 
   void finish_file() {
-    const std::uint64_t cells = description_.behaviours.size() * description_.agents.size();
     // A store that is complete may still be without what comes last, if it was killed just then.
     if (written_ > 0 || !is_completed(*database_)) {
       note_extents(*database_, Placement(description_.anchor));
     }
-    if (had_.count + written_ == cells * tests_in_shard(description_)) complete_tables(*database_);
+    const std::uint64_t planned = cells(description_) * tests_in_shard(description_);
+    if (had_.count + written_ == planned) complete_tables(*database_);
     // One file without a log beside it, which can be read from anywhere.
     database_->execute("PRAGMA journal_mode = DELETE");
     // Left by whoever looked at a store that was killed; nobody else has it open now.

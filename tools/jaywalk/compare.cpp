@@ -33,6 +33,15 @@ CommandHelp help() {
               {"csv", "FILE", "write the results as CSV", Written::file},
               {"json", "FILE", "write the results as JSON, the published ones with them",
                Written::file},
+              {"defects", "LIST",
+               "run each test with a healthy AV and with each of these defects\n"
+               "of it (jaywalk list defects), as latency,short-range=12, or all"},
+              {"kills", "FILE", "write which behaviours killed which defects as CSV",
+               Written::file},
+              {"per-test", "FILE",
+               "write each test as a line of CSV: how it ended, ticks until the\n"
+               "precondition, collision, impact speed, verdicts",
+               Written::file},
               {"starts", "FILE",
                "write the start cells of the largest number of agents as CSV,\n"
                "which world.spawn.cells reads",
@@ -55,6 +64,7 @@ CommandHelp help() {
           "  jaywalk compare scenarios/paper.yaml --tests 200 --agents 1,3,10 --csv out.csv\n"
           "  jaywalk compare scenarios/paper.yaml --behaviours proximity,mine.asl\n"
           "  jaywalk compare scenarios/paper.yaml --set world.spawn.choose=cell\n"
+          "  jaywalk compare scenarios/rules_of_the_road.yaml --defects all --kills kills.csv\n"
           "  jaywalk compare scenarios/paper.yaml --store paper.gpkg --resume\n"
           "  jaywalk compare scenarios/paper.yaml --store 2.gpkg --shard 2/4\n"
           "  jaywalk compare scenarios/paper.yaml --behaviours election --fail-on 'accuracy<40'\n"
@@ -107,7 +117,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
 
   const std::optional<Comparison> comparison = comparison_of(*request, collected, outcome, console);
   if (!comparison) return ExitCode::failed;
-  bool written = write_files(arguments, *request, *comparison, facts, console);
+  bool written = write_files(arguments, *request, collected, *comparison, facts, console);
   if (request->coverage != nullptr) {
     const std::string subject = coverage_subject(describe_experiment(*request, arguments), {});
     written = write_coverage(arguments, request->coverage->total(), subject, console) && written;

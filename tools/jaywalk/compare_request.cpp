@@ -45,6 +45,26 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   return options;
 }
 
+/// What keeps defects from being looked for.
+void check_defects(const Request& request, Diagnostics& diagnostics) {
+  if (request.inquiry.assertions.empty()) {
+    diagnostics.error("--defects", "without assertions nothing blames an AV",
+                      "--assertions names a file of them, as scenarios/assertions/crossing.yaml");
+  }
+  if (request.prepared->world(0).av.vehicle.model == "constant") {
+    diagnostics.error("--defects", "the AV is of the model constant: no defect shows in it",
+                      "set world.av.model to one that brakes (jaywalk list vehicles)");
+  }
+  if (request.prepared->scenario().experiment.feedback > 0) {
+    diagnostics.error("--defects", "what tests cover would be told to those with other AVs",
+                      "experiment.feedback=0 runs them without that");
+  }
+  if (request.plan.order == TestOrder::chained) {
+    diagnostics.error("--defects", "each test of this scenario needs the one before it",
+                      "set world.av.carry_over=false");
+  }
+}
+
 /// What is too large to be carried out.
 Diagnostics excesses(const Request& request) {
   Diagnostics diagnostics;
@@ -66,6 +86,12 @@ Diagnostics excesses(const Request& request) {
     diagnostics.error("--shard", "each test of this scenario needs the one before it",
                       "share out behaviours and numbers of agents instead (--behaviours, "
                       "--agents), or set world.av.carry_over=false");
+  }
+  if (request.plan.vehicles.size() > 1) {
+    check_defects(request, diagnostics);
+  } else if (request.kills) {
+    diagnostics.error("--kills", "has no meaning without defects",
+                      "--defects names them, or all; jaywalk list defects shows them");
   }
   return diagnostics;
 }
@@ -108,6 +134,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.plan.tests = options.tests.value_or(defaults.tests);
   request.plan.threads = options.threads;
   request.plan.order = test_order(request.prepared->scenario());
+  request.plan.vehicles = request.prepared->vehicles();
   for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
     request.plan.behaviours.push_back(behaviour.name);
   }
@@ -120,6 +147,8 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     request.coverage =
         std::make_unique<PlanCoverage>(*request.prepared, all_behaviours(*request.prepared, most));
   }
+  request.kills = arguments.has("kills");
+  request.per_test = arguments.has("per-test");
   request.situations = arguments.has("situations") || defaults.feedback > 0;
   return request;
 }

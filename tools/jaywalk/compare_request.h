@@ -29,6 +29,10 @@ struct Request {
   /// Null: nobody asks for it.
   std::unique_ptr<PlanCoverage> coverage;
   bool situations = false;
+  /// The kill matrix is to be written.
+  bool kills = false;
+  /// So are the single tests.
+  bool per_test = false;
 };
 
 /// Nothing after reporting what is wrong.

@@ -8,6 +8,7 @@
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"
+#include "experiment/export/kills_csv.h"
 #include "experiment/report/chart.h"
 #include "experiment/report/situation_table.h"
 #include "experiment/results/reader.h"
@@ -54,6 +55,17 @@ std::string start_cells_csv(const Request& request) {
       start_cells(request.prepared->scenario(), agents, request.seed, request.plan.tests));
 }
 
+/// The single tests, of the store if there is one; nothing after reporting why not.
+std::optional<std::string> per_test_csv(const Request& request, const Collected& collected,
+                                        Console& console) {
+  if (collected.per_test != nullptr) return collected.per_test->csv();
+  const auto store = ResultsReader::open(request.store->path);
+  const auto table = store.ok() ? per_test_table(*store.value()) : store.diagnostics();
+  if (table.ok()) return table.value();
+  console.report(table.diagnostics());
+  return std::nullopt;
+}
+
 std::optional<std::string> report_of(const Arguments& arguments, const Request& request,
                                      const Comparison& comparison,
                                      const reporting::FactsTable& facts, Console& console) {
@@ -76,6 +88,7 @@ std::optional<Comparison> comparison_of(const Request& request, const Collected&
   if (request.store) return stored_comparison(request, console);
   Comparison comparison = make_comparison(request, outcome);
   add_findings(request.inquiry, collected.findings, request.plan.behaviours, comparison);
+  comparison.kills = collected.kills.matrix();
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(request.plan.behaviours, summary.behaviour);
     comparison.troubles.push_back(collected.troubles.troubles(
@@ -89,10 +102,13 @@ bool wants_page(const Arguments& arguments) {
   return report && !report->ends_with(".svg");
 }
 
-bool write_files(const Arguments& arguments, const Request& request, const Comparison& comparison,
-                 const reporting::FactsTable& facts, Console& console) {
+bool write_files(const Arguments& arguments, const Request& request, const Collected& collected,
+                 const Comparison& comparison, const reporting::FactsTable& facts,
+                 Console& console) {
   const std::array files = {
       OutputFile{"csv", [&] { return to_csv(comparison); }},
+      OutputFile{"kills", [&] { return to_kills_csv(comparison.kills); }},
+      OutputFile{"per-test", [&] { return per_test_csv(request, collected, console); }},
       OutputFile{"json", [&] { return to_json(comparison); }},
       OutputFile{"junit", [&] { return to_junit(comparison); }},
       OutputFile{"starts", [&] { return start_cells_csv(request); }},

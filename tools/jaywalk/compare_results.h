@@ -21,8 +21,8 @@ namespace jaywalk::command::compare {
 
 /// The files that options ask for; false after reporting what could not be written.
 [[nodiscard]] bool write_files(const Arguments& arguments, const Request& request,
-                               const Comparison& comparison, const reporting::FactsTable& facts,
-                               Console& console);
+                               const Collected& collected, const Comparison& comparison,
+                               const reporting::FactsTable& facts, Console& console);
 
 /// Which situations the tests covered, as a table.
 [[nodiscard]] std::string situations_of(const Request& request, const Comparison& comparison,

@@ -24,9 +24,19 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
 
 /// Its place in the plan.
 std::uint64_t number_of(const ExperimentPlan& plan, const TestCase& test) {
-  const auto agents = std::ranges::find(plan.agents, test.agents) - plan.agents.begin();
-  const std::uint64_t cell = test.behaviour * plan.agents.size() + static_cast<std::size_t>(agents);
-  return cell * plan.tests + test.number;
+  return plan.cell_of(test) * plan.tests + test.number;
+}
+
+/// Tells those who want to know of the tests with the first vehicle, which the measures are of.
+void note_measured(const Request& request, const TestCase& test, const TestResult& result,
+                   const TrialResult& trial, const Recording& recording,
+                   const Listeners& listeners) {
+  if (test.vehicle > 0) return;
+  listeners.collected.troubles.add(test, trial.troubles);
+  if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
+  if (!request.situations) return;
+  listeners.collected.situations.add(test, covered_bins(recording, request.ground));
+  if (listeners.collected.feedback) listeners.collected.feedback->finished(test);
 }
 
 /// Runs a test, finds out about it and hands it to the store, if there is one.
@@ -38,7 +48,8 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   TrialInput input{.behaviour = test.behaviour,
                    .agents = test.agents,
                    .seed = request.seed,
-                   .test = test.number};
+                   .test = test.number,
+                   .vehicle = test.vehicle};
   std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   if (feedback) {
     auto told = feedback->wait_for(test);
@@ -75,17 +86,17 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
                           .score = trial.outcome.score(),
                           .cpu_us = trial.cpu_s * 1e6,
                           .wall_us = wall.count()};
-  listeners.collected.troubles.add(test, trial.troubles);
+  note_measured(request, test, result, trial, recording, listeners);
   std::vector<Assessment> assessments;
+  TestFindings found;
   if (asks(request.inquiry)) {
-    const TestFindings found = assess(request.inquiry, recording, request.ground);
-    listeners.collected.findings.add(test, found);
+    found = assess(request.inquiry, recording, request.ground);
+    if (test.vehicle == 0) listeners.collected.findings.add(test, found);
+    listeners.collected.kills.add(test, blames_the_av(found));
     if (store != nullptr) assessments = to_assessments(request.inquiry, found);
   }
-  if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
-  if (request.situations) {
-    listeners.collected.situations.add(test, covered_bins(recording, request.ground));
-    if (feedback) feedback->finished(test);
+  if (PerTestTable* const table = listeners.collected.per_test.get()) {
+    table->add(test, outcome_of(trial), found);
   }
   if (store != nullptr) {
     TestRecord record = make_test_record(test, result, trial, std::move(recording));
@@ -129,9 +140,8 @@ bool follows(const StoredTest& test, const StoredTest& next) {
 Selection::Selection(const Request& request, const ResultsWriter* store)
     : store_(store), shard_(request.store ? request.store->shard : Shard{}) {
   const ExperimentPlan& plan = request.plan;
-  const std::uint64_t cells = plan.behaviours.size() * plan.agents.size();
   const std::uint64_t each = (plan.tests + shard_.count - shard_.index) / shard_.count;
-  wanted_ = cells * each - (store != nullptr ? store->had() : 0);
+  wanted_ = plan.cells() * each - (store != nullptr ? store->had() : 0);
 }
 
 ExperimentOutcome run_selection(const Request& request, const Selection& selection,

@@ -3,10 +3,13 @@
 // The tests of `compare` as they are run: which ones, what is found out about each, and who is
 // told.
 
+#include <memory>
 #include <optional>
 
 #include "experiment/carry_over.h"
 #include "experiment/feedback.h"
+#include "experiment/kills/kills.h"
+#include "experiment/per_test.h"
 #include "experiment/report/facts.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/compare_request.h"
@@ -17,15 +20,24 @@ namespace jaywalk::command::compare {
 /// What is collected while tests run, beside their results.
 struct Collected {
   explicit Collected(const Request& request)
-      : findings(request.inquiry, request.plan), troubles(request.plan), situations(request.plan) {
+      : findings(request.inquiry, request.plan),
+        kills(request.plan, request.plan.tests),
+        troubles(request.plan),
+        situations(request.plan) {
     const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
     if (generation > 0) feedback.emplace(request.plan, generation, situations);
+    if (request.per_test && !request.store) {
+      per_test = std::make_unique<PerTestTable>(request.plan, ids_of(request.inquiry));
+    }
     if (request.plan.order == TestOrder::chained) carry_over.emplace(request.plan);
   }
 
   FindingsTable findings;
+  KillTable kills;
   TroublesTable troubles;
   SituationTable situations;
+  /// Empty: nobody asks for it.
+  std::unique_ptr<PerTestTable> per_test;
   std::optional<CoverageFeedback> feedback;
   std::optional<CarryOver> carry_over;
 };

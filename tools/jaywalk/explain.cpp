@@ -7,6 +7,7 @@
 #include "experiment/plan_coverage.h"
 #include "experiment/report/explanation_json.h"
 #include "experiment/report/replay_page.h"
+#include "experiment/report/side_by_side.h"
 #include "interpreter/explain/explanation.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/output_files.h"
@@ -49,6 +50,80 @@ bool has_agent(const ResultsReader& store, const StoredTest& test, const std::st
   return false;
 }
 
+/// What was chosen in a tick, by whom and for which event.
+std::vector<std::string> choices(const std::vector<Deliberation>& all, std::uint32_t tick) {
+  std::vector<std::string> texts;
+  for (const Deliberation& each : all) {
+    if (each.tick != tick) continue;
+    const TriedPlan* chosen = each.chosen();
+    texts.push_back(
+        fmt::format("{} {} {}", each.agent, each.event, chosen == nullptr ? "" : chosen->where));
+  }
+  return texts;
+}
+
+/// The first tick in which the agents decide otherwise; nothing if they never do.
+std::optional<std::uint32_t> first_other_choice(const std::vector<Deliberation>& healthy,
+                                                const std::vector<Deliberation>& defective) {
+  std::uint32_t last = 0;
+  for (const Deliberation& each : defective) last = std::max(last, each.tick);
+  for (const Deliberation& each : healthy) last = std::max(last, each.tick);
+  for (std::uint32_t tick = 0; tick <= last; ++tick) {
+    if (choices(healthy, tick) != choices(defective, tick)) return tick;
+  }
+  return std::nullopt;
+}
+
+std::string in_tick(const std::vector<Deliberation>& all, std::uint32_t tick) {
+  std::vector<Deliberation> of_tick;
+  for (const Deliberation& each : all) {
+    if (each.tick == tick) of_tick.push_back(each);
+  }
+  const std::string text = explanation_text(of_tick);
+  return text.empty() ? "no deliberation\n" : text;
+}
+
+/// What the test blames the AV for, a line for each assertion.
+Result<std::string> failures(const ResultsReader& store, const StoredTest& test,
+                             std::string_view name) {
+  const auto assessments = store.assessments(test.id);
+  if (!assessments.ok()) return assessments.diagnostics();
+  std::string text;
+  for (const Assessment& each : assessments.value()) {
+    if (each.verdict != AssessmentVerdict::fail) continue;
+    text += fmt::format("{} fails {}", name, each.id);
+    if (each.tick) text += fmt::format(" in tick {}", *each.tick);
+    text += '\n';
+  }
+  return text;
+}
+
+/// A test with a defect beside the same test of the healthy AV.
+Result<std::string> both_runs(const ResultsReader& store, const StoredTest& test,
+                              const ExplainingObserver::Wanted& wanted) {
+  const auto own = store.recording(test.id);
+  if (!own.ok()) return own.diagnostics();
+  const auto healthy = twin_recording(store, test);
+  if (!healthy.ok()) return healthy.diagnostics();
+  const std::string& name = store.description().vehicles[test.test.vehicle];
+  const auto failed = failures(store, test, name);
+  if (!failed.ok()) return failed.diagnostics();
+  std::string text = failed.value() + side_by_side(*healthy.value(), own.value(), name);
+
+  StoredTest twin = test;
+  twin.id = twin_id(store.description(), test.test);
+  const auto theirs = deliberations(store, twin, wanted);
+  if (!theirs.ok()) return theirs.diagnostics();
+  const auto ours = deliberations(store, test, wanted);
+  if (!ours.ok()) return ours.diagnostics();
+  const auto tick = first_other_choice(theirs.value(), ours.value());
+  if (!tick) return text + "\nthe agents decide alike in both\n";
+  text += fmt::format("\nthe agents decide otherwise from tick {} on\n", *tick);
+  text += fmt::format("\n--- healthy\n\n{}", in_tick(theirs.value(), *tick));
+  text += fmt::format("\n--- {}\n\n{}", name, in_tick(ours.value(), *tick));
+  return text;
+}
+
 }  // namespace
 
 CommandHelp help() {
@@ -59,7 +134,9 @@ CommandHelp help() {
           "deliberations the plans that were relevant, which of them were applicable, on\n"
           "which condition the contexts of the others failed and with which bindings, what\n"
           "was chosen, and where the beliefs came from. The test is run again from what the\n"
-          "store has of it, so ordinary runs pay nothing for it.\n",
+          "store has of it, so ordinary runs pay nothing for it. With --defect the runs of the\n"
+          "healthy and of the defective AV stand side by side from the tick in which they part,\n"
+          "then what the agents decided where they first decided otherwise.\n",
       .options =
           {
               {"agent", "NAME", "of this agent only, as p1"},
@@ -68,7 +145,8 @@ CommandHelp help() {
           },
       .examples =
           "  jaywalk explain runs.gpkg --test 7\n"
-          "  jaywalk explain runs.gpkg --test 7 --agent p1 --tick 4\n"};
+          "  jaywalk explain runs.gpkg --test 7 --agent p1 --tick 4\n"
+          "  jaywalk explain kills.gpkg --defect latency=0.3\n"};
   help.options.insert(help.options.begin(), kStoredTestOptions.begin(), kStoredTestOptions.end());
   return help;
 }
@@ -88,6 +166,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto test = find_stored_test(*store, arguments, console);
   if (!test) return ExitCode::usage;
   if (wanted.agent && !has_agent(*store, *test, *wanted.agent, console)) return ExitCode::usage;
+  if (test->test.vehicle > 0 && !arguments.has("json")) {
+    const auto text = both_runs(*store, *test, wanted);
+    if (text.ok()) console.print(fmt::format("{}\n\n{}", name_of(*store, *test), text.value()));
+    if (!text.ok()) console.report(text.diagnostics());
+    return text.ok() ? ExitCode::success : ExitCode::failed;
+  }
   const auto found = deliberations(*store, *test, wanted);
   if (!found.ok()) {
     console.report(found.diagnostics());

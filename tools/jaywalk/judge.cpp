@@ -7,6 +7,7 @@
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"
+#include "experiment/report/kill_table.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/command.h"
@@ -93,9 +94,10 @@ struct Outcome {
 };
 
 /// Looks at every test of the store.
-Outcome judge_all(const Request& request, bool keep, FindingsTable& table, Console& console) {
+Outcome judge_all(const Request& request, bool keep, FindingsTable& table, KillTable& kills,
+                  Console& console) {
   Outcome outcome;
-  const auto tests = request.store->tests();
+  const auto tests = request.store->tests({.vehicle = std::nullopt});
   if (!tests) {
     console.report(tests.diagnostics());
     return {.code = ExitCode::failed};
@@ -116,7 +118,8 @@ Outcome judge_all(const Request& request, bool keep, FindingsTable& table, Conso
     const TestFindings findings = assess(request.inquiry, recording.value(), on);
     TestCase test = stored.test;
     test.number -= request.store->description().first_test;
-    table.add(test, findings);
+    if (test.vehicle == 0) table.add(test, findings);
+    kills.add(test, blames_the_av(findings));
     if (keep) {
       outcome.assessments.emplace_back(stored.id, to_assessments(request.inquiry, findings));
     }
@@ -197,15 +200,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!request) return ExitCode::usage;
   if (request->test) return judge_one(*request, arguments, console);
 
-  ExperimentPlan plan;
-  for (const StoredBehaviour& behaviour : request->store->description().behaviours) {
-    plan.behaviours.push_back(behaviour.name);
-  }
-  plan.agents = request->store->description().agents;
-  plan.tests = request->store->description().tests;
+  const ExperimentPlan plan = plan_of(request->store->description());
+  KillTable kills(plan, tests_in_shard(request->store->description()));
   FindingsTable table(request->inquiry, plan);
   const bool keep = arguments.has("write");
-  const Outcome outcome = judge_all(*request, keep, table, console);
+  const Outcome outcome = judge_all(*request, keep, table, kills, console);
   if (outcome.code != ExitCode::success) return outcome.code;
   auto comparison = request->store->comparison();
   if (!comparison) {
@@ -213,6 +212,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::failed;
   }
   add_findings(request->inquiry, table, plan.behaviours, comparison.value());
+  comparison.value().kills = kills.matrix();
   request->store.reset();
 
   bool written =
@@ -224,7 +224,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   };
   written = write_outputs(arguments, outputs, console) && written;
   if (prints_table(arguments)) {
-    console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()));
+    console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()) +
+                  render_kills(comparison.value()));
   }
   const bool failed = report_failures(request->conditions, comparison.value(), console);
   return failed || !written ? ExitCode::failed : ExitCode::success;

@@ -49,8 +49,10 @@ ExitCode write_pictures(const ResultsReader& store, const StoredTest& test,
                         const ReplayWishes& wanted, const Arguments& arguments, Console& console) {
   const auto prepared = store.prepared();
   const auto recording = store.recording(test.id);
+  const auto twin = twin_recording(store, test);
   for (const Diagnostics* wrong : {prepared.ok() ? nullptr : &prepared.diagnostics(),
-                                   recording.ok() ? nullptr : &recording.diagnostics()}) {
+                                   recording.ok() ? nullptr : &recording.diagnostics(),
+                                   twin.ok() ? nullptr : &twin.diagnostics()}) {
     if (wrong == nullptr) continue;
     console.report(*wrong);
     return ExitCode::failed;
@@ -58,7 +60,7 @@ ExitCode write_pictures(const ResultsReader& store, const StoredTest& test,
   const auto tick = tick_of(recording.value(), wanted, console);
   if (!tick) return ExitCode::usage;
   const picture::TestPicture picture(name_of(store, test), prepared.value()->scenario().world,
-                                     recording.value());
+                                     recording.value(), twin.value() ? &*twin.value() : nullptr);
   bool written = true;
   if (const auto path = arguments.text("png")) {
     written = write(*path, picture.draw(*tick).png(), console);

@@ -21,8 +21,12 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
       behaviour = located(behaviour);
     }
   }
+  std::vector<std::string> sets = arguments.texts("set");
+  if (const auto defects = arguments.text("defects")) {
+    sets.push_back("experiment.defects=" + *defects);
+  }
   return {.preset = arguments.text("preset"),
-          .sets = arguments.texts("set"),
+          .sets = std::move(sets),
           .behaviours = std::move(behaviours),
           .files = std::move(include_path.files),
           .include = {std::move(include_path.folders), std::move(include_path.mapped)}};

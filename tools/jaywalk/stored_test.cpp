@@ -1,6 +1,11 @@
 #include "tools/jaywalk/stored_test.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+
+#include "env/vehicle/defects.h"
+#include "experiment/kills/kills.h"
 
 namespace jaywalk {
 
@@ -17,19 +22,45 @@ std::unique_ptr<ResultsReader> open_results(const Arguments& arguments, std::str
   return nullptr;
 }
 
+namespace {
+
+/// The vehicle that --defect names; nothing after adding an error.
+std::optional<std::size_t> wanted_vehicle(const ResultsReader& store, const Arguments& arguments,
+                                          Diagnostics& diagnostics) {
+  const auto name = arguments.text("defect");
+  if (!name) return 0;
+  const std::vector<std::string>& all = store.description().vehicles;
+  const auto parsed = parse_defect(*name);
+  const std::string wanted = parsed ? text_of(*parsed) : *name;
+  const auto found = std::ranges::find(all, wanted);
+  if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
+  diagnostics.error("--defect", fmt::format("no test of the store is with '{}'", wanted),
+                    did_you_mean(wanted, all));
+  return std::nullopt;
+}
+
+/// Whether the test is what the options leave open: one that kills, or met the precondition.
+bool is_worth_seeing(const ResultsReader& store, const StoredTest& test) {
+  if (test.test.vehicle == 0) return test.result.succeeded;
+  const auto own = store.assessments(test.id);
+  const auto healthy = store.assessments(twin_id(store.description(), test.test));
+  return own.ok() && healthy.ok() && blames_the_av(own.value()) && !blames_the_av(healthy.value());
+}
+
+}  // namespace
+
 std::optional<StoredTest> find_stored_test(const ResultsReader& store, const Arguments& arguments,
                                            Console& console) {
   Diagnostics diagnostics;
   const auto number = arguments.number("test", 0, diagnostics);
   const auto agents = arguments.number("agents", 1, diagnostics);
   const auto behaviour = arguments.text("behaviour");
+  const auto vehicle = wanted_vehicle(store, arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
     return std::nullopt;
   }
-  TestFilter filter;
-  if (!number) filter.succeeded = true;
-  const auto tests = store.tests(filter);
+  const auto tests = store.tests({.vehicle = vehicle});
   if (!tests.ok()) {
     console.report(tests.diagnostics());
     return std::nullopt;
@@ -37,11 +68,14 @@ std::optional<StoredTest> find_stored_test(const ResultsReader& store, const Arg
   for (const StoredTest& each : tests.value()) {
     const std::string& name = store.description().behaviours[each.test.behaviour].name;
     if (number.value_or(each.test.number) == each.test.number &&
-        agents.value_or(each.test.agents) == each.test.agents && behaviour.value_or(name) == name) {
+        agents.value_or(each.test.agents) == each.test.agents && behaviour.value_or(name) == name &&
+        (number || is_worth_seeing(store, each))) {
       return each;
     }
   }
-  console.error("the store has no such test", "without --test, one that met the precondition");
+  console.error("the store has no such test", vehicle == 0
+                                                  ? "without --test, one that met the precondition"
+                                                  : "without --test, one that kills the defect");
   return std::nullopt;
 }
 

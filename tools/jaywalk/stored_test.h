@@ -16,6 +16,9 @@ inline constexpr std::array kStoredTestOptions = {
     OptionSpec{"test", "N", "the test's number (default: the first that met the precondition)"},
     OptionSpec{"agents", "N", "with this number of agents"},
     OptionSpec{"behaviour", "NAME", "of this behaviour"},
+    OptionSpec{"defect", "NAME",
+               "with this defect of the AV, beside the same test of the healthy\n"
+               "one (without --test: the first that kills it)"},
 };
 
 /// The store named by the only operand; null after reporting what is wrong.

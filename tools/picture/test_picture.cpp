@@ -51,8 +51,8 @@ Colour faded(Colour colour) {
 }  // namespace
 
 TestPicture::TestPicture(std::string title, const CrossingParameters& world,
-                         const Recording& recording)
-    : title_(std::move(title)), world_(world), recording_(recording) {
+                         const Recording& recording, const Recording* twin)
+    : title_(std::move(title)), world_(world), recording_(recording), twin_(twin) {
   const Grid size = grid(world);
   length_m_ = size.cells * world.cell_m;
   breadth_m_ = size.rows * world.cell_m;
@@ -142,6 +142,19 @@ void TestPicture::draw_actor(Canvas& canvas, std::size_t actor, std::size_t tick
   }
 }
 
+void TestPicture::draw_twin(Canvas& canvas, std::size_t tick, double left_m) const {
+  if (twin_ == nullptr) return;
+  const auto own = recording_.scene(tick);
+  const auto other = twin_->scene(std::min(tick, twin_->scenes() - 1));
+  for (std::size_t actor = 0; actor < own.size(); ++actor) {
+    if (own[actor].x_m == other[actor].x_m && own[actor].y_m == other[actor].y_m) continue;
+    const Actor& who = recording_.actors()[actor];
+    canvas.box(place(other[actor].x_m, other[actor].y_m, left_m),
+               std::max(8.0, who.length_m * scale_), std::max(5.0, who.width_m * scale_),
+               std::numbers::pi / 2 - other[actor].heading_rad, faded(actor == 0 ? kAv : kOther));
+  }
+}
+
 void TestPicture::draw_scale(Canvas& canvas, double left_m) const {
   const double bottom = kTop + breadth_m_ * scale_;
   const double step = shown_m_ > 60 ? 20 : shown_m_ > 15 ? 5 : 1;
@@ -172,6 +185,7 @@ Canvas TestPicture::draw(std::size_t tick) const {
   const double left_m = left_at(tick);
   Canvas canvas(kWidth, static_cast<int>(std::ceil(kTop + breadth_m_ * scale_ + kBottom)), kPaper);
   draw_ground(canvas, left_m);
+  draw_twin(canvas, tick, left_m);
   for (std::size_t actor = recording_.actors().size(); actor > 0; --actor) {
     draw_actor(canvas, actor - 1, tick, left_m);
   }

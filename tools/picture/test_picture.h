@@ -13,8 +13,10 @@ namespace jaywalk::picture {
 
 class TestPicture {
  public:
-  /// All must outlive it. `title` stands above.
-  TestPicture(std::string title, const CrossingParameters& world, const Recording& recording);
+  /// All must outlive it. `title` stands above, `twin`, the same test with the healthy AV, behind,
+  /// faintly; null: there is none.
+  TestPicture(std::string title, const CrossingParameters& world, const Recording& recording,
+              const Recording* twin = nullptr);
 
   /// REQUIRES: a tick that the recording has.
   [[nodiscard]] Canvas draw(std::size_t tick) const;
@@ -22,6 +24,8 @@ class TestPicture {
  private:
   void draw_ground(Canvas& canvas, double left_m) const;
   void draw_actor(Canvas& canvas, std::size_t actor, std::size_t tick, double left_m) const;
+  /// Who is elsewhere in the twin.
+  void draw_twin(Canvas& canvas, std::size_t tick, double left_m) const;
   void draw_scale(Canvas& canvas, double left_m) const;
   [[nodiscard]] std::string happened(std::size_t tick) const;
   /// Where the shown part begins.
@@ -31,6 +35,7 @@ class TestPicture {
   std::string title_;
   const CrossingParameters& world_;
   const Recording& recording_;
+  const Recording* twin_;
   double length_m_ = 0;
   double breadth_m_ = 0;
   double shown_m_ = 0;

@@ -25,6 +25,10 @@ std::string facts_of(const ReportData& data) {
   list += term("numbers of agents", fmt::format("{}", fmt::join(agents_of(comparison), ", ")));
   list += term("tests", fmt::format("{} for each behaviour and number of agents, {} in all",
                                     grouped(comparison.tests), grouped(tests)));
+  if (!comparison.kills.empty()) {
+    list += term("AVs", fmt::format("each of these tests with the healthy AV and with {} of it",
+                                    plural(comparison.kills.defects.size(), "defect")));
+  }
   list += term("seed", std::to_string(comparison.seed));
   const Shard& shard = data.description.shard;
   if (shard.count > 1) list += term("shard", fmt::format("{} of {}", shard.index, shard.count));

@@ -59,7 +59,7 @@ TEST_F(Damage, OfFilesThatAreNoStores) {
 TEST_F(Damage, OfStoresOfAnotherVersion) {
   write(file("a.gpkg"), description(), cases());
   run_sql(file("a.gpkg"), "UPDATE versions SET version = '99' WHERE subject = 'store'");
-  expect_refused(file("a.gpkg"), "its tables have version 99, this jaywalk knows version 2");
+  expect_refused(file("a.gpkg"), "its tables have version 99, this jaywalk knows version 3");
 }
 
 TEST_F(Damage, OfATestThatThePlanDoesNotHave) {

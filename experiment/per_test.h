@@ -1,0 +1,45 @@
+#pragma once
+
+// The tests of a comparison one by one, for whoever wants to reckon with them: how each ended, when
+// its precondition was met, whether the AV hit somebody, the verdicts.
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "experiment/experiment.h"
+#include "experiment/findings.h"
+#include "experiment/summary.h"
+
+namespace jaywalk {
+
+/// Collects from several threads; what it holds depends on the tests alone.
+class PerTestTable {
+ public:
+  /// `assertions`: their ids, in the order of the verdicts.
+  PerTestTable(const ExperimentPlan& plan, std::vector<std::string> assertions);
+
+  /// REQUIRES: a test of the plan, numbered from 0; each once.
+  void add(const TestCase& test, const TestOutcome& outcome, const TestFindings& findings);
+
+  /// A header line and a line for each test, in the order of the plan. Columns: behaviour, agents,
+  /// vehicle (only if there are several), test (from `first_test`), ended_by, ticks,
+  /// precondition_ticks (empty: not met), collision (0, 1), impact_mps (empty: none), and each
+  /// assertion's verdict. REQUIRES: nobody adds meanwhile.
+  [[nodiscard]] std::string csv(std::uint64_t first_test = 0) const;
+
+ private:
+  struct Row {
+    TestCase test;
+    TestOutcome outcome;
+    std::vector<Verdict> verdicts;
+  };
+  [[nodiscard]] std::string line(const Row& row, std::uint64_t first_test) const;
+
+  ExperimentPlan plan_;
+  std::vector<std::string> assertions_;
+  std::mutex mutex_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace jaywalk

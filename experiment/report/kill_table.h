@@ -1,0 +1,14 @@
+#pragma once
+
+// The kill matrix for the terminal: what each behaviour kills, and who kills each defect.
+
+#include <string>
+
+#include "experiment/comparison.h"
+
+namespace jaywalk {
+
+/// Plain text; empty if no defects were looked for.
+[[nodiscard]] std::string render_kills(const Comparison& comparison);
+
+}  // namespace jaywalk
