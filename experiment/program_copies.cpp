@@ -18,6 +18,13 @@ Diagnostics cannot_write(const std::string& path) {
   return diagnostics;
 }
 
+// Two commands may name the same program.
+void add_once(std::vector<SourcePtr>& sources, const SourcePtr& program) {
+  const bool is_there = std::ranges::any_of(
+      sources, [&](const SourcePtr& each) { return each->name() == program->name(); });
+  if (!is_there) sources.push_back(program);
+}
+
 bool is_as_it_was(const Source& kept) {
   std::error_code error;
   if (!fs::is_regular_file(kept.name(), error)) return false;
@@ -62,10 +69,7 @@ Result<std::shared_ptr<const ProgramCopies>> keep_programs(
       if (!files.has(word)) continue;
       const auto program = files.read(word);
       if (!program.ok()) continue;  // no text, as the interpreter itself
-      const auto has_its_name = [&](const SourcePtr& s) {
-        return s->name() == program.value()->name();
-      };
-      if (std::ranges::none_of(sources, has_its_name)) sources.push_back(program.value());
+      add_once(sources, program.value());
       if (is_as_it_was(*program.value())) continue;
       if (!copies) copies = std::make_shared<ProgramCopies>();
       auto copy = copies->add(*program.value());
