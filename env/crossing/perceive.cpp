@@ -127,6 +127,9 @@ class Crossing::Perceiver {
       }
       first = last + 1;
     }
+    for (const Obstacle& each : parameters.obstacles) {
+      add(obstacle, each.rows.first, each.rows.last, each.cells.first, each.cells.last);
+    }
     add(tick_length, parameters.tick_s);
     add(cell_length, parameters.cell_m);
   }

@@ -37,6 +37,8 @@ inline constexpr PerceptNeed signals{
           world.crosswalks.begin(), world.crosswalks.end(),
           [](const Crosswalk& each) { return each.kind == CrosswalkKind::signalled; });
     }};
+inline constexpr PerceptNeed obstacles{
+    "world.obstacles", [](const CrossingParameters& world) { return !world.obstacles.empty(); }};
 inline constexpr PerceptNeed sight{"world.pedestrians.sight", [](const CrossingParameters& world) {
                                      return world.pedestrians.sight > 0;
                                    }};

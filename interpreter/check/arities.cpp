@@ -48,11 +48,18 @@ void beliefs(Checking& checking, CheckedFile& file) {
 void actions(Checking& checking, CheckedFile& file) {
   if (!checking.vocabulary().environment_known) return;
   for (const Node* action : file.uses.actions) {
-    const Vocabulary::Entry* const known = entry_of(checking.vocabulary().actions, action->text);
-    if (known == nullptr || takes(*known, arity_of(*action))) continue;
-    checking.warn(file, action->span,
-                  fmt::format("the action '{}' has {}, not {}", action->text, counted(*known),
-                              arity_of(*action)));
+    const int arity = arity_of(*action);
+    std::set<int> known;  // `move(Way)` and `move(Way,Cells)` are two
+    bool taken = false;
+    for (const Vocabulary::Entry& entry : checking.vocabulary().actions) {
+      if (entry.name != action->text) continue;
+      known.insert({entry.least_args, entry.most_args});
+      taken = taken || takes(entry, arity);
+    }
+    if (known.empty() || taken) continue;
+    checking.warn(
+        file, action->span,
+        fmt::format("the action '{}' has {}, not {}", action->text, counted(known), arity));
   }
 }
 

@@ -149,6 +149,15 @@ TEST(Check, KnowsTheEnvironmentsActions) {
   EXPECT_EQ(warnings_of("+!go <- anything(1)."), "");
 }
 
+TEST(Check, KnowsActionsOfOneNameByAllTheirNumbersOfArguments) {
+  Vocabulary road = kRoad;
+  road.actions.push_back(
+      {.name = "move", .least_args = 2, .most_args = 2, .summary = {}, .values = {}});
+  EXPECT_EQ(warnings_of("+!go <- move(left); move(left,1).", road), "");
+  EXPECT_EQ(warnings_of("+!go <- move.", road),
+            "1: wrong-arity: the action 'move' has 1 or 2 arguments, not 0\n");
+}
+
 TEST(Check, KnowsInternalActionsAndFunctions) {
   for (const auto& [text, warnings] : {
            Row{"+!go <- .print(1); X = math.abs(-1) + 1.", ""},

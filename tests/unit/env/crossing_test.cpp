@@ -357,6 +357,8 @@ TEST_F(CrossingTest, GivesThePerceptsThatTheirNeedsSay) {
   zebra.crosswalks = {{CrosswalkKind::zebra, {30, 32}}};
   CrossingParameters signalled = bare;
   signalled.crosswalks = {{CrosswalkKind::signalled, {30, 32}}};
+  CrossingParameters parked = bare;
+  parked.obstacles = {{.rows = {2, 2}, .cells = {50, 53}}};
   CrossingParameters sight = bare;
   sight.pedestrians.sight = 50;
   CrossingParameters features = bare;
@@ -368,8 +370,8 @@ TEST_F(CrossingTest, GivesThePerceptsThatTheirNeedsSay) {
   CrossingParameters until_road_end = bare;
   until_road_end.end = TestEnd::road;
   std::set<std::string_view> seen_somewhere;
-  for (const CrossingParameters& parameters :
-       {bare, zebra, signalled, sight, features, aftermath, until_collision, until_road_end}) {
+  for (const CrossingParameters& parameters : {bare, zebra, signalled, parked, sight, features,
+                                               aftermath, until_collision, until_road_end}) {
     parameters_ = parameters;
     Crossing crossing = world({{2, 12}, {3, 40}});
     std::set<std::string> seen;
