@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -99,28 +100,36 @@ ActionError Agent::applied(ActionError error) {
 
 // Looks from the top of the stack down to the means number `floor` for a goal with a plan for its
 // failure. As in Jason, the search ends at a change of belief for whose deletion, `-b`, there are
-// plans.
+// plans; a plan for a failure, `-!g`, in whose body something below fails is tried again; if it
+// fails itself, the goal's caller comes next, or, at the bottom of its intention, the goal again.
 bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionError& error,
                          Value code, std::uint32_t line) {
+  if (intention.is_finished()) return false;
   std::size_t i = intention.stack.size();
+  // A goal without a plan is not on the stack: the topmost means only waits for it.
+  const Cursor& cursor = intention.top().cursor;
+  bool has_failed = cursor.at_end() || intention.top().step().kind != Step::Kind::achieve;
   while (i > floor) {
-    const IntendedMeans& means = intention.stack[--i];
-    if (!means.is_goal()) {
-      if (has_failure_plan(means.kind, means.trigger, means.scope.get())) return false;
-      continue;
+    const IntendedMeans& top = intention.stack[--i];
+    const bool is_failure = top.is_goal() && top.op == TriggerOperator::remove;
+    if (std::exchange(has_failed, false) && is_failure) {
+      i = std::min(top.keeps, i);  // the failed means of that goal are skipped
+      if (i > 0) continue;
     }
-    if (means.op == TriggerOperator::remove) {
-      i = std::min(means.keeps, i);  // the failed means of that goal are skipped
-      continue;
-    }
-    if (means.op != TriggerOperator::add ||
-        !has_failure_plan(means.kind, means.trigger, means.scope.get())) {
-      continue;
-    }
+    const IntendedMeans& means = intention.stack[i];
+    const bool has_plan = has_failure_plan(means.kind, means.trigger, means.scope.get());
+    if (!means.is_goal() && has_plan) return false;
+    if (!means.is_goal() || means.op == TriggerOperator::goal_state || !has_plan) continue;
     const ActionError settled = applied(error);
-    free_goal(intention, i);
-    add_event({TriggerOperator::remove, means.kind,
-               failure_literal(means.trigger, settled, code, line, &intention), &intention, i});
+    const std::size_t goal = means.op == TriggerOperator::remove ? std::min(means.keeps, i) : i;
+    free_goal(intention, goal);
+    const Event event{TriggerOperator::remove, means.kind,
+                      failure_literal(means.trigger, settled, code, line, &intention), &intention,
+                      goal};
+    // What failed before is not kept, so that a goal may be tried again without end.
+    const std::size_t kept = std::max({i, std::size_t{1}, intention.shared});
+    while (is_failure && intention.stack.size() > kept) pop_means(intention);
+    add_event(event);
     return true;
   }
   return false;
