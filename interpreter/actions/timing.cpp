@@ -65,11 +65,14 @@ Outcome wait(ActionCall& call) {
     call.unifier().undo(trail);
     wait.has_formula = true;
     wait.formula = what;
+  } else if (what.is_text()) {
+    return call.java_exception("the text is no trigger");
   } else {
-    return call.wrong_argument(0, "a time, a trigger or a formula");
+    wait.has_formula = true;  // which never comes true
+    wait.formula = Value::atom(predicates::falsity);
   }
   if (!what.is_number() && call.count() > 1) {
-    if (!call.arg(1).is_number()) return call.wrong_argument(1, "a number of milliseconds");
+    if (!call.arg(1).is_number()) return call.java_exception("the time is no number");
     ms = std::max(0.0, call.arg(1).as_number());
     if (call.count() > 2) wait.elapsed = call.arg(2);
   }
@@ -78,7 +81,7 @@ Outcome wait(ActionCall& call) {
 }
 
 Outcome at(ActionCall& call) {
-  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string like \"now +3 s\"");
+  if (!call.arg(0).is_text()) return call.java_exception("the time is no string");
   const std::string_view time = call.arg(0).text()->view();
   if (!time.starts_with("now")) {
     return call.fail("internal_action",
@@ -87,7 +90,7 @@ Outcome at(ActionCall& call) {
                                  time));
   }
   const std::optional<double> delay = parse_delay(time);
-  if (!delay) return java_exception(call, "the time of .at is no whole number");
+  if (!delay) return call.java_exception("the time of .at is no whole number");
   if (*delay == -1) {
     return call.fail("internal_action",
                      fmt::format("The time parameter ('{}') of the internal action 'at' did not "
@@ -107,7 +110,7 @@ Outcome at(ActionCall& call) {
 Outcome signal(ActionCall& call) {
   TriggerParts trigger;
   if (!read_trigger(call.arg(0), call, trigger) || !is_literal(trigger.literal)) {
-    return call.wrong_argument(0, "a trigger like {+b}");
+    return call.java_exception("the first argument is no trigger");
   }
   Value literal = call.unifier().fresh_copy(trigger.literal);
   const auto annotate = [&](Value annots) {
@@ -116,7 +119,9 @@ Outcome signal(ActionCall& call) {
         union_of(call.heap(), literal_parts(literal).annots, annots, call.symbols()));
   };
   if (!has_source(literal_parts(literal).annots)) annotate(source_self());
-  if (call.count() > 1 && text_of(call.arg(1), call.symbols()) == "type_signal") {
+  if (call.count() > 1 && call.arg(1).is_atom() &&
+      call.symbols().functor(call.arg(1).atom_id()) == "type_signal") {
+    trigger.kind = TriggerKind::belief;  // whatever was written
     const Value signal = Value::atom(call.symbols().predicate("signal", 0));
     annotate(call.heap().pair(signal, Value::empty_list()));
   }

@@ -3,9 +3,17 @@
 #include "interpreter/logic/machine.h"
 #include "interpreter/logic/univ.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/program_terms.h"
 
 namespace jaywalk {
 namespace {
+
+// A literal is equal to the body that stands for it, `achieve(a) == {!a}`; as in Jason not the
+// other way round.
+Value compared_with(Value left, Value right, Heap& heap, SymbolTable& symbols) {
+  const bool as_literal = is_literal(left) && is_form(right, Form::body);
+  return as_literal ? program_structure(heap, symbols, right) : right;
+}
 
 bool holds(Predicate relation, double a, double b) {
   switch (relation) {
@@ -91,9 +99,9 @@ bool Machine::compare_values(const Goal& goal, Value left, Value right) {
   const Value b = unifier_.apply(right);
   switch (goal.predicate) {
     case predicates::equal:
-      return equal_terms(a, b);
+      return equal_terms(a, compared_with(a, b, heap(), symbols_));
     case predicates::not_equal:
-      return !equal_terms(a, b);
+      return !equal_terms(a, compared_with(a, b, heap(), symbols_));
     default:
       break;
   }

@@ -1,6 +1,7 @@
 #include "interpreter/logic/univ.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,19 +10,29 @@
 namespace jaywalk {
 namespace {
 
-bool take_apart(Unifier& unifier, Value term, Value list) {
+bool take_apart(Unifier& unifier, Predicate predicate, std::span<const Value> args, Value annots,
+                Value list) {
   Heap& heap = unifier.heap();
   SymbolTable& symbols = unifier.symbols();
-  const LiteralParts parts = literal_parts(term);
-  const Signature signature = symbols.signature(parts.predicate);
+  const Signature signature = symbols.signature(predicate);
   std::string functor(symbols.text(signature.functor));
   if (signature.negated) functor.insert(0, "~");
   const std::array<Value, 4> whole{
       Value::atom(symbols.predicate(Signature{.functor = signature.ns})),
       Value::atom(symbols.predicate(Signature{.functor = symbols.symbol(functor)})),
-      heap.list(parts.args), parts.annots};
+      heap.list(args), annots};
   if (unifier.unify(heap.list(whole), list)) return true;
   return unifier.unify(heap.list(std::span(whole).subspan(1)), list);
+}
+
+bool take_apart(Unifier& unifier, Value literal, Value list) {
+  const LiteralParts parts = literal_parts(literal);
+  return take_apart(unifier, parts.predicate, parts.args, parts.annots, list);
+}
+
+// As in Jason a trigger shows none of its parts.
+bool take_apart_trigger(Unifier& unifier, Value literal, Value list) {
+  return take_apart(unifier, literal_parts(literal).predicate, {}, Value::empty_list(), list);
 }
 
 std::vector<Value> elements_of(Value list) {
@@ -87,6 +98,7 @@ bool unify_univ(Unifier& unifier, Value term, Value list) {
   if (is_literal(term)) return take_apart(unifier, term, list);
   if (is_program(term) && !is_form(term, Form::plan)) {
     const Value literal = program_structure(unifier.heap(), unifier.symbols(), term);
+    if (is_form(term, Form::trigger)) return take_apart_trigger(unifier, literal, list);
     return is_literal(literal) && take_apart(unifier, literal, list);
   }
   if (is_form(term, Form::plan)) {
