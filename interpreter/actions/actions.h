@@ -24,9 +24,21 @@ namespace jaywalk::actions {
 /// The elements of a list, dereferenced; what is not a list gives none.
 [[nodiscard]] std::vector<Value> elements(Value list);
 
-/// An error of the kind that in Jason is a Java exception.
-[[nodiscard]] inline Outcome java_exception(ActionCall& call, std::string message) {
-  return call.fail("unknown", std::move(message));
+/// Whether Java's cast to a Literal succeeds: in Jason structures, lists, bodies, triggers,
+/// expressions and variables are literals; numbers, strings, sets, maps and queues are none.
+[[nodiscard]] inline bool is_java_literal(Value value) {
+  return !value.is_number() && !value.is_text() && !value.is_object();
+}
+
+/// Whether Jason takes it for a literal where it asks first: not lists, expressions and variables.
+[[nodiscard]] inline bool is_jason_literal(Value value) {
+  if (is_literal(value)) return true;
+  return value.is_structure() && value.structure()->form() != Form::expression &&
+         value.structure()->form() != Form::function;
+}
+/// An atom without strong negation, which in Jason makes it a literal.
+[[nodiscard]] inline bool is_unsigned_atom(Value value) {
+  return value.is_atom() && !is_negated(value.atom_id());
 }
 
 /// The list or set in an argument as values; false if it is neither.

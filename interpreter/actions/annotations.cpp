@@ -85,7 +85,7 @@ Outcome rename_apart(ActionCall& call) {
 }
 
 Outcome get_src_info(ActionCall& call) {
-  if (!is_literal(call.arg(0))) return call.wrong_argument(0, "a literal");
+  if (!is_literal(call.arg(0))) return Outcome::failed;
   // Terms do not remember where they were written: that is told of the formula which asks.
   std::string source = call.agent()->program().name() + ".asl";
   double number = 0;

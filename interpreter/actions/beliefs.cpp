@@ -45,6 +45,7 @@ Outcome assert_belief(ActionCall& call, Place place) {
     agent->add_rule(literal, place);
     return Outcome::succeeded;
   }
+  if (!is_java_literal(literal)) return call.java_exception("the argument is no literal");
   if (!is_literal(literal)) return call.wrong_argument(0, "a ground literal (or rule).");
   const Value fact = call.unifier().fresh_copy(literal);
   const auto& customisation = agent->customisation();
@@ -106,7 +107,8 @@ Outcome belief(ActionCall& call) {
   Agent* const agent = call.agent();
   if (agent == nullptr) return Outcome::failed;
   const Value pattern = call.arg(0);
-  if (!is_pattern(pattern)) return call.wrong_argument(0, "a literal");
+  if (!is_java_literal(pattern)) return call.java_exception("the argument is no literal");
+  if (!is_pattern(pattern)) return Outcome::failed;
   std::vector<Value> found;
   for (Relation* const relation : relations_for(*agent, pattern)) {
     for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {

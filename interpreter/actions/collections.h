@@ -55,9 +55,9 @@ struct Collections {
   }
 
   static Outcome wrong(ActionCall& call) {
-    return call.wrong_argument(0, kKind == Object::Kind::set   ? "a set"
-                                  : kKind == Object::Kind::map ? "a map"
-                                                               : "a queue");
+    return call.java_exception(kKind == Object::Kind::set   ? "the first argument is no set"
+                               : kKind == Object::Kind::map ? "the first argument is no map"
+                                                            : "the first argument is no queue");
   }
 
   static Outcome create(ActionCall& call) {

@@ -44,7 +44,7 @@ bool is_usual(Symbol performative) {
 
 /// The performative that an argument names; the empty name if it does not name one.
 Symbol performative_of(Value value, SymbolTable& symbols) {
-  if (!value.is_atom()) return names::empty;
+  if (!is_unsigned_atom(value)) return names::empty;
   if (is_plain_atom(value)) {
     const Symbol functor = symbols.signature(value.atom_id()).functor;
     if (is_usual(functor)) return functor;

@@ -42,7 +42,7 @@ Outcome list_files(ActionCall& call) {
   std::string error;
   const std::optional<Regex> pattern =
       Regex::parse(result == 2 ? call.arg(1).text()->view() : std::string_view(".*"), error);
-  if (!pattern) return java_exception(call, error);
+  if (!pattern) return call.java_exception(error);
   std::vector<std::string> found;
   find_files(std::filesystem::path(call.arg(0).text()->view()), *pattern, 0, found);
   std::vector<Value> files;

@@ -284,6 +284,7 @@ Outcome resume(ActionCall& call) {
 }
 
 Outcome suspended(ActionCall& call) {
+  if (!is_jason_literal(call.arg(0))) return call.wrong_argument(0, "a literal");
   for (Intention* const intention : call.agent()->all_intentions()) {
     const std::size_t trail = call.unifier().mark();
     const bool waits = intention->is_suspended() || intention->state == Intention::State::waiting ||

@@ -15,13 +15,18 @@ namespace {
 
 Outcome extreme(ActionCall& call, int sign) {
   std::vector<Value> candidates;
-  if (call.count() == 3) {
+  std::size_t result = call.count() - 1;
+  if (const Value list = deref(call.applied(0)); list.is_list()) {
+    candidates = elements(list);
+    result = 1;
+  } else if (call.count() == 3) {
+    if (!is_java_literal(deref(call.applied(1)))) {
+      return call.java_exception("the second argument is no formula");
+    }
     call.solve(1, [&] {
       candidates.push_back(call.unifier().fresh_copy(call.applied(0)));
       return true;
     });
-  } else if (const Value list = deref(call.applied(0)); list.is_list()) {
-    candidates = elements(list);
   } else {
     return call.wrong_argument(0, "a list when two arguments are used");
   }
@@ -30,7 +35,7 @@ Outcome extreme(ActionCall& call, int sign) {
   for (const Value candidate : candidates) {
     if (compare_terms(candidate, best, call.symbols()) * sign > 0) best = candidate;
   }
-  return call.result(call.count() - 1, best);
+  return call.result(result, best);
 }
 
 // Each character of a text, as a string of its own, by its index.
@@ -184,7 +189,6 @@ Outcome nth(ActionCall& call) {
   return nth_of_all(call, std::move(characters));
 }
 
-// What is not a list is reversed as text.
 Outcome reverse(ActionCall& call) {
   const Value value = call.arg(0);
   const Value result = call.arg(1);
@@ -195,7 +199,13 @@ Outcome reverse(ActionCall& call) {
                                             value.is_list() ? "list" : "string"));
   }
   if (!value.is_list()) {
-    return call.result(1, call.heap().text(reversed_text(text_of(value, call.symbols()))));
+    if (!value.is_text()) {
+      return call.wrong_arguments(
+          fmt::format("first argument of .reverse '{}' must be a string or "
+                      "a list",
+                      term_text(value, call.symbols())));
+    }
+    return call.result(1, call.heap().text(reversed_text(value.text()->view())));
   }
   std::vector<Value> all = elements(value);
   std::reverse(all.begin(), all.end());
@@ -263,7 +273,7 @@ Outcome range(ActionCall& call) {
   const std::int64_t step = call.count() == 4 ? java_int(call.arg(3).as_number()) : 1;
   const Value x = call.arg(0);
   if (!x.is_variable()) {
-    if (!x.is_number()) return java_exception(call, "argument 1 of .range is not a number");
+    if (!x.is_number()) return call.java_exception("argument 1 of .range is not a number");
     const std::int64_t number = java_int(x.as_number());
     return when(number >= first && number <= last);
   }

@@ -15,7 +15,7 @@ Value atom_of(SymbolTable& symbols, Symbol name) {
 Outcome namespaces(ActionCall& call) {
   Agent* const agent = call.agent();
   if (agent == nullptr) return Outcome::failed;
-  if (!call.arg(0).is_atom() && !call.arg(0).is_variable()) {
+  if (!is_unsigned_atom(call.arg(0)) && !call.arg(0).is_variable()) {
     return call.wrong_argument(0, "an atom or variable.");
   }
   std::vector<Symbol> names{names::default_ns};
@@ -34,27 +34,28 @@ Outcome namespaces(ActionCall& call) {
 }
 
 Outcome namespace_set_prop(ActionCall& call) {
-  if (!call.arg(0).is_atom()) return call.wrong_argument(0, "an atom (the namespace id).");
-  if (!call.arg(1).is_atom()) return call.wrong_argument(1, "an atom, the key");
+  if (!is_unsigned_atom(call.arg(0))) return call.wrong_argument(0, "an atom (the namespace id).");
+  if (!is_java_literal(call.arg(1))) return call.java_exception("the key is no atom");
   if (call.agent() == nullptr) return Outcome::failed;
   const Symbol ns = call.symbols().signature(call.arg(0).atom_id()).functor;
   const Value value = call.unifier().fresh_copy(call.arg(2));
-  call.agent()->beliefs().set_namespace_property({ns, call.arg(1), value});
+  const Value key = call.unifier().fresh_copy(call.arg(1));
+  call.agent()->beliefs().set_namespace_property({ns, key, value});
   call.heap().protect();
   return Outcome::succeeded;
 }
 
 Outcome namespace_get_prop(ActionCall& call) {
-  if (!call.arg(0).is_atom()) return call.wrong_argument(0, "an atom (the namespace id).");
+  if (!is_unsigned_atom(call.arg(0))) return call.wrong_argument(0, "an atom (the namespace id).");
   const Value key = call.arg(1);
-  if (!key.is_atom() && !key.is_variable()) return call.wrong_argument(1, "an atom or a variable");
+  if (!is_java_literal(key)) return call.java_exception("the key is no atom");
   if (call.agent() == nullptr) return Outcome::failed;
   const Symbol ns = call.symbols().signature(call.arg(0).atom_id()).functor;
   std::vector<NamespaceProperty> found;
   for (const NamespaceProperty& property : call.agent()->beliefs().namespace_properties()) {
     if (property.ns == ns) found.push_back(property);
   }
-  if (key.is_atom()) {
+  if (!key.is_variable()) {
     const auto known = std::find_if(found.begin(), found.end(),
                                     [&](const NamespaceProperty& p) { return p.key.same_as(key); });
     if (known != found.end()) {

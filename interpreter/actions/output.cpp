@@ -121,7 +121,7 @@ Outcome print(ActionCall& call) { return print_line(call, joined(call, 0), ""); 
 Outcome println(ActionCall& call) { return print_line(call, joined(call, 0)); }
 
 Outcome printf(ActionCall& call) {
-  if (!call.arg(0).is_text()) return call.wrong_argument(0, "a string (the format)");
+  if (!call.arg(0).is_text()) return call.java_exception("the first argument is no string");
   std::vector<FormatArgument> args;
   for (std::size_t i = 1; i < call.count(); ++i) {
     args.push_back(format_argument(call.arg(i), call.symbols()));
@@ -129,7 +129,7 @@ Outcome printf(ActionCall& call) {
   std::string text;
   std::string error;
   if (!format_as_java(call.arg(0).text()->view(), args, text, error)) {
-    return java_exception(call, error);
+    return call.java_exception(error);
   }
   return print_line(call, text);
 }
@@ -148,10 +148,11 @@ Outcome puts(ActionCall& call) {
 
 Outcome log(ActionCall& call) {
   const Value level = call.arg(0);
-  if (!level.is_atom()) {
-    return call.wrong_argument(0, "an atom: severe, warning, info, fine, finer or finest");
+  if (!is_java_literal(level)) {
+    return call.java_exception("the first argument is none of severe, warning, info, fine, ...");
   }
-  const std::string_view name = call.symbols().functor(level.atom_id());
+  const std::string_view name =
+      is_literal(level) ? call.symbols().functor(predicate_of(level)) : std::string_view();
   const bool is_fine = name == "fine" || name == "finer" || name == "finest";
   const bool is_warning = name == "severe" || name == "warning";
   const int verbosity = call.agent() == nullptr ? 1 : call.agent()->settings().verbosity;
@@ -163,7 +164,7 @@ Outcome log(ActionCall& call) {
 }
 
 Outcome verbose(ActionCall& call) {
-  if (!call.arg(0).is_number()) return call.wrong_argument(0, "a number, 0, 1 or 2");
+  if (!call.arg(0).is_number()) return call.java_exception("the first argument is no number");
   if (call.agent() == nullptr) return Outcome::failed;
   ReasoningSettings settings = call.agent()->settings();
   settings.verbosity = static_cast<int>(std::clamp(call.arg(0).as_number(), 0.0, 2.0));

@@ -19,6 +19,32 @@ bool is_plan(Value value) {
   return value.is_structure() && value.structure()->form() == Form::plan;
 }
 
+// In Jason a trigger is a plan, which has no label.
+bool is_body(Value value) { return is_form(value, Form::body) || is_form(value, Form::trigger); }
+
+// The name of the class that is a term in Jason.
+std::string_view java_class(Value term) {
+  if (term.is_number()) return "NumberTermImpl";
+  if (term.is_text()) return "StringTermImpl";
+  if (term.is_variable()) return "VarTerm";
+  if (term.is_atom()) return is_unsigned_atom(term) ? "Atom" : "LiteralImpl";
+  if (term.is_list()) return "ListTermImpl";
+  if (!term.is_structure()) return "ObjectTermImpl";
+  switch (term.structure()->form()) {
+    case Form::logical:
+      return "LogExpr";
+    case Form::relation:
+      return "RelExpr";
+    case Form::expression:
+      return "ArithExpr";
+    case Form::body:
+    case Form::step:
+      return "PlanBodyImpl";
+    default:
+      return "LiteralImpl";
+  }
+}
+
 // A plan, a body that stands for a plan without body ({+!g}), a text, or a list of them.
 Outcome add(ActionCall& call, Value what, Value source, Place place) {
   if (what.is_list()) {
@@ -30,7 +56,8 @@ Outcome add(ActionCall& call, Value what, Value source, Place place) {
   }
   std::string problem;
   Value plan = what;
-  if (what.is_text()) {
+  const bool is_text = what.is_text();
+  if (is_text) {
     std::string text(what.text()->view());
     std::erase(text, '\\');
     plan = read_plan(text, call.heap(), call.symbols(), call.machine().actions(), problem);
@@ -41,25 +68,38 @@ Outcome add(ActionCall& call, Value what, Value source, Place place) {
       call.agent()->add_plan_term(plan, source, place, problem)) {
     return Outcome::succeeded;
   }
-  if (problem.empty()) problem = "not a plan: " + text_of(what, call.symbols());
+  if (is_text && plan.is_unset()) return call.java_exception(problem);
+  if (problem.empty()) {
+    return call.wrong_arguments(
+        fmt::format("The term '{}' ({}) can not be used as a plan for "
+                    ".add_plan.",
+                    term_text(what, call.symbols()), java_class(what)));
+  }
   return call.fail("internal_action", problem);
 }
 
+// A plan's label, a label, or one as text, "@p", as the book has it; unset: none of these.
 Value label_of(ActionCall& call, Value what) {
   if (is_plan(what)) return plan_parts(what).label;
-  if (!what.is_text()) return what;
-  std::string text(what.text()->view());
-  if (text.starts_with('@')) text.erase(0, 1);
-  return Value::atom(call.symbols().predicate(text, 0));
+  if (!what.is_text()) return is_java_literal(what) && !is_body(what) ? what : Value();
+  const std::string_view text = what.text()->view();
+  if (!text.starts_with('@')) return {};
+  return Value::atom(call.symbols().predicate(text.substr(1), 0));
 }
 
-void remove(ActionCall& call, Value what, Value source) {
+Outcome remove(ActionCall& call, Value what, Value source) {
   if (what.is_list()) {
-    for (const Value element : elements(what)) remove(call, element, source);
-    return;
+    for (const Value element : elements(what)) {
+      const Outcome outcome = remove(call, element, source);
+      if (outcome != Outcome::succeeded) return outcome;
+    }
+    return Outcome::succeeded;
   }
-  const Plan* const plan = call.agent()->plan_with_label(label_of(call, what));
+  const Value label = label_of(call, what);
+  if (label.is_unset()) return call.java_exception("what is to be removed is no label");
+  const Plan* const plan = call.agent()->plan_with_label(label);
   if (plan != nullptr) call.agent()->remove_plan_source(*plan, source);
+  return Outcome::succeeded;
 }
 
 bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) {
@@ -129,17 +169,15 @@ Outcome add_plan(ActionCall& call) {
   Place place = Place::back;
   if (call.count() > 2) {
     const std::string where = text_of(call.arg(2), call.symbols());
-    if (where == "begin")
-      place = Place::front;
-    else if (where != "end")
-      return call.wrong_argument(2, "begin or end");
+    if (where == "begin") place = Place::front;
   }
   return add(call, call.arg(0), source, place);
 }
 
 Outcome remove_plan(ActionCall& call) {
-  remove(call, call.arg(0), call.count() > 1 ? call.arg(1) : Value::atom(predicates::self));
-  return Outcome::succeeded;
+  const Value source = call.count() > 1 ? call.arg(1) : Value::atom(predicates::self);
+  if (!is_java_literal(source)) return call.java_exception("the source is no atom");
+  return remove(call, call.arg(0), source);
 }
 
 Outcome plan_label(ActionCall& call) {
@@ -152,6 +190,7 @@ Outcome plan_label(ActionCall& call) {
     const Value own = plan_parts(call.arg(0)).label;
     return own.is_unset() ? Outcome::failed : call.result(1, own);
   }
+  if (!call.arg(0).is_variable()) return call.java_exception("the first argument is no plan");
   std::vector<const Plan*> all;
   for (const auto& plan : call.agent()->library().plans()) all.push_back(plan.get());
   return call.many(std::make_unique<PlanSolutions>(0, 1, std::move(all)));

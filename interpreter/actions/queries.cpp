@@ -17,11 +17,13 @@ std::vector<Value> collect(ActionCall& call) {
 }  // namespace
 
 Outcome findall(ActionCall& call) {
+  if (!is_java_literal(deref(call.applied(1)))) return call.wrong_argument(1, "a formula");
   const std::vector<Value> found = collect(call);
   return call.result(2, call.heap().list(found));
 }
 
 Outcome setof(ActionCall& call) {
+  if (!is_java_literal(deref(call.applied(1)))) return call.wrong_argument(1, "a formula");
   std::vector<Value> found = collect(call);
   sort_as_set(found, call.symbols());
   return call.result(2, call.heap().list(found));
@@ -37,6 +39,9 @@ Outcome count(ActionCall& call) {
 }
 
 Outcome eval(ActionCall& call) {
+  if (!is_java_literal(deref(call.applied(1)))) {
+    return call.wrong_argument(1, "a logical formula");
+  }
   bool holds = false;
   call.solve(1, [&] {
     holds = true;

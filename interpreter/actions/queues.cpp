@@ -25,7 +25,8 @@ Outcome queue_add_all(ActionCall& call) {
   QueueObject* const queue = Queues::get(call);
   if (queue == nullptr) return Queues::wrong(call);
   std::vector<Value> all;
-  if (!collection_in(call.arg(1), all)) return call.wrong_argument(1, "a list");
+  if (!collection_in(call.arg(1), all))
+    return call.java_exception("the second argument is no list");
   for (const Value element : all) queue->add(kept(call, element), call.symbols());
   return within_limit(call, *queue);
 }

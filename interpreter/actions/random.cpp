@@ -9,7 +9,7 @@ Outcome random(ActionCall& call) {
   if (call.agent() == nullptr) return Outcome::failed;
   const bool from_list = call.arg(0).is_list();
   const std::size_t result = from_list ? 1 : 0;
-  if (call.count() <= result) return java_exception(call, ".random needs a variable");
+  if (call.count() <= result) return call.java_exception(".random needs a variable");
   if (!call.arg(result).is_variable()) return call.wrong_argument(result, "a variable.");
   std::int32_t count = 1;
   if (call.count() > result + 1) {
@@ -29,7 +29,7 @@ Outcome random(ActionCall& call) {
 }
 
 Outcome set_random_seed(ActionCall& call) {
-  if (!call.arg(0).is_number()) return call.wrong_argument(0, "a number");
+  if (!call.arg(0).is_number()) return call.java_exception("the first argument is no number");
   if (call.agent() == nullptr) return Outcome::failed;
   const double seed = call.arg(0).as_number();
   // Java's narrowing to a long.

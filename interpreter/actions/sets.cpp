@@ -15,7 +15,8 @@ bool as_set(ActionCall& call, Value value, SetObject& set) {
 
 Outcome add_elements(ActionCall& call) {
   std::vector<Value> all;
-  if (!collection_in(call.arg(1), all)) return call.wrong_argument(1, "a list or a set");
+  if (!collection_in(call.arg(1), all))
+    return call.java_exception("the second argument is neither list nor set");
   SetObject* const set = Sets::get_or_make(call);
   if (set == nullptr) return Sets::wrong(call);
   for (const Value element : all) set->add(kept(call, element), call.symbols());
@@ -26,7 +27,8 @@ Outcome keep_elements(ActionCall& call, SetObject::Keep which) {
   SetObject* const set = Sets::get_or_make(call);
   if (set == nullptr) return Sets::wrong(call);
   SetObject other;
-  if (!as_set(call, call.arg(1), other)) return call.wrong_argument(1, "a list or a set");
+  if (!as_set(call, call.arg(1), other))
+    return call.java_exception("the second argument is neither list nor set");
   set->keep(which, other, call.symbols());
   return Outcome::succeeded;
 }

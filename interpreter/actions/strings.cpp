@@ -46,9 +46,9 @@ Outcome replace_all(ActionCall& call, std::size_t result, const std::string& tex
                     const std::string& pattern, const std::string& by) {
   std::string error;
   const std::optional<Regex> regex = Regex::parse(pattern, error);
-  if (!regex) return java_exception(call, error);
+  if (!regex) return call.java_exception(error);
   const std::optional<std::string> replaced = regex->replace_all(text, by, error);
-  if (!replaced) return java_exception(call, error);
+  if (!replaced) return call.java_exception(error);
   return call.result(result, call.heap().text(*replaced));
 }
 
@@ -122,7 +122,7 @@ Outcome extract(ActionCall& call, std::size_t whole, std::size_t part) {
   const bool has_end = call.count() == 4 && call.arg(3).is_number();
   const std::int64_t end = has_end ? java_int(call.arg(3).as_number()) : length;
   if (start < 0 || end > length || start > end) {
-    return java_exception(call, "substring: the positions are out of bounds");
+    return call.java_exception("substring: the positions are out of bounds");
   }
   return call.result(part, call.heap().text(utf16_slice(text, static_cast<std::size_t>(start),
                                                         static_cast<std::size_t>(end))));
@@ -174,9 +174,13 @@ Outcome substring(ActionCall& call) {
 }
 
 Outcome replace(ActionCall& call) {
-  const SymbolTable& symbols = call.symbols();
-  return replace_all(call, 3, text_of(call.arg(0), symbols), text_of(call.arg(1), symbols),
-                     text_of(call.arg(2), symbols));
+  const Value pattern = call.arg(1);
+  const Value by = call.arg(2);
+  if (!pattern.is_text() || !by.is_text()) {
+    return call.java_exception("the expression and what comes in its place are to be strings");
+  }
+  return replace_all(call, 3, text_of(call.arg(0), call.symbols()),
+                     std::string(pattern.text()->view()), std::string(by.text()->view()));
 }
 
 Outcome lower_case(ActionCall& call) {

@@ -31,6 +31,13 @@ std::string wrong_number_of_arguments(const ActionDefinition& action) {
       class_name(action), expected);
 }
 
+bool takes(const ActionDefinition& action, std::size_t count) {
+  const auto number = static_cast<int>(count);
+  const bool not_too_many =
+      action.is_uncounted || action.most_args < 0 || number <= action.most_args;
+  return number >= action.least_args && not_too_many;
+}
+
 ActionDefinition own_action(std::string name, int least_args, int most_args,
                             std::function<Outcome(ActionCall& call)> body) {
   ActionDefinition action;
@@ -109,6 +116,12 @@ Outcome ActionCall::fail(std::string id, std::string message) {
   error().id = std::move(id);
   error().message = std::move(message);
   return Outcome::error;
+}
+
+Outcome ActionCall::java_exception(std::string message) {
+  error().annots.push_back(
+      heap().structure(symbols().predicate("error_msg", 1), std::array<Value, 1>{heap().text("")}));
+  return fail("unknown", std::move(message));
 }
 
 Outcome ActionCall::wrong_arguments(std::string_view reason) {

@@ -56,6 +56,8 @@ struct ActionDefinition {
   std::uint32_t formula_args = 0;
   /// Arguments are handed over as written, not applied.
   bool raw_args = false;
+  /// Jason does not count its arguments: too few are an exception of Java, more are passed over.
+  bool is_uncounted = false;
   /// What own_action() calls: a function object with what it needs.
   std::function<Outcome(ActionCall& call)> own;
 };
@@ -80,6 +82,8 @@ struct FunctionDefinition {
 
 /// What error_msg says when an action is called with another number of arguments.
 [[nodiscard]] std::string wrong_number_of_arguments(const ActionDefinition& action);
+/// Whether it can be called with so many.
+[[nodiscard]] bool takes(const ActionDefinition& action, std::size_t count);
 
 /// All known actions and functions, by name. Immutable once programs are compiled against it. What
 /// is added later stands before what has the same name.
@@ -143,6 +147,9 @@ class ActionCall {
   }
   /// error(id), error_msg(message).
   [[nodiscard]] Outcome fail(std::string id, std::string message);
+  /// Where Jason ends in an exception of Java: error(unknown), and error_msg is empty. `message` is
+  /// for people.
+  [[nodiscard]] Outcome java_exception(std::string message);
   /// error(wrong_arguments), in the words of Jason's own checks.
   [[nodiscard]] Outcome wrong_arguments(std::string_view reason);
   [[nodiscard]] Outcome wrong_argument(std::size_t index, std::string_view expected);

@@ -18,9 +18,7 @@ bool Machine::action(const Goal& goal) {
     return false;
   }
   auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
-  const auto count = static_cast<int>(call->count());
-  if (count < goal.action->least_args ||
-      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
+  if (!takes(*goal.action, call->count())) {
     warn(fmt::format("wrong number of arguments: {}", goal.action->signature));
     return false;
   }
@@ -70,12 +68,14 @@ Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention,
                    fmt::format("there is no internal action {}", symbols_.functor(goal.predicate)));
   }
   ActionCall call(*this, goal, slots, agent_, intention);
-  const auto count = static_cast<int>(call.count());
-  if (count < goal.action->least_args ||
-      (goal.action->most_args >= 0 && count > goal.action->most_args)) {
-    return give_up("wrong_arguments", wrong_number_of_arguments(*goal.action));
+  Outcome outcome = Outcome::error;
+  if (takes(*goal.action, call.count())) {
+    outcome = goal.action->function(call);
+  } else if (goal.action->is_uncounted) {
+    outcome = call.java_exception(wrong_number_of_arguments(*goal.action));
+  } else {
+    outcome = call.fail("wrong_arguments", wrong_number_of_arguments(*goal.action));
   }
-  Outcome outcome = goal.action->function(call);
   if (outcome == Outcome::many) {
     outcome = call.solutions->next(call) ? Outcome::succeeded : Outcome::failed;
   }

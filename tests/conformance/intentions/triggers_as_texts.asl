@@ -18,4 +18,4 @@
 // expect: 50
 // expect: alarm
 // expect: contract7
-// expect: wrong_arguments
+// expect: unknown

@@ -60,10 +60,10 @@ n::p(1).
 // expect: .namespace_get_prop ia_failed
 // expect: [0,1,2]
 // expect: [2]1
-// expect: .asserta wrong_arguments
+// expect: .asserta unknown
 // expect: [0,1,2,9]
 // expect: [9]1
-// expect: .assertz wrong_arguments
+// expect: .assertz unknown
 // expect: 0
 // expect: 11
 // expect: .abolish wrong_arguments

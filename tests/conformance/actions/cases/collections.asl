@@ -95,28 +95,28 @@
 // expect: .set.create ia_failed
 // expect: {a,b}
 // expect: {[],a}
-// expect: .set.add wrong_arguments
+// expect: .set.add unknown
 // expect: {a,b}
 // expect: {}{}
-// expect: .set.add_all wrong_arguments
+// expect: .set.add_all unknown
 // expect: {b}
 // expect: {}
-// expect: .set.remove wrong_arguments
+// expect: .set.remove unknown
 // expect: {a,b}
 // expect: {}
-// expect: .set.union wrong_arguments
+// expect: .set.union unknown
 // expect: {b,c}
 // expect: {}
-// expect: .set.intersection wrong_arguments
+// expect: .set.intersection unknown
 // expect: {a,c}
 // expect: {}
-// expect: .set.difference wrong_arguments
+// expect: .set.difference unknown
 // expect: [1,"s",b]
 // expect: []
 // expect: .set.to_list ia_failed
 // expect: {}
 // expect: {}
-// expect: .set.clear wrong_arguments
+// expect: .set.clear unknown
 // expect: {a,b}{a}
 // expect: {}{a}
 // expect: .set.copy ia_failed
@@ -125,7 +125,7 @@
 // expect: .map.create ia_failed
 // expect: {a->1,b->2}
 // expect: {"k"->[],k->2}
-// expect: .map.put wrong_arguments
+// expect: .map.put unknown
 // expect: v
 // expect: none
 // expect: .map.get ia_failed
@@ -140,7 +140,7 @@
 // expect: .map.value ia_failed
 // expect: {}
 // expect: {}
-// expect: .map.clear wrong_arguments
+// expect: .map.clear unknown
 // expect: {k->w}{k->v}
 // expect: {}{k->v}
 // expect: .map.copy ia_failed
@@ -149,10 +149,10 @@
 // expect: .queue.create ia_failed
 // expect: [b,a]
 // expect: [a,a]
-// expect: .queue.add wrong_arguments
+// expect: .queue.add unknown
 // expect: [b,a]
 // expect: []
-// expect: .queue.add_all wrong_arguments
+// expect: .queue.add_all unknown
 // expect: bb
 // expect: 1
 // expect: .queue.head ia_failed
@@ -164,7 +164,7 @@
 // expect: .queue.to_list ia_failed
 // expect: []
 // expect: []
-// expect: .queue.clear wrong_arguments
+// expect: .queue.clear unknown
 // expect: [a]
 // expect: 1
 // expect: .queue.copy ia_failed

@@ -96,7 +96,7 @@
 // expect: .at internal_action
 // expect: event signal
 // expect: short signal
-// expect: .signal wrong_arguments
+// expect: .signal unknown
 // expect: intend
 // expect: long intend ends
 // expect: []

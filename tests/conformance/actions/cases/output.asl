@@ -52,10 +52,10 @@
 // expect: a 1
 // expect:
 // expect: as info
-// expect: .log wrong_arguments
+// expect: .log unknown
 // expect: shown
 // expect: as before
-// expect: .verbose wrong_arguments
+// expect: .verbose unknown
 // expect: X=1
 // expect: done
 // expect: done

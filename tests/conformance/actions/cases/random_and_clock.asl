@@ -32,7 +32,7 @@
 // expect: .random wrong_arguments
 // expect: repeated
 // expect: 0.730967787376657
-// expect: .set_random_seed wrong_arguments
+// expect: .set_random_seed unknown
 // expect: a time
 // expect: thousandths
 // expect: .time ia_failed

@@ -7,4 +7,4 @@
 -!failure[error(E)] <- .print(E).
 // expect: repeated
 // expect: another
-// expect: wrong_arguments
+// expect: unknown
