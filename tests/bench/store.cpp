@@ -68,6 +68,9 @@ double write(const std::string& path, std::uint64_t tests) {
   for (std::uint64_t test = 0; test < tests; ++test) {
     TestRecord record{.test = {.behaviour = 0, .agents = kPedestrians, .number = test},
                       .result = {.succeeded = true, .ticks = kTicks - 1},
+                      .outcome = {.ticks = kTicks - 1,
+                                  .precondition_ticks = kTicks - 1,
+                                  .ended_by = "precondition"},
                       .recording = seen};
     record.scores.resize(kPedestrians);
     store.value()->add(std::move(record));
