@@ -37,16 +37,26 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
+std::string replaced_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return {};
+  if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
+  if (path.starts_with("/dev/") || path.starts_with("/proc/")) return {};
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target.string();
+}
+
 std::optional<std::string> write_file(const std::string& path, std::string_view text) {
   std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_directory(status)) return "it is a folder";
-  const bool regular = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-  if (!regular) return write_text(path, text);
+  if (std::filesystem::is_directory(path, ignored)) return "it is a folder";
+  const std::string replaced = replaced_file(path);
+  if (replaced.empty()) return write_text(path, text);
 
-  const std::string temporary = part_of(path);
+  const std::string temporary = part_of(replaced);
   auto failure = write_text(temporary, text);
-  if (!failure && std::rename(temporary.c_str(), path.c_str()) != 0) failure = reason();
+  if (!failure && std::rename(temporary.c_str(), replaced.c_str()) != 0) failure = reason();
   if (failure) std::filesystem::remove(temporary, ignored);
   return failure;
 }
@@ -56,12 +66,13 @@ std::optional<std::string> why_not_writable(const std::string& path) {
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
   if (fs::is_directory(status)) return "it is a folder";
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  const std::string replaced = replaced_file(path);
+  if (replaced.empty()) {
     return ::access(path.c_str(), W_OK) == 0 ? std::nullopt : std::optional(reason());
   }
-  const std::string folder = folder_of(path);
+  const std::string folder = folder_of(replaced);
   if (!fs::exists(folder, ignored)) return fmt::format("there is no folder '{}'", folder);
-  const std::string temporary = part_of(path);
+  const std::string temporary = part_of(replaced);
   auto failure = write_text(temporary, "");
   fs::remove(temporary, ignored);
   return failure;

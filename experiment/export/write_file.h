@@ -11,6 +11,10 @@ namespace jaywalk {
 /// not be done, for people, if so.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text);
 
+/// The file that is replaced when a path is written to: a link stays a link, and what it points to
+/// is replaced. Empty: what is there is written to directly, as is what a link in /dev points to.
+[[nodiscard]] std::string replaced_file(const std::string& path);
+
 /// Why write_file would fail there, found out by trying: there is no such folder, it cannot be
 /// written to, ... Nothing is left behind.
 [[nodiscard]] std::optional<std::string> why_not_writable(const std::string& path);

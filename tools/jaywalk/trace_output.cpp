@@ -8,13 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/write_file.h"
+
 namespace jaywalk {
 
 TraceFile::TraceFile(std::string path) : path_(std::move(path)) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path_, ignored);
-  const bool regular = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-  temporary_ = regular ? fmt::format("{}.{}.part", path_, ::getpid()) : path_;
+  const std::string replaced = replaced_file(path_);
+  if (!replaced.empty()) path_ = replaced;
+  temporary_ = replaced.empty() ? path_ : fmt::format("{}.{}.part", path_, ::getpid());
   file_ = std::fopen(temporary_.c_str(), "wb");
   if (file_ == nullptr) failure_ = std::generic_category().message(errno);
 }
