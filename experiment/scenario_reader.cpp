@@ -52,6 +52,19 @@ void ConfigReader::error(const ValueOrigin& origin, std::string message, std::st
   report(diagnostics_, origin, std::move(message), std::move(hint));
 }
 
+void ConfigReader::error_in(const ValueOrigin& origin, const Diagnostics& found) const {
+  for (const Diagnostic& each : found.items()) {
+    if (each.where.source != nullptr) {
+      diagnostics_.add(each);
+    } else {
+      error(origin,
+            fmt::format("the scenario cannot be read: {}{}{}", each.subject,
+                        each.subject.empty() ? "" : ": ", each.message),
+            each.hint);
+    }
+  }
+}
+
 void ConfigReader::unexpected(const ConfigNode& node, std::string_view expected,
                               std::string hint) const {
   error(node.origin, fmt::format("expected {}, found {}", expected, found(node)), std::move(hint));

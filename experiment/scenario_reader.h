@@ -74,6 +74,8 @@ class ConfigReader {
   }
 
   void error(const ValueOrigin& origin, std::string message, std::string hint = {}) const;
+  /// What is wrong with another file, which `origin` names: where that file has it, if it says so.
+  void error_in(const ValueOrigin& origin, const Diagnostics& found) const;
   /// `expected X, found Y`.
   void unexpected(const ConfigNode& node, std::string_view expected, std::string hint = {}) const;
 

@@ -288,18 +288,15 @@ class CrossingReader {
     settings_.include = setup_.include;
     Result<Scenario> scenario = parse_scenario(settings_.scenario, options);
     if (!scenario.ok()) {
-      const Diagnostic& first = scenario.diagnostics().items().front();
-      reader_.error(setup_.node.origin,
-                    fmt::format("the scenario cannot be read: {}{}{}", first.subject,
-                                first.subject.empty() ? "" : ": ", first.message),
-                    first.hint);
+      reader_.error_in(setup_.node.origin, scenario.diagnostics());
       return nullptr;
     }
     settings_.behaviour = scenario.value().behaviours.front().name;
     const CrossingParameters& world = scenario.value().world;
     auto model = std::make_shared<CrossingModel>(settings_, dimensions_, pavement_rows(world),
                                                  world.length, searches_starts_);
-    return tried(*model) ? model : nullptr;
+    if (tried(*model, std::move(scenario).value())) return model;
+    return nullptr;
   }
 
   static std::vector<int> pavement_rows(const CrossingParameters& world) {
@@ -313,12 +310,19 @@ class CrossingReader {
     return rows;
   }
 
-  /// Whether the least and the greatest values make tests that can be run.
-  bool tried(const CrossingModel& model) {
+  /// Whether the least and the greatest values make tests that can be run. What is wrong with the
+  /// scenario and its programs whatever the values is reported with its own places.
+  bool tried(const CrossingModel& model, Scenario scenario) {
     for (const double value : {-1.0, 1.0}) {
       const TestInput input{Form::vector, std::vector<double>(model.space().dimension(), value)};
       const Outcome outcome = model.make()->run(input, 0);
       if (outcome.executed()) continue;
+      Diagnostics warnings;
+      auto prepared = PreparedScenario::prepare(std::move(scenario), warnings);
+      if (!prepared.ok()) {
+        reader_.error_in(setup_.node.origin, prepared.diagnostics());
+        return false;
+      }
       reader_.error(setup_.node.origin,
                     fmt::format("with the {} values of its parameters a test cannot be run: {}",
                                 value < 0 ? "least" : "greatest", outcome.error));
