@@ -1,0 +1,23 @@
+// Feint: out into the lane, back when the AV slows, and out again on the brink when it picks up speed;
+// again and again.
+
+{ include("shared/stepping.asl") }
+
+!exercise_av.
+
++!exercise_av <- !set_out_across; !get(beside); !wait_for_the_av(4); !dart; !feint.
+
+// Back as soon as it slows; if it does not, it is met.
++!dart : slows | stands | gone <- !get(beside).
++!dart : about_to_pass         <- !get(middle); !stay_there.
++!dart                         <- !to(toe); !dart.
+
++!feint : on_the_brink <- !get(middle); !stay_there.
++!feint                <- !wait; !feint.
+
+// In its path while it comes; out again when it stands, with some way left to pick up speed.
++!stay_there : not stands <- !wait; !stay_there.
++!stay_there              <- !get(brim); !make_room; !get(beside); !feint.
+
++!make_room : gap(M) & M < 4 & stands <- !along(forward); !make_room.
++!make_room.

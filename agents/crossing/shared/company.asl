@@ -1,0 +1,22 @@
+// Who is with whom: in the first tick everybody tells the others where it stands.
+
++!tell_where_i_stand : id(Me) & side(Side) & y(Y)
+  <- .broadcast(tell, stood(Me, Side, Y));
+     +stood(Me, Side, Y);
+     !watch;
+     ?av_seen(F, _, _);
+     +av_start(F);
+     !wait.
+
+// The post is whom the others of its side, of higher numbers, join: the first who is so far ahead of
+// the AV that it can hold that up.
+post(Id) :-
+  id(Me) & stood(Me, Side, _) & .findall(P, stood(P, Side, Y) & far_ahead(Y), All) & .min(All, Id) &
+  stood(Other, Side, _) & Other > Id.
+joins(Id) :-
+  post(Post) & stood(Post, Side, Y) & stood(Id, Side, Mine) & Id > Post & near_enough(Y, Mine).
+
+far_ahead(Y)          :- av_start(F) & Y - F > 45.
+near_enough(Y, Other) :- math.abs(Y - Other) < 25.
+
++!join : post(Post) & stood(Post, _, Y) & id(Me) <- !along_to(Y + 0.3 * (Me - Post)); !get(beside).

@@ -1,0 +1,100 @@
+// Steps across the road to places in metres, with an eye on the AV; and when to step out.
+
+{ include("driver.asl") }
+{ include("ways.asl") }
+
+step(M) :-
+  pace(V) & tick_length(L) & walking_speed(W) & cell_length(C) & M = math.min(V * L, W * C).
+
+// Ticks until the own middle has come to X, or beyond.
+ticks_to(X, N)   :- x(M) & step(D) & N = math.ceil(math.abs(X - M) / D - 0.000001).
+ticks_past(X, N) :- x(M) & step(D) & N = math.floor(math.abs(X - M) / D + 0.000001) + 1.
+
+there(X) :- x(M) & math.abs(X - M) < 0.001.
+
++!step_to(X) : there(X) <- stay; !watch.
++!step_to(X) : x(M) & step(D) & cell_length(C) & X > M
+  <- move(right, math.min(D, X - M) / C);
+     !watch.
++!step_to(X) : x(M) & step(D) & cell_length(C) <- move(left, math.min(D, M - X) / C); !watch.
+-!step_to(_) <- !watch.  // something stands there
+
++!reach(X) : there(X).
++!reach(X) <- !step_to(X); !reach(X).
+
+// The same by the place's name, seen from the side that one came from.
++!set_out_across : in_the_way(Y) <- !watch; !turn_round; !along_to(Y).
++!set_out_across                 <- !watch; !turn_round.
++!turn_round : side(Side) <- -+home(Side).
++!to(Name) : home(Side) & place(Name, Side, X)  <- !step_to(X).
++!get(Name) : home(Side) & place(Name, Side, X) <- !reach(X).
++!wait <- stay; !watch.
+
+// Along the road: forward is away from the AV, back towards it.
++!along(Way) : free(Way) & step(D) & cell_length(C) <- move(Way, D / C); !watch.
++!along(_) <- stay; !watch.
+-!along(_) <- !watch.
+
++!along_to(Y) : y(M) & math.abs(Y - M) < 0.001.
++!along_to(Y) : y(M) & Y > M + 0.001 & free(forward) <- !along(forward, Y - M); !along_to(Y).
++!along_to(Y) : y(M) & Y < M - 0.001 & free(back)    <- !along(back, M - Y); !along_to(Y).
++!along_to(_).
+-!along(_, _) <- !watch.
++!along(Way, M) : step(D) & cell_length(C) <- move(Way, math.min(D, M) / C); !watch.
+
+// A parked car between oneself and the AV's path, and where one can pass behind it.
+in_the_way(Y) :-
+  side(Side) & parked(Side, From, To) & y(M) & body(B) & M > From - B & M < To + B & Y = To + B.
+
+gap(M) :- av_seen(F, _, _) & near(N) & M = N - F.
+gone   :- av_seen(F, _, _) & av_metres(Length) & far(Y) & F - Length > Y.
+drives :- not stands & not slows.
+comes_in(S) :- gap(M) & av_seen(_, V, _) & V > 0.01 & S = M / V.
+over_lane_for(S) :- risks(Risks) & .member(risk(me, Since), Risks) & now(Now) & S = Now - Since.
+
+// The AV is here when one gets into its path, if it does not brake as the driver could.
+about_to_pass :-
+  side(Side) & enters_path(Side, S) & tick_length(L) & not gone & comes_by(0, S + 2 * L) &
+  avoids(0).
+
+// Seconds until one is over the lane and in sight of the driver, over the AV's path, and out of that
+// again, if one steps out.
+enters_lane(Side, S) :-
+  place(beside, Side, X) & emerges(Side, Y) & further(Side, X, Y, Z) & past(Side, Z, N) &
+  tick_length(L) & S = (N - 1) * L.
+past(left, X, N)  :- x(M) & X >= M - 0.000001 & ticks_past(X, N).
+past(left, X, 1)  :- x(M) & X < M - 0.000001.
+past(right, X, N) :- x(M) & X <= M + 0.000001 & ticks_past(X, N).
+past(right, X, 1) :- x(M) & X > M + 0.000001.
+further(left, X, Y, Z)  :- Z = math.max(X, Y).
+further(right, X, Y, Z) :- Z = math.min(X, Y).
+enters_path(left, S) :-
+  path(From, _) & body(B) & ticks_past(From - B / 2, N) & tick_length(L) & S = N * L.
+enters_path(right, S) :-
+  path(_, To) & body(B) & ticks_past(To + B / 2, N) & tick_length(L) & S = N * L.
+leaves_path(left, S) :-
+  path(_, To) & body(B) & ticks_to(To + B / 2, N) & tick_length(L) & S = (N - 1) * L.
+leaves_path(right, S) :-
+  path(From, _) & body(B) & ticks_to(From - B / 2, N) & tick_length(L) & S = (N - 1) * L.
+
+// The first moment and the last: to wait for, beside the lane.
++!wait_for_the_brink : on_the_brink.
++!wait_for_the_brink <- !come_to_the_brink; !wait_for_the_brink.
+
+// The AV comes so far in a tick: a little towards it, and the last moment is that in which a tick begins.
++!come_to_the_brink : slack(M) & M > 0.02 & free(back) <- !along(back, M).
++!come_to_the_brink                                    <- !wait.
+slack(M) :-
+  driver(F, V, _) & cruise(Most) & V > Most - 0.01 & side(Side) & enters_lane(Side, In) &
+  way_to_stop(In, Way) & margin(Least) & near(N) & tick_length(L) & Left = N - F - Way - Least &
+  Left > V * L & M = Left - V * L * math.floor(Left / (V * L)).
++!wait_for_the_av(Seconds) : comes_in(S) & S <= Seconds & avoids(0).
++!wait_for_the_av(Seconds) <- !wait; !wait_for_the_av(Seconds).
+
+// Who steps out in so many seconds can be avoided, and is met if nobody brakes.
+can_be_avoided_in(S) :-
+  side(Side) & enters_lane(Side, In) & avoids(S + In) & enters_path(Side, From) &
+  leaves_path(Side, To) & comes_by(S + From, S + To).
+
+// The last moment at which that is so.
+on_the_brink :- can_be_avoided_in(0) & tick_length(L) & not can_be_avoided_in(L).
