@@ -7,16 +7,23 @@
 { include("shared/company.asl") }
 
 patience(2.6).  // s, how long to try the AV in one place
-slow(0.5).      // m/s, at first, so that it looks as if the AV could pass
 provokes(30).   // m beyond the driver's way to stop from where on the AV is provoked
 
 !exercise_av.
 
 +!exercise_av <- +trials([far, near, beyond]); !tell_where_i_stand; !set_out_across; !begin.
 
-+!begin : id(Me) & joins(Me) <- +reacts_to(nothing_yet); !join; !hunt.
-+!begin : id(Me) & post(Me)  <- +is_post; !hunt.
-+!begin                      <- !hunt.
++!begin : id(Me) & joins(Me) & post(Post) & stood(Post, _, Y) & in_time(Y)
+  <- +reacts_to(nothing_yet);
+     !join;
+     !hunt.
++!begin <- !hunt.
+
+unseen :- driver(F, _, _) & x(X) & near(Y) & hidden(F, X, Y).
+
+somebody_hides_here :-
+  id(Me) & stood(Me, Side, _) & stood(Other, Side, _) & Other > Me & in_sight(Other, _, Near) &
+  near(Mine) & math.abs(Near - Mine) < 1.5.
 
 +!hunt : desire(Desire) <- !Desire; !hunt.
 
@@ -24,12 +31,14 @@ desire(let_go) :- gone.
 desire(try(Place)) :- in_lane & stands & gap(M) & M < 4 & trials([Place|_]).
 desire(draw_on) :- in_lane & stands.
 desire(hold) :- in_lane & aim(_).
+desire(be_ready) :- in_lane & unseen & not in_path.
 desire(meet) :- in_lane & about_to_pass.
-desire(dawdle)  :- in_lane & dawdles.
 desire(come_on) :- in_lane.
-desire(stay_by) :- is_post & not stands.
+desire(stay_by) :- somebody_hides_here & not stands.
 desire(step_out) :- on_the_brink.
-desire(provoke) :- not reacts_to(_) & gap(M) & provokes(Least) & way_to_stop(0, W) & M > W + Least.
+desire(provoke) :-
+  not reacts_to(_) & gap(M) & provokes(Least) & way_to_stop(0, W) & M > W + Least & side(Side) &
+  not emerges_from(Side).
 desire(be_ready).
 
 +!let_go        <- !wait.
@@ -40,10 +49,8 @@ desire(be_ready).
      !turn_round;
      !come_to_the_brink.
 +!be_ready <- -aim(_); !turn_round; !to(beside).
-+!step_out : slow(V) <- +dawdles; -+pace(V); !to(middle).
-+!dawdle        <- !to(middle).
-+!meet          <- !stop_dawdling; !aim_at(middle).
-+!stop_dawdling <- -dawdles; -+pace(1.5).
++!step_out <- !aim_at(near).
++!meet <- !aim_at(middle).
 
 +!aim_at(Place) : home(Side) & place(Place, Side, X) <- -+aim(X); !step_to(X).
 
@@ -58,7 +65,6 @@ desire(be_ready).
 +!come_on <- !to(brim).
 
 // Somewhere else in its lane, for as long as the patience lasts.
-+!try(_) : dawdles <- !stop_dawdling; !wait.
 +!try(Place) : trying(Place, Since) & now(S) & patience(P) & S - Since > P & trials([_|Rest])
   <- -+trials(Rest);
      !wait.
@@ -66,7 +72,6 @@ desire(be_ready).
 +!try(Place) : now(S)           <- -+trying(Place, S); !aim_at(Place).
 
 // Out of its lane, with way enough left for it to pick up speed.
-+!draw_on : dawdles                  <- !stop_dawdling; !wait.
 +!draw_on : gap(M) & M < 4 & in_path <- !leave_path.
 +!draw_on : gap(M) & M < 4           <- !along(forward).
 +!draw_on : in_path                  <- !leave_path.

@@ -19,5 +19,3 @@
 hideout(X, Y) :-
   side(Side) & parked(Side, _, To) & body(B) & Y = To + B & place(brim, Side, X) & y(M) &
   Y - M < 25 & M - Y < 15.
-in_time(Y) :-
-  y(M) & pace(V) & av_seen(F, Av, _) & Av > 0 & math.abs(Y - M) / V + 4 < (Y - F) / Av.

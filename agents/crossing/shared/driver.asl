@@ -20,7 +20,7 @@ speed_seen(V) :- av_speed(Cells) & cell_length(C) & tick_length(L) & V = Cells *
 front_seen(F, F) :- not av_seen(_, _, _) & av(Y) & cell_length(C) & F = (Y + 1) * C.
 moves_off :- av_seen(_, V, Change) & Change > 0.01 & V > 0.
 slows     :- av_seen(_, _, Change) & Change < -0.01.
-stands    :- av_seen(_, V, _) & V < 0.01.
+stands    :- av_seen(_, V, _) & V < 0.2.
 
 front_now(F) :-
   av_seen(Old, V0, _) & speed_seen(V) & tick_length(L) & av(Y) & cell_length(C) &

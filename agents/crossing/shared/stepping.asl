@@ -46,6 +46,10 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 in_the_way(Y) :-
   side(Side) & parked(Side, From, To) & y(M) & body(B) & M > From - B & M < To + B & Y = To + B.
 
+// One can walk along to there and be ready before the AV comes.
+in_time(Y) :-
+  y(M) & pace(V) & av_seen(F, Av, _) & Av > 0 & math.abs(Y - M) / V + 4 < (Y - F) / Av.
+
 gap(M) :- av_seen(F, _, _) & near(N) & M = N - F.
 gone   :- av_seen(F, _, _) & av_metres(Length) & far(Y) & F - Length > Y.
 drives :- not stands & not slows.
