@@ -29,7 +29,8 @@ somebody_hides_here :-
 
 desire(let_go) :- gone.
 desire(try(Place)) :- in_lane & stands & gap(M) & M < 4 & trials([Place|_]).
-desire(draw_on) :- in_lane & stands.
+desire(meet) :- in_lane & drives & drawing & about_to_pass.
+desire(draw_on) :- in_lane & (stands | drawing).
 desire(hold) :- in_lane & aim(_).
 desire(be_ready) :- in_lane & unseen & not in_path.
 desire(meet) :- in_lane & about_to_pass.
@@ -46,9 +47,10 @@ desire(be_ready).
 +!stay_by       <- !to(beside).
 +!be_ready : side(Side) & place(beside, Side, X) & there(X)
   <- -aim(_);
+     -drawing;
      !turn_round;
      !come_to_the_brink.
-+!be_ready <- -aim(_); !turn_round; !to(beside).
++!be_ready <- -aim(_); -drawing; !turn_round; !to(beside).
 +!step_out <- !aim_at(near).
 +!meet <- !aim_at(middle).
 
@@ -71,10 +73,9 @@ desire(be_ready).
 +!try(Place) : trying(Place, _) <- !aim_at(Place).
 +!try(Place) : now(S)           <- -+trying(Place, S); !aim_at(Place).
 
-// Out of its lane, with way enough left for it to pick up speed.
-+!draw_on : gap(M) & M < 4 & in_path <- !leave_path.
-+!draw_on : gap(M) & M < 4           <- !along(forward).
-+!draw_on : in_path                  <- !leave_path.
-+!draw_on : stood_since(S) & now(Now) & patience(P) & Now - S < P <- !wait.
+// Ahead in its lane until a driver who had stopped would have the way to pick up speed, then out.
++!draw_on : not drawing <- +drawing; !wait.
++!draw_on : in_path     <- !leave_path.
++!draw_on : driver(F, _, _) & near(N) & N - F < 4.5 <- !along(forward).
 +!draw_on : side(Side) & place(beside, Side, X) <- !step_to(X).
 +!leave_path : side(Side) & place(brim, Side, X) <- !step_to(X).
