@@ -185,6 +185,7 @@ class ScenarioBuilder {
       report(diagnostics_, origin_of(problem.path), std::move(problem.message),
              fmt::format("the key is {}", problem.path));
     }
+    if (world.av.vehicle.model == "external") check_external();
     check_behaviours();
     if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
     if (!diagnostics_.has_errors()) read_programs();
@@ -264,6 +265,17 @@ class ScenarioBuilder {
       report(diagnostics_, setting.origin,
              fmt::format("no assertion '{}' is judged by this scenario", *id),
              did_you_mean(*id, ids));
+    }
+  }
+
+  // A controller of one's own has its own reaction and brakes as it likes.
+  void check_external() {
+    for (const char* key : {"reaction", "deceleration", "acceleration", "standoff"}) {
+      const auto given = draft_.origins.find(fmt::format("world.av.{}", key));
+      if (given == draft_.origins.end()) continue;
+      report(diagnostics_, given->second,
+             fmt::format("'{}' has no meaning for the model external", key),
+             "it is for the program to decide; what a vehicle can do limits its answers");
     }
   }
 

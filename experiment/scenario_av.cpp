@@ -43,6 +43,7 @@ class AvReader : LayerPart {
             {"period", number(av.vehicle.period_s, kWindow)},
             {"command", [&](const ConfigNode& value,
                             const std::string& key) { read_command(value, key, av.vehicle); }},
+            {"process", choice<bool>(av.vehicle.keeps_process, {{"test", false}, {"kept", true}})},
             {"defect",
              [&](const ConfigNode& value, const std::string& key) { read_defects(value, key); }},
             {"twin",
@@ -135,7 +136,9 @@ class AvReader : LayerPart {
       for (const ConfigNode& item : node.items) {
         const auto word = reader_.text(item, "a word of a command");
         if (!word) return;
-        const std::string beside = path_in(folder_, *word);
+        std::string beside = path_in(folder_, *word);
+        // Without a slash a program would be looked for as the shell does.
+        if (beside.find('/') == std::string::npos) beside.insert(0, "./");
         std::error_code ignored;
         const bool found =
             draft_.scenario.files.has(beside) || std::filesystem::is_regular_file(beside, ignored);

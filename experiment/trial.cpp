@@ -207,12 +207,19 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
     mas_->restart(std::move(mas_options), &crossing);
   }
   add_agents(input);
+  crossing.begin({.test = input.test,
+                  .seed = input.seed,
+                  .behaviour = prepared_.behaviours()[input.behaviour].name,
+                  .agents = input.agents,
+                  .processes = &processes_});
 
   TrialResult result;
   if (options.record != nullptr) {
     *options.record = Recording(prepared_.scenario().world.tick_s, crossing.actors());
   }
   run_to_the_end(*mas_, crossing, options, result);
+  if (result.completed) crossing.end();
+  result.note = crossing.note();
   if (options.record != nullptr) record_events(crossing, input, *options.record);
   result.outcome = crossing.result();
   result.left_over = crossing.left_over();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "env/crossing/crossing.h"
+#include "env/vehicle/controller_processes.h"
 #include "experiment/recording.h"
 #include "experiment/scenario.h"
 #include "experiment/summary.h"
@@ -136,6 +137,8 @@ struct TrialResult {
   std::string message;
   std::uint64_t cycles = 0;
   TestTroubles troubles;
+  /// What the author of the AV's controller should know; usually empty.
+  std::string note;
   /// CPU time that the agents spent reasoning, if measured.
   double cpu_s = 0;
 };
@@ -162,6 +165,7 @@ class TrialRunner {
   std::size_t behaviour_ = 0;
   std::uint32_t agents_ = 0;
   std::vector<AgentSpec> specs_;
+  ControllerProcesses processes_;
 };
 
 /// Trial runners for trials on several threads: each trial borrows one.

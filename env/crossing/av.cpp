@@ -23,15 +23,35 @@ Rectangle box_of(const RoadUser& body, double cell_m) {
   return {x - half.width_m, x + half.width_m, y - half.length_m, y + half.length_m};
 }
 
+std::vector<SeenLane> lanes_of(const CrossingParameters& parameters) {
+  std::vector<SeenLane> lanes;
+  if (!parameters.map.empty()) return lanes;
+  const std::vector<Interval> rows = band_rows(parameters);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (parameters.bands[i].kind != BandKind::lane) continue;
+    lanes.push_back({rows[i].first * parameters.cell_m, (rows[i].last + 1) * parameters.cell_m,
+                     parameters.bands[i].direction == Direction::back});
+  }
+  return lanes;
+}
+
 }  // namespace
 
 Av::Av(const CrossingParameters& parameters, int head_start)
     : parameters_(parameters),
       controller_(make_controller(parameters.av.vehicle)),
       obstacles_(obstacles(parameters)),
+      lanes_(controller_ ? lanes_of(parameters) : std::vector<SeenLane>()),
       cell_mps_(parameters.cell_m / parameters.tick_s),
       driven_(head_start),
       speed_(parameters.av.speed) {}
+
+void Av::begin(DriveBriefing briefing) {
+  if (!controller_) return;
+  briefing.road_m = grid(parameters_).cells * parameters_.cell_m;
+  briefing.cruise_mps = parameters_.av.speed * cell_mps_;
+  controller_->begin(briefing);
+}
 
 double Av::front_m() const { return (parameters_.av.start + driven_ + 1) * parameters_.cell_m; }
 
@@ -98,7 +118,11 @@ double Av::decide(double time_s, double period_s, const Surroundings& around) {
                 .lane_right_m = (lane.last + 1) * cell,
                 .actors = actors,
                 .stop_lines = lines,
-                .obstacles = obstacles})
+                .obstacles = obstacles,
+                .front_m = front_m(),
+                .length_m = parameters_.av.length * cell,
+                .range_m = parameters_.av.vehicle.range_m,
+                .lanes = lanes_})
       .acceleration_mps2;
 }
 

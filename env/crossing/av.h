@@ -42,6 +42,11 @@ class Av {
                                std::span<const Collision> hit);
 
   /// Why its controller can go on no longer; empty while all is well.
+  void begin(DriveBriefing briefing);
+  void end(const DriveEnd& end) {
+    if (controller_) controller_->end(end);
+  }
+  [[nodiscard]] std::string note() const { return controller_ ? controller_->note() : ""; }
   [[nodiscard]] std::string failure() const { return controller_ ? controller_->failure() : ""; }
 
  private:
@@ -57,6 +62,7 @@ class Av {
   const CrossingParameters& parameters_;
   std::unique_ptr<VehicleController> controller_;
   std::vector<Rectangle> obstacles_;
+  std::vector<SeenLane> lanes_;
   double cell_mps_;  // the metres per second of one cell per tick
   double driven_;
   double speed_;

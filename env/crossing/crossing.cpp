@@ -209,6 +209,12 @@ std::optional<EndReason> Crossing::end_reason() const {
   return std::nullopt;
 }
 
+void Crossing::end() {
+  DriveEnd end{.why = result_.end ? name(*result_.end) : std::string_view(), .impact_mps = {}};
+  if (!result_.collisions.empty()) end.impact_mps = result_.collisions.front().impact_mps;
+  av_.end(end);
+}
+
 int Crossing::left_over() const {
   if (!parameters_.av.carry_over) return 0;
   if (result_.success) return *result_.hit_origin + zone_ahead_.last - *result_.hit_cell;

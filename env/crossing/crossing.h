@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "env/crossing/av.h"
@@ -108,6 +109,12 @@ class Crossing final : public Environment {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
+  /// What the AV's controller is told before the test, as far as the caller knows it.
+  void begin(DriveBriefing briefing) { av_.begin(std::move(briefing)); }
+  /// Tells the AV's controller how the test ended. REQUIRES: it is finished.
+  void end();
+  /// What the author of the AV's controller should know; usually empty.
+  [[nodiscard]] std::string note() const { return av_.note(); }
   /// Why the test cannot go on (an external controller died, say); empty while all is well.
   [[nodiscard]] std::string failure() const { return av_.failure(); }
   /// The AV, named `av`, the pedestrians p1, p2, … in the agents' order, then the other actors.

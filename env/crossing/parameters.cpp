@@ -193,6 +193,7 @@ VehicleParameters healthy_twin(const AvParameters& av) {
   twin.defects.clear();
   twin.range_m = av.vehicle.range_m;
   twin.period_s = av.vehicle.period_s;
+  twin.keeps_process = av.vehicle.keeps_process;
   return twin;
 }
 

@@ -214,6 +214,12 @@ LineAnswer LineProcess::ask(std::string_view line, milliseconds limit, milliseco
   return answer;
 }
 
+void LineProcess::tell(std::string_view line, std::chrono::milliseconds limit) {
+  if (process_ < 0) return;
+  const std::string failed = write_all(fmt::format("{}\n", line), steady_clock::now() + limit);
+  if (!failed.empty()) give_up();
+}
+
 void LineProcess::read_errors() {
   std::array<char, 4096> chunk{};
   while (true) {

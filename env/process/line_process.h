@@ -49,6 +49,9 @@ class LineProcess {
   /// starts it anew.
   [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit,
                                std::chrono::milliseconds settling = std::chrono::milliseconds(0));
+  /// Sends a line that is not answered, to a process that was asked before. One that does not take
+  /// it is gone.
+  void tell(std::string_view line, std::chrono::milliseconds limit);
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }
   /// Lines answered since the process was started.

@@ -29,6 +29,10 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
   return {std::move(json), {}};
 }
 
+void NumberedProcess::tell(const nlohmann::json& line, std::chrono::milliseconds limit) {
+  process_.tell(line.dump(), limit);
+}
+
 std::string NumberedProcess::mismatch(const nlohmann::json& answer, std::size_t number) {
   const auto repeated = answer.find(settings_.key);
   if (repeated == answer.end()) {

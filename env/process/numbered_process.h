@@ -45,6 +45,8 @@ class NumberedProcess {
   /// reports about itself, the process is gone; the next question starts it anew.
   [[nodiscard]] JsonAnswer ask(nlohmann::json question, std::size_t number,
                                std::chrono::milliseconds limit);
+  /// Sends an object that is not answered; of a process that is gone nothing is sent.
+  void tell(const nlohmann::json& line, std::chrono::milliseconds limit);
   /// Ends the process, whose last answer makes no sense. What to say about it: the answer, which
   /// line of its output that was, and `why`.
   [[nodiscard]] std::string refuse(std::string_view why);

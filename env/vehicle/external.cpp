@@ -1,21 +1,38 @@
 // A controller outside of this program. For each decision it reads one line, a view as JSON, and
 // answers one line: {"acceleration": -3.5}, in m/s^2. The fields of the view are those of
-// VehicleView, lengths in metres, speeds in m/s:
+// VehicleView, lengths in metres, speeds in m/s, angles in rad:
 //
-//   {"step":4,"time":0.4,"period":0.1,"speed":9,"cruise":9,"body":[4.5,7.5],"lane":[3,9],
-//    "actors":[{"id":1,"kind":"pedestrian","gap":12.5,"sides":[2,2.5],"ahead":0,"right":1.5}],
-//    "stop_lines":[{"gap":20,"closed":true}]}
+//   {"step":4,"test":7,"time":0.4,"period":0.1,"speed":9,"cruise":9,"front":12.6,"length":4.5,
+//    "body":[4.5,7.5],"lane":[3,9],"lanes":[{"sides":[3,9],"oncoming":false}],"kerb":[3,9],
+//    "range":100,
+//    "actors":[{"id":1,"kind":"pedestrian","gap":12.5,"far":13,"sides":[2,2.5],"ahead":0,
+//               "right":1.5,"heading":1.5708}],
+//    "obstacles":[{"gap":20,"far":26,"sides":[1.5,3]}],"stop_lines":[{"gap":20,"closed":true}]}
 //
-// `step` counts the decisions of the test from 0. An answer may repeat it,
-// {"step":4,"acceleration":-3.5}; then it is checked, so that a line too many cannot shift the
-// answers after it. Each test starts a process of its own, so that none remembers another.
+// `front` counts from the road's begin, `gap` and `far` from the vehicle's front, `sides`, `body`,
+// `lane` and `kerb` from the world's left. `step` counts the questions of the test from 0. An
+// answer may repeat it, {"step":4,"acceleration":-3.5}; then it is checked, so that a line too many
+// cannot shift the answers after it. Answers are limited to what a vehicle can do.
+//
+// Each test starts a process of its own, so that none remembers another, unless the scenario says
+// `process: kept`. Then one process drives in many tests, and each begins and ends with a line:
+//
+//   {"step":0,"reset":{"test":7,"seed":1,"behaviour":"proximity","agents":1,"road":99,"cruise":9,
+//                      "limits":[-9.80665,5]}}
+//   {"end":{"why":"collision","collision":true,"impact":3.2}}
+//
+// `reset` is answered with any object, `end` is not answered; the views begin with step 1.
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "env/process/numbered_process.h"
+#include "env/vehicle/controller_processes.h"
 #include "env/vehicle/models.h"
 
 namespace jaywalk {
@@ -26,63 +43,176 @@ constexpr std::chrono::milliseconds kLimit{5000};
 // How long one that does not repeat the step is watched for lines that nobody asked for.
 constexpr std::chrono::milliseconds kSettling{1};
 
-nlohmann::json to_json(const VehicleView& view) {
+/// Nanometres are noise of the arithmetic, and -0 is 0.
+double tidy(double value) {
+  constexpr double kDigits = 1e9;
+  return std::round(value * kDigits) / kDigits + 0.0;
+}
+
+nlohmann::json sides(double left_m, double right_m) { return {tidy(left_m), tidy(right_m)}; }
+
+nlohmann::json actors_of(const VehicleView& view) {
   nlohmann::json actors = nlohmann::json::array();
   for (const SeenActor& actor : view.actors) {
     actors.push_back({{"id", actor.id},
                       {"kind", std::string(name(actor.kind))},
-                      {"gap", actor.gap_m},
-                      {"sides", {actor.left_m, actor.right_m}},
-                      {"ahead", actor.speed_ahead_mps},
-                      {"right", actor.speed_right_mps}});
+                      {"gap", tidy(actor.gap_m)},
+                      {"far", tidy(actor.gap_m + actor.length_m)},
+                      {"sides", sides(actor.left_m, actor.right_m)},
+                      {"ahead", tidy(actor.speed_ahead_mps)},
+                      {"right", tidy(actor.speed_right_mps)},
+                      {"heading", tidy(actor.heading_rad)}});
   }
-  nlohmann::json lines = nlohmann::json::array();
+  return actors;
+}
+
+/// The road as the map has it.
+void add_road(const VehicleView& view, nlohmann::json& json) {
+  double left_m = view.lane_left_m;
+  double right_m = view.lane_right_m;
+  json["lanes"] = nlohmann::json::array();
+  for (const SeenLane& lane : view.lanes) {
+    json["lanes"].push_back(
+        {{"sides", sides(lane.left_m, lane.right_m)}, {"oncoming", lane.oncoming}});
+    left_m = std::min(left_m, lane.left_m);
+    right_m = std::max(right_m, lane.right_m);
+  }
+  json["kerb"] = sides(left_m, right_m);
+  json["obstacles"] = nlohmann::json::array();
+  for (const SeenObstacle& each : view.obstacles) {
+    json["obstacles"].push_back({{"gap", tidy(each.gap_m)},
+                                 {"far", tidy(each.far_m)},
+                                 {"sides", sides(each.left_m, each.right_m)}});
+  }
+  json["stop_lines"] = nlohmann::json::array();
   for (const StopLine& line : view.stop_lines) {
-    lines.push_back({{"gap", line.gap_m}, {"closed", line.closed}});
+    json["stop_lines"].push_back({{"gap", tidy(line.gap_m)}, {"closed", line.closed}});
   }
-  return {{"time", view.time_s},
-          {"period", view.period_s},
-          {"speed", view.speed_mps},
-          {"cruise", view.cruise_mps},
-          {"body", {view.left_m, view.right_m}},
-          {"lane", {view.lane_left_m, view.lane_right_m}},
-          {"actors", std::move(actors)},
-          {"stop_lines", std::move(lines)}};
+}
+
+nlohmann::json to_json(const VehicleView& view) {
+  nlohmann::json json{{"time", tidy(view.time_s)},
+                      {"period", tidy(view.period_s)},
+                      {"speed", tidy(view.speed_mps)},
+                      {"cruise", tidy(view.cruise_mps)},
+                      {"front", tidy(view.front_m)},
+                      {"length", tidy(view.length_m)},
+                      {"body", sides(view.left_m, view.right_m)},
+                      {"lane", sides(view.lane_left_m, view.lane_right_m)},
+                      {"range", tidy(view.range_m)},
+                      {"actors", actors_of(view)}};
+  add_road(view, json);
+  return json;
+}
+
+nlohmann::json to_json(const DriveBriefing& briefing) {
+  return {{"test", briefing.test},
+          {"seed", briefing.seed},
+          {"behaviour", briefing.behaviour},
+          {"agents", briefing.agents},
+          {"road", tidy(briefing.road_m)},
+          {"cruise", tidy(briefing.cruise_mps)},
+          {"limits", {-kHardestBrakingMps2, kHardestAccelerationMps2}}};
+}
+
+/// What to call a controller: its script rather than what interprets it.
+std::string title_of(const std::vector<std::string>& command) {
+  std::error_code ignored;
+  for (std::size_t i = 1; i < command.size(); ++i) {
+    if (std::filesystem::is_regular_file(command[i], ignored)) return command[i];
+  }
+  return command.empty() ? std::string() : command.front();
 }
 
 class External final : public VehicleController {
  public:
   explicit External(const VehicleParameters& parameters)
-      : name_(parameters.command.empty() ? "" : parameters.command.front()),
-        process_({.command = parameters.command, .key = "step", .settling = kSettling}) {}
+      : command_(parameters.command), keeps_(parameters.keeps_process) {}
+
+  void begin(const DriveBriefing& briefing) override {
+    test_ = briefing.test;
+    if (!keeps_ || briefing.processes == nullptr) return;
+    process_ = &briefing.processes->of(command_);
+    ask({{"reset", to_json(briefing)}});
+  }
 
   VehicleDecision decide(const VehicleView& view) override {
     if (!failure_.empty()) return {};
-    const JsonAnswer answer = process_.ask(to_json(view), steps_++, kLimit);
-    if (!answer.error.empty()) return failed(answer.error);
-    const auto acceleration = answer.json.find("acceleration");
-    if (acceleration == answer.json.end() || !acceleration->is_number() ||
+    nlohmann::json question = to_json(view);
+    question["test"] = test_;
+    const auto answer = ask(std::move(question));
+    if (!answer) return {};
+    const auto acceleration = answer->find("acceleration");
+    if (acceleration == answer->end() || !acceleration->is_number() ||
         !std::isfinite(acceleration->get<double>())) {
-      return failed(process_.refuse("expected {\"acceleration\": <m/s^2>}"));
+      fail(process().refuse("expected {\"acceleration\": <m/s^2>}"));
+      return {};
     }
-    return {acceleration->get<double>()};
+    return {limited(acceleration->get<double>())};
+  }
+
+  void end(const DriveEnd& end) override {
+    if (process_ == nullptr || !failure_.empty()) return;
+    nlohmann::json said{{"why", std::string(end.why)}, {"collision", end.impact_mps.has_value()}};
+    if (end.impact_mps) said["impact"] = tidy(*end.impact_mps);
+    process_->tell({{"end", std::move(said)}}, kLimit);
   }
 
   [[nodiscard]] std::string failure() const override { return failure_; }
-
- private:
-  VehicleDecision failed(const std::string& why) {
-    failure_ = fmt::format("the controller '{}': {}", name_, why);
-    return {};
+  [[nodiscard]] std::string note() const override {
+    if (excess_mps2_ == 0) return {};
+    return fmt::format(
+        "the controller '{}' asked for {:g} m/s2; a vehicle does {:.4g} to {:g}, to which its "
+        "answers are limited",
+        title_of(command_), excess_mps2_, -kHardestBrakingMps2, kHardestAccelerationMps2);
   }
 
-  std::string name_;
-  NumberedProcess process_;
+ private:
+  NumberedProcess& process() {
+    if (process_ != nullptr) return *process_;
+    if (!own_) own_ = controller_process(command_);
+    return *own_;
+  }
+
+  std::optional<nlohmann::json> ask(nlohmann::json question) {
+    JsonAnswer answer = process().ask(std::move(question), steps_++, kLimit);
+    if (answer.error.empty()) return std::move(answer.json);
+    fail(answer.error);
+    return std::nullopt;
+  }
+
+  double limited(double wanted_mps2) {
+    const double possible = std::clamp(wanted_mps2, -kHardestBrakingMps2, kHardestAccelerationMps2);
+    if (possible != wanted_mps2 && excess_mps2_ == 0) excess_mps2_ = wanted_mps2;
+    return possible;
+  }
+
+  void fail(const std::string& why) {
+    failure_ = fmt::format("the controller '{}': {}", title_of(command_), why);
+  }
+
+  std::vector<std::string> command_;
+  bool keeps_;
+  std::unique_ptr<NumberedProcess> own_;
+  NumberedProcess* process_ = nullptr;  // a kept one
+  std::uint64_t test_ = 0;
   std::size_t steps_ = 0;
+  double excess_mps2_ = 0;  // the first answer that was more than a vehicle can do
   std::string failure_;
 };
 
 }  // namespace
+
+std::unique_ptr<NumberedProcess> controller_process(const std::vector<std::string>& command) {
+  return std::make_unique<NumberedProcess>(
+      NumberedProcess::Settings{.command = command, .key = "step", .settling = kSettling});
+}
+
+NumberedProcess& ControllerProcesses::of(const std::vector<std::string>& command) {
+  std::unique_ptr<NumberedProcess>& process = processes_[command];
+  if (!process) process = controller_process(command);
+  return *process;
+}
 
 std::unique_ptr<VehicleController> make_external(const VehicleParameters& parameters) {
   return std::make_unique<External>(parameters);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace jaywalk {
 namespace {
@@ -40,7 +41,9 @@ std::optional<SeenActor> see(const Sight& sight, const RoadUserBox& other) {
                    other.box.left,
                    other.box.right,
                    other.speed_mps * std::sin(other.heading_rad),
-                   other.speed_mps * std::cos(other.heading_rad)};
+                   other.speed_mps * std::cos(other.heading_rad),
+                   other.box.far - other.box.near,
+                   std::numbers::pi / 2 - other.heading_rad};
 }
 
 }  // namespace jaywalk

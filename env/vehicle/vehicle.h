@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "env/gravity.h"
 #include "env/scene.h"
 
 namespace jaywalk {
@@ -33,6 +34,17 @@ struct SeenActor {
   /// Along the vehicle's way, and to its right.
   double speed_ahead_mps = 0;
   double speed_right_mps = 0;
+  /// Of the box, along the way: its far side is at gap_m + length_m.
+  double length_m = 0;
+  /// Where it looks, clockwise from the vehicle's way.
+  double heading_rad = 0;
+};
+
+/// A lane of the road, by its sides; its traffic goes the vehicle's way or comes towards it.
+struct SeenLane {
+  double left_m = 0;
+  double right_m = 0;
+  bool oncoming = false;
 };
 
 /// A place where the vehicle has to stop while `closed`: a red signal, or somebody on a zebra.
@@ -68,6 +80,36 @@ struct VehicleView {
   std::span<const StopLine> stop_lines;
   /// What the map has of them, ahead and behind.
   std::span<const SeenObstacle> obstacles{};
+  /// From the road's begin to its front, and of its body.
+  double front_m = 0;
+  double length_m = 0;
+  /// How far its sensors see ahead of the front.
+  double range_m = 0;
+  /// All lanes, its own too; none where the ground is drawn as a map.
+  std::span<const SeenLane> lanes{};
+};
+
+class ControllerProcesses;
+
+/// The test that a controller is about to drive in.
+struct DriveBriefing {
+  std::uint64_t test = 0;
+  std::uint64_t seed = 0;
+  std::string behaviour;
+  std::uint32_t agents = 0;
+  double road_m = 0;
+  double cruise_mps = 0;
+  /// Processes that outlive the test, for a controller of one's own that keeps its; null: there are
+  /// none.
+  ControllerProcesses* processes = nullptr;
+};
+
+/// How it ended.
+struct DriveEnd {
+  /// `precondition`, `collision`, `road_end`, `time_limit`.
+  std::string_view why;
+  /// Of the first collision, in m/s; empty if there was none.
+  std::optional<double> impact_mps;
 };
 
 /// What the controller decides. The world keeps the speed between 0 and what the limits allow.
@@ -102,6 +144,8 @@ struct VehicleParameters {
   double period_s = 0;
   /// The program of an external controller with its arguments.
   std::vector<std::string> command;
+  /// Its process is used again from test to test.
+  bool keeps_process = false;
   /// Faults put on the model, the first one next to it. Without any it is the healthy twin.
   std::vector<VehicleDefect> defects;
 
@@ -112,6 +156,9 @@ struct VehicleParameters {
 class VehicleController {
  public:
   virtual ~VehicleController() = default;
+  /// Before the first decision of a test, and after its last one.
+  virtual void begin(const DriveBriefing& /*briefing*/) {}
+  virtual void end(const DriveEnd& /*end*/) {}
   [[nodiscard]] virtual VehicleDecision decide(const VehicleView& view) = 0;
   /// It is to be asked at least so often, even if the parameters say less often.
   [[nodiscard]] virtual double longest_period_s() const {
@@ -119,7 +166,13 @@ class VehicleController {
   }
   /// Why it can go on no longer (an external process died, say); empty while all is well.
   [[nodiscard]] virtual std::string failure() const { return {}; }
+  /// What its author should know though all went on; usually empty.
+  [[nodiscard]] virtual std::string note() const { return {}; }
 };
+
+/// What no vehicle on a dry road exceeds: answers of controllers of one's own are limited to that.
+inline constexpr double kHardestBrakingMps2 = kGravityMps2;
+inline constexpr double kHardestAccelerationMps2 = 5;
 
 /// In how many equal periods it decides if it is asked no oftener than it needs.
 [[nodiscard]] int periods_of(const VehicleController& controller, double seconds);

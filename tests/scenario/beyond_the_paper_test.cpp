@@ -89,7 +89,8 @@ TEST(AnExternalController, DrivesTheAv) {  // F9
 
 TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
   const auto fails = [](const std::string& script) {
-    const auto prepared = scenario("external", {"world.av.command=[sh, -c, '" + script + "']"});
+    const auto prepared = scenario(
+        "external", {"world.av.process=test", "world.av.command=[sh, -c, '" + script + "']"});
     return run_trial(*prepared, {.agents = 1}).message;
   };
   EXPECT_EQ(fails("read line; exit 4"),

@@ -127,6 +127,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.print((prints_table(arguments) ? "\n" : "") +
                   situations_of(*request, *comparison, collected.situations));
   }
+  if (const std::string note = collected.notes.text(); !note.empty()) console.note(note);
   if (!comparison->complete) {
     console.note(interruption(*request, outcome, *comparison));
     return ExitCode::interrupted;

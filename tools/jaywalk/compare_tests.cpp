@@ -86,6 +86,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
                           .score = trial.outcome.score(),
                           .cpu_us = trial.cpu_s * 1e6,
                           .wall_us = wall.count()};
+  listeners.collected.notes.add(number_of(request.plan, test), trial.note);
   note_measured(request, test, result, trial, recording, listeners);
   std::vector<Assessment> assessments;
   TestFindings found;
@@ -136,6 +137,20 @@ bool follows(const StoredTest& test, const StoredTest& next) {
 }
 
 }  // namespace
+
+void ControllerNotes::add(std::uint64_t place, const std::string& note) {
+  if (note.empty()) return;
+  const std::lock_guard lock(mutex_);
+  if (tests_++ == 0 || place < first_) {
+    first_ = place;
+    note_ = note;
+  }
+}
+
+std::string ControllerNotes::text() const {
+  if (tests_ == 0) return {};
+  return fmt::format("{} (in {} test{})", note_, tests_, tests_ == 1 ? "" : "s");
+}
 
 Selection::Selection(const Request& request, const ResultsWriter* store)
     : store_(store), shard_(request.store ? request.store->shard : Shard{}) {

@@ -4,6 +4,7 @@
 // told.
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "experiment/carry_over.h"
@@ -16,6 +17,20 @@
 #include "tools/jaywalk/trace_output.h"
 
 namespace jaywalk::command::compare {
+
+/// What controllers' authors should know; the first test's in the plan's order is told.
+class ControllerNotes {
+ public:
+  void add(std::uint64_t place, const std::string& note);
+  /// With the number of tests that it is true of; empty if there is nothing to tell.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::mutex mutex_;
+  std::uint64_t tests_ = 0;
+  std::uint64_t first_ = 0;
+  std::string note_;
+};
 
 /// What is collected while tests run, beside their results.
 struct Collected {
@@ -36,6 +51,7 @@ struct Collected {
   KillTable kills;
   TroublesTable troubles;
   SituationTable situations;
+  ControllerNotes notes;
   /// Empty: nobody asks for it.
   std::unique_ptr<PerTestTable> per_test;
   std::optional<CoverageFeedback> feedback;

@@ -229,6 +229,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     console.error(result.message);
     return ExitCode::failed;
   }
+  if (!result.note.empty()) console.note(result.note);
   TestFindings findings;
   std::string found;
   if (asks(request->inquiry)) {

@@ -35,6 +35,9 @@ class Defective : public VehicleController {
     seen.stop_lines = sensed.stop_lines;
     return {act(view, inner_->decide(seen).acceleration_mps2)};
   }
+  void begin(const DriveBriefing& briefing) override { inner_->begin(briefing); }
+  void end(const DriveEnd& end) override { inner_->end(end); }
+  [[nodiscard]] std::string note() const override { return inner_->note(); }
   [[nodiscard]] double longest_period_s() const override { return inner_->longest_period_s(); }
   [[nodiscard]] std::string failure() const override { return inner_->failure(); }
 
