@@ -66,12 +66,13 @@ double write(const std::string& path, std::uint64_t tests) {
     return 0;
   }
   for (std::uint64_t test = 0; test < tests; ++test) {
-    TestRecord record{.test = {.behaviour = 0, .agents = kPedestrians, .number = test},
-                      .result = {.succeeded = true, .ticks = kTicks - 1},
-                      .outcome = {.ticks = kTicks - 1,
-                                  .precondition_ticks = kTicks - 1,
-                                  .ended_by = "precondition"},
-                      .recording = seen};
+    TestRecord record;
+    record.test = {.behaviour = 0, .agents = kPedestrians, .number = test};
+    record.result = {.succeeded = true, .ticks = kTicks - 1};
+    record.outcome.ticks = kTicks - 1;
+    record.outcome.precondition_ticks = kTicks - 1;
+    record.outcome.ended_by = "precondition";
+    record.recording = seen;
     record.scores.resize(kPedestrians);
     store.value()->add(std::move(record));
   }

@@ -53,8 +53,9 @@ class ExternalController : public ::testing::Test {
 
   [[nodiscard]] std::shared_ptr<const PreparedScenario> driven_by(
       const std::vector<std::string>& command, const std::string& process) const {
-    return scenario("external", {"world.av.process=" + process,
-                                 "world.av.command=" + json(command).dump(), "world.time_limit=5"});
+    return testing_scenario::scenario(
+        "external", {"world.av.process=" + process, "world.av.command=" + json(command).dump(),
+                     "world.time_limit=5"});
   }
 
   std::filesystem::path folder_;
@@ -98,7 +99,7 @@ TEST_F(ExternalController, ThatIsKeptIsToldWhenTestsBeginAndEnd) {
 
 TEST_F(ExternalController, DrivesAlikeKeptAndStartedAnew) {
   const auto drive = [](const std::string& process) {
-    const auto prepared = scenario("external", {"world.av.process=" + process});
+    const auto prepared = testing_scenario::scenario("external", {"world.av.process=" + process});
     TrialRunner runner(*prepared);
     std::vector<Recording> recordings(4);
     for (std::uint64_t test = 0; test < recordings.size(); ++test) {
@@ -110,10 +111,10 @@ TEST_F(ExternalController, DrivesAlikeKeptAndStartedAnew) {
 }
 
 TEST_F(ExternalController, SeesTheRoadItsOwnPlaceAndEverybodysWholeBox) {
-  const auto prepared =
-      scenario("external", {"world.av.process=test", "world.time_limit=5",
-                            "world.obstacles=[{rows: [2, 2], cells: [30, 33]}]",
-                            "world.av.command=" + json{"sh", "-c", kScribe, file("said")}.dump()});
+  const auto prepared = testing_scenario::scenario(
+      "external", {"world.av.process=test", "world.time_limit=5",
+                   "world.obstacles=[{rows: [2, 2], cells: [30, 33]}]",
+                   "world.av.command=" + json{"sh", "-c", kScribe, file("said")}.dump()});
   ASSERT_EQ(run_trial(*prepared, {.agents = 1, .test = 3}).message, "");
   const json view = lines("said").at(4);
   EXPECT_EQ(view["step"], 4);
@@ -154,7 +155,7 @@ TEST_F(ExternalController, IsFoundBesideItsScenarioFromEverywhere) {
   write("own.yaml",
         "world:\n  tick: 0.2\n  av: {model: external, command: [./driver], speed_mps: 9}\n"
         "  time_limit: 2\n  until: road_end\nbehaviours: [" +
-            project_file("agents/crossing/proximity.asl") + "]\n");
+            testing_scenario::project_file("agents/crossing/proximity.asl") + "]\n");
   Diagnostics warnings;
   for (const std::string& folder : {folder_.string(), std::string("/")}) {
     const std::filesystem::path before = std::filesystem::current_path();

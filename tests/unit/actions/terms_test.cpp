@@ -61,7 +61,7 @@ TEST(AnnotationActions, AddAndRemove) {
       {".remove_source_annot([q[source(a)],1], R); .print(R)", {"[q,1]"}},
       {".get_src_info(q, R); R = q[code_line(_)]; .print(yes)", {"failed: constraint_failed"}},
       {".get_src_info(q, R); q[code_line(_)] = R; .print(yes)", {"yes"}},
-      {".get_src_info(1, R)", {"failed: wrong_arguments"}},
+      {".get_src_info(1, R)", {"failed: ia_failed"}},
   });
 }
 
