@@ -62,18 +62,20 @@ Intention* Agent::find_intention(std::uint32_t id) {
   return exists && (*found)->state != Intention::State::finished ? found->get() : nullptr;
 }
 
-// What the rounds of an intention's loops have bound is free while this lives: the copy of the
-// stack needs the places as well as the values.
+// What the rounds of an intention's loops have bound, and what bodies have bound in the goals that
+// they were called for, is free while this lives: the copy of the stack needs the places as well as
+// the values, so that a failure can free them there, too.
 class Agent::FreedRounds {
  public:
   explicit FreedRounds(Intention& intention) : intention_(intention) {
     for (std::size_t i = 0; i < intention.stack.size(); ++i) {
-      for (const Loop& loop : intention.stack[i].loops) {
-        for (const Value place : loop.bound) {
-          Value& cell = cell_of(intention, i, place);
-          held_.push_back({i, place, cell});
-          cell = Value();
-        }
+      const IntendedMeans& means = intention.stack[i];
+      for (const Loop& loop : means.loops) {
+        for (const Value place : loop.bound) hold(i, place);
+      }
+      const Value* const pairs = intention.frame(means) + means.plan->slot_count;
+      for (std::size_t k = 0; k + 1 < means.returns; k += 2) {
+        if (pairs[k + 1].is_variable()) hold(i, pairs[k + 1]);
       }
     }
   }
@@ -97,13 +99,20 @@ class Agent::FreedRounds {
   }
 
  private:
+  void hold(std::size_t means, Value place) {
+    Value& cell = cell_of(intention_, means, place);
+    if (cell.is_unset()) return;
+    held_.push_back({means, place, cell});
+    cell = Value();
+  }
+
   Intention& intention_;
   std::vector<Held> held_;
 };
 
 // The same stack with variables of its own.
 Intention& Agent::copy_for_branch(Intention& intention) {
-  const FreedRounds rounds(intention);
+  const FreedRounds freed(intention);
   Intention& copy = new_intention();
   copy.stack = intention.stack;
   copy.atomic_means = intention.atomic_means;
@@ -116,7 +125,7 @@ Intention& Agent::copy_for_branch(Intention& intention) {
   std::vector<Value> terms;
   const auto note = [&](Value value) { terms.push_back(value.is_slot() ? Value() : value); };
   copy.visit_terms(note);
-  for (const FreedRounds::Held& held : rounds.held()) {
+  for (const FreedRounds::Held& held : freed.held()) {
     note(held.place);
     note(held.value);
   }
@@ -130,7 +139,7 @@ Intention& Agent::copy_for_branch(Intention& intention) {
     const Value now = next();
     if (!value.is_slot()) value = now;
   });
-  for (const FreedRounds::Held& held : rounds.held()) {
+  for (const FreedRounds::Held& held : freed.held()) {
     const Value variable = next();
     const Value place = held.place.is_slot() ? held.place : variable;
     FreedRounds::cell_of(copy, held.means, place) = next();

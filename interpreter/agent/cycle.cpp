@@ -463,7 +463,8 @@ namespace {
 std::uint32_t number_of_first_slot(const Value* pairs, std::size_t count) {
   std::uint32_t slots = 0;
   for (std::size_t i = 0; i + 1 < count; i += 2) slots += pairs[i].is_slot() ? 1U : 0U;
-  return slots == 0 ? 0 : pairs[1].variable()->serial - slots;
+  // A copied agent has values in the place of variables.
+  return slots == 0 || !pairs[1].is_variable() ? 0 : pairs[1].variable()->serial - slots;
 }
 
 // The variable of a slot with the number that it was given at the call. In a heap a variable is

@@ -88,7 +88,8 @@ void Agent::free_goal(Intention& intention, std::size_t depth) {
   const IntendedMeans& caller = intention.stack[depth - 1];
   const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
-    if (!deref(pairs[i + 1]).is_variable()) pairs[i + 1].variable()->value = Value();
+    const Value copy = pairs[i + 1];  // in a copied agent perhaps the value itself
+    if (copy.is_variable() && !deref(copy).is_variable()) copy.variable()->value = Value();
   }
 }
 

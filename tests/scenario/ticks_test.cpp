@@ -40,6 +40,11 @@ bool reckons_in_ticks(const std::string& name) {
   return name == "random_action" || name == "random_behaviour" || name == "scripted";
 }
 
+/// What is timed to tenths of a second, as the AV's braking is: at ticks of a second it comes too late.
+bool needs_short_ticks(const std::string& name) {
+  return name == "crowd" || name == "decoy_and_runner" || name == "hunter";
+}
+
 /// In how many tests a behaviour's only pedestrian meets the precondition; none may fail in a plan.
 int met(const std::string& name, const std::string& tick) {
   const auto prepared = paper({.preset = {},
@@ -64,7 +69,7 @@ TEST_P(Ticks, OfAnyLengthLeadToTheSameBehaviour) {
   for (const char* tick : {"0.5", "0.1"}) {
     const int shorter = met(name, tick);
     EXPECT_GT(shorter, 0) << name << " at ticks of " << tick << " s";
-    if (reckons_in_ticks(name)) continue;
+    if (reckons_in_ticks(name) || needs_short_ticks(name)) continue;
     // A second is a coarse tick: whoever decides once in it steps out up to a second later.
     EXPECT_NEAR(shorter, at_a_second, 0.2 * kTests) << name << " at ticks of " << tick << " s";
   }
