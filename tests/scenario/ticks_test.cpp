@@ -40,7 +40,8 @@ bool reckons_in_ticks(const std::string& name) {
   return name == "random_action" || name == "random_behaviour" || name == "scripted";
 }
 
-/// What is timed to tenths of a second, as the AV's braking is, comes too late at ticks of a second.
+/// What is timed to tenths of a second, as the AV's braking is, comes too late at ticks of a
+/// second.
 bool needs_short_ticks(const std::string& name) {
   return name == "crowd" || name == "decoy_and_runner" || name == "hunter";
 }
