@@ -21,7 +21,7 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
       max_inferences_(limits.inferences),
       random_(static_cast<std::int64_t>(seed)),
       library_(&program_->library()) {
-  heap_.set_limit(limits.heap_bytes);
+  heap_.set_limit(limits.bytes);
   if (auto remains = host_.workspaces().take_remains(program_.get())) {
     heap_.use(std::move(remains->heap));
     beliefs_.use(std::move(remains->beliefs));
@@ -35,7 +35,8 @@ Agent::~Agent() {
 }
 
 void Agent::borrow_workspace() {
-  workspace_ = host_.workspaces().lend();
+  WorkspacePool& pool = host_.workspaces();
+  workspace_ = pool.lend();
   workspace_->machine.attach({.heap = &heap_,
                               .beliefs = &beliefs_,
                               .actions = &program_->actions(),
@@ -44,7 +45,7 @@ void Agent::borrow_workspace() {
                               .functions = own_ == nullptr || own_->functions.empty()
                                                ? &program_->functions()
                                                : &own_->functions,
-                              .max_inferences = max_inferences_});
+                              .max_inferences = std::min(max_inferences_, pool.inferences_left())});
   workspace_->lend_queues(circumstance_);
 }
 

@@ -33,7 +33,7 @@ namespace jaywalk {
 class Transfer;
 
 struct AgentLimits {
-  std::uint64_t heap_bytes = std::uint64_t{1} << 30U;
+  std::uint64_t bytes = std::uint64_t{1} << 30U;
   std::uint64_t inferences = 1'000'000'000;
 };
 
@@ -236,7 +236,9 @@ class Agent final : public MachineSurroundings {
   // MachineSurroundings
   void log(std::string_view text) override { host_.log(*this, text); }
   double draw() override { return random_.next_double(); }
-  bool interrupted() override { return observer_ != nullptr && observer_->interrupted(); }
+  bool interrupted() override {
+    return (observer_ != nullptr && observer_->interrupted()) || host_.interrupted();
+  }
   double clock_ms() override { return kEpochMs + std::floor(host_.now_ms()); }
 
   /// The literal as told by `sender`: its own sources become annotations of the new one.
@@ -401,6 +403,9 @@ class Agent final : public MachineSurroundings {
   // Failure (failure.cpp).
   void fail(Intention& intention, const ActionError& error);
   void fail_at_limit(Intention& intention, const ActionError& error);
+  void report_limit(const ActionError& error, std::string where) {
+    if (error.limit != ReachedLimit::none) host_.limit_reached(*this, error.limit, where);
+  }
   void fail_event(const Event& event, const ActionError& error);
   struct OpenGoal {
     TriggerKind kind = TriggerKind::achieve;

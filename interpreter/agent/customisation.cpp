@@ -99,8 +99,8 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
     }
     return true;
   });
-  if (!completed) log("in the context of " + plan_name(plan) + ": " + error.message);
   unifier.undo(trail);
+  if (!completed) leave_context_at_limit(plan, error, heap_.mark());
 }
 
 }  // namespace jaywalk

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
@@ -32,6 +35,7 @@ void Agent::cycle() {
 
 void Agent::abandon_cycle(const ActionError& error) {
   log(error.message);
+  report_limit(error, executing_ == nullptr ? std::string() : formula_place(*executing_));
   if (executing_ != nullptr && executing_->state != Intention::State::finished) {
     (void)note_drop(executing_, error, Value());
     drop(*executing_);
@@ -249,7 +253,9 @@ bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const 
 // Nothing of what was made while the context was solved is in use.
 void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
   heap_.release(unused);
-  log("in the context of " + plan_name(plan) + ": " + error.message);
+  const std::string where = "the context of " + plan_name(plan);
+  log(fmt::format("in {}: {}", where, error.message));
+  report_limit(error, where);
 }
 
 // Rules RelPl and ApplPl for an observer.

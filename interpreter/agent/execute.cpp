@@ -6,6 +6,7 @@
 #include <array>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/agent/step_texts.h"
 #include "interpreter/program/plan_compiler.h"
@@ -71,6 +72,7 @@ void Agent::execute(Intention& intention) {
 void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
   machine().unifier().undo(0);
   const MemoryReserve reserve(heap_);
+  report_limit(error, formula_place(intention));
   fail(intention, error);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "interpreter/agent/message.h"
+#include "interpreter/logic/action.h"
 #include "interpreter/term/value.h"
 
 namespace jaywalk {
@@ -104,6 +105,11 @@ class AgentHost {
   [[nodiscard]] virtual Society& society() = 0;
   /// Where agents borrow what they reason with.
   [[nodiscard]] virtual WorkspacePool& workspaces() = 0;
+  /// A limit has ended a step of the agent, or a query; `where` says which: "x.asl:2:21", "the
+  /// context of @p1". Perhaps that ends the run.
+  virtual void limit_reached(Agent& /*agent*/, ReachedLimit /*limit*/, std::string /*where*/) {}
+  /// Whether the run is to end at once. Asked within queries and long actions.
+  [[nodiscard]] virtual bool interrupted() { return false; }
   /// Who looks at the agents as they reason; null: nobody.
   [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
 

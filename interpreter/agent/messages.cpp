@@ -52,7 +52,9 @@ void Agent::process_message() {
     if (is_free || customisation_->accepts_message(*this, message)) handle_message(message);
     return true;
   });
-  if (!handled) log(fmt::format("a message of {} is lost: {}", message.sender, error->message));
+  if (handled) return;
+  log(fmt::format("a message of {} is lost: {}", message.sender, error->message));
+  report_limit(*error, fmt::format("a message of {}", message.sender));
 }
 
 void Agent::handle_message(const Message& message) {

@@ -11,10 +11,13 @@ ActionError error_of_limit() {
     throw;
   } catch (const QueryLimit& limit) {
     error.message = limit.message;
+    error.limit = limit.limit;
   } catch (const HeapExhausted&) {
     error.message = "the agent's memory limit is reached";
+    error.limit = ReachedLimit::memory;
   } catch (const TermTooDeep&) {
     error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);
+    error.limit = ReachedLimit::nesting;
   } catch (const DivisionByZero&) {
     error.id = "division_by_zero";
     error.message = "division by zero in div";

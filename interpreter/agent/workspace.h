@@ -6,6 +6,7 @@
 // cycle.
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -78,6 +79,16 @@ class WorkspacePool {
   }
   void take_back(std::unique_ptr<Workspace> workspace) { idle_.push_back(std::move(workspace)); }
 
+  /// Inferences of all queries since the pool was made. REQUIRES: no workspace is lent.
+  [[nodiscard]] std::uint64_t inferences() const {
+    std::uint64_t all = 0;
+    for (const auto& workspace : idle_) all += workspace->machine.inferences();
+    return all;
+  }
+  /// What a query may take of those that are left to the run.
+  [[nodiscard]] std::uint64_t inferences_left() const { return inferences_left_; }
+  void set_inferences_left(std::uint64_t left) { inferences_left_ = left; }
+
   /// Those of an agent with this program, if there are any.
   [[nodiscard]] std::optional<AgentRemains> take_remains(const Program* program);
   [[nodiscard]] bool wants_remains() const { return remains_.size() < most_remains_; }
@@ -90,6 +101,7 @@ class WorkspacePool {
   std::vector<std::unique_ptr<Workspace>> idle_;
   std::vector<AgentRemains> remains_;
   std::size_t most_remains_ = 0;
+  std::uint64_t inferences_left_ = UINT64_MAX;
 };
 
 inline std::optional<AgentRemains> WorkspacePool::take_remains(const Program* program) {

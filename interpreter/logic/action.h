@@ -116,11 +116,15 @@ class ActionRegistry {
 /// The standard library (defined in actions/).
 [[nodiscard]] const ActionRegistry& standard_actions();
 
+/// What ends a query or a step before it is done.
+enum class ReachedLimit : std::uint8_t { none, inferences, memory, nesting, interruption };
+
 /// Why an action failed, beyond saying no: becomes the failure event's annotations.
 struct ActionError {
   std::string id = "internal_action";  // error(id)
   std::string message;                 // error_msg("...")
   std::vector<Value> annots;           // further annotations
+  ReachedLimit limit = ReachedLimit::none;
 };
 
 /// One call of an internal action.

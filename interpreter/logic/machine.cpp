@@ -54,7 +54,8 @@ class Machine::Run {
     if (machine.nesting_ == 0) machine.start_query();
     if (++machine.nesting_ > kMaxNestedQueries) {
       --machine.nesting_;
-      throw QueryLimit{fmt::format("queries within queries, {} deep", kMaxNestedQueries)};
+      throw QueryLimit{fmt::format("queries within queries, {} deep", kMaxNestedQueries),
+                       ReachedLimit::nesting};
     }
     // A function in an argument is a query while the arguments of another are made.
     if (machine.nesting_ > 1) registers_.swap(machine.registers_);
@@ -304,13 +305,14 @@ bool Machine::retry() {
 
 void Machine::check_limits() {
   if (inferences_ - query_start_ > max_inferences_) {
-    throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_)};
+    throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_),
+                     ReachedLimit::inferences};
   }
   if (unifier_.mark() * sizeof(Value*) > heap().limit()) {
     throw QueryLimit{"a query binds too many variables for the memory allowed"};
   }
   if (surroundings_ != nullptr && surroundings_->interrupted()) {
-    throw QueryLimit{"the query was interrupted"};
+    throw QueryLimit{"the query was interrupted", ReachedLimit::interruption};
   }
   next_check_ = std::min(inferences_ + kChecked, query_start_ + max_inferences_ + 1);
 }

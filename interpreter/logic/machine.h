@@ -42,6 +42,7 @@ namespace jaywalk {
 /// executes a step, which fails.
 struct QueryLimit {
   std::string message;
+  ReachedLimit limit = ReachedLimit::memory;
 };
 
 /// What a machine's queries know of the world around their agent.

@@ -36,6 +36,7 @@ void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, 
     is_done(*beside);
     if (ended_) break;
   }
+  if (options_.max_run_inferences != 0) count_inferences({});
 }
 
 }  // namespace jaywalk

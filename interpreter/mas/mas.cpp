@@ -1,11 +1,31 @@
 #include "interpreter/mas/mas.h"
 
+#include <cstdlib>
+
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/mas/system.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
+
+std::string_view name(RunLimit limit) {
+  switch (limit) {
+    case RunLimit::none:
+      return "";
+    case RunLimit::cycles:
+      return "cycles";
+    case RunLimit::ticks:
+      return "ticks";
+    case RunLimit::rounds:
+      return "rounds";
+    case RunLimit::inferences:
+      return "inferences";
+    case RunLimit::memory:
+      return "memory";
+  }
+  std::abort();
+}
 
 Mas::Mas(std::shared_ptr<const SymbolTable> symbols, MasOptions options, Environment* environment)
     : implementation_(std::make_unique<Implementation>(

@@ -69,9 +69,17 @@ struct MasOptions {
   std::uint32_t max_rounds = 10'000;
   /// Agents that live at the same time; beyond, `.create_agent` fails.
   std::size_t max_agents = 1'000'000;
-  /// Heap of one agent in bytes, and the most inferences that one query may take.
-  std::uint64_t max_heap_bytes = std::uint64_t{1} << 30U;
+  /// What one agent may own, in bytes: terms, beliefs, plans of its own, goals, intentions, events
+  /// and messages. A step that asks for more fails, as far as `at_memory_limit` says no other.
+  std::uint64_t max_agent_bytes = std::uint64_t{1} << 30U;
+  /// The same for all agents of the system together; 0: half of the machine's memory.
+  std::uint64_t max_system_bytes = 0;
+  enum class AtMemoryLimit : std::uint8_t { fail_step, end_run };
+  AtMemoryLimit at_memory_limit = AtMemoryLimit::fail_step;
+  /// Inferences that one query may take; beyond, the step that asks it fails.
   std::uint64_t max_inferences = 100'000'000;
+  /// Inferences of all agents in the whole run; 0: no limit.
+  std::uint64_t max_run_inferences = 0;
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
   /// Loads a program during the run (of an agent that is created, or for `.include`) into the run's
@@ -98,15 +106,24 @@ struct MasOptions {
   bool measure_cpu = false;
   /// Looks at all agents as they reason (agent/observer.h); must outlive the system. Null: nobody.
   ReasoningObserver* observer = nullptr;
+  /// Asked now and then, on every thread that reasons and within queries and long actions, too:
+  /// true ends the run (RunEnd::interrupted). Not set: never.
+  std::function<bool()> interrupted;
 };
 
 enum class RunEnd {
-  stopped,   // `.stopMAS`
-  idle,      // every agent is idle, no timer and no message pending
-  finished,  // the environment says so
-  limit,     // max_cycles, max_ticks or max_rounds
-  looping,   // an agent reasoned max_cycles_per_tick cycles within one tick
+  stopped,      // `.stopMAS`
+  idle,         // every agent is idle, no timer and no message pending
+  finished,     // the environment says so
+  limit,        // a limit of the run; RunOutcome::limit says which
+  looping,      // an agent reasoned max_cycles_per_tick cycles within one tick, or for max_rounds
+  interrupted,  // MasOptions::interrupted
 };
+
+/// A limit of MasOptions that ends a run.
+enum class RunLimit : std::uint8_t { none, cycles, ticks, rounds, inferences, memory };
+/// "cycles", "memory", ...; empty for none.
+[[nodiscard]] std::string_view name(RunLimit limit);
 
 struct RunOutcome {
   RunEnd end = RunEnd::idle;
@@ -114,6 +131,13 @@ struct RunOutcome {
   std::uint64_t cycles = 0;
   int exit_code = 0;    // given to .stopMAS
   std::string message;  // of limit and looping: which agent, doing what
+  /// Of limit and looping: which limit it was, the agent that reached it (empty: all of them
+  /// together) and what it was doing: "x.asl:2:21", "the context of @p1"; may be empty.
+  RunLimit limit = RunLimit::none;
+  std::string agent;
+  std::string where;
+  /// Inferences that agents have taken.
+  std::uint64_t inferences = 0;
 };
 
 class Mas {

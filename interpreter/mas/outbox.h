@@ -29,6 +29,9 @@ class Outbox {
     RunEnd how = RunEnd::stopped;
     std::string message;
     int exit_code = 0;
+    RunLimit limit = RunLimit::none;
+    std::string agent;
+    std::string where;
   };
 
   void add_text(Kind kind, std::string text) {

@@ -64,7 +64,7 @@ bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
   do {
     reason(resident, turn == Turn::one_cycle ? 1 : UINT64_MAX);
   } while (turn == Turn::until_idle && !has_ended() && !resident.is_leaving &&
-           resident.agent->is_active());
+           resident.agent->is_active() && !interrupted());
   return true;
 }
 
@@ -94,9 +94,7 @@ void Mas::Implementation::empty(Outbox& outbox) {
                  }
                },
                [this](const Timer& timer) { timers_.add(timer); });
-  if (!outbox.end) return;
-  outcome_.exit_code = outbox.end->exit_code;
-  end(outbox.end->how, std::move(outbox.end->message));
+  if (outbox.end) end(std::move(*outbox.end));
 }
 
 }  // namespace jaywalk

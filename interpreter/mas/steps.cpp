@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/mas/system.h"
 
 namespace jaywalk {
@@ -20,6 +21,9 @@ constexpr std::uint64_t kStepsPerMs = 1000;
 
 /// How long a step may sleep in real time; between steps the run can be interrupted.
 constexpr double kLongestSleepMs = 20;
+
+/// After so many cycles of one agent the run's limits are looked at.
+constexpr std::uint64_t kCyclesBetweenLooks = 4096;
 
 double thread_cpu_s() {
   std::timespec time{};
@@ -36,7 +40,12 @@ void sleep_ms(double ms) {
 bool Mas::Implementation::step() {
   if (ended_) return false;
   environment_ != nullptr ? tick() : free_step(1);
+  return is_to_go_on();
+}
+
+bool Mas::Implementation::is_to_go_on() {
   if (residents_.has_leaving()) residents_.bury();
+  if (!ended_ && interrupted()) end({.how = RunEnd::interrupted});
   return !ended_;
 }
 
@@ -50,8 +59,7 @@ bool Mas::Implementation::stride() {
     constexpr std::uint64_t kMostAtOnce = 32;
     environment_ != nullptr ? tick() : free_step(kMostAtOnce);
   }
-  if (residents_.has_leaving()) residents_.bury();
-  return !ended_;
+  return is_to_go_on();
 }
 
 // Free steps, as long as only one agent takes part in each and no time passes: the same one, or one
@@ -103,16 +111,81 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
   if (options_.max_cycles > agent.cycles()) {
     most = std::min(most, options_.max_cycles - agent.cycles());
   }
+  // The outside is to be heard, and limits are to be looked at, now and then.
+  if (options_.interrupted || options_.max_run_inferences != 0) {
+    most = std::min(most, kCyclesBetweenLooks);
+  }
   has_business_ = false;
   const std::uint64_t taken = agent.reason(most);
   (beside_ != nullptr ? beside_->outbox.cycles : outcome_.cycles) += taken;
-  if (agent.cycles() - resident.cycles_before > options_.max_cycles_per_tick) {
-    end(RunEnd::looping, busy_message(agent, options_.max_cycles_per_tick));
+  const std::uint64_t in_period = agent.cycles() - resident.cycles_before;
+  if (in_period > options_.max_cycles_per_tick) {
+    end({.how = RunEnd::looping,
+         .message = busy_message(agent, options_.max_cycles_per_tick),
+         .limit = RunLimit::cycles,
+         .agent = agent.name(),
+         .where = last_place(agent)});
   } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
-    end(RunEnd::limit, fmt::format("agent {} has reasoned for {} cycles, the limit", agent.name(),
-                                   options_.max_cycles));
+    end({.how = RunEnd::limit,
+         .message = fmt::format("agent {} has reasoned for {} cycles, the limit", agent.name(),
+                                options_.max_cycles),
+         .limit = RunLimit::cycles,
+         .agent = agent.name(),
+         .where = last_place(agent)});
   }
+  if (options_.max_run_inferences != 0 && beside_ == nullptr) count_inferences(agent.name());
   if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
+}
+
+// Inferences of the run's queries, without those of agents that are reasoning.
+std::uint64_t Mas::Implementation::inferences() const {
+  std::uint64_t all = stock_->workspaces.inferences();
+  for (const auto& pool : workspaces_of_lanes_) all += pool->inferences();
+  return all - std::min(all, inferences_before_);
+}
+
+// What is left for queries; the run ends if that is nothing. Agents that reason beside each other
+// may each take what was left before.
+void Mas::Implementation::count_inferences(std::string agent) {
+  const std::uint64_t most = options_.max_run_inferences;
+  const std::uint64_t taken = most == 0 ? 0 : inferences();
+  const std::uint64_t left = most == 0 ? UINT64_MAX : most - std::min(most, taken);
+  stock_->workspaces.set_inferences_left(left);
+  for (const auto& pool : workspaces_of_lanes_) pool->set_inferences_left(left);
+  if (left > 0) return;
+  std::string message = fmt::format("{} inferences, the limit of the run{}{}{}", most,
+                                    agent.empty() ? "" : fmt::format(": agent {}", agent),
+                                    last_query_.empty() ? "" : " in ", last_query_);
+  end({.how = RunEnd::limit,
+       .message = std::move(message),
+       .limit = RunLimit::inferences,
+       .agent = std::move(agent),
+       .where = last_query_});
+}
+
+void Mas::Implementation::limit_reached(Agent& agent, ReachedLimit limit, std::string where) {
+  if (limit == ReachedLimit::memory &&
+      options_.at_memory_limit == MasOptions::AtMemoryLimit::end_run) {
+    std::string message = fmt::format("agent {} needs more memory than it may have{}{}",
+                                      agent.name(), where.empty() ? "" : ", in ", where);
+    end({.how = RunEnd::limit,
+         .message = std::move(message),
+         .limit = RunLimit::memory,
+         .agent = agent.name(),
+         .where = std::move(where)});
+  } else if (limit == ReachedLimit::inferences && beside_ == nullptr) {
+    last_query_ = std::move(where);
+    has_business_ = true;  // perhaps it was the run's limit
+  }
+}
+
+// Where the intention stands that has come last.
+std::string Mas::Implementation::last_place(const Agent& agent) {
+  std::string place;
+  for (const auto& intention : agent.circumstance().intentions) {
+    if (!intention->is_finished()) place = formula_place(*intention);
+  }
+  return place;
 }
 
 std::string Mas::Implementation::busy_message(const Agent& agent, std::uint64_t cycles) {
@@ -131,18 +204,21 @@ void Mas::Implementation::reason_until_quiet() {
   std::uint32_t rounds = 0;
   do {
     if (++rounds > options_.max_rounds) {
-      end(RunEnd::looping,
-          fmt::format("agents exchanged messages for {} rounds in one tick", options_.max_rounds));
+      end({.how = RunEnd::looping,
+           .message = fmt::format("agents exchanged messages for {} rounds in one tick",
+                                  options_.max_rounds),
+           .limit = RunLimit::rounds});
       return;
     }
     (void)round(Turn::until_idle);
+    if (interrupted()) end({.how = RunEnd::interrupted});
     if (ended_) return;
   } while (deliver_messages());
 }
 
 void Mas::Implementation::tick() {
   if (environment_->finished()) {
-    end(RunEnd::finished);
+    end({.how = RunEnd::finished});
     return;
   }
   look();
@@ -159,9 +235,11 @@ void Mas::Implementation::tick() {
   fire_timers();
   ++outcome_.ticks;
   if (environment_->finished()) {
-    end(RunEnd::finished);
+    end({.how = RunEnd::finished});
   } else if (options_.max_ticks != 0 && outcome_.ticks >= options_.max_ticks) {
-    end(RunEnd::limit, fmt::format("{} ticks, the limit", options_.max_ticks));
+    end({.how = RunEnd::limit,
+         .message = fmt::format("{} ticks, the limit", options_.max_ticks),
+         .limit = RunLimit::ticks});
   }
 }
 
@@ -209,7 +287,7 @@ void Mas::Implementation::fire_timers() {
   while (!timers_.empty() && timers_.next_ms() <= now_ms_ && !ended_) {
     const Timer timer = timers_.take();
     if (timer.purpose == Timer::Purpose::stop) {
-      end(RunEnd::stopped);
+      end({.how = RunEnd::stopped, .exit_code = outcome_.exit_code});
       return;
     }
     Resident& resident = residents_[timer.agent];
@@ -261,7 +339,7 @@ void Mas::Implementation::drop_stale_timers() {
 void Mas::Implementation::pass_idle_time() {
   drop_stale_timers();
   if (timers_.empty()) {
-    end(RunEnd::idle);
+    end({.how = RunEnd::idle});
     return;
   }
   ++period_;

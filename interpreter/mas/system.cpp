@@ -1,5 +1,7 @@
 #include "interpreter/mas/system.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/agent/step_guard.h"
@@ -15,12 +17,21 @@ Mas::Implementation::Implementation(std::unique_ptr<SystemStock> stock, MasOptio
       services_(
           [this](const std::string& subscriber, const std::string& provider,
                  const std::string& service) { tell_of_provider(subscriber, provider, service); }) {
+  inferences_before_ = stock_->workspaces.inferences();
+  count_inferences({});
   if (options_.threads < 2 || options_.observer != nullptr) return;
   symbols_.allow_threads();
   lanes_ = std::make_unique<Lanes>(options_.threads);
   for (std::size_t lane = 0; lane < options_.threads; ++lane) {
     workspaces_of_lanes_.push_back(std::make_unique<WorkspacePool>(symbols_));
   }
+  count_inferences({});
+}
+
+const RunOutcome& Mas::Implementation::outcome() {
+  // Within a step, what is under way does not count yet.
+  outcome_.inferences = std::max(outcome_.inferences, inferences());
+  return outcome_;
 }
 
 std::unique_ptr<SystemStock> Mas::Implementation::dismantle(
@@ -48,7 +59,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
   look_whether_solitary(*program);
   auto agent =
       std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
-                              AgentLimits{options_.max_heap_bytes, options_.max_inferences});
+                              AgentLimits{options_.max_agent_bytes, options_.max_inferences});
   if (lanes_ != nullptr) reaches_.add(*program, symbols_);
   Resident& resident = residents_.add(std::move(agent), std::move(program));
   residents_.wake(resident);
@@ -164,12 +175,12 @@ void Mas::Implementation::leave(Resident& resident) {
 void Mas::Implementation::stop(double deadline_ms, int exit_code) {
   has_business_ = true;
   if (beside_ != nullptr) {
-    if (!beside_->outbox.end) beside_->outbox.end = {RunEnd::stopped, {}, exit_code};
+    end({.how = RunEnd::stopped, .exit_code = exit_code});
     return;
   }
   outcome_.exit_code = exit_code;
   if (deadline_ms <= 0) {
-    end(RunEnd::stopped);
+    end({.how = RunEnd::stopped, .exit_code = exit_code});
     return;
   }
   const Value ms = Value::number(deadline_ms);
@@ -180,16 +191,20 @@ void Mas::Implementation::stop(double deadline_ms, int exit_code) {
   timers_.add({.at_ms = now_ms_ + deadline_ms, .purpose = Timer::Purpose::stop});
 }
 
-void Mas::Implementation::end(RunEnd how, std::string message) {
+void Mas::Implementation::end(Outbox::End how) {
   has_business_ = true;
   if (has_ended()) return;
   if (beside_ != nullptr) {
-    beside_->outbox.end = {how, std::move(message), outcome_.exit_code};
+    beside_->outbox.end = std::move(how);
     return;
   }
   ended_ = true;
-  outcome_.end = how;
-  outcome_.message = std::move(message);
+  outcome_.end = how.how;
+  outcome_.message = std::move(how.message);
+  outcome_.exit_code = how.exit_code;
+  outcome_.limit = how.limit;
+  outcome_.agent = std::move(how.agent);
+  outcome_.where = std::move(how.where);
 }
 
 // From outside, agents get something to do after all were idle.

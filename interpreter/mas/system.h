@@ -48,7 +48,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
   bool stride();
 
-  [[nodiscard]] const RunOutcome& outcome() const { return outcome_; }
+  [[nodiscard]] const RunOutcome& outcome();
   [[nodiscard]] const Residents& residents() const { return residents_; }
   [[nodiscard]] double reasoning_cpu_s() const { return cpu_s_; }
 
@@ -64,6 +64,10 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] Society& society() override { return *this; }
   [[nodiscard]] WorkspacePool& workspaces() override {
     return beside_ != nullptr ? beside_->workspaces : stock_->workspaces;
+  }
+  void limit_reached(Agent& agent, ReachedLimit limit, std::string where) override;
+  [[nodiscard]] bool interrupted() override {
+    return options_.interrupted && options_.interrupted();
   }
   [[nodiscard]] ReasoningObserver* observer() override { return options_.observer; }
 
@@ -84,11 +88,12 @@ class Mas::Implementation : public AgentHost, public Society {
   Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
   [[nodiscard]] bool is_full() const;
   void start(Agent& agent, const AgentSpec& spec);
-  void end(RunEnd how, std::string message = {});
+  void end(Outbox::End how);
   void go_on_after_idleness();
   void leave(Resident& resident);
 
   // One step of the run.
+  [[nodiscard]] bool is_to_go_on();
   void tick();
   void free_step(std::uint64_t most);
 
@@ -117,6 +122,8 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason_until_quiet();
   void execute_actions();
   void reason(Resident& resident, std::uint64_t most);
+  [[nodiscard]] std::uint64_t inferences() const;
+  void count_inferences(std::string agent);
   [[nodiscard]] bool has_ended() const {
     return beside_ ? beside_->outbox.end.has_value() : ended_;
   }
@@ -159,6 +166,7 @@ class Mas::Implementation : public AgentHost, public Society {
   bool deliver_messages();
   void tell_of_provider(const std::string& subscriber, const std::string& provider,
                         const std::string& service);
+  [[nodiscard]] static std::string last_place(const Agent& agent);
   [[nodiscard]] static std::string busy_message(const Agent& agent, std::uint64_t cycles);
   [[nodiscard]] double wall_ms() const;
 
@@ -190,6 +198,8 @@ class Mas::Implementation : public AgentHost, public Society {
   std::unique_ptr<Lanes> lanes_;  // null: one thread
   bool ended_ = false;
   RunOutcome outcome_;
+  std::uint64_t inferences_before_ = 0;  // this run, by what it is made of
+  std::string last_query_;               // that hit a limit: where it was asked
   double cpu_s_ = 0;
   // Agents of which none can tell when another reasons (program/solitary.h).
   bool all_keep_to_themselves_ = true;

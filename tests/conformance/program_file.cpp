@@ -29,7 +29,7 @@ bool read_limit(std::string_view text, MasOptions& options) {
   } else if (name == "inferences") {
     options.max_inferences = number;
   } else if (name == "heap") {
-    options.max_heap_bytes = number;
+    options.max_agent_bytes = number;
   } else {
     return false;
   }

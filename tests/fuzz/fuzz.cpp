@@ -77,7 +77,7 @@ void run(const std::string& program, std::uint64_t seed) {
   options.seed = seed;
   options.max_cycles = 200;
   options.max_inferences = 20'000;
-  options.max_heap_bytes = 2U << 20U;
+  options.max_agent_bytes = 2U << 20U;
   (void)run_agents({{"agent", program}, {"other", program}}, options);
 }
 

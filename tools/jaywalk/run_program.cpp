@@ -72,6 +72,9 @@ ExitCode verdict(const RunOutcome& outcome, Console& console) {
     case RunEnd::looping:
       console.error(outcome.message);
       return ExitCode::failed;
+    case RunEnd::interrupted:
+      console.note("interrupted");
+      return ExitCode::interrupted;
   }
   std::abort();
 }
@@ -88,6 +91,8 @@ std::string_view name(RunEnd end) {
       return "limit";
     case RunEnd::looping:
       return "looping";
+    case RunEnd::interrupted:
+      return "interrupted";
   }
   std::abort();
 }

@@ -217,7 +217,7 @@ class TestRun {
     MasOptions options;
     options.seed = limits_.seed;
     options.max_cycles = limits_.max_cycles;
-    options.max_heap_bytes = kMaxHeapBytes;
+    options.max_agent_bytes = kMaxHeapBytes;
     options.max_inferences = kMaxInferences;
     options.max_agents = 1000;
     const auto keep = [this](std::string_view line) {

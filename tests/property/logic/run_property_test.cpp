@@ -16,7 +16,7 @@ MasOptions small_run(std::uint64_t seed) {
   options.seed = seed;
   options.max_cycles = 300;
   options.max_inferences = 20'000;
-  options.max_heap_bytes = 4U << 20U;
+  options.max_agent_bytes = 4U << 20U;
   return options;
 }
 

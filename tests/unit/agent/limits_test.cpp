@@ -19,7 +19,7 @@ MasOptions small_limits() {
   MasOptions options;
   options.max_cycles = 20'000;
   options.max_inferences = 100'000;
-  options.max_heap_bytes = 8U << 20U;
+  options.max_agent_bytes = 8U << 20U;
   return options;
 }
 

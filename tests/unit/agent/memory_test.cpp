@@ -17,7 +17,7 @@ constexpr std::uint64_t kSmallHeap = 1U << 20U;
 
 std::vector<std::string> run_in_little_memory(std::string_view program) {
   MasOptions options;
-  options.max_heap_bytes = kSmallHeap;
+  options.max_agent_bytes = kSmallHeap;
   options.max_cycles = 2'000'000;
   return test::printed_by(program, options);
 }

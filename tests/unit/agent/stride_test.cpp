@@ -26,7 +26,7 @@ test::AgentRun run(const std::string& program, ReasoningObserver* observer, int 
   MasOptions options;
   options.observer = observer;
   options.max_cycles = 20'000;
-  options.max_heap_bytes = 8U << 20U;
+  options.max_agent_bytes = 8U << 20U;
   options.max_inferences = 100'000;
   return test::run_agents(all, options);
 }

@@ -139,7 +139,7 @@ TEST_F(Embedded, IncludesAText) {
 }
 
 TEST_F(Embedded, ManyBeliefsDoNotFillTheMemory) {
-  Interpreter limited({.max_heap_bytes = std::uint64_t{1} << 20U});
+  Interpreter limited({.max_agent_bytes = std::uint64_t{1} << 20U});
   const auto program = limited.load_text("ann", "+p(_) <- -+last(1).");
   const AgentId ann = limited.add_agent("ann", program.value());
   for (int i = 0; i < 20'000; ++i) {
