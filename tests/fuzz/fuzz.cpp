@@ -1,171 +1,121 @@
-// Programs at random, through the whole interpreter, under small limits. See README.md.
+// Inputs at random, through the interpreter and the commands, under limits. See README.md.
 
-#include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <sys/time.h>
-#include <unistd.h>
-#include <vector>
 
-#include "tests/helpers/generate.h"
-#include "tests/helpers/run_agents.h"
+#include "tests/fuzz/campaign.h"
+#include "tests/fuzz/run_case.h"
 
-// A sanitizer's finding is to end as a signal, so that report_crash can name the case.
-// NOLINTBEGIN(bugprone-reserved-identifier): the names are the sanitizers'.
-extern "C" const char* __asan_default_options() { return "abort_on_error=1"; }
-extern "C" const char* __ubsan_default_options() { return "abort_on_error=1:print_stacktrace=1"; }
-// NOLINTEND(bugprone-reserved-identifier)
+namespace jaywalk::fuzz {
 
-namespace jaywalk::test {
+std::span<const Target> targets() {
+  static constexpr Target kTargets[] = {
+#define JAYWALK_FUZZ_TARGET(name, summary) {#name, summary, target::name::make},
+#include "tests/fuzz/targets.def"
+#undef JAYWALK_FUZZ_TARGET
+  };
+  return kTargets;
+}
+
 namespace {
 
-/// CPU seconds that one case may take under sanitizers: conditions of a hundred goals that run into
-/// a limit in every cycle take most of them.
-constexpr double kSlowSeconds = 150;
-
-/// Processor time of this process in seconds: other work on the machine does not count.
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Sends SIGPROF after `seconds` of processor time from now.
-void set_alarm(double seconds) {
-  itimerval timer{};
-  timer.it_value.tv_sec = static_cast<time_t>(seconds);
-  (void)setitimer(ITIMER_PROF, &timer, nullptr);
-}
-
-std::vector<std::string> read_corpus() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(JAYWALK_SOURCE_DIR "/tests/fuzz/corpus")) {
-    paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  std::vector<std::string> texts;
-  for (const auto& path : paths) {
-    std::ifstream stream(path);
-    texts.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  }
-  return texts;
-}
-
-/// The program of a case: a function of its number and the corpus.
-std::string program_of(std::uint64_t number, const std::vector<std::string>& corpus) {
-  Choices choices(number);
-  const std::size_t kind = choices.below(4);
-  const std::string& seed = corpus[choices.below(corpus.size())];
-  switch (kind) {
-    case 0:
-      return mutate(choices, seed, corpus[choices.below(corpus.size())]);
-    case 1: {
-      const std::string generated = random_program(choices);
-      return mutate(choices, generated, seed);
-    }
-    default:
-      return random_program(choices);
-  }
-}
-
-void run(const std::string& program, std::uint64_t seed) {
-  MasOptions options;
-  options.seed = seed;
-  options.max_cycles = 200;
-  options.max_inferences = 20'000;
-  options.max_agent_bytes = 2U << 20U;
-  (void)run_agents({{"agent", program}, {"other", program}}, options);
-}
-
-// The number of the case in progress, for the handler of its crash.
-volatile std::uint64_t current_case = 0;
-
-extern "C" void report_crash(int signal) {
-  char text[80];
-  const int length = std::snprintf(text, sizeof text, "\nfuzz: signal %d in case %llu\n", signal,
-                                   static_cast<unsigned long long>(current_case));
-  (void)!write(2, text, static_cast<std::size_t>(length));
-  _exit(1);
-}
-
 struct Options {
-  double seconds = 10;
-  std::uint64_t seed = 1;
-  bool single = false;
-  bool show = false;
+  CampaignOptions campaign;
+  /// Empty: all of them.
+  std::string target;
+  /// The folder that the case is written to instead of being run.
+  std::string show;
+  bool list = false;
 };
 
-bool read_options(int count, char** words, Options& options) {
-  for (int i = 1; i < count; ++i) {
-    const std::string_view word = words[i];
-    const bool has_value = i + 1 < count;
-    if (word == "--show") {
-      options.show = true;
-    } else if (word == "--seconds" && has_value) {
-      options.seconds = std::strtod(words[++i], nullptr);
-    } else if (word == "--seed" && has_value) {
-      options.seed = std::strtoull(words[++i], nullptr, 10) << 32U;
-    } else if (word == "--case" && has_value) {
-      options.single = true;
-      options.seed = std::strtoull(words[++i], nullptr, 10);
-    } else {
+/// The value of a numeric option; nothing if it is none.
+std::optional<double> number_of(const char* word) {
+  char* end = nullptr;
+  const double value = std::strtod(word, &end);
+  return *end == '\0' && end != word && value >= 0 ? std::optional(value) : std::nullopt;
+}
+
+bool read_value(std::string_view name, const char* word, Options& options) {
+  if (name == "--target") {
+    options.target = word;
+    return true;
+  }
+  if (name == "--findings") {
+    options.campaign.findings = std::filesystem::absolute(word);
+    return true;
+  }
+  if (name == "--show") {
+    options.show = std::filesystem::absolute(word);
+    return true;
+  }
+  const auto number = number_of(word);
+  if (!number) return false;
+  if (name == "--seconds") {
+    options.campaign.seconds = *number;
+  } else if (name == "--seed") {
+    options.campaign.first = static_cast<std::uint64_t>(*number) << 32U;
+  } else if (name == "--case") {
+    options.campaign.first = std::strtoull(word, nullptr, 10);
+    options.campaign.cases = 1;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_options(std::span<char*> words, Options& options) {
+  options.campaign.findings = std::filesystem::absolute(options.campaign.findings);
+  options.campaign.first = std::uint64_t{1} << 32U;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (std::string_view(words[i]) == "--list") {
+      options.list = true;
+    } else if (i + 1 == words.size() || !read_value(words[i], words[i + 1], options)) {
       return false;
+    } else {
+      ++i;
     }
   }
   return true;
 }
 
-int campaign(const Options& options, const std::vector<std::string>& corpus) {
-  const double start = cpu_seconds();
-  std::uint64_t number = options.seed;
-  double longest = 0;
-  for (;; ++number) {
-    const double before = cpu_seconds();
-    if (before - start > options.seconds) break;
-    current_case = number;
-    set_alarm(2 * kSlowSeconds);
-    run(program_of(number, corpus), number);
-    const double took = cpu_seconds() - before;
-    longest = std::max(longest, took);
-    if (took > kSlowSeconds) {
-      std::printf("fuzz: case %llu took %.1f s of CPU\n", static_cast<unsigned long long>(number),
-                  took);
-      return 1;
+int run(const Options& options) {
+  int findings = 0;
+  bool known = false;
+  CampaignOptions campaign = options.campaign;
+  if (options.target.empty()) campaign.seconds /= static_cast<double>(targets().size());
+  for (const Target& target : targets()) {
+    if (!options.target.empty() && options.target != target.name) continue;
+    known = true;
+    if (options.list) {
+      std::printf("%-14s %s\n", target.name.data(), target.summary.data());
+    } else if (!options.show.empty()) {
+      write_case(make_case(target, campaign.first), options.show);
+    } else {
+      findings += run_campaign(target, campaign);
     }
   }
-  std::printf("fuzz: %llu cases, the longest took %.2f s\n",
-              static_cast<unsigned long long>(number - options.seed), longest);
-  return 0;
+  if (!known) std::fprintf(stderr, "fuzz: no target '%s'; see --list\n", options.target.c_str());
+  if (!known) return 2;
+  return findings == 0 ? 0 : 1;
 }
 
 }  // namespace
-}  // namespace jaywalk::test
+}  // namespace jaywalk::fuzz
 
 int main(int count, char** words) {
-  using namespace jaywalk::test;
+  using namespace jaywalk::fuzz;
   Options options;
-  if (!read_options(count, words, options)) {
-    std::fprintf(stderr, "usage: jaywalk_fuzz [--seconds N] [--seed N] [--case N [--show]]\n");
+  if (!read_options({words, static_cast<std::size_t>(count)}, options)) {
+    std::fprintf(stderr,
+                 "usage: jaywalk_fuzz [--target NAME] [--seconds N] [--seed N] [--findings DIR]\n"
+                 "       jaywalk_fuzz --target NAME --case N [--show DIR]\n"
+                 "       jaywalk_fuzz --list\n");
     return 2;
   }
-  for (const int signal : {SIGABRT, SIGSEGV, SIGPROF}) std::signal(signal, report_crash);
-  const std::vector<std::string> corpus = read_corpus();
-  if (corpus.empty()) {
-    std::fprintf(stderr, "fuzz: the corpus is empty\n");
-    return 2;
-  }
-  if (!options.single) return campaign(options, corpus);
-  const std::string program = program_of(options.seed, corpus);
-  if (options.show) {
-    std::printf("%s", program.c_str());
-  } else {
-    current_case = options.seed;
-    run(program, options.seed);
-    std::printf("fuzz: case %llu ended well\n", static_cast<unsigned long long>(options.seed));
-  }
-  return 0;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  return run(options);
 }

@@ -1,0 +1,110 @@
+#include "tests/fuzz/run_case.h"
+
+#include <exception>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <unistd.h>
+
+#include "tests/helpers/run_agents.h"
+#include "tools/jaywalk/command.h"
+
+namespace jaywalk::fuzz {
+namespace {
+
+constexpr std::string_view kInput = "input";
+
+void write_files(const Case& made) {
+  for (const auto& [name, text] : made.files) {
+    if (const auto folder = std::filesystem::path(name).parent_path(); !folder.empty()) {
+      std::filesystem::create_directories(folder);
+    }
+    std::ofstream(name, std::ios::binary) << text;
+  }
+  std::ofstream(std::string(kInput), std::ios::binary) << made.input;
+}
+
+/// The case's input becomes the standard one, from its beginning.
+void open_input() {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the system has no other interface
+  const int input = ::open(kInput.data(), O_RDONLY | O_CLOEXEC);
+  (void)::dup2(input, STDIN_FILENO);
+  (void)::close(input);
+}
+
+void run_programs(const Case& made) {
+  if (made.agents.empty()) return;
+  std::vector<test::NamedProgram> programs;
+  for (const std::string& file : made.agents) {
+    programs.push_back({std::filesystem::path(file).stem().string(), made.files.at(file)});
+  }
+  MasOptions options;
+  options.max_cycles = 100;
+  options.max_inferences = 5'000;
+  options.max_agent_bytes = 2U << 20U;
+  (void)test::run_agents(programs, options);
+}
+
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+int run_command(std::span<const std::string> words) {
+  for (const Command& command : commands()) {
+    if (command.name != words.front()) continue;
+    std::vector<OptionSpec> options = command.help().options;
+    options.insert(options.end(), common_options().begin(), common_options().end());
+    const auto arguments = parse_arguments(words.subspan(1), options);
+    if (!arguments) return static_cast<int>(ExitCode::usage);
+    Console console;
+    const ExitCode code = command.execute(arguments.value(), console);
+    (void)console.finish();
+    return static_cast<int>(code);
+  }
+  return static_cast<int>(ExitCode::internal);
+}
+
+std::string run_case(const Case& made, const std::string& folder) {
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  std::filesystem::current_path(folder);
+  write_files(made);
+  try {
+    run_programs(made);
+    for (const auto& words : made.commands) {
+      open_input();
+      const int code = run_command(words);
+      if (code < 0 || code > 2) return "exit code " + std::to_string(code) + " of " + words.front();
+    }
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  } catch (const std::exception& error) {
+    return std::string("internal error: ") + error.what();
+  }
+  return {};
+}
+
+void write_case(const Case& made, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::current_path(folder);
+  write_files(made);
+  std::ofstream script("repeat");
+  script << "#!/bin/sh\ncd \"$(dirname \"$0\")\" || exit\n";
+  if (!made.agents.empty()) {
+    script << "# Together, under the limits of tests/fuzz/run_case.cpp:";
+    for (const std::string& file : made.agents) script << " " << file;
+    script << "\n";
+  }
+  for (const auto& words : made.commands) {
+    script << "jaywalk";
+    for (const std::string& word : words) script << " " << quoted(word);
+    script << " <" << kInput << "\n";
+  }
+}
+
+}  // namespace jaywalk::fuzz
