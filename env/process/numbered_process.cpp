@@ -5,6 +5,14 @@
 #include <fmt/format.h>
 
 namespace jaywalk {
+namespace {
+
+/// One line. Names of files may be any bytes; what is not UTF-8 becomes U+FFFD.
+std::string text_of(const nlohmann::json& line) {
+  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
 
 NumberedProcess::NumberedProcess(Settings settings)
     : settings_(std::move(settings)),
@@ -16,7 +24,7 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
   question[key] = number;
   const bool may_say_more = asked_ && !repeats_;
   LineAnswer answer = process_.ask(
-      question.dump(), limit, may_say_more ? settings_.settling : std::chrono::milliseconds(0));
+      text_of(question), limit, may_say_more ? settings_.settling : std::chrono::milliseconds(0));
   asked_ = answer.error.empty();
   if (!answer.error.empty()) {
     repeats_ = false;
@@ -30,7 +38,7 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
 }
 
 void NumberedProcess::tell(const nlohmann::json& line, std::chrono::milliseconds limit) {
-  process_.tell(line.dump(), limit);
+  process_.tell(text_of(line), limit);
 }
 
 std::string NumberedProcess::mismatch(const nlohmann::json& answer, std::size_t number) {

@@ -82,7 +82,9 @@ ExportedFiles export_json(const ExportRequest& request) {
     const Result<Recording> recording = request.store.recording(test.id);
     if (!recording.ok()) return recording.diagnostics();
     const std::string& behaviour = request.store.description().behaviours[test.test.behaviour].name;
-    const std::string text = to_json(test, behaviour, recording.value()).dump(1) + '\n';
+    const std::string text = to_json(test, behaviour, recording.value())
+                                 .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                             '\n';
     const std::string name = file_stem(request.store, test.test) + ".json";
     if (!write_export(request, name, text, exported.files, diagnostics)) return diagnostics;
   }

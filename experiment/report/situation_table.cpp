@@ -99,7 +99,7 @@ std::string situation_json(const std::vector<SituationRow>& rows) {
                        {"growth", std::move(growth)}});
   }
   const ordered_json all{{"items", std::move(items)}, {"results", std::move(results)}};
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace jaywalk

@@ -44,7 +44,7 @@ std::string to_competition_json(const TestRow& row, const lane::Polyline& points
                          {"test_outcome", outcome},
                          {"description", fmt::format("fitness {:.4f}", test.fitness)},
                          {"execution_data", OrderedJson::array()}};
-  return json.dump(1) + '\n';
+  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 
 std::optional<std::string> export_failures(const std::string& folder,

@@ -204,7 +204,7 @@ std::string to_json(const SearchExperiment& experiment,
     }
     json["comparisons"].push_back(std::move(comparison));
   }
-  return json.dump(1) + '\n';
+  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 
 }  // namespace jaywalk::search
