@@ -105,6 +105,8 @@ struct ExpressionText {
 /// A text that stands in a file as it is, from that offset on.
 [[nodiscard]] ExpressionText expression_text(SourcePtr source);
 
+class Vocabulary;
+
 /// Nodes in the order in which they were completed: operands come before what they belong to.
 class Expression {
  public:
@@ -117,7 +119,7 @@ class Expression {
   [[nodiscard]] bool is_about_one() const { return about_one_; }
 
  private:
-  friend std::optional<Expression> resolve(Expression parsed, const class Vocabulary& vocabulary,
+  friend std::optional<Expression> resolve(Expression parsed, const Vocabulary& vocabulary,
                                            const std::map<std::string, double>& parameters,
                                            Diagnostics& diagnostics);
   bool about_one_ = false;

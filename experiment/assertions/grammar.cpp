@@ -220,7 +220,7 @@ struct Name : Terminal<Name> {
 /// Matches nothing, but tells the builder to go on.
 struct Step : x3::parser<Step> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
   void (*action)(Builder&, Iterator);
 
   explicit Step(void (*step)(Builder&, Iterator)) : action(step) {}
@@ -315,13 +315,13 @@ const auto disjunction_def = conjunction >>
                              *(word("or", NodeKind::disjunction) > conjunction > end_node);
 const auto conjunction_def = binding >> *(word("and", NodeKind::conjunction) > binding > end_node);
 const auto binding_def = prefixed >>
-                         -((word("until", NodeKind::until) | word("since", NodeKind::since)) >>
-                           -window > prefixed > end_node);
+                         -(((word("until", NodeKind::until) | word("since", NodeKind::since)) >>
+                            -window) > prefixed > end_node);
 const auto prefixed_def = nested(
     (word("not", NodeKind::negation) > prefixed > end_node) |
-    ((word("always", NodeKind::always) | word("eventually", NodeKind::eventually) |
-      word("historically", NodeKind::historically) | word("once", NodeKind::once)) >>
-     -window > prefixed > end_node) |
+    (((word("always", NodeKind::always) | word("eventually", NodeKind::eventually) |
+       word("historically", NodeKind::historically) | word("once", NodeKind::once)) >>
+      -window) > prefixed > end_node) |
     ((word("forall", NodeKind::for_all) | word("exists", NodeKind::exists)) > prefixed > end_node) |
     comparison);
 const auto compared = word("<=", NodeKind::less_equal) | word("<", NodeKind::less) |

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> agents_of(const Comparison& comparison) {
   std::vector<std::uint32_t> numbers;
   for (const Summary& summary : comparison.summaries) numbers.push_back(summary.agents);
   std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "experiment/report/report.h"
@@ -136,10 +135,12 @@ class DataReader {
       if (!tests.empty()) add_replay(tests.front(), "the first that met the precondition");
     }
     for (const std::string& assertion : data_.comparison.assertions) {
-      const auto mine = [&](const Violation& each) { return each.assertion == assertion; };
-      auto of_it = data_.violations | std::views::filter(mine);
-      const auto worst = std::ranges::min_element(of_it, {}, &Violation::robustness);
-      if (worst == of_it.end()) continue;
+      const Violation* worst = nullptr;
+      for (const Violation& each : data_.violations) {
+        if (each.assertion != assertion) continue;
+        if (worst == nullptr || each.robustness < worst->robustness) worst = &each;
+      }
+      if (worst == nullptr) continue;
       auto stored = store_.test(test_id(store_.description(), worst->test));
       if (stored) add_replay(stored.value(), "violates " + assertion + " most");
     }

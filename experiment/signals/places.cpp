@@ -35,10 +35,11 @@ void av_in_lane(const TestView& view, ActorIndex, std::span<double> values) {
   }();
   for (std::size_t tick = 0; tick < view.ticks(); ++tick) {
     // The lane is as long as the drive: only its sides matter.
-    values[tick] = std::ranges::all_of(view.box_at(kAv, tick), [&](Point corner) {
-      constexpr double kRounding = 1e-9;
-      return corner.x_m >= left - kRounding && corner.x_m <= right + kRounding;
-    });
+    values[tick] =
+        std::ranges::all_of(view.box_at(kAv, tick), [left = left, right = right](Point corner) {
+          constexpr double kRounding = 1e-9;
+          return corner.x_m >= left - kRounding && corner.x_m <= right + kRounding;
+        });
   }
 }
 

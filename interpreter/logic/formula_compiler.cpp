@@ -13,7 +13,7 @@ bool is_plain(std::span<const Value> args) {
   for (std::size_t i = 0; i < args.size(); ++i) {
     if (args[i].is_closed()) continue;
     const auto is_same = [&](Value other) { return other.same_as(args[i]); };
-    if (!args[i].is_slot() || std::any_of(args.begin(), args.begin() + i, is_same)) return false;
+    if (!args[i].is_slot() || std::ranges::any_of(args.first(i), is_same)) return false;
   }
   return true;
 }

@@ -65,8 +65,9 @@ class Columns {
       const std::size_t blanks = widest - column_of(*mark);
       const auto [kind, line, offset, former] = *mark;
       lines_[line].insert(offset, blanks, ' ');
-      for (ColumnMark& other : std::ranges::equal_range(marks_, line, {}, &ColumnMark::line)) {
-        if (other.offset >= offset) other.offset += blanks;
+      auto other = std::ranges::lower_bound(marks_, line, {}, &ColumnMark::line);
+      for (; other != marks_.end() && other->line == line; ++other) {
+        if (other->offset >= offset) other->offset += blanks;
       }
     }
   }

@@ -44,7 +44,7 @@ TEST(Accuracy, OfIndependentAgentsIsExact) {
   const auto prepared = paper();
   ASSERT_NE(prepared, nullptr);
   for (const exact::Answer& answer : exact::kAnswers) {
-    for (const std::size_t agents : {1, 3, 10}) {
+    for (const std::size_t agents : {1U, 3U, 10U}) {
       const double expected = exact::accuracy(answer.probability, agents);
       EXPECT_NEAR(measured_accuracy(*prepared, answer.program, agents), expected,
                   exact::tolerance(expected, kAccuracyTests) + 1e-12)

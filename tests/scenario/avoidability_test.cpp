@@ -116,7 +116,7 @@ TEST(Avoidability, AgreesWithTheHealthyDriverInTheSameTests) {
   for (const World& world : worlds) {
     Counts sum;
     for (const auto& vehicle : vehicles()) {
-      for (const std::uint64_t seed : {0, 1}) {
+      for (const std::uint64_t seed : {0U, 1U}) {
         const Counts counts = judge_collisions(world, vehicle, seed, 40);
         sum.avoidable += counts.avoidable;
         sum.unavoidable += counts.unavoidable;

@@ -54,8 +54,8 @@ TEST(ABrakingAv, CollidesLessOftenThanOneThatDoesNotBrake) {  // F6
 
 TEST(ABrakingAv, IsMetMoreOftenByWhoRecalculates) {  // F6
   const auto prepared = scenario("braking");
-  for (const std::uint64_t seed : {0, 1}) {
-    for (const std::uint32_t agents : {1, 3}) {
+  for (const std::uint64_t seed : {0U, 1U}) {
+    for (const std::uint32_t agents : {1U, 3U}) {
       EXPECT_GE(successes(*prepared, "recalculating", agents, 60, seed),
                 successes(*prepared, "intersect", agents, 60, seed) + 12)
           << agents << " agents, seed " << seed;
@@ -147,7 +147,7 @@ std::uint64_t bins_covered(const PreparedScenario& prepared, const std::string& 
 
 TEST(ATeam, OfRandomAndDirectedAgentsCoversMoreThanEither) {  // F5
   const auto prepared = scenario("team");
-  for (const std::uint64_t seed : {0, 1}) {
+  for (const std::uint64_t seed : {0U, 1U}) {
     const std::uint64_t mixed = bins_covered(*prepared, "mixed", seed);
     EXPECT_GE(mixed, bins_covered(*prepared, "random_action", seed) + 5) << seed;
     EXPECT_GE(mixed, bins_covered(*prepared, "coverage_directed", seed) + 5) << seed;
@@ -196,7 +196,7 @@ TEST(Traffic, MakesTheAvFollowTheCyclistAndStopAtTheRedLight) {  // F12
   const auto prepared = scenario("traffic");
   const auto no_light = traffic_without("light");
   const auto no_rider = traffic_without("rider");
-  for (const std::uint64_t seed : {0, 1}) {
+  for (const std::uint64_t seed : {0U, 1U}) {
     int waited = 0;
     int waited_without_light = 0;
     int later_than_without_rider = 0;
@@ -218,7 +218,7 @@ TEST(Traffic, LeavesAtTheEndOfTheRoad) {  // F12
   const auto prepared = scenario("traffic");
   const double limit_s = prepared->scenario().world.time_limit_s;
   const double road_m = prepared->scenario().world.length * prepared->scenario().world.cell_m;
-  for (const std::uint64_t seed : {0, 1}) {
+  for (const std::uint64_t seed : {0U, 1U}) {
     for (std::uint64_t test = 0; test < kTrafficTests; ++test) {
       const Recording recording = run(*prepared, "proximity", 3, test, seed).recording;
       ASSERT_EQ(recording.actors()[kRider].kind, ActorKind::cyclist);

@@ -54,7 +54,7 @@ TEST(World, GivesTheAccuracyOfRandomBehavioursWithinChance) {
         answer.behaviour != Behaviour::random_behaviour) {
       continue;  // enumerated above
     }
-    for (const std::size_t agents : {1, 3, 10}) {
+    for (const std::size_t agents : {1U, 3U, 10U}) {
       const double expected = exact::accuracy(answer.probability, agents);
       EXPECT_NEAR(simulated_accuracy(answer.behaviour, agents, kWorldTests), expected,
                   exact::tolerance(expected, kWorldTests) + 1e-12)

@@ -195,8 +195,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   std::vector<std::string> files;
   const bool all_found = expand_folders(operands, kEndings, console, files);
   // Projects know more about their agents than these show by themselves.
-  std::ranges::stable_partition(
-      files, [](const std::string& path) { return path.ends_with(kEndings[1]); });
+  std::stable_partition(files.begin(), files.end(),
+                        [](const std::string& path) { return path.ends_with(kEndings[1]); });
   Checker checker(*include_path);
   std::size_t checked = 0;
   for (const std::string& path : files) {

@@ -435,7 +435,8 @@ void Server::settle() {
   if (changed_.empty() || shut_down_) return;
   const std::set<std::string> changed = std::exchange(changed_, {});
   const IncludePath include_path = with_open_texts();
-  for (auto& [uri, opened] : documents_) {
+  for (auto& entry : documents_) {
+    Opened& opened = entry.second;
     const bool concerned =
         opened.document == nullptr || std::ranges::any_of(changed, [&](const std::string& path) {
           const std::string installed = installed_name(path, include_path.files);
@@ -443,7 +444,7 @@ void Server::settle() {
                  (!installed.empty() && opened.document->depends_on(installed));
         });
     if (!concerned) continue;
-    opened.document = std::make_unique<Document>(uri, opened.source, include_path);
+    opened.document = std::make_unique<Document>(entry.first, opened.source, include_path);
     publish(*opened.document);
   }
 }

@@ -62,8 +62,9 @@ Completion complete_input(std::string_view before, const ReplNames& names) {
     if (!word.empty()) add_matches(names.actions, word, completion.candidates);
   }
   std::ranges::sort(completion.candidates);
-  const auto same = std::ranges::unique(completion.candidates);
-  completion.candidates.erase(same.begin(), same.end());
+  completion.candidates.erase(
+      std::unique(completion.candidates.begin(), completion.candidates.end()),
+      completion.candidates.end());
   return completion;
 }
 
