@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""hostile.py JAYWALK CLASS: each row of rows/CLASS.py ends with the exit code and the message that it
+has to, soon, without a signal, an internal error or more memory than it is given. `all` names every
+class; with --learn what was printed is shown."""
+
+import concurrent.futures
+import importlib
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).parent
+sys.path.insert(0, str(HERE))
+MEMORY = 4 << 30
+SANITIZED_PATIENCE = 6
+CLOCK_SECONDS = 120  # however little of the machine is left for us
+
+
+def classes():
+    return sorted(path.stem for path in (HERE / "rows").glob("*.py"))
+
+
+def write(folder, files):
+    for name, content in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+class Runner:
+    def __init__(self, jaywalk):
+        self.jaywalk = os.path.abspath(jaywalk)
+        # Sanitizers reserve terabytes of addresses and take their time.
+        self.took = {}  # seconds, by names
+        self.sanitized = b"__asan_init" in pathlib.Path(jaywalk).read_bytes()
+
+    def limit(self, seconds):
+        if not self.sanitized:
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    def end_of(self, row, folder):
+        """The exit code (None: it had to be killed) and what was printed."""
+        write(folder, row.files)
+        words = ["sh", "-c", row.words] if isinstance(row.words, str) else [self.jaywalk, *row.words]
+        environment = dict(os.environ, NO_COLOR="1", HOME=str(folder), XDG_STATE_HOME=str(folder),
+                           PATH=os.path.dirname(self.jaywalk) + ":" + os.environ["PATH"])
+        stdin = row.stdin if isinstance(row.stdin, bytes) else row.stdin.encode()
+        patience = SANITIZED_PATIENCE if self.sanitized else 1
+        seconds = row.seconds * patience
+        process = subprocess.Popen(words, cwd=folder, env=environment, stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   preexec_fn=lambda: self.limit(seconds),
+                                   start_new_session=True)
+        try:
+            printed, _ = process.communicate(stdin, timeout=CLOCK_SECONDS * patience)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, 9)
+            return None, process.communicate()[0].decode(errors="replace")
+        return process.returncode, printed.decode(errors="replace")
+
+    def complaint(self, row):
+        """What is wrong with how the row ended, and what was printed."""
+        began = time.monotonic()
+        with tempfile.TemporaryDirectory() as folder:
+            code, printed = self.end_of(row, pathlib.Path(folder))
+        self.took[row.name] = time.monotonic() - began
+        if code is None:
+            return f"no end after {CLOCK_SECONDS} s", printed
+        if code in (-9, -24, 137, 152):
+            return f"more than {row.seconds} s of processor time", printed
+        if code != row.code:
+            return f"exit {code}, expected {row.code}", printed
+        for piece in row.pieces():
+            if piece not in printed:
+                return f"does not say '{piece}'", printed
+        if row.never and row.never in printed:
+            return f"says '{row.never}'", printed
+        if len(printed) > row.most:
+            return f"prints {len(printed)} characters", printed
+        return "", printed
+
+
+def main():
+    jaywalk, wanted, *more = sys.argv[1:]
+    learns = "--learn" in more
+    chosen = classes() if wanted == "all" else [wanted]
+    rows = [row for name in chosen for row in importlib.import_module("rows." + name).ROWS]
+    runner = Runner(jaywalk)
+    failed = 0
+    with concurrent.futures.ThreadPoolExecutor(max(2, os.cpu_count() // 2)) as pool:
+        for row, (complaint, printed) in zip(rows, pool.map(runner.complaint, rows)):
+            if complaint or learns:
+                print(f"{'FAILED' if complaint else 'ok'}: {row.name} ({runner.took[row.name]:.1f} s): {complaint}\n"
+                      f"{printed[:600]}")
+            failed += bool(complaint)
+    print(f"{len(rows)} rows, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,41 @@
+"""Places that are no files, links, devices, and texts that other files name."""
+
+from row import Row, WALKER
+
+CROSSING = {"walker.asl": WALKER, "s.yaml": "behaviours: [walker.asl]\n"}
+AGENT = {"agent.asl": "!go. +!go <- .print(done).\n"}
+
+
+def included(name, directive, code, says, **more):
+    return Row(name, ["run", "p/agent.asl"], code, says, {"p/agent.asl": directive + "\n!go. +!go <- .print(done).\n"}, **more)
+
+
+ROWS = [
+    Row("a file that there is not", ["run", "none.asl"], 2, "no such file"),
+    Row("a folder for a program", ["run", "."], 2, "error:"),
+    Row("a name without an ending", ["run", "agent"], 2, "error:", {"agent": "!a.\n"}),
+    Row("a device for a program", ["run", "/dev/zero"], 2, "error:"),
+    Row("a link to a device for a program", "ln -s /dev/zero a.asl; jaywalk run a.asl", 2, "a.asl"),
+    Row("a program of a device's memory", "ln -s /proc/self/mem a.asl; jaywalk check a.asl", 2, "a.asl"),
+    Row("a link to itself", "ln -s a.asl a.asl; jaywalk check a.asl", 2, "a.asl"),
+    Row("a file that may not be read", "chmod 0 agent.asl; [ -r agent.asl ] && exit 2; jaywalk run agent.asl", 2, "", AGENT),
+    Row("a name that is no UTF-8", "printf '!a. +!a.' >\"$(printf 'a\\377.asl')\"; jaywalk run \"$(printf 'a\\377.asl')\"", 0),
+    Row("a behaviour whose name is no UTF-8", "cp walker.asl \"$(printf 'w\\377.asl')\"; jaywalk compare s.yaml --tests 1 --agents 1"
+        " --behaviours \"$(printf 'w\\377.asl')\" --json out.json", 2, "error:", CROSSING),
+    Row("a name of 5,000 letters", ["run", "a" * 5000 + ".asl"], 2, "error:"),
+    Row("an empty name", ["run", ""], 2, "error:"),
+    included("a program that includes itself", '{ include("agent.asl") }', 2, "include"),
+    included("an include that there is not", '{ include("none.asl") }', 2, "agent.asl:1"),
+    included("an include of a folder", '{ include(".") }', 2, "agent.asl:1"),
+    included("an include of a device", '{ include("/dev/zero") }', 2, "agent.asl:1"),
+    Row("two that include each other", ["check", "a.asl"], 2, "include",
+        {"a.asl": '{ include("b.asl") }\n', "b.asl": '{ include("a.asl") }\n'}),
+    Row("includes, 100 deep", ["check", "f0.asl"], 2, "include",
+        {f"f{i}.asl": f'{{ include("f{i + 1}.asl") }}\n' for i in range(100)} | {"f100.asl": "b.\n"}),
+    Row("a CSV to a folder that there is not", ["compare", "s.yaml", "--csv", "none/x.csv"], 2, "none", CROSSING),
+    Row("a CSV to a folder", ["compare", "s.yaml", "--csv", "."], 2, "error:", CROSSING),
+    Row("a CSV to a full device", ["compare", "s.yaml", "--tests", "2", "--agents", "1", "--csv", "/dev/full"], 1, "/dev/full", CROSSING),
+    Row("a store on a device", ["run", "s.yaml", "--store", "/dev/null"], 2, "/dev/null", CROSSING),
+    Row("a page to a place that may not be written", ["compare", "s.yaml", "--report", "/proc/page.html"], 2, "/proc", CROSSING),
+    Row("output that nobody can take", "jaywalk compare s.yaml --tests 2 --agents 1 >/dev/full", 1, "standard output", CROSSING),
+]

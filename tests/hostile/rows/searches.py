@@ -1,0 +1,42 @@
+"""Experiments of searches."""
+
+from row import Row
+
+SOUND = ("sut: {kind: lane-keeping, controller: paper-rate}\nfitness: {measure: max_oob, fails_at: 0.95}\n"
+         "budget: {tests: 3, virtual_s: 0}\ngenerators: [random]\nrepetitions: 1\n")
+
+
+def search(name, code, says, *changes, text=None, options=()):
+    """The sound experiment with texts replaced."""
+    if text is None:
+        text = SOUND
+    for before, after in changes:
+        assert before in text
+        text = text.replace(before, after)
+    return Row(name, ["search", "search.yaml", "--threads", "1", *options], code, says, {"search.yaml": text})
+
+
+ROWS = [
+    search("a sound search", 0, "random"),
+    search("an empty search", 2, "search.yaml", text=""),
+    search("a search that is a list", 2, "search.yaml:1", text="[sut]\n"),
+    search("a system that there is not", 2, "search.yaml:1", ("lane-keeping", "lane-keepnig")),
+    search("a controller that there is not", 2, "search.yaml:1", ("paper-rate", "paper-rat")),
+    search("a measure that there is not", 2, "search.yaml:2", ("max_oob", "max_obo")),
+    search("no generator", 2, "search.yaml:4", ("[random]", "[]")),
+    search("a generator that there is not", 2, "search.yaml:4", ("[random]", "[randon]")),
+    search("a generator twice", 2, "search.yaml:4", ("[random]", "[random, random]")),
+    search("no budget", 2, "search.yaml:3", ("tests: 3", "tests: 0")),
+    search("a negative budget", 2, "search.yaml:3", ("tests: 3", "tests: -3")),
+    search("a budget beyond all numbers", 2, "search.yaml:3", ("tests: 3", "tests: 1e308")),
+    search("repetitions of none", 2, "search.yaml:5", ("repetitions: 1", "repetitions: 0")),
+    search("a failure at what is no number", 2, "search.yaml:2", ("0.95", ".nan")),
+    search("a scenario that there is not", 2, "search.yaml:1", ("{kind: lane-keeping, controller: paper-rate}",
+           "{kind: crossing, scenario: missing.yaml, behaviour: x}"), ("max_oob", "exercised")),
+    search("a key that there is not", 2, "search.yaml:6", ("repetitions: 1\n", "repetitions: 1\nsede: 1\n")),
+    search("an external system without a program", 2, "command", ("{kind: lane-keeping, controller: paper-rate}", "{kind: external}")),
+    search("--set of what there is not", 2, "--set", options=("--set", "budget.test=3")),
+    search("a report to a folder that there is not", 2, "none/", options=("--report", "none/page.html")),
+    Row("a search of a scenario", ["search", "s.yaml"], 2, "s.yaml", {"s.yaml": "behaviours: [a.asl]\n", "a.asl": "!a. +!a.\n"}),
+    Row("a comparison of a search", ["compare", "s.yaml"], 2, "unknown key 'sut'", {"s.yaml": SOUND}),
+]

@@ -1,0 +1,50 @@
+"""Stores that others made or damaged. `make` makes a sound one; what follows is done to it."""
+
+from row import WALKER, Row
+
+FILES = {
+    "walker.asl": WALKER,
+    "rules.yaml": "assertions:\n  - {id: hit, source: a rule, precondition: eventually in_zone, requirement: always closest > 0}\n",
+    "s.yaml": "world: {length: 30, road_end: 29}\nbehaviours: [walker.asl]\nassertions: rules.yaml\n",
+    "av.yaml": "world:\n  tick: 0.5\n  length: 30\n  road_end: 29\n  av: {model: external, command: [sh, av.sh], speed_mps: 9}\n"
+               "behaviours: [walker.asl]\n",
+    "av.sh": "touch started; while read -r x; do echo '{\"acceleration\":-1}'; done\n",
+    "roads.yaml": "sut: {kind: lane-keeping, controller: paper-rate}\nfitness: {measure: max_oob, fails_at: 0.95}\n"
+                  "budget: {tests: 3, virtual_s: 0}\ngenerators: [random]\nrepetitions: 1\n",
+    "sql.py": "import sqlite3, sys\nstore = sqlite3.connect('s.gpkg')\nstore.executescript(sys.argv[1])\nstore.commit()\n",
+}
+MAKE = "jaywalk compare s.yaml --tests 2 --agents 1,2 --threads 1 --quiet --no-check --metrics --store-level all --store s.gpkg || exit 99; "
+
+
+def store(name, change, command, code, says, **more):
+    """`change`: a command of the shell."""
+    return Row(name, MAKE + change + "; jaywalk " + command, code, says, FILES, **more)
+
+
+def sql(name, statements, command, code=2, says="s.gpkg", **more):
+    return store(name, f'python3 sql.py "{statements}"', command, code, says, **more)
+
+
+ROWS = [
+    store("a sound store", ":", "report s.gpkg", 0, ""),
+    Row("a store that there is not", ["report", "none.gpkg"], 2, "none.gpkg"),
+    Row("an empty file", ["report", "s.gpkg"], 2, "s.gpkg", {"s.gpkg": ""}),
+    Row("a text", ["report", "s.gpkg"], 2, "s.gpkg", {"s.gpkg": "SQLite format 3\n" * 1000}),
+    Row("a database without tables", "python3 sql.py 'CREATE TABLE a(b)'; jaywalk report s.gpkg", 2, "s.gpkg", FILES),
+    store("half a store", "head -c 30000 s.gpkg >h; mv h s.gpkg", "report s.gpkg", 2, "s.gpkg"),
+    store("a store without its first page", "dd if=/dev/zero of=s.gpkg bs=4096 count=1 conv=notrunc 2>/dev/null", "replay s.gpkg", 2, "s.gpkg"),
+    store("a store whose pages are noise", "dd if=/dev/urandom of=s.gpkg bs=4096 seek=3 count=8 conv=notrunc 2>/dev/null", "judge s.gpkg", 2, "s.gpkg"),
+    sql("a store without tests", "DROP TABLE tests", "report s.gpkg"),
+    sql("a store without a column", "ALTER TABLE tests DROP COLUMN ticks", "report s.gpkg"),
+    sql("another program's database", "PRAGMA application_id=7", "report s.gpkg"),
+    sql("a store of a later version", "UPDATE versions SET version='999'", "report s.gpkg"),
+    sql("a verdict that there is not", "UPDATE assessments SET verdict='maybe'", "report s.gpkg"),
+    store("no such test", ":", "replay s.gpkg --test 99", 2, "no such test"),
+    store("no such behaviour", ":", "replay s.gpkg --behaviour nobody", 2, "no such test"),
+    store("a store merged with itself", ":", "merge all.gpkg s.gpkg s.gpkg --quiet", 0, ""),
+    store("a store merged over itself", ":", "merge s.gpkg s.gpkg", 2, "s.gpkg"),
+    store("a store of another experiment resumed", ":", "compare s.yaml --tests 3 --agents 1 --seed 9 --store s.gpkg --resume", 2, "s.gpkg"),
+    store("a store that is there already", ":", "compare s.yaml --tests 1 --agents 1 --store s.gpkg", 2, "s.gpkg"),
+    store("a store of tests for a search", ":", "search roads.yaml --store s.gpkg --resume", 2, "s.gpkg"),
+    Row("a store of searches for replay", "jaywalk search roads.yaml --threads 1 --quiet --store r.gpkg; jaywalk replay r.gpkg", 2, "r.gpkg", FILES),
+]
