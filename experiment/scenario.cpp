@@ -67,7 +67,9 @@ class ScenarioBuilder {
       file_ = std::move(*file);
     }
     for (const std::string& text : options_.sets) {
-      if (std::optional<ConfigNode> setting = parse_setting(text, diagnostics_)) {
+      const auto given = options_.given_by.find(text);
+      const SourcePtr source = given == options_.given_by.end() ? nullptr : given->second;
+      if (std::optional<ConfigNode> setting = parse_setting(text, diagnostics_, source)) {
         settings_.push_back(std::move(*setting));
       }
     }

@@ -5,6 +5,7 @@
 // then each `--set`; the last one counts. Trials run a scenario that was prepared; see trial.h.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -114,6 +115,9 @@ struct ScenarioOptions {
   std::optional<std::string> preset;
   /// `dotted.path=value`, in order, as given to `--set`.
   std::vector<std::string> sets;
+  /// Of those of `sets` whose value another option gave: that value, as a source with the option's
+  /// name, so that mistakes are shown there.
+  std::map<std::string, SourcePtr> given_by;
   /// Names of the scenario's behaviours, or paths of programs: these and no others, in this order.
   std::vector<std::string> behaviours;
   /// Where the scenario and all that it names are read: the disk, unless copies are given.

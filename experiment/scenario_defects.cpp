@@ -6,18 +6,36 @@
 
 #include "env/vehicle/defects.h"
 #include "experiment/scenario_layer.h"
+#include "experiment/trimmed.h"
 
 namespace jaywalk {
 namespace {
 
+/// Where a part of the node's text stands, if the text was written as it is read (not quoted, say).
+ValueOrigin origin_of(const ConfigNode& node, std::string_view part, std::size_t offset) {
+  ValueOrigin origin = node.origin;
+  if (!origin.where.source) return origin;
+  Span& span = origin.where.span;
+  if (!origin.where.source->text().substr(span.begin).starts_with(node.text)) return origin;
+  span.begin += static_cast<std::uint32_t>(offset);
+  span.end = span.begin + static_cast<std::uint32_t>(part.size());
+  return origin;
+}
+
 /// What stands between commas.
-std::vector<std::string_view> parts_of(std::string_view text) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = std::min(text.find(','), text.size());
-    parts.push_back(text.substr(0, end));
+std::vector<ConfigNode> parts_of(const ConfigNode& node) {
+  const std::string_view text = node.text;
+  std::vector<ConfigNode> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view part = trimmed(text.substr(begin, end - begin));
+    const std::size_t offset =
+        part.empty() ? begin : static_cast<std::size_t>(part.data() - text.data());
+    parts.push_back(node);
+    parts.back().text = part;
+    parts.back().origin = origin_of(node, part, offset);
     if (end == text.size()) return parts;
-    text.remove_prefix(end + 1);
+    begin = end + 1;
   }
 }
 
@@ -62,10 +80,7 @@ std::vector<VehicleDefect> read_defect_list(const ConfigNode& node, const Config
   if (node.kind == ConfigNode::Kind::list) {
     items = node.items;
   } else if (node.kind == ConfigNode::Kind::scalar) {
-    for (const std::string_view text : parts_of(node.text)) {
-      items.push_back(node);
-      items.back().text = text;
-    }
+    items = parts_of(node);
   } else {
     reader.unexpected(node, "all, or a list of defects as [latency, short-range=12]");
   }

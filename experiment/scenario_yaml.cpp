@@ -280,8 +280,10 @@ std::optional<ConfigNode> parse_config(const SourcePtr& source, Diagnostics& dia
   return convert_text(std::string(source->text()), converter, diagnostics);
 }
 
-std::optional<ConfigNode> parse_setting(const std::string& setting, Diagnostics& diagnostics) {
-  const std::string option = fmt::format("--set {}", setting);
+std::optional<ConfigNode> parse_setting(const std::string& setting, Diagnostics& diagnostics,
+                                        const SourcePtr& value) {
+  const std::string option =
+      value == nullptr ? fmt::format("--set {}", setting) : std::string(value->name());
   const std::size_t equals = setting.find('=');
   const std::string path = setting.substr(0, equals);
   if (equals == std::string::npos || !is_path(path)) {
@@ -289,7 +291,7 @@ std::optional<ConfigNode> parse_setting(const std::string& setting, Diagnostics&
                       "for example --set world.av.speed=8");
     return std::nullopt;
   }
-  Converter converter({}, option, diagnostics);
+  Converter converter(value, value == nullptr ? option : std::string(), diagnostics);
   std::optional<ConfigNode> node = convert_text(setting.substr(equals + 1), converter, diagnostics);
   if (!node) return std::nullopt;
   node->origin.option = option;

@@ -43,9 +43,11 @@ inline constexpr int kMaxConfigDepth = 32;
 [[nodiscard]] std::optional<ConfigNode> parse_config(const SourcePtr& source,
                                                      Diagnostics& diagnostics);
 
-/// Parses `dotted.path=value` into maps within maps; the value may be any YAML.
+/// Parses `dotted.path=value` into maps within maps; the value may be any YAML. If another option
+/// than `--set` gave it, `value` is what it gave, under the option's name.
 [[nodiscard]] std::optional<ConfigNode> parse_setting(const std::string& setting,
-                                                      Diagnostics& diagnostics);
+                                                      Diagnostics& diagnostics,
+                                                      const SourcePtr& value = nullptr);
 
 void report(Diagnostics& diagnostics, const ValueOrigin& origin, std::string message,
             std::string hint = {});

@@ -1,5 +1,6 @@
 #include "tools/jaywalk/scenario_options.h"
 
+#include <map>
 #include <utility>
 
 #include "tools/jaywalk/include_path.h"
@@ -22,11 +23,14 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
     }
   }
   std::vector<std::string> sets = arguments.texts("set");
+  std::map<std::string, SourcePtr> given_by;
   if (const auto defects = arguments.text("defects")) {
     sets.push_back("experiment.defects=" + *defects);
+    given_by[sets.back()] = std::make_shared<const Source>("--defects", *defects);
   }
   return {.preset = arguments.text("preset"),
           .sets = std::move(sets),
+          .given_by = std::move(given_by),
           .behaviours = std::move(behaviours),
           .files = std::move(include_path.files),
           .include = {std::move(include_path.folders), std::move(include_path.mapped)}};

@@ -34,7 +34,9 @@ std::optional<std::size_t> wanted_vehicle(const ResultsReader& store, const Argu
   const std::string wanted = parsed ? text_of(*parsed) : *name;
   const auto found = std::ranges::find(all, wanted);
   if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
-  diagnostics.error("--defect", fmt::format("no test of the store is with '{}'", wanted),
+  const auto source = std::make_shared<const Source>("--defect", *name);
+  diagnostics.error({source, {0, static_cast<std::uint32_t>(name->size())}},
+                    fmt::format("no test of the store is with '{}'", wanted),
                     did_you_mean(wanted, all));
   return std::nullopt;
 }
