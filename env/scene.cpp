@@ -23,26 +23,34 @@ bool separates(std::span<const Point> first, std::span<const Point> second) {
   return false;
 }
 
-double distance_to_edge(Point p, Point from, Point to) {
+/// From a point to the nearest one of an edge.
+Point way_to_edge(Point p, Point from, Point to) {
   const double dx = to.x_m - from.x_m;
   const double dy = to.y_m - from.y_m;
   const double length2 = dx * dx + dy * dy;
   const double along =
       length2 > 0 ? ((p.x_m - from.x_m) * dx + (p.y_m - from.y_m) * dy) / length2 : 0;
   const double t = std::clamp(along, 0.0, 1.0);
-  return std::hypot(p.x_m - from.x_m - t * dx, p.y_m - from.y_m - t * dy);
+  return {p.x_m - from.x_m - t * dx, p.y_m - from.y_m - t * dy};
 }
 
-double corners_to_edges(std::span<const Point> corners, std::span<const Point> polygon) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Point corner : corners) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      least =
-          std::min(least, distance_to_edge(corner, polygon[i], polygon[(i + 1) % polygon.size()]));
+/// The shortest way found so far; one root is drawn in the end, as that takes longest.
+struct Shortest {
+  Point way{};
+  double square = std::numeric_limits<double>::infinity();
+
+  void corners_to_edges(std::span<const Point> corners, std::span<const Point> polygon) {
+    for (const Point corner : corners) {
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point other = way_to_edge(corner, polygon[i], polygon[(i + 1) % polygon.size()]);
+        const double length2 = other.x_m * other.x_m + other.y_m * other.y_m;
+        if (length2 >= square) continue;
+        square = length2;
+        way = other;
+      }
     }
   }
-  return least;
-}
+};
 
 }  // namespace
 
@@ -65,7 +73,10 @@ std::vector<Point> box(const Actor& actor, const ActorState& state) {
 
 double distance_m(std::span<const Point> first, std::span<const Point> second) {
   if (!separates(first, second) && !separates(second, first)) return 0;
-  return std::min(corners_to_edges(first, second), corners_to_edges(second, first));
+  Shortest shortest;
+  shortest.corners_to_edges(first, second);
+  shortest.corners_to_edges(second, first);
+  return std::hypot(shortest.way.x_m, shortest.way.y_m);
 }
 
 }  // namespace jaywalk

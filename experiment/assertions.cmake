@@ -12,6 +12,7 @@ target_sources(jaywalk_experiment PRIVATE
   export/kills_csv.cpp
   findings.cpp
   kills/kills.cpp
+  kills/kills_file.cpp
   kills/predictors.cpp
   kills/team.cpp
   per_test.cpp

@@ -42,6 +42,36 @@ std::vector<Parameter> beliefs(const std::vector<CoveredBin>& feedback, SymbolTa
   return parameters;
 }
 
+std::vector<Parameter> beliefs(const std::vector<ParameterSetting>& settings,
+                               SymbolTable& symbols) {
+  std::vector<Parameter> parameters;
+  for (const ParameterSetting& each : settings) {
+    Parameter& parameter = parameters.emplace_back(Parameter{
+        symbols.predicate(each.name, static_cast<std::uint16_t>(each.values.size())), {}});
+    for (const ParameterValue& value : each.values) {
+      const auto* const number = std::get_if<double>(&value);
+      parameter.args.push_back(
+          number != nullptr ? Value::number(*number)
+                            : Value::atom(symbols.predicate(std::get<std::string>(value), 0)));
+    }
+  }
+  return parameters;
+}
+
+/// What a test sets for all agents of its behaviour, but not what the scenario says of single ones.
+void set_common_parameters(const PreparedBehaviour& behaviour, std::uint32_t number,
+                           const std::vector<Parameter>& given, AgentSpec& spec) {
+  const auto own = behaviour.agent_parameters.find(number);
+  for (const Parameter& parameter : given) {
+    const auto same = [&](const Parameter& other) {
+      return other.predicate == parameter.predicate;
+    };
+    if (own != behaviour.agent_parameters.end() && std::ranges::any_of(own->second, same)) continue;
+    std::erase_if(spec.parameters, same);
+    spec.parameters.push_back(parameter);
+  }
+}
+
 std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TrialInput& input) {
   std::vector<AgentSpec> specs;
   const PreparedBehaviour& behaviour = prepared.behaviours()[input.behaviour];
@@ -130,6 +160,7 @@ void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& opti
 }  // namespace
 
 std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input) {
+  if (!input.starts.empty()) return input.starts;
   if (!scenario.start_cells) {
     return spawn(scenario.world, input.agents, seed_for(input, Purpose::start_cells));
   }
@@ -175,14 +206,17 @@ void TrialRunner::add_agents(const TrialInput& input) {
     behaviour_ = input.behaviour;
     agents_ = input.agents;
   }
-  // What pedestrians are told of earlier tests is in the system's own names.
+  // What is of this test alone is in the system's own names.
   const std::vector<Parameter> feedback = beliefs(input.feedback, mas_->symbols());
+  const std::vector<Parameter> given = beliefs(input.parameters, mas_->symbols());
   for (std::size_t i = 0; i < specs_.size(); ++i) {
-    if (feedback.empty() || i >= agents_) {
+    if ((feedback.empty() && given.empty()) || i >= agents_) {
       mas_->add_agent(specs_[i]);
       continue;
     }
     AgentSpec spec = specs_[i];
+    set_common_parameters(prepared_.behaviours()[input.behaviour],
+                          static_cast<std::uint32_t>(i + 1), given, spec);
     spec.parameters.insert(spec.parameters.end(), feedback.begin(), feedback.end());
     mas_->add_agent(spec);
   }

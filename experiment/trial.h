@@ -104,6 +104,12 @@ struct TrialInput {
   int head_start = 0;
   /// Index into the prepared scenario's vehicles.
   std::size_t vehicle = 0;
+  /// Where the pedestrians start, if that is not for the scenario to say. REQUIRES: as many as
+  /// agents, or none.
+  std::vector<Position> starts;
+  /// These take the place of what the scenario sets for all agents of the behaviour. REQUIRES: the
+  /// programs have such initial beliefs.
+  std::vector<ParameterSetting> parameters;
 };
 
 /// Looks at a trial as it runs: called before the first tick and after each.

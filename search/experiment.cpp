@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/scenario_layer.h"
 #include "experiment/scenario_reader.h"
 #include "search/suts/suts.h"
 
@@ -58,6 +59,10 @@ class ExperimentReader {
     const std::optional<ConfigNode> root = layers();
     if (!root) return std::move(diagnostics_);
     const std::vector<ConfigKey> keys{
+        {"defects",
+         [&](const ConfigNode& node, const std::string&) {
+           experiment_.defects = read_defect_list(node, reader_);
+         }},
         {"sut", [&](const ConfigNode& node, const std::string& path) { read_sut(node, path); }},
         {"fitness",
          [&](const ConfigNode& node, const std::string& path) { read_fitness(node, path); }},
@@ -83,6 +88,7 @@ class ExperimentReader {
                          "search/README.md describes what to write");
     }
     select_generators();
+    if (const ConfigNode* defects = root->find("defects")) take_defects(*defects);
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
     return std::move(experiment_);
   }
@@ -96,6 +102,13 @@ class ExperimentReader {
     }
     for (const std::string& text : options_.sets) {
       const std::optional<ConfigNode> setting = parse_setting(text, diagnostics_);
+      if (setting && root) overlay(*root, *setting);
+      experiment_.origin += fmt::format("\n--set {}", text);
+    }
+    if (options_.defects) {
+      const std::string text = "defects=" + *options_.defects;
+      const auto given = std::make_shared<const Source>("--defects", *options_.defects);
+      const std::optional<ConfigNode> setting = parse_setting(text, diagnostics_, given);
       if (setting && root) overlay(*root, *setting);
       experiment_.origin += fmt::format("\n--set {}", text);
     }
@@ -116,7 +129,8 @@ class ExperimentReader {
     if (!chosen) return nullptr;
     if (experiment_.sut.empty()) experiment_.sut = (*chosen)->name;
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
-    return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include});
+    return (*chosen)->read(
+        {node, path, reader_, folder, options_.files, options_.include, experiment_.defects});
   }
 
   void read_sut(const ConfigNode& node, const std::string& path) {
@@ -282,6 +296,31 @@ class ExperimentReader {
       }
     }
     known = std::move(selected);
+  }
+
+  /// Each generator becomes as many as there are defects.
+  void take_defects(const ConfigNode& node) {
+    if (diagnostics_.has_errors() || experiment_.defects.empty()) return;
+    std::vector<GeneratorSpec> all;
+    for (const GeneratorSpec& spec : experiment_.plan.generators) {
+      const SutModel& model = experiment_.plan.model_of(spec);
+      const std::vector<std::string> names = model.defects();
+      if (names.empty()) {
+        reader_.error(
+            node.origin,
+            fmt::format("the system under test '{}' has no AV with defects", experiment_.sut),
+            "that of the kind crossing has");
+        return;
+      }
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        GeneratorSpec& each = all.emplace_back(spec);
+        each.name = fmt::format("{} {}", spec.name, names[i]);
+        each.model = model.with_defect(i);
+        each.family = spec.name;
+        each.defect = i;
+      }
+    }
+    experiment_.plan.generators = std::move(all);
   }
 
   SourcePtr source_;

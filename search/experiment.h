@@ -14,6 +14,8 @@ namespace jaywalk::search {
 struct SearchOptions {
   /// `dotted.path=value`, in order, as given to `--set`.
   std::vector<std::string> sets;
+  /// Defects of the AV as the key `defects` has them; takes the file's place. From `--defects`.
+  std::optional<std::string> defects;
   /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
   std::vector<std::string> generators;
   /// Where the programs of agents are looked for.
@@ -27,6 +29,8 @@ struct SearchExperiment {
   std::string sut;
   std::string measure;
   SearchPlan plan;
+  /// Each of the generators searches the AV with each of these.
+  std::vector<VehicleDefect> defects;
   /// From which it was read.
   std::string text;
   SearchOptions options;

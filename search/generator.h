@@ -44,7 +44,9 @@ class Generator {
   Generator& operator=(const Generator&) = delete;
   virtual ~Generator() = default;
 
-  /// The next test; it must be valid.
+  /// Whether there are no further tests; the search ends then.
+  [[nodiscard]] virtual bool exhausted() const { return false; }
+  /// The next test; it must be valid. REQUIRES: not exhausted.
   [[nodiscard]] virtual TestInput ask(Asking& asking) = 0;
   /// What came of the test that was asked for last; `spent` is the share of the budget.
   virtual void tell(const ExecutedTest& test, double spent) = 0;

@@ -41,6 +41,10 @@ class Shared {
     if (observer_.error) observer_.error(run.generator, run.repetition, row.test.outcome.error);
   }
 
+  void finish(std::size_t search, SearchRun& run) const {
+    if (observer_.finished) observer_.finished(search, run);
+  }
+
   void trouble(std::string subject, std::string message, std::string hint = {}) {
     const std::scoped_lock lock(mutex_);
     trouble_.error(std::move(subject), std::move(message), std::move(hint));
@@ -97,7 +101,7 @@ class Search {
                                      .values = spec_.values})) {}
 
   void go() {
-    while (!over()) {
+    while (!over() && !generator_->exhausted()) {
       if (shared_.stop) return;
       const auto start = Clock::now();
       Asking asking(model_.space(), spent());
@@ -123,6 +127,7 @@ class Search {
       if (!keep(std::move(row), cost) || takes_no_time(cost)) return;
     }
     run_.complete = true;
+    shared_.finish(index_, run_);
   }
 
  private:
@@ -234,7 +239,7 @@ SearchResults run_searches(const SearchPlan& plan, TestLog* log, const SearchObs
     for (std::uint32_t repetition = 0; repetition < plan.repetitions; ++repetition) {
       results.runs.push_back({.generator = generator.name,
                               .repetition = repetition,
-                              .seed = mix(mix_name(plan.seed, generator.name), repetition)});
+                              .seed = mix(mix_name(plan.seed, generator.seed_name()), repetition)});
     }
   }
   Shared shared(plan, log, observer);

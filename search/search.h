@@ -41,6 +41,13 @@ struct GeneratorSpec {
   std::optional<double> generation_s = std::nullopt;
   /// The SUT that it searches; null: the plan's. So behaviours or controllers are compared, too.
   std::shared_ptr<const SutModel> model = nullptr;
+  /// The name of several that differ in the AV's defect alone, and the index of that defect among
+  /// those of the SUT. Empty: it is the only one.
+  std::string family = {};
+  std::size_t defect = 0;
+
+  /// From which the seed of its searches derives.
+  [[nodiscard]] const std::string& seed_name() const { return family.empty() ? name : family; }
 };
 
 struct SearchPlan {
@@ -117,6 +124,9 @@ struct SearchObserver {
   std::function<void(const std::string& generator, std::uint32_t repetition,
                      const std::string& error)>
       error;
+  /// Called once for each search that has come to its end, from any thread, several at once; it may
+  /// drop the tests, of which there can be very many.
+  std::function<void(std::size_t search, SearchRun& run)> finished;
 };
 
 struct SearchResults {

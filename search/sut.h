@@ -3,6 +3,7 @@
 // The system under test (SUT): executes a test input and says what it measured. A row of suts.def
 // and a file of suts/ for each kind. Read test_input.h before.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -76,6 +77,14 @@ class SutModel {
   [[nodiscard]] virtual std::vector<SutSetting> settings() const = 0;
   /// The same space if it is one of roads, which have pictures and exports; else null.
   [[nodiscard]] virtual const RoadSpace* road_space() const { return nullptr; }
+  /// The defects of its AV that the experiment asks for, by name, and the system with one of them
+  /// (kills.h); empty and null if it has none.
+  [[nodiscard]] virtual std::vector<std::string> defects() const { return {}; }
+  [[nodiscard]] virtual std::shared_ptr<const SutModel> with_defect(std::size_t /*index*/) const {
+    return nullptr;
+  }
+  /// How many pedestrians take part; 0 if none do.
+  [[nodiscard]] virtual std::uint32_t agents() const { return 0; }
   /// How the car drives if this program simulates it; else null.
   [[nodiscard]] virtual const lane::DriveSettings* drive() const { return nullptr; }
 };

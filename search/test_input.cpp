@@ -1,5 +1,7 @@
 #include "search/test_input.h"
 
+#include <fmt/ranges.h>
+
 namespace jaywalk::search {
 
 std::string_view name(Form form) {
@@ -12,6 +14,10 @@ std::string_view name(Form form) {
       return "points";
   }
   return {};
+}
+
+std::string SearchSpace::describe(const TestInput& input) const {
+  return fmt::format("{:.4g}", fmt::join(input.values, " "));
 }
 
 std::optional<Form> parse_form(std::string_view text) {

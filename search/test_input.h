@@ -61,11 +61,18 @@ class SearchSpace {
   [[nodiscard]] virtual std::size_t dimension() const = 0;
   /// None if the space has vectors alone.
   [[nodiscard]] virtual std::optional<SequenceBounds> sequences() const = 0;
+  /// How many values each dimension of a vector tells apart, in equal parts of its range; 0: any
+  /// two numbers may differ.
+  [[nodiscard]] virtual std::vector<std::size_t> distinct_values() const {
+    return std::vector<std::size_t>(dimension());
+  }
   [[nodiscard]] virtual Validity check(const TestInput& input) const = 0;
   /// A vector for the first tests of generators that learn; it need not be valid.
   [[nodiscard]] virtual TestInput draw_initial(Random& random) const = 0;
   /// The points of a road, the numbers of a scenario…: what people and other programs are shown.
   [[nodiscard]] virtual TestInput as_points(const TestInput& input) const = 0;
+  /// The input in a line for people.
+  [[nodiscard]] virtual std::string describe(const TestInput& input) const;
   /// Numbers whose Euclidean distance tells how different two inputs are. REQUIRES: a valid input.
   [[nodiscard]] virtual std::vector<double> signature(const TestInput& input) const = 0;
   /// The same where angles do not jump by a full turn.

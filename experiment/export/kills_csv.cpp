@@ -25,8 +25,7 @@ std::string fields_of(const KillCell& cell) {
 }  // namespace
 
 std::string to_kills_csv(const KillMatrix& matrix) {
-  std::string text =
-      "behaviour,agents,defect,severity,tests,kills,kill_pct,low,high,first_kill_median\n";
+  std::string text = fmt::format("{}\n", kKillsCsvHeader);
   for (const KillRow& row : matrix.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       if (row.cells[i].tests == 0) continue;

@@ -6,10 +6,14 @@
 // a chance of a half (empty: none did).
 
 #include <string>
+#include <string_view>
 
 #include "experiment/kills/kills.h"
 
 namespace jaywalk {
+
+inline constexpr std::string_view kKillsCsvHeader =
+    "behaviour,agents,defect,severity,tests,kills,kill_pct,low,high,first_kill_median";
 
 /// Cells whose tests are not finished are left out. Equal matrices give equal bytes.
 [[nodiscard]] std::string to_kills_csv(const KillMatrix& matrix);

@@ -30,11 +30,12 @@ class NoKill {
 
 }  // namespace
 
-bool blames_the_av(const TestFindings& findings) {
-  return std::ranges::any_of(findings.judgements, [](const Judgement& judgement) {
-    return judgement.verdict == Verdict::fail;
-  });
+bool blames_the_av(std::span<const Judgement> judgements) {
+  return std::ranges::any_of(
+      judgements, [](const Judgement& judgement) { return judgement.verdict == Verdict::fail; });
 }
+
+bool blames_the_av(const TestFindings& findings) { return blames_the_av(findings.judgements); }
 
 bool blames_the_av(std::span<const Assessment> assessments) {
   return std::ranges::any_of(assessments, [](const Assessment& assessment) {
@@ -70,6 +71,7 @@ double kill_pct(const KillRow& row) {
 }
 
 std::optional<std::uint64_t> first_kill_median(const KillCell& cell) {
+  if (cell.measured) return cell.measured->first_median;
   if (cell.kills == 0) return std::nullopt;
   NoKill none(cell);
   for (std::uint64_t tests = 1; tests <= cell.tests; ++tests) {

@@ -18,6 +18,7 @@
 namespace jaywalk {
 
 /// Some assertion failed. What could not have been helped (`unavoidable`) blames nobody.
+[[nodiscard]] bool blames_the_av(std::span<const Judgement> judgements);
 [[nodiscard]] bool blames_the_av(const TestFindings& findings);
 [[nodiscard]] bool blames_the_av(std::span<const Assessment> assessments);
 
@@ -28,6 +29,12 @@ struct KillCell {
   std::uint64_t kills = 0;
   /// How many tests were run up to the first that kills, that one included.
   std::optional<std::uint64_t> first;
+  /// Of tests whose order matters (a search learns from them): the median of `first` over its
+  /// repetitions, nothing if that is never.
+  struct Measured {
+    std::optional<std::uint64_t> first_median;
+  };
+  std::optional<Measured> measured = std::nullopt;
 };
 
 struct KillRow {
@@ -37,6 +44,8 @@ struct KillRow {
   std::uint64_t healthy_failures = 0;
   /// In the order of the defects.
   std::vector<KillCell> cells;
+  /// Nothing but its kills is known, as it was read from a file (kills_file.h).
+  bool kills_alone = false;
 
   /// With all defects together.
   [[nodiscard]] std::uint64_t tests() const;
@@ -60,7 +69,8 @@ struct KillMatrix {
 [[nodiscard]] double kill_pct(const KillRow& row);
 
 /// How many tests it takes to kill the defect with a chance of at least a half: the median over all
-/// orders in which these tests could have been run. Nothing if none of them kills.
+/// orders in which these tests could have been run, or over a search's repetitions. Nothing if none
+/// of them kills.
 [[nodiscard]] std::optional<std::uint64_t> first_kill_median(const KillCell& cell);
 /// The median of that over the defects, where one that is never killed takes longer than any.
 /// Nothing if that is the median.

@@ -21,7 +21,7 @@ struct Pairs {
 Pairs pairs_of(const Comparison& comparison, const Measure& measure, std::uint32_t agents) {
   Pairs pairs;
   for (const KillRow& row : comparison.kills.rows) {
-    if (row.agents != agents || row.tests() == 0) continue;
+    if (row.agents != agents || row.tests() == 0 || row.kills_alone) continue;
     for (const Summary& summary : comparison.summaries) {
       if (summary.agents != agents || summary.behaviour != row.behaviour) continue;
       const Estimate estimate = measure.estimate(summary);

@@ -34,7 +34,8 @@ std::string behaviour_lines(const KillMatrix& matrix, std::size_t width) {
     if (tests == 0) continue;
     text += fmt::format("{:<{}}  {:>7}  {:>6.2f}  {:>3} /{:>3}  {:>10}  {:>15}\n", row_name(row),
                         width, row.kills(), kill_pct(row), row.killed(), row.cells.size(),
-                        count_text(first_kill_median(row), tests), row.healthy_failures);
+                        count_text(first_kill_median(row), tests),
+                        row.kills_alone ? "-" : std::to_string(row.healthy_failures));
   }
   return text;
 }
@@ -71,8 +72,7 @@ std::string predictor_lines(const Comparison& comparison) {
 
 }  // namespace
 
-std::string render_kills(const Comparison& comparison) {
-  const KillMatrix& matrix = comparison.kills;
+std::string render_kills(const KillMatrix& matrix) {
   if (matrix.empty()) return {};
   const std::size_t width = name_width(matrix);
   std::string text = behaviour_lines(matrix, width);
@@ -81,9 +81,12 @@ std::string render_kills(const Comparison& comparison) {
   std::vector<std::string> team;
   for (const std::size_t row : smallest_team(matrix)) team.push_back(row_name(matrix.rows[row]));
   if (team.empty()) return text;
-  text +=
-      fmt::format("\nsmallest team that kills all that anybody kills: {}\n", fmt::join(team, ", "));
-  return text + predictor_lines(comparison);
+  return text + fmt::format("\nsmallest team that kills all that anybody kills: {}\n",
+                            fmt::join(team, ", "));
+}
+
+std::string render_kills(const Comparison& comparison) {
+  return render_kills(comparison.kills) + predictor_lines(comparison);
 }
 
 }  // namespace jaywalk

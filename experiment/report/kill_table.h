@@ -10,5 +10,7 @@ namespace jaywalk {
 
 /// Plain text; empty if no defects were looked for.
 [[nodiscard]] std::string render_kills(const Comparison& comparison);
+/// The same without what needs other measures.
+[[nodiscard]] std::string render_kills(const KillMatrix& matrix);
 
 }  // namespace jaywalk

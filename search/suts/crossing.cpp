@@ -4,177 +4,59 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 #include <fmt/format.h>
 
-#include "env/ground.h"
-#include "experiment/assertions/assertion.h"
-#include "experiment/carry_over.h"
-#include "experiment/metrics/metrics.h"
-#include "experiment/metrics/naturalness.h"
 #include "experiment/scenario_schema.h"
-#include "experiment/trial.h"
-#include "search/suts/crossing_space.h"
+#include "experiment/tested_vehicles.h"
+#include "search/suts/crossing_run.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {
 namespace {
 
-/// What stands for a metric or a robustness that does not exist or is infinite.
-constexpr double kNone = 1e6;
-/// A pedestrian's last so many seconds tell how a test went.
-constexpr std::size_t kSignatureTicks = 8;
 constexpr std::uint32_t kMostAgents = 100;
-
-struct CrossingSettings {
-  SourcePtr scenario;
-  std::string behaviour;
-  std::uint32_t agents = 1;
-  std::uint64_t seed = 0;
-  std::vector<Assertion> assertions;
-  /// Where programs are looked for.
-  SourceFiles files;
-  IncludeFolders include;
-};
-
-double bounded(double value) { return std::clamp(value, -kNone, kNone); }
-
-/// The share of the pedestrians' steps that a person might take: not straight back, and not
-/// standing still in the road.
-double naturalness(const TestView& view) {
-  double steps = 0;
-  double natural = 0;
-  for (const ActorIndex actor : view.road_users()) {
-    for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
-      steps += 1;
-      if (is_natural_step(view, actor, tick)) natural += 1;
-    }
-  }
-  return steps > 0 ? natural / steps : 1;
-}
-
-/// The last seconds of the pedestrian who is nearest to the AV at the end, seen from the AV.
-std::vector<double> last_approach(const TestView& view) {
-  std::vector<double> numbers(2 * kSignatureTicks);
-  if (view.road_users().empty()) return numbers;
-  const ActorIndex actor = view.nearest().back();
-  for (std::size_t i = 0; i < kSignatureTicks; ++i) {
-    const std::size_t tick = view.ticks() - 1 - std::min(i, view.ticks() - 1);
-    const ActorState& av = view.state(kAv, tick);
-    const ActorState& other = view.state(actor, tick);
-    numbers[2 * i] = other.x_m - av.x_m;
-    numbers[2 * i + 1] = other.y_m - av.y_m;
-  }
-  return numbers;
-}
-
-Outcome failed(const Diagnostics& diagnostics) {
-  return {.error =
-              diagnostics.empty() ? "the test cannot be run" : diagnostics.items().front().message};
-}
-
-class CrossingRun : public Sut {
- public:
-  CrossingRun(const CrossingSpace& space, const CrossingSettings& settings)
-      : space_(space), settings_(settings) {}
-
-  Outcome run(const TestInput& input, std::size_t) override {
-    ScenarioOptions options{.sets = space_.settings(input),
-                            .behaviours = {settings_.behaviour},
-                            .files = settings_.files,
-                            .include = settings_.include};
-    Result<Scenario> scenario = parse_scenario(settings_.scenario, options);
-    if (!scenario.ok()) return failed(scenario.diagnostics());
-    if (std::vector<Position> starts = space_.starts(input); !starts.empty()) {
-      scenario.value().start_cells = StartCells{{0, std::move(starts)}};
-    }
-    if (test_order(scenario.value()) == TestOrder::chained) {
-      return {.error = "world.av.carry_over: a test that is searched has none before it"};
-    }
-    Diagnostics warnings;
-    const auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
-    if (!prepared.ok()) return failed(prepared.diagnostics());
-    Recording recording;
-    const TrialInput trial{.agents = settings_.agents, .seed = seed(input), .test = 0};
-    const TrialResult result = run_trial(*prepared.value(), trial, {.record = &recording});
-    if (!result.completed) return {.error = result.message};
-    const Ground where = ground(prepared.value()->scenario().world);
-    return measured(result, TestView(recording, where));
-  }
-
- private:
-  /// Chance is a function of the input, so that the same input always has the same outcome.
-  [[nodiscard]] std::uint64_t seed(const TestInput& input) const {
-    std::uint64_t seed = settings_.seed;
-    for (const double value : input.values) seed = mix(seed, std::bit_cast<std::uint64_t>(value));
-    return seed;
-  }
-
-  [[nodiscard]] Outcome measured(const TrialResult& result, const TestView& view) const {
-    Outcome outcome;
-    outcome.simulated_s = static_cast<double>(view.ticks() - 1) * view.tick_s();
-    const auto nearest = jaywalk::measured(*find_metric("min_distance"), view);
-    const double distance = nearest ? nearest->value : kNone;
-    outcome.measures = {result.outcome.success ? 1 : 0.9 / (1 + distance / 5),
-                        result.outcome.success ? 1.0 : 0.0, naturalness(view)};
-    for (const Metric& metric : metrics()) {
-      const auto value = jaywalk::measured(metric, view);
-      const double missing = metric.worst == Worst::least ? kNone : 0;
-      outcome.measures.push_back(value ? bounded(value->value) : missing);
-    }
-    for (const Assertion& assertion : settings_.assertions) {
-      const Judgement judgement = judge(assertion, view);
-      outcome.measures.push_back(bounded(judgement.exercised));
-      outcome.measures.push_back(judgement.robustness ? bounded(*judgement.robustness) : kNone);
-    }
-    outcome.signature = last_approach(view);
-    return outcome;
-  }
-
-  const CrossingSpace& space_;
-  const CrossingSettings& settings_;
-};
 
 class CrossingModel : public SutModel {
  public:
-  CrossingModel(CrossingSettings settings, std::vector<CrossingDimension> dimensions,
-                std::vector<int> rows, int cells, bool searches_starts)
+  /// `defects`: the names of those that the AV can have.
+  CrossingModel(CrossingSettings settings, std::shared_ptr<const CrossingSpace> space,
+                std::vector<std::string> defects)
       : settings_(std::move(settings)),
-        space_(std::move(dimensions), std::move(rows), cells,
-               searches_starts ? settings_.agents : 0) {
-    for (const Assertion& assertion : settings_.assertions) {
-      names_.push_back(fmt::format("{}_exercised", assertion.id));
-      names_.push_back(fmt::format("{}_robustness", assertion.id));
-    }
-    kinds_ = {{"exercised", "1 if the precondition was met, else less the farther all stayed away"},
-              {"precondition", "1 if the precondition of the AV's assertion was met, else 0"},
-              {"naturalness", "share of steps that a person might take, 0 to 1"}};
-    for (const Metric& metric : metrics()) kinds_.push_back({metric.name, metric.formula});
-    for (const std::string& name : names_) kinds_.push_back({name, "of the assertion"});
-  }
+        space_(std::move(space)),
+        measures_(settings_),
+        defects_(std::move(defects)) {}
 
-  [[nodiscard]] const SearchSpace& space() const override { return space_; }
-  [[nodiscard]] std::span<const MeasureKind> measures() const override { return kinds_; }
+  [[nodiscard]] const SearchSpace& space() const override { return *space_; }
+  [[nodiscard]] std::span<const MeasureKind> measures() const override { return measures_.kinds(); }
   [[nodiscard]] std::unique_ptr<Sut> make() const override {
-    return std::make_unique<CrossingRun>(space_, settings_);
+    return std::make_unique<CrossingRun>(*space_, settings_);
   }
   [[nodiscard]] std::vector<SutSetting> settings() const override {
     return {{"scenario", settings_.scenario->name()},
             {"behaviour", settings_.behaviour},
             {"pedestrians", std::to_string(settings_.agents)},
-            {"dimensions of the search", std::to_string(space_.dimension())}};
+            {"dimensions of the search", std::to_string(space_->dimension())}};
   }
+  [[nodiscard]] std::vector<std::string> defects() const override { return defects_; }
+  [[nodiscard]] std::shared_ptr<const SutModel> with_defect(std::size_t index) const override {
+    CrossingSettings settings = settings_;
+    settings.vehicle = index + 1;  // the first vehicle is healthy
+    return std::make_shared<CrossingModel>(std::move(settings), space_, defects_);
+  }
+  [[nodiscard]] std::uint32_t agents() const override { return settings_.agents; }
 
  private:
   CrossingSettings settings_;
-  CrossingSpace space_;
-  std::vector<std::string> names_;
-  std::vector<MeasureKind> kinds_;
+  std::shared_ptr<const CrossingSpace> space_;
+  CrossingMeasures measures_;
+  std::vector<std::string> defects_;
 };
 
 /// Reads the keys of the SUT and tries one test, so that mistakes are found at once.
 class CrossingReader {
+  static constexpr NumberRange kAnyNumber{-1e6, 1e6};
+
  public:
   explicit CrossingReader(const SutSetup& setup) : setup_(setup), reader_(setup.reader) {}
 
@@ -200,13 +82,14 @@ class CrossingReader {
            }
          }},
         {"starts",
-         [&](const ConfigNode& value, const std::string&) {
-           const std::array choices = {Choice<bool>{"searched", true},
-                                       Choice<bool>{"chance", false}};
-           if (const auto chosen = reader_.choice<bool>(value, choices)) searches_starts_ = *chosen;
-         }},
+         [&](const ConfigNode& value, const std::string& path) { read_starts(value, path); }},
         {"assertions",
          [&](const ConfigNode& value, const std::string&) { read_assertions(value); }},
+        {"metrics",
+         [&](const ConfigNode& value, const std::string&) {
+           const std::array choices = {Choice<bool>{"all", true}, Choice<bool>{"none", false}};
+           if (const auto all = reader_.choice<bool>(value, choices)) settings_.metrics = *all;
+         }},
         {"parameters",
          [&](const ConfigNode& value, const std::string&) { read_dimensions(value); }},
     };
@@ -244,59 +127,196 @@ class CrossingReader {
     }
   }
 
-  /// A map from the scenario's keys to [from, to], `{whole: [from, to]}` or a list of words.
-  void read_dimensions(const ConfigNode& node) {
+  /// A word, or `{rows: [1, 10], cells: [28, 44, 55]}`: some cells.
+  void read_starts(const ConfigNode& node, const std::string& path) {
+    if (node.kind != ConfigNode::Kind::map) {
+      const std::array choices = {Choice<Starts>{"searched", Starts::searched},
+                                  Choice<Starts>{"chance", Starts::chance},
+                                  Choice<Starts>{"given", Starts::given}};
+      if (const auto chosen = reader_.choice<Starts>(node, choices)) starts_ = *chosen;
+      return;
+    }
+    const auto list = [&](std::vector<int>& numbers) {
+      return [this, &numbers](const ConfigNode& value, const std::string&) {
+        read_whole_numbers(value, numbers);
+      };
+    };
+    const std::vector<ConfigKey> keys{{"rows", list(rows_)}, {"cells", list(cells_)}};
+    starts_origin_ = node.origin;
+    reader_.read_map(node, path, keys);
+  }
+
+  void read_whole_numbers(const ConfigNode& node, std::vector<int>& numbers) {
+    for (const ConfigNode& item : node.items) {
+      if (const auto number = reader_.integer(item, {0, 1'000'000})) {
+        numbers.push_back(static_cast<int>(*number));
+      }
+    }
+    if (node.items.empty()) reader_.unexpected(node, "a list of whole numbers");
+  }
+
+  /// A map from the scenario's keys, dotted or as maps within maps, to their values.
+  void read_dimensions(const ConfigNode& node, const std::string& above = {}) {
     if (node.kind != ConfigNode::Kind::map) {
       reader_.unexpected(node, "keys of the scenario and their ranges");
       return;
     }
     for (const ConfigEntry& entry : node.entries) {
-      CrossingDimension dimension{.key = entry.key};
-      if (read_range(entry.value, dimension)) {
-        dimensions_.push_back(std::move(dimension));
+      const std::string key = above + entry.key;
+      const ConfigNode& value = entry.value;
+      const bool is_inner = value.kind == ConfigNode::Kind::map && value.find("whole") == nullptr;
+      if (is_inner && !value.entries.empty()) {
+        read_dimensions(value, key + '.');
+      } else if (auto dimension = read_range(value)) {
+        dimension->key = key;
+        // Another layer may have given it in the other form.
+        std::erase_if(dimensions_, [&](const CrossingDimension& each) { return each.key == key; });
+        dimensions_.push_back(std::move(*dimension));
       }
     }
   }
 
-  bool read_range(const ConfigNode& node, CrossingDimension& dimension) {
-    if (node.kind == ConfigNode::Kind::list && !node.items.empty() &&
-        !parse_number(node.items.front().text)) {
-      dimension.kind = CrossingDimension::Kind::word;
-      for (const ConfigNode& item : node.items) {
-        const auto word = reader_.text(item, "a word");
-        if (!word) return false;
-        dimension.words.push_back(*word);
-      }
-      return true;
+  /// `[from, to]`, `{whole: [from, to], step: 2}`, `[forward, back]`, `[1, 2, 4]` or `[2]`.
+  std::optional<CrossingDimension> read_range(const ConfigNode& node) {
+    if (node.find("whole") != nullptr) return read_whole(node);
+    const bool is_list = node.kind == ConfigNode::Kind::list && !node.items.empty();
+    if (is_list && (node.items.size() != 2 || !parse_number(node.items.front().text))) {
+      return read_words(node);
     }
-    const ConfigNode* range = &node;
-    if (const ConfigNode* whole = node.find("whole")) {
-      dimension.kind = CrossingDimension::Kind::whole;
-      range = whole;
-    }
-    const auto numbers = reader_.number_pair(*range, {-1e6, 1e6});
-    if (!numbers) return false;
+    CrossingDimension dimension;
+    const auto numbers = reader_.number_pair(node, kAnyNumber);
+    if (!numbers) return std::nullopt;
     dimension.from = (*numbers)[0];
     dimension.to = (*numbers)[1];
-    return true;
+    return dimension;
+  }
+
+  std::optional<CrossingDimension> read_words(const ConfigNode& node) {
+    CrossingDimension dimension{.kind = CrossingDimension::Kind::word};
+    for (const ConfigNode& item : node.items) {
+      const auto word = reader_.text(item, "a word");
+      if (!word) return std::nullopt;
+      dimension.words.push_back(*word);
+    }
+    return dimension;
+  }
+
+  std::optional<CrossingDimension> read_whole(const ConfigNode& node) {
+    CrossingDimension dimension{.kind = CrossingDimension::Kind::whole};
+    bool well = false;
+    const std::vector<ConfigKey> keys{
+        {"whole",
+         [&](const ConfigNode& value, const std::string&) {
+           const auto numbers = reader_.number_pair(value, kAnyNumber);
+           if (!numbers) return;
+           dimension.from = (*numbers)[0];
+           dimension.to = (*numbers)[1];
+           well = true;
+         }},
+        {"step",
+         [&](const ConfigNode& value, const std::string&) {
+           if (const auto step = reader_.integer(value, {1, 1'000'000})) {
+             dimension.step = static_cast<int>(*step);
+           }
+         }},
+    };
+    reader_.read_map(node, "parameters", keys);
+    if (!well) return std::nullopt;
+    return dimension;
   }
 
   std::shared_ptr<const SutModel> make() {
-    ScenarioOptions options{.files = setup_.files, .include = setup_.include};
-    if (!settings_.behaviour.empty()) options.behaviours = {settings_.behaviour};
     settings_.files = setup_.files;
     settings_.include = setup_.include;
-    Result<Scenario> scenario = parse_scenario(settings_.scenario, options);
+    settings_.defects.assign(setup_.defects.begin(), setup_.defects.end());
+    Result<Scenario> scenario = scenario_of(settings_, fixed_settings());
     if (!scenario.ok()) {
       reader_.error_in(setup_.node.origin, scenario.diagnostics());
       return nullptr;
     }
-    settings_.behaviour = scenario.value().behaviours.front().name;
-    const CrossingParameters& world = scenario.value().world;
-    auto model = std::make_shared<CrossingModel>(settings_, dimensions_, pavement_rows(world),
-                                                 world.length, searches_starts_);
+    const std::string name = scenario.value().behaviours.front().name;
+    if (settings_.behaviour.empty()) settings_.behaviour = name;
+    if (settings_.assertions.empty()) settings_.assertions = scenario.value().assertions;
+    const auto starts = start_space(scenario.value());
+    if (!starts || !can_find_defects(scenario.value())) return nullptr;
+    auto model = std::make_shared<CrossingModel>(
+        settings_, std::make_shared<const CrossingSpace>(dimensions_, name, *starts),
+        defect_names(scenario.value()));
     if (tried(*model, std::move(scenario).value())) return model;
     return nullptr;
+  }
+
+  /// What is the same in all tests.
+  [[nodiscard]] std::vector<std::string> fixed_settings() const {
+    std::vector<std::string> sets;
+    for (const CrossingDimension& each : dimensions_) {
+      if (each.words.size() == 1) sets.push_back(fmt::format("{}={}", each.key, each.words[0]));
+    }
+    return sets;
+  }
+
+  /// Where pedestrians may start; nothing after reporting that they cannot start there.
+  std::optional<CrossingStarts> start_space(const Scenario& scenario) {
+    if (starts_ == Starts::chance) return CrossingStarts{};
+    if (starts_ == Starts::given) return given_starts(scenario);
+    const CrossingParameters& world = scenario.world;
+    CrossingStarts starts{.searched = settings_.agents, .rows = pavement_rows(world)};
+    for (int cell = 0; cell < world.length; ++cell) starts.cells.push_back(cell);
+    if (!choose(rows_, starts.rows, "no pavement has the row") ||
+        !choose(cells_, starts.cells, "the road has no cell")) {
+      return std::nullopt;
+    }
+    return starts;
+  }
+
+  /// Leaves those that are wanted, if any are named; false after reporting one that is not there.
+  bool choose(const std::vector<int>& wanted, std::vector<int>& all,
+              std::string_view what_is_wrong) {
+    for (const int each : wanted) {
+      if (std::ranges::find(all, each) != all.end()) continue;
+      reader_.error(starts_origin_, fmt::format("{} {}", what_is_wrong, each));
+      return false;
+    }
+    if (!wanted.empty()) all = wanted;
+    return true;
+  }
+
+  std::optional<CrossingStarts> given_starts(const Scenario& scenario) {
+    CrossingStarts starts;
+    if (scenario.start_cells) {
+      for (const auto& [test, cells] : *scenario.start_cells) {
+        if (cells.size() < settings_.agents) continue;
+        starts.given.emplace_back(cells.begin(), cells.begin() + settings_.agents);
+      }
+    }
+    if (!starts.given.empty()) return starts;
+    reader_.error(
+        setup_.node.find("starts")->origin,
+        fmt::format("the scenario gives no start cells of {} pedestrians", settings_.agents),
+        "world.spawn.cells names a file of them; `compare --starts` writes one");
+    return std::nullopt;
+  }
+
+  bool can_find_defects(const Scenario& scenario) {
+    if (settings_.defects.empty()) return true;
+    const bool blames = !settings_.assertions.empty();
+    if (!blames) {
+      reader_.error(setup_.node.origin, "without assertions nothing blames an AV with defects",
+                    "'assertions' names a file of them, as assertions/crossing.yaml");
+    }
+    const bool brakes = scenario.world.av.vehicle.model != "constant";
+    if (!brakes) {
+      reader_.error(setup_.node.origin, "the AV is of the model constant: no defect shows in it",
+                    "set world.av.model in the scenario to one that brakes");
+    }
+    return blames && brakes;
+  }
+
+  std::vector<std::string> defect_names(const Scenario& scenario) {
+    std::vector<std::string> names;
+    for (TestedVehicle& vehicle : tested_vehicles(scenario)) names.push_back(vehicle.name);
+    names.erase(names.begin());
+    return names;
   }
 
   static std::vector<int> pavement_rows(const CrossingParameters& world) {
@@ -335,7 +355,11 @@ class CrossingReader {
   const ConfigReader& reader_;
   CrossingSettings settings_;
   std::vector<CrossingDimension> dimensions_;
-  bool searches_starts_ = true;
+  enum class Starts { searched, chance, given } starts_ = Starts::searched;
+  // Of those that are searched: all, unless given.
+  std::vector<int> rows_;
+  std::vector<int> cells_;
+  ValueOrigin starts_origin_;
 };
 
 }  // namespace

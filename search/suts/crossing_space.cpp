@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/scenario_layer.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -14,14 +16,30 @@ std::size_t choice(double value, std::size_t count) {
   return std::min(count - 1, static_cast<std::size_t>(share * static_cast<double>(count)));
 }
 
+std::size_t whole_numbers(const CrossingDimension& dimension) {
+  const long span = std::lround(dimension.to) - std::lround(dimension.from);
+  return static_cast<std::size_t>(span / dimension.step) + 1;
+}
+
+std::size_t distinct_values_of(const CrossingDimension& dimension) {
+  switch (dimension.kind) {
+    case CrossingDimension::Kind::word:
+      return dimension.words.size();
+    case CrossingDimension::Kind::whole:
+      return whole_numbers(dimension);
+    case CrossingDimension::Kind::number:
+      break;
+  }
+  return 0;
+}
+
 std::string value_text(const CrossingDimension& dimension, double value) {
   switch (dimension.kind) {
     case CrossingDimension::Kind::word:
       return dimension.words[choice(value, dimension.words.size())];
     case CrossingDimension::Kind::whole: {
-      const auto count = static_cast<std::size_t>(std::lround(dimension.to - dimension.from)) + 1;
-      return fmt::format("{}",
-                         std::lround(dimension.from) + static_cast<long>(choice(value, count)));
+      const auto steps = static_cast<long>(choice(value, whole_numbers(dimension)));
+      return fmt::format("{}", std::lround(dimension.from) + steps * dimension.step);
     }
     case CrossingDimension::Kind::number:
       break;
@@ -29,7 +47,40 @@ std::string value_text(const CrossingDimension& dimension, double value) {
   return fmt::format("{:.6g}", dimension.from + (dimension.to - dimension.from) * (value + 1) / 2);
 }
 
+/// Numbers and atoms, which need not be read as a scenario's.
+bool is_plain(const std::string& word) {
+  return parse_number(word) || (is_atom(word) && word != "true" && word != "false");
+}
+
+/// The parameter that a dimension sets for all agents of the behaviour; empty: none.
+std::string parameter_name(const CrossingDimension& dimension, const std::string& behaviour) {
+  const std::string above = fmt::format("behaviours.{}.parameters.", behaviour);
+  if (!dimension.key.starts_with(above)) return {};
+  if (!std::ranges::all_of(dimension.words, is_plain)) return {};
+  std::string name = dimension.key.substr(above.size());
+  return name.find('.') == std::string::npos ? name : std::string();
+}
+
 }  // namespace
+
+CrossingSpace::CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
+                             CrossingStarts starts)
+    : dimensions_(std::move(dimensions)), starts_(std::move(starts)) {
+  for (const CrossingDimension& each : dimensions_) {
+    names_.push_back(parameter_name(each, behaviour));
+    distinct_.push_back(distinct_values_of(each));
+  }
+  for (std::uint32_t i = 0; i < starts_.searched; ++i) {
+    distinct_.push_back(starts_.rows.size());
+    distinct_.push_back(starts_.cells.size());
+  }
+  if (!starts_.given.empty()) distinct_.push_back(starts_.given.size());
+}
+
+std::vector<std::size_t> CrossingSpace::distinct_values() const {
+  // What has no dimension at all is one test.
+  return distinct_.empty() ? std::vector<std::size_t>{1} : distinct_;
+}
 
 Validity CrossingSpace::check(const TestInput& input) const {
   if (input.form != Form::vector || input.values.size() != dimension()) {
@@ -55,13 +106,51 @@ std::vector<std::string> CrossingSpace::settings(const TestInput& input) const {
   return all;
 }
 
+std::string CrossingSpace::describe(const TestInput& input) const {
+  std::string text;
+  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+    const std::string& name = names_[i].empty() ? dimensions_[i].key : names_[i];
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name,
+                        value_text(dimensions_[i], input.values[i]));
+  }
+  for (const Position& start : starts(input)) {
+    text += fmt::format("{}from row {}, cell {}", text.empty() ? "" : ", ", start.x, start.y);
+  }
+  return text;
+}
+
+std::vector<std::string> CrossingSpace::world_settings(const TestInput& input) const {
+  std::vector<std::string> all = settings(input);
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (names_[i].empty()) others.push_back(std::move(all[i]));
+  }
+  return others;
+}
+
+std::vector<ParameterSetting> CrossingSpace::parameters(const TestInput& input) const {
+  std::vector<ParameterSetting> all;
+  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+    if (names_[i].empty()) continue;
+    std::string text = value_text(dimensions_[i], input.values[i]);
+    const auto number = parse_number(text);
+    all.push_back({.name = names_[i],
+                   .values = {number ? ParameterValue(*number) : ParameterValue(std::move(text))},
+                   .origin = {}});
+  }
+  return all;
+}
+
 std::vector<Position> CrossingSpace::starts(const TestInput& input) const {
+  const std::size_t first = dimensions_.size();
+  if (!starts_.given.empty()) {
+    return starts_.given[choice(input.values[first], starts_.given.size())];
+  }
   std::vector<Position> positions;
-  for (std::size_t i = 0; i < searched_starts_; ++i) {
-    const std::size_t at = dimensions_.size() + 2 * i;
-    positions.push_back(
-        {rows_[choice(input.values[at], rows_.size())],
-         static_cast<int>(choice(input.values[at + 1], static_cast<std::size_t>(cells_)))});
+  for (std::size_t i = 0; i < starts_.searched; ++i) {
+    const std::size_t at = first + 2 * i;
+    positions.push_back({starts_.rows[choice(input.values[at], starts_.rows.size())],
+                         starts_.cells[choice(input.values[at + 1], starts_.cells.size())]});
   }
   return positions;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "env/crossing/parameters.h"
+#include "experiment/scenario.h"
 #include "search/test_input.h"
 
 namespace jaywalk::search {
@@ -17,25 +18,35 @@ struct CrossingDimension {
   std::string key;
   double from = 0;
   double to = 0;
+  /// From one whole number to the next.
+  int step = 1;
   enum class Kind { number, whole, word } kind = Kind::number;
   std::vector<std::string> words;
 };
 
-/// Vectors: each dimension, then row and cell of each pedestrian whose start is searched.
+/// Where pedestrians may start: each by itself in one of the rows and cells, or all as in one of
+/// the given choices; if neither, chance decides.
+struct CrossingStarts {
+  /// How many pedestrians' starts are searched.
+  std::uint32_t searched = 0;
+  std::vector<int> rows;
+  std::vector<int> cells;
+  std::vector<std::vector<Position>> given;
+};
+
+/// Vectors: each dimension, then row and cell of each pedestrian whose start is searched, or which
+/// of the given starts it is.
 class CrossingSpace : public SearchSpace {
  public:
-  /// `rows`: those on which pedestrians may start. `cells`: the length of the road.
-  CrossingSpace(std::vector<CrossingDimension> dimensions, std::vector<int> rows, int cells,
-                std::uint32_t searched_starts)
-      : dimensions_(std::move(dimensions)),
-        rows_(std::move(rows)),
-        cells_(cells),
-        searched_starts_(searched_starts) {}
+  /// `behaviour`: whose parameters need no other scenario.
+  CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
+                CrossingStarts starts);
 
   [[nodiscard]] std::size_t dimension() const override {
-    return std::max<std::size_t>(1, dimensions_.size() + 2 * searched_starts_);
+    return std::max<std::size_t>(1, distinct_.size());
   }
   [[nodiscard]] std::optional<SequenceBounds> sequences() const override { return std::nullopt; }
+  [[nodiscard]] std::vector<std::size_t> distinct_values() const override;
   /// Every vector within the ranges can be executed.
   [[nodiscard]] Validity check(const TestInput& input) const override;
   [[nodiscard]] TestInput draw_initial(Random& random) const override;
@@ -44,16 +55,22 @@ class CrossingSpace : public SearchSpace {
     return input.values;
   }
 
+  [[nodiscard]] std::string describe(const TestInput& input) const override;
+
   /// `key=value` of each dimension, as for --set.
   [[nodiscard]] std::vector<std::string> settings(const TestInput& input) const;
+  /// Those of them that are no parameters of the behaviour, and these.
+  [[nodiscard]] std::vector<std::string> world_settings(const TestInput& input) const;
+  [[nodiscard]] std::vector<ParameterSetting> parameters(const TestInput& input) const;
   /// Where the pedestrians start; empty if chance decides.
   [[nodiscard]] std::vector<Position> starts(const TestInput& input) const;
 
  private:
   std::vector<CrossingDimension> dimensions_;
-  std::vector<int> rows_;
-  int cells_;
-  std::uint32_t searched_starts_;
+  /// The parameter's name, for each dimension; empty: it is none.
+  std::vector<std::string> names_;
+  CrossingStarts starts_;
+  std::vector<std::size_t> distinct_;
 };
 
 }  // namespace jaywalk::search

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "env/number_parameter.h"
+#include "env/vehicle/vehicle.h"
 #include "experiment/scenario.h"
 #include "experiment/scenario_reader.h"
 #include "search/sut.h"
@@ -24,6 +25,8 @@ struct SutSetup {
   /// Where the programs of agents are looked for.
   SourceFiles files;
   IncludeFolders include;
+  /// That the AV is to be searched with, one after another.
+  std::span<const VehicleDefect> defects;
 };
 
 struct SutKind {

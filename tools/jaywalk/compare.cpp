@@ -38,6 +38,9 @@ CommandHelp help() {
                "of it (jaywalk list defects), as latency,short-range=12, or all"},
               {"kills", "FILE", "write which behaviours killed which defects as CSV",
                Written::file},
+              {"with-kills", "FILE",
+               "put the kills of such a file, as `search --kills` writes it, beside\n"
+               "them; repeatable"},
               {"per-test", "FILE",
                "write each test as a line of CSV: how it ended, ticks until the\n"
                "precondition, collision, impact speed, verdicts",

@@ -1,6 +1,7 @@
 #include "tools/jaywalk/compare_request.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "experiment/carry_over.h"
 #include "experiment/number_list.h"
@@ -89,9 +90,11 @@ Diagnostics excesses(const Request& request) {
   }
   if (request.plan.vehicles.size() > 1) {
     check_defects(request, diagnostics);
-  } else if (request.kills) {
-    diagnostics.error("--kills", "has no meaning without defects",
-                      "--defects names them, or all; jaywalk list defects shows them");
+  } else {
+    for (const std::string_view option : request.pointless) {
+      diagnostics.error(fmt::format("--{}", option), "has no meaning without defects",
+                        "--defects names them, or all; jaywalk list defects shows them");
+    }
   }
   return diagnostics;
 }
@@ -107,6 +110,36 @@ std::string first_obstacle(const Request& request) {
     }
   }
   return {};
+}
+
+}  // namespace
+
+namespace {
+
+/// The kills of other files; false after reporting what is wrong with them.
+bool read_other_kills(const Arguments& arguments, Request& request, Console& console) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 26U;
+  Diagnostics diagnostics;
+  for (const std::string& path : arguments.texts("with-kills")) {
+    const auto source = read_source(path, kMostBytes);
+    auto lines = source.ok() ? parse_kills(source.value())
+                             : Result<std::vector<KillLine>>(source.diagnostics());
+    if (!lines.ok()) {
+      diagnostics.append(lines.diagnostics());
+      continue;
+    }
+    diagnostics.append(mistakes_of(lines.value(), request.plan, request.other_kills));
+    request.other_kills.insert(request.other_kills.end(), lines.value().begin(),
+                               lines.value().end());
+  }
+  console.report(diagnostics);
+  if (diagnostics.has_errors()) return false;
+  const auto others = other_defects(request.other_kills, request.plan);
+  if (!others.empty() && request.plan.vehicles.size() > 1) {
+    console.note(fmt::format("--with-kills: left out are defects that are not looked for here: {}",
+                             fmt::join(others, ", ")));
+  }
+  return true;
 }
 
 }  // namespace
@@ -147,7 +180,11 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     request.coverage =
         std::make_unique<PlanCoverage>(*request.prepared, all_behaviours(*request.prepared, most));
   }
-  request.kills = arguments.has("kills");
+  const bool has_defects = request.plan.vehicles.size() > 1;
+  if (has_defects && !read_other_kills(arguments, request, console)) return std::nullopt;
+  for (const char* option : {"kills", "with-kills"}) {
+    if (!has_defects && arguments.has(option)) request.pointless.emplace_back(option);
+  }
   request.per_test = arguments.has("per-test");
   request.situations = arguments.has("situations") || defaults.feedback > 0;
   return request;

@@ -4,10 +4,12 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "experiment/experiment.h"
 #include "experiment/findings.h"
+#include "experiment/kills/kills_file.h"
 #include "experiment/plan_coverage.h"
 #include "experiment/results/writer.h"
 #include "experiment/verdict.h"
@@ -29,8 +31,10 @@ struct Request {
   /// Null: nobody asks for it.
   std::unique_ptr<PlanCoverage> coverage;
   bool situations = false;
-  /// The kill matrix is to be written.
-  bool kills = false;
+  /// Options that are given and need defects, if there are none.
+  std::vector<std::string> pointless;
+  /// Kills that were counted elsewhere and stand beside.
+  std::vector<KillLine> other_kills;
   /// So are the single tests.
   bool per_test = false;
 };

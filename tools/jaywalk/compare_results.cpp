@@ -71,8 +71,8 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
                                      const reporting::FactsTable& facts, Console& console) {
   if (!wants_page(arguments)) return render_svg(comparison);
   if (request.store) {
-    return stored_report(request.store->path, *arguments.text("report"), ReplayPages::none,
-                         console);
+    return stored_report(request.store->path, *arguments.text("report"), ReplayPages::none, console,
+                         request.other_kills);
   }
   return unstored_report({.comparison = comparison,
                           .description = describe_experiment(request, arguments),
@@ -85,10 +85,15 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
 
 std::optional<Comparison> comparison_of(const Request& request, const Collected& collected,
                                         ExperimentOutcome& outcome, Console& console) {
-  if (request.store) return stored_comparison(request, console);
+  if (request.store) {
+    auto stored = stored_comparison(request, console);
+    if (stored) add_kills(request.other_kills, stored->kills);
+    return stored;
+  }
   Comparison comparison = make_comparison(request, outcome);
   add_findings(request.inquiry, collected.findings, request.plan.behaviours, comparison);
   comparison.kills = collected.kills.matrix();
+  add_kills(request.other_kills, comparison.kills);
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(request.plan.behaviours, summary.behaviour);
     comparison.troubles.push_back(collected.troubles.troubles(

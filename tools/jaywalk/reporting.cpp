@@ -56,7 +56,8 @@ std::optional<std::string> search_report(const std::string& path, Console& conso
 }  // namespace
 
 std::optional<std::string> stored_report(const std::string& store, const std::string& html,
-                                         ReplayPages pages, Console& console) {
+                                         ReplayPages pages, Console& console,
+                                         const std::vector<KillLine>& other_kills) {
   const auto reader = ResultsReader::open(store);
   if (!reader && search::is_search_store(store)) return search_report(store, console);
   if (!reader) {
@@ -68,6 +69,7 @@ std::optional<std::string> stored_report(const std::string& store, const std::st
     console.report(data.diagnostics());
     return std::nullopt;
   }
+  add_kills(other_kills, data.value().comparison.kills);
   if (pages == ReplayPages::beside &&
       !write_replays(*reader.value(), html, data.value(), console)) {
     return std::nullopt;

@@ -5,8 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/kills_csv.h"
+#include "experiment/report/kill_table.h"
 #include "search/experiment.h"
 #include "search/export/exports.h"
+#include "search/kills.h"
 #include "search/report/page.h"
 #include "search/store/search_store.h"
 #include "tools/jaywalk/command.h"
@@ -21,6 +24,27 @@ namespace jaywalk::command::search {
 namespace {
 
 namespace js = jaywalk::search;
+
+/// Whether what is asked for fits to what is searched; false after reporting why not.
+bool outputs_make_sense(const Arguments& arguments, const js::SearchExperiment& experiment,
+                        Console& console) {
+  Diagnostics diagnostics;
+  if (experiment.defects.empty()) {
+    if (arguments.has("kills")) {
+      diagnostics.error("--kills", "has no meaning without defects",
+                        "--defects names them, or all; jaywalk list defects shows them");
+    }
+  } else {
+    for (const char* option : {"report", "export"}) {
+      if (!arguments.has(option)) continue;
+      diagnostics.error(fmt::format("--{}", option), "shows searches of one AV, not of its defects",
+                        "--kills FILE keeps what they kill; `compare --with-kills FILE --report` "
+                        "shows it beside what behaviours do");
+    }
+  }
+  console.report(diagnostics);
+  return !diagnostics.has_errors();
+}
 
 std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
@@ -47,6 +71,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   Result<js::SearchExperiment> experiment = js::read_search(
       located(arguments.operands().front()),
       {.sets = arguments.texts("set"),
+       .defects = arguments.text("defects"),
        .generators = listed(arguments, "generators"),
        .files = std::move(include_path->files),
        .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
@@ -54,6 +79,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
     console.report(experiment.diagnostics());
     return std::nullopt;
   }
+  if (!outputs_make_sense(arguments, experiment.value(), console)) return std::nullopt;
   js::SearchPlan& plan = experiment.value().plan;
   if (seed) plan.seed = *seed;
   if (repetitions) plan.repetitions = static_cast<std::uint32_t>(*repetitions);
@@ -61,8 +87,11 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   return std::move(experiment).value();
 }
 
+/// The kill matrix needs no tests once they are counted.
+enum class Keep { tests, counts };
+
 js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, Console& console,
-                      bool& interrupted) {
+                      bool& interrupted, js::SearchKills* kills, Keep keep) {
   constexpr int kShownErrors = 20;
   const InterruptGuard interrupt;
   ProgressLine line(console);
@@ -78,6 +107,11 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
     line.clear();
     console.note(fmt::format("{}, repetition {}: no result: {}", generator, repetition, error));
     if (errors == kShownErrors) console.note("further tests without a result are only counted");
+  };
+  observer.finished = [&](std::size_t search, js::SearchRun& finished) {
+    if (kills == nullptr) return;
+    kills->add(search, finished);
+    if (keep == Keep::counts) finished.tests = {};
   };
   js::SearchResults results = js::run_searches(experiment.plan, log, observer);
   interrupted = interrupt.interrupted();
@@ -105,6 +139,13 @@ CommandHelp help() {
                "another value for a key of the experiment, as a dotted path\n"
                "(budget.tests=100); repeatable"},
               {"seed", "N", "the seed from which all chance derives"},
+              {"defects", "LIST",
+               "search the AV with each of these defects (jaywalk list defects),\n"
+               "as latency,short-range=12, or all: which generator kills which?"},
+              {"kills", "FILE",
+               "write that as CSV, which compare --with-kills puts beside what\n"
+               "behaviours kill",
+               Written::file},
               {"csv", "FILE", "write a row for each search as CSV", Written::file},
               {"json", "FILE", "write everything, each test with it, as JSON", Written::file},
               {"store", "FILE.gpkg", "keep every finished test in a GeoPackage", Written::file},
@@ -119,7 +160,8 @@ CommandHelp help() {
       .examples =
           "  jaywalk search scenarios/lane-keeping.yaml\n"
           "  jaywalk search scenarios/lane-keeping.yaml --generators random,graft --repetitions 5\n"
-          "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"};
+          "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"
+          "  jaywalk search scenarios/defects-search.yaml --defects latency --kills kills.csv\n"};
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   return help;
 }
@@ -165,14 +207,52 @@ bool have_results(const js::SearchResults& results, Console& console) {
   return all_have;
 }
 
+/// Which single tests kill most.
+std::string best_tests(const js::SearchExperiment& experiment, const js::SearchKills& kills,
+                       const KillMatrix& matrix) {
+  std::string text;
+  for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
+    const js::GeneratorSpec& spec = experiment.plan.generators[row * matrix.defects.size()];
+    const js::SearchSpace& space = experiment.plan.model_of(spec).space();
+    for (const js::SearchKills::Team& team : kills.best_tests(row)) {
+      text += fmt::format("{}: {} of {} defects are killed by {}\n", matrix.rows[row].behaviour,
+                          team.killed, matrix.defects.size(),
+                          team.tests.size() == 1 ? "the test" : "the two tests");
+      for (const js::TestInput& test : team.tests) {
+        text += fmt::format("  {}\n", space.describe(test));
+      }
+    }
+  }
+  return text.empty() ? text : '\n' + text;
+}
+
+/// The same of searches for defects.
+bool have_results(const KillMatrix& matrix, const js::SearchResults& results, Console& console) {
+  if (!results.complete) return true;
+  bool all_have = true;
+  for (const KillRow& row : matrix.rows) {
+    if (row.tests() > 0) continue;
+    console.error(fmt::format("{}: no test has a result", row.behaviour));
+    all_have = false;
+  }
+  return all_have;
+}
+
 ExitCode execute(const Arguments& arguments, Console& console) {
   const std::optional<js::SearchExperiment> experiment = read_request(arguments, console);
   if (!experiment) return ExitCode::usage;
   const auto store = open_store(arguments, *experiment, console);
   if (!store) return ExitCode::usage;
   bool interrupted = false;
-  const js::SearchResults results = run(*experiment, store->get(), console, interrupted);
-  const std::vector<js::GeneratorResults> generators = js::group(*experiment, results);
+  std::optional<js::SearchKills> kills;
+  if (!experiment->defects.empty()) kills.emplace(*experiment);
+  const bool needs_tests = !kills || arguments.has("csv") || arguments.has("json");
+  const js::SearchResults results =
+      run(*experiment, store->get(), console, interrupted, kills ? &*kills : nullptr,
+          needs_tests ? Keep::tests : Keep::counts);
+  std::vector<js::GeneratorResults> generators;
+  if (needs_tests) generators = js::group(*experiment, results);
+  const KillMatrix matrix = kills ? kills->matrix() : KillMatrix{};
   bool well = !results.trouble.has_errors();
   if (!well) console.report(results.trouble);
   const auto check = [&](std::string_view what, const std::string& why) {
@@ -186,12 +266,17 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const std::array outputs = {
       OutputFile{"csv", [&] { return js::to_csv(generators); }},
+      OutputFile{"kills", [&] { return to_kills_csv(matrix); }},
       OutputFile{"json", [&] { return js::to_json(*experiment, generators); }},
       OutputFile{"report", [&] { return js::to_html(*experiment, generators); }},
   };
   if (!write_outputs(arguments, outputs, console)) well = false;
-  if (prints_table(arguments)) console.print(js::render_table(generators));
-  if (!have_results(results, console)) well = false;
+  if (prints_table(arguments)) {
+    console.print(kills ? render_kills(matrix) + best_tests(*experiment, *kills, matrix)
+                        : js::render_table(generators));
+  }
+  if (!(kills ? have_results(matrix, results, console) : have_results(results, console)))
+    well = false;
   if (!well) return ExitCode::failed;
   if (results.complete || !interrupted) return ExitCode::success;
   console.note(arguments.has("store")

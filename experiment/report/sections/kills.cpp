@@ -57,13 +57,17 @@ std::string summary_table(const Comparison& comparison) {
     table.column(title);
   }
   for (const KillRow& row : comparison.kills.rows) {
-    const Summary* summary = find_summary(comparison, row.behaviour, row.agents);
-    if (summary == nullptr || row.tests() == 0) continue;
-    table.row({name_of(row), decimal(find_measure("accuracy")->estimate(*summary).value, 1),
-               decimal(find_measure("score")->estimate(*summary).value, 1), grouped(row.kills()),
+    const Summary* summary =
+        row.kills_alone ? nullptr : find_summary(comparison, row.behaviour, row.agents);
+    if ((summary == nullptr && !row.kills_alone) || row.tests() == 0) continue;
+    const auto measured = [&](std::string_view measure) {
+      return summary == nullptr ? std::string("–")
+                                : decimal(find_measure(measure)->estimate(*summary).value, 1);
+    };
+    table.row({name_of(row), measured("accuracy"), measured("score"), grouped(row.kills()),
                decimal(kill_pct(row), 2), fmt::format("{} of {}", row.killed(), row.cells.size()),
                limited(first_kill_median(row), row.tests_of_each()),
-               grouped(row.healthy_failures)});
+               row.kills_alone ? std::string("–") : grouped(row.healthy_failures)});
   }
   return table.html();
 }
@@ -84,7 +88,7 @@ std::string mutation_scores(const KillMatrix& matrix, const std::vector<std::str
   double longest = 2;
   for (const KillRow& row : matrix.rows) {
     const std::uint64_t tests = row.tests_of_each();
-    if (row.agents != agents || tests == 0) continue;
+    if (row.agents != agents || tests == 0 || row.kills_alone) continue;
     PlotSeries series{.name = row.behaviour,
                       .number = static_cast<std::size_t>(
                           std::ranges::find(behaviours, row.behaviour) - behaviours.begin())};
@@ -156,7 +160,8 @@ std::string section::kills(const ReportData& data) {
              "assertion and the defective one fails one; what no driver could have avoided blames "
              "nobody. First kill: how many tests it takes for a chance of a half, over all orders "
              "of these tests; of a behaviour, the median over the defects. Accuracy and score are "
-             "of the healthy AV.") +
+             "of the healthy AV. A search’s first kill is the median over its repetitions; of rows "
+             "that were read from a file of kills, nothing else is known.") +
          summary_table(comparison) + "<h3>Kill matrix, % of the tests</h3>\n" +
          matrix_table(matrix) + "<h3>Mutation score against the number of tests</h3>\n" +
          legend(behaviours) + gallery(curves) +

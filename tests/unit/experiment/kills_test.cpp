@@ -2,15 +2,19 @@
 
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "experiment/export/kills_csv.h"
+#include "experiment/kills/kills_file.h"
 #include "experiment/kills/predictors.h"
 #include "experiment/report/kill_table.h"
 #include "experiment/statistics.h"
 
 namespace jaywalk {
 namespace {
+
+using testing::HasSubstr;
 
 KillCell cell(std::uint64_t tests, std::uint64_t kills) { return {.tests = tests, .kills = kills}; }
 
@@ -158,6 +162,88 @@ TEST(RankCorrelation, IsSpearmansWithSharedRanks) {
   EXPECT_NEAR(*rank_correlation(std::vector{1.0, 2.0, 2.0, 9.0}, std::vector{1.0, 2.0, 3.0, 4.0}),
               0.9486832980505138, 1e-12);
   EXPECT_FALSE(rank_correlation(std::vector{1.0, 1.0}, std::vector{1.0, 2.0}));
+}
+
+constexpr auto kHeader =
+    "behaviour,agents,defect,severity,tests,kills,kill_pct,low,high,first_kill_median\n";
+
+Result<std::vector<KillLine>> parse(const std::string& lines) {
+  return parse_kills(std::make_shared<const Source>("kills.csv", kHeader + lines));
+}
+
+std::string errors_of(const std::string& lines) {
+  const auto parsed = parse(lines);
+  return parsed.ok() ? std::string() : parsed.diagnostics().render();
+}
+
+TEST(KillsFile, HasWhatWasWritten) {
+  KillMatrix matrix{.defects = {"latency=0.3", "blind-left", "given"}, .rows = {}};
+  matrix.rows.push_back(
+      {.behaviour = "a \"b\", c", .agents = 2, .cells = {cell(10, 3), cell(0, 0), cell(7, 0)}});
+  const std::string text = to_kills_csv(matrix);
+  const auto lines = parse_kills(std::make_shared<const Source>("kills.csv", text));
+  ASSERT_TRUE(lines.ok()) << lines.diagnostics().render();
+  KillMatrix again{.defects = matrix.defects, .rows = {}};
+  add_kills(lines.value(), again);
+  EXPECT_EQ(to_kills_csv(again), text);
+  ASSERT_EQ(again.rows.size(), 1U);
+  EXPECT_TRUE(again.rows[0].kills_alone);
+  EXPECT_EQ(again.rows[0].behaviour, "a \"b\", c");
+}
+
+TEST(KillsFile, KeepsTheFirstKillOfTestsWhoseOrderMatters) {
+  const auto lines = parse("s,1,latency,0.3,10,5,50,0,0,7\ns,1,blind-left,,10,1,10,0,0,\n");
+  ASSERT_TRUE(lines.ok()) << lines.diagnostics().render();
+  KillMatrix matrix{.defects = {"latency=0.3", "blind-left"}, .rows = {}};
+  add_kills(lines.value(), matrix);
+  EXPECT_EQ(first_kill_median(matrix.rows.at(0).cells[0]), 7U);
+  // Most repetitions of the search never killed it.
+  EXPECT_EQ(first_kill_median(matrix.rows.at(0).cells[1]), std::nullopt);
+}
+
+TEST(KillsFile, PointsAtMistakes) {
+  EXPECT_THAT(errors_of("s,1,latncy,0.3,10,5,50,0,0,7\n"),
+              HasSubstr("kills.csv:2:5: error: unknown defect 'latncy=0.3'"));
+  EXPECT_THAT(errors_of("s,1,latency,0.3,10,11,50,0,0,7\n"),
+              HasSubstr("kills.csv:2:20: error: expected a whole number up to 10, found '11'"));
+  EXPECT_THAT(errors_of("s,one,latency,0.3,10,5,50,0,0,7\n"), HasSubstr("found 'one'"));
+  EXPECT_THAT(errors_of("s,1,latency\n"), HasSubstr("expected 10 fields, found 3"));
+  EXPECT_THAT(errors_of("s,1,latency,0.3,10,5,50,0,0,7\ns,1,latency,0.30,10,5,50,0,0,7\n"),
+              HasSubstr("kills.csv:3:1: error: a second line for s (1) and latency=0.3"));
+  const auto other = parse_kills(std::make_shared<const Source>("x.csv", "a,b\n1,2\n"));
+  EXPECT_THAT(other.diagnostics().render(), HasSubstr("x.csv:1:1: error: expected the header"));
+  EXPECT_FALSE(parse_kills(std::make_shared<const Source>("x.csv", "")).ok());
+}
+
+TEST(KillsFile, StandsBesideRowsOfOtherNamesAlone) {
+  const ExperimentPlan planned{.behaviours = {"p", "q"},
+                               .agents = {1, 3},
+                               .tests = 4,
+                               .vehicles = {"healthy", "latency=0.3"}};
+  const auto lines = parse("s,1,latency,0.3,10,5,50,0,0,7\ns,1,blind-left,,10,1,10,0,0,\n").value();
+  EXPECT_FALSE(mistakes_of(lines, planned, {}).has_errors());
+  EXPECT_EQ(other_defects(lines, planned), std::vector<std::string>{"blind-left"});
+  EXPECT_THAT(mistakes_of(lines, planned, lines).render(),
+              HasSubstr("a second row s (1) beside the same one"));
+  const auto mine = parse("p,3,latency,0.3,10,5,50,0,0,7\np,2,latency,0.3,10,5,50,0,0,7\n").value();
+  EXPECT_THAT(mistakes_of(mine, planned, {}).render(), HasSubstr("a second row p (3)"));
+  const auto foreign = parse("s,1,blind-left,,10,1,10,0,0,\n").value();
+  EXPECT_THAT(mistakes_of(foreign, planned, {}).render(),
+              HasSubstr("none of these defects is looked for here"));
+}
+
+// Their share of kills is no reason to believe that accuracy predicts it.
+TEST(Predictors, LeaveOutRowsOfWhichOnlyKillsAreKnown) {
+  Comparison comparison;
+  comparison.kills = matrix_of({{1}, {2}, {3}});
+  for (const KillRow& row : comparison.kills.rows) {
+    Summary summary{.behaviour = row.behaviour, .agents = 1, .tests = 10};
+    summary.successes = 4 * comparison.summaries.size();
+    comparison.summaries.push_back(summary);
+  }
+  ASSERT_FALSE(predictors(comparison).empty());
+  comparison.kills.rows[1].kills_alone = true;
+  EXPECT_TRUE(predictors(comparison).empty());
 }
 
 }  // namespace

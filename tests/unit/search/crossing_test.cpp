@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "search/experiment.h"
+#include "search/kills.h"
 
 namespace jaywalk::search {
 namespace {
 
+using namespace std::string_literals;
 using testing::HasSubstr;
 
 Result<SearchExperiment> read(const std::string& keys) {
@@ -101,6 +103,127 @@ TEST(CrossingSut, ComparesBehavioursOnOneFooting) {
   for (const SearchRun& run : results.runs) {
     for (const TestRow& row : run.tests) EXPECT_EQ(row.test.outcome.error, "");
   }
+}
+
+// Only what a test input changes is read anew from one test to the next.
+TEST(CrossingSut, GivesTheSameOutcomeWhateverWasRunBefore) {
+  for (const std::string& keys : {std::string(kScripted),
+                                  "  behaviour: scripted\n  agents: 1\n  parameters:\n"
+                                  "    behaviours.scripted.parameters.first_way: [forward, back]\n"
+                                  "    world.av.speed: [4, 6]\n"s}) {
+    const Result<SearchExperiment> experiment = read(keys);
+    ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+    const auto kept = experiment.value().plan.model->make();
+    for (const double first : {-1.0, 1.0, -0.4}) {
+      const std::vector<double> values{first, 0.2, -0.3, 0.1};
+      EXPECT_EQ(kept->run({Form::vector, values}, 0), run(keys, values));
+    }
+  }
+}
+
+TEST(CrossingSut, StartsWhereItIsTold) {
+  const Result<SearchExperiment> some =
+      read("  behaviour: scripted\n  starts: {rows: [1, 10], cells: [20, 30, 40]}\n");
+  ASSERT_TRUE(some.ok()) << some.diagnostics().render();
+  EXPECT_EQ(some.value().plan.model->space().distinct_values(), (std::vector<std::size_t>{2, 3}));
+  const auto errors = [](const std::string& starts) {
+    Result<SearchExperiment> result = read("  behaviour: scripted\n  starts: " + starts + "\n");
+    return result.ok() ? std::string() : result.diagnostics().render();
+  };
+  EXPECT_THAT(errors("{rows: [5]}"), HasSubstr("no pavement has the row 5"));
+  EXPECT_THAT(errors("{cells: [700]}"), HasSubstr("the road has no cell 700"));
+  EXPECT_THAT(errors("{cells: {}}"), HasSubstr("expected a list of whole numbers"));
+  EXPECT_THAT(errors("given"), HasSubstr("the scenario gives no start cells of 1 pedestrians"));
+}
+
+TEST(CrossingSut, TellsHowManyValuesEachDimensionHas) {
+  const Result<SearchExperiment> experiment = read(
+      "  behaviour: scripted\n  starts: chance\n  parameters:\n"
+      "    behaviours.scripted.parameters: {cross_at: {whole: [1, 12], step: 4}}\n"
+      "    behaviours.scripted.parameters.pause: [0.5, 1, 4]\n"
+      "    world.av.speed: [5, 6]\n");
+  ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+  EXPECT_EQ(experiment.value().plan.model->space().distinct_values(),
+            (std::vector<std::size_t>{3, 3, 0}));
+}
+
+// A file has dotted keys, --set makes maps of them.
+TEST(CrossingSut, LetsAnOptionReplaceADimension) {
+  const Result<SearchExperiment> experiment =
+      read(std::string(kScripted) + "    behaviours: {scripted: {parameters: {cross_at: [3]}}}\n");
+  ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+  EXPECT_EQ(experiment.value().plan.model->space().distinct_values(),
+            (std::vector<std::size_t>{2, 1, 4, 66}));
+}
+
+Result<SearchExperiment> read_defects(const std::string& rest) {
+  const std::string text = "sut:\n  kind: crossing\n  scenario: defects.yaml\n  behaviour: " +
+                           std::string(JAYWALK_SOURCE_DIR) +
+                           "/agents/crossing/scripted.asl\n"
+                           "  starts: {rows: [1], cells: [44, 46]}\n  parameters:\n"
+                           "    behaviours.scripted.parameters.first_way: [none]\n"
+                           "    behaviours.scripted.parameters.ahead: [0, 3]\n" +
+                           rest;
+  return parse_search(std::make_shared<const Source>(
+      std::string(JAYWALK_SOURCE_DIR) + "/scenarios/test.yaml", text));
+}
+
+// The search of an AV without brakes to speak of finds scripts that a healthy one survives.
+TEST(SearchKills, AreTestsThatBlameTheDefectiveAvAndNotTheHealthyOne) {
+  Result<SearchExperiment> experiment = read_defects(
+      "defects: [weak-brakes=10, fast-as-noise]\nbudget: {tests: 0, virtual_s: 1e9}\n"
+      "generators: [{generator: exhaustive, raster: 7}]\n");
+  ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+  SearchKills kills(experiment.value());
+  const SearchResults results = run_searches(
+      experiment.value().plan, nullptr,
+      {.finished = [&](std::size_t search, SearchRun& each) { kills.add(search, each); }});
+  ASSERT_TRUE(results.complete);
+  const KillMatrix matrix = kills.matrix();
+  ASSERT_EQ(matrix.rows.size(), 1U);
+  const KillRow& row = matrix.rows[0];
+  EXPECT_EQ(row.behaviour, "exhaustive");
+  EXPECT_EQ(row.agents, 1U);
+  EXPECT_EQ(matrix.defects, (std::vector<std::string>{"weak-brakes=10", "fast-as-noise=2.5"}));
+  EXPECT_EQ(row.cells[0].tests, 14U);  // two cells, seven moments
+  EXPECT_GT(row.cells[0].kills, 0U);
+  EXPECT_LT(row.cells[0].kills, 14U);
+  EXPECT_EQ(first_kill_median(row.cells[0]), row.cells[0].first);
+  const std::vector<SearchKills::Team> best = kills.best_tests(0);
+  ASSERT_EQ(best.size(), 1U);  // two kill no more
+  EXPECT_EQ(best[0].killed, 1U);
+  EXPECT_THAT(experiment.value().plan.model->space().describe(best[0].tests.at(0)),
+              testing::StartsWith("first_way none, ahead "));
+  // Nobody is as fast as that.
+  EXPECT_EQ(row.cells[1].kills, 0U);
+  EXPECT_EQ(row.cells[1].tests, 14U);
+}
+
+TEST(SearchKills, ComeFromTheSameInputsForEachDefect) {
+  Result<SearchExperiment> experiment = read_defects(
+      "defects: latency,low-friction\nbudget: {tests: 5, virtual_s: 0}\n"
+      "generators: [random]\n");
+  ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+  const SearchResults results = run_searches(experiment.value().plan, nullptr);
+  for (std::size_t test = 0; test < 5; ++test) {
+    EXPECT_EQ(results.runs[0].tests[test].test.input, results.runs[1].tests[test].test.input);
+  }
+}
+
+TEST(SearchKills, NeedASystemWithAnAvThatBrakes) {
+  const auto errors = [](Result<SearchExperiment> result) {
+    return result.ok() ? std::string() : result.diagnostics().render();
+  };
+  EXPECT_THAT(errors(read_defects("defects: latncy\n")), HasSubstr("did you mean 'latency'?"));
+  EXPECT_THAT(errors(read("  behaviour: scripted\ndefects: latency\n")),
+              HasSubstr("without assertions nothing blames an AV"));
+  EXPECT_THAT(errors(read("  behaviour: scripted\ndefects: latency\n")),
+              HasSubstr("no defect shows in it"));
+  EXPECT_THAT(errors(parse_search(std::make_shared<const Source>(
+                  "test.yaml",
+                  "sut: {kind: lane-keeping, controller: paper-rate}\n"
+                  "defects: latency\n"))),
+              HasSubstr("'lane-keeping' has no AV with defects"));
 }
 
 }  // namespace

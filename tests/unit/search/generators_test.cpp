@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -124,6 +127,62 @@ TEST(RoadSpace, UnwrapsDirectionsOfARoadThatTurnsBack) {
   const std::vector<double> unwrapped = space.unwrapped_signature(turn);
   EXPECT_LT(*std::ranges::max_element(wrapped), 3.1416);
   EXPECT_GT(*std::ranges::max_element(unwrapped), 4);
+}
+
+/// Four choices of one thing, any number of another.
+class Choices : public Square {
+ public:
+  [[nodiscard]] std::vector<std::size_t> distinct_values() const override { return {4, 0}; }
+};
+
+class ChoicesSut : public CornerSut {
+ public:
+  [[nodiscard]] const SearchSpace& space() const override { return space_; }
+
+ private:
+  Choices space_;
+};
+
+TEST(Exhaustive, GoesThroughTheWholeSpaceOnceAndEnds) {
+  SearchPlan plan = corner_plan("exhaustive", 1000);
+  plan.model = std::make_shared<ChoicesSut>();
+  plan.generators[0].values = {3};
+  const SearchResults results = run_searches(plan, nullptr);
+  ASSERT_TRUE(results.complete);
+  std::set<std::pair<double, double>> seen;
+  for (const TestRow& row : results.runs[0].tests) {
+    seen.emplace(row.test.input.values[0], row.test.input.values[1]);
+  }
+  EXPECT_EQ(seen.size(), results.runs[0].tests.size());
+  // The middles of four parts, of which the first is invalid, and both ends and the middle.
+  std::set<std::pair<double, double>> all;
+  for (const double choice : {-0.25, 0.25, 0.75}) {
+    for (const double number : {-1.0, 0.0, 1.0}) all.emplace(choice, number);
+  }
+  EXPECT_EQ(seen, all);
+  // What is skipped counts as a candidate.
+  std::uint64_t invalid = 0;
+  for (const TestRow& row : results.runs[0].tests) invalid += row.invalid;
+  EXPECT_GT(invalid, 0U);
+  EXPECT_LE(invalid, 3U);
+}
+
+TEST(Exhaustive, SpreadsOverTheSpaceFromTheFirstTestsOn) {
+  SearchPlan plan = corner_plan("exhaustive", 12);
+  plan.generators[0].values = {40};
+  const SearchResults results = run_searches(plan, nullptr);
+  std::set<int> parts;
+  for (const TestRow& row : results.runs[0].tests) {
+    parts.insert(static_cast<int>(std::floor(2 * row.test.input.values[1])));
+  }
+  EXPECT_GE(parts.size(), 4U);
+}
+
+TEST(Exhaustive, TakesTheMiddleIfTheRasterIsOneValue) {
+  SearchPlan plan = corner_plan("exhaustive", 12);
+  plan.model = std::make_shared<ChoicesSut>();
+  plan.generators[0].values = {1};
+  EXPECT_EQ(run_searches(plan, nullptr).runs[0].tests.size(), 3U);
 }
 
 }  // namespace

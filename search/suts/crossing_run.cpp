@@ -1,0 +1,189 @@
+#include "search/suts/crossing_run.h"
+
+#include <algorithm>
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "experiment/carry_over.h"
+#include "experiment/kills/kills.h"
+#include "experiment/metrics/metrics.h"
+#include "experiment/metrics/naturalness.h"
+
+namespace jaywalk::search {
+namespace {
+
+/// What stands for a metric or a robustness that does not exist or is infinite.
+constexpr double kNone = 1e6;
+/// A pedestrian's last so many seconds tell how a test went.
+constexpr std::size_t kSignatureTicks = 8;
+
+double bounded(double value) { return std::clamp(value, -kNone, kNone); }
+
+/// The share of the pedestrians' steps that a person might take: not straight back, and not
+/// standing still in the road.
+double naturalness(const TestView& view) {
+  double steps = 0;
+  double natural = 0;
+  for (const ActorIndex actor : view.road_users()) {
+    for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
+      steps += 1;
+      if (is_natural_step(view, actor, tick)) natural += 1;
+    }
+  }
+  return steps > 0 ? natural / steps : 1;
+}
+
+/// The last seconds of the pedestrian who is nearest to the AV at the end, seen from the AV.
+std::vector<double> last_approach(const TestView& view) {
+  std::vector<double> numbers(2 * kSignatureTicks);
+  if (view.road_users().empty()) return numbers;
+  const ActorIndex actor = view.nearest().back();
+  for (std::size_t i = 0; i < kSignatureTicks; ++i) {
+    const std::size_t tick = view.ticks() - 1 - std::min(i, view.ticks() - 1);
+    const ActorState& av = view.state(kAv, tick);
+    const ActorState& other = view.state(actor, tick);
+    numbers[2 * i] = other.x_m - av.x_m;
+    numbers[2 * i + 1] = other.y_m - av.y_m;
+  }
+  return numbers;
+}
+
+std::string first_of(const Diagnostics& diagnostics) {
+  return diagnostics.empty() ? "the test cannot be run" : diagnostics.items().front().message;
+}
+
+/// The robustness of what the AV is to blame for: nobody is for what could not be helped.
+double margin(const Judgement& judgement) {
+  if (!judgement.robustness || judgement.verdict == Verdict::unavoidable) return kNone;
+  return bounded(*judgement.robustness);
+}
+
+}  // namespace
+
+Result<Scenario> scenario_of(const CrossingSettings& settings,
+                             const std::vector<std::string>& sets) {
+  ScenarioOptions options{.sets = sets, .files = settings.files, .include = settings.include};
+  if (!settings.behaviour.empty()) options.behaviours = {settings.behaviour};
+  Result<Scenario> scenario = parse_scenario(settings.scenario, options);
+  if (scenario.ok()) scenario.value().experiment.defects = settings.defects;
+  return scenario;
+}
+
+CrossingMeasures::CrossingMeasures(const CrossingSettings& settings) {
+  for (const Assertion& assertion : settings.assertions) {
+    for (const char* what : {"exercised", "robustness", "margin"}) {
+      names_.push_back(fmt::format("{}_{}", assertion.id, what));
+    }
+  }
+  kinds_ = {{"exercised", "1 if the precondition was met, else less the farther all stayed away"},
+            {"precondition", "1 if the precondition of the AV's assertion was met, else 0"},
+            {"naturalness", "share of steps that a person might take, 0 to 1"}};
+  if (settings.metrics) {
+    for (const Metric& metric : metrics()) kinds_.push_back({metric.name, metric.formula});
+  }
+  for (const std::string& name : names_) kinds_.push_back({name, "of the assertion"});
+  if (settings.assertions.empty()) return;
+  kinds_.push_back({"blamed", "1 if the AV is to blame for a broken assertion, else 0"});
+  if (settings.defects.empty()) return;
+  kinds_.push_back({"kills", "1 if it is with its defect, and would not be without, else 0"});
+  kinds_.push_back({"healthy_blamed", "1 if it would be without its defect, too, else 0"});
+}
+
+/// A test that was run.
+struct CrossingRun::Seen {
+  TrialResult result;
+  Recording recording;
+  std::vector<Judgement> judgements;
+};
+
+/// Makes the scenario ready; empty, or why it cannot be.
+std::string CrossingRun::prepare(const TestInput& input) {
+  std::vector<std::string> sets = space_.world_settings(input);
+  if (prepared_ != nullptr && sets == sets_) return {};
+  Result<Scenario> scenario = scenario_of(settings_, space_.settings(input));
+  if (!scenario.ok()) return first_of(scenario.diagnostics());
+  if (test_order(scenario.value()) == TestOrder::chained) {
+    return "world.av.carry_over: a test that is searched has none before it";
+  }
+  Diagnostics warnings;
+  auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
+  if (!prepared.ok()) return first_of(prepared.diagnostics());
+  sets_ = std::move(sets);
+  trials_ = nullptr;  // it refers to the scenario
+  prepared_ = std::move(prepared).value();
+  trials_ = std::make_unique<TrialRunner>(*prepared_);
+  ground_ = ground(prepared_->scenario().world);
+  return {};
+}
+
+CrossingRun::Seen CrossingRun::see(const TrialInput& input) {
+  Seen seen;
+  seen.result = trials_->run(input, {.record = &seen.recording});
+  if (!seen.result.completed) return seen;
+  const TestView view(seen.recording, ground_);
+  for (const Assertion& assertion : settings_.assertions) {
+    seen.judgements.push_back(judge(assertion, view));
+  }
+  return seen;
+}
+
+Outcome CrossingRun::run(const TestInput& input, std::size_t) {
+  if (std::string why = prepare(input); !why.empty()) return {.error = std::move(why)};
+  TrialInput trial{.agents = settings_.agents,
+                   .seed = seed(input),
+                   .test = 0,
+                   .vehicle = settings_.vehicle,
+                   .starts = space_.starts(input),
+                   .parameters = space_.parameters(input)};
+  if (std::string why = obstacle(*prepared_, trial); !why.empty()) return {.error = std::move(why)};
+  const Seen seen = see(trial);
+  if (!seen.result.completed) return {.error = seen.result.message};
+  Outcome outcome = measured(seen);
+  if (settings_.assertions.empty()) return outcome;
+  const bool blamed = blames_the_av(seen.judgements);
+  outcome.measures.push_back(blamed ? 1 : 0);
+  if (settings_.defects.empty()) return outcome;
+  bool healthy_blamed = false;
+  if (blamed) {
+    trial.vehicle = 0;
+    const Seen healthy = see(trial);
+    if (!healthy.result.completed) return {.error = healthy.result.message};
+    healthy_blamed = blames_the_av(healthy.judgements);
+  }
+  outcome.measures.push_back(blamed && !healthy_blamed ? 1 : 0);
+  outcome.measures.push_back(healthy_blamed ? 1 : 0);
+  return outcome;
+}
+
+/// Chance is a function of the input, so that the same input always has the same outcome.
+std::uint64_t CrossingRun::seed(const TestInput& input) const {
+  std::uint64_t seed = settings_.seed;
+  for (const double value : input.values) seed = mix(seed, std::bit_cast<std::uint64_t>(value));
+  return seed;
+}
+
+Outcome CrossingRun::measured(const Seen& seen) const {
+  const TestView view(seen.recording, ground_);
+  const bool success = seen.result.outcome.success;
+  Outcome outcome;
+  outcome.simulated_s = static_cast<double>(view.ticks() - 1) * view.tick_s();
+  const auto nearest = jaywalk::measured(*find_metric("min_distance"), view);
+  const double distance = nearest ? nearest->value : kNone;
+  outcome.measures = {success ? 1 : 0.9 / (1 + distance / 5), success ? 1.0 : 0.0,
+                      naturalness(view)};
+  for (const Metric& metric : settings_.metrics ? metrics() : std::span<const Metric>()) {
+    const auto value = jaywalk::measured(metric, view);
+    const double missing = metric.worst == Worst::least ? kNone : 0;
+    outcome.measures.push_back(value ? bounded(value->value) : missing);
+  }
+  for (const Judgement& judgement : seen.judgements) {
+    outcome.measures.push_back(bounded(judgement.exercised));
+    outcome.measures.push_back(judgement.robustness ? bounded(*judgement.robustness) : kNone);
+    outcome.measures.push_back(margin(judgement));
+  }
+  outcome.signature = last_approach(view);
+  return outcome;
+}
+
+}  // namespace jaywalk::search

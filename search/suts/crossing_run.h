@@ -1,0 +1,79 @@
+#pragma once
+
+// Tests of the pedestrians' world as a search runs them: a scenario with values that a test input
+// sets, what is measured of it, and whether it kills a defect of the AV. Read crossing_space.h
+// before.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "env/ground.h"
+#include "experiment/assertions/assertion.h"
+#include "experiment/trial.h"
+#include "search/sut.h"
+#include "search/suts/crossing_space.h"
+
+namespace jaywalk::search {
+
+struct CrossingSettings {
+  SourcePtr scenario;
+  std::string behaviour;
+  std::uint32_t agents = 1;
+  std::uint64_t seed = 0;
+  std::vector<Assertion> assertions;
+  /// The metrics of metrics.def are measured, too.
+  bool metrics = true;
+  /// Where programs are looked for.
+  SourceFiles files;
+  IncludeFolders include;
+  /// Those that the AV is searched with, one after another, and the index of the one that it has
+  /// among the scenario's vehicles (tested_vehicles.h).
+  std::vector<VehicleDefect> defects;
+  std::size_t vehicle = 0;
+};
+
+/// The scenario with the values of an input. All mistakes are reported.
+[[nodiscard]] Result<Scenario> scenario_of(const CrossingSettings& settings,
+                                           const std::vector<std::string>& sets);
+
+/// What a SUT with these settings measures, in the order of its outcomes.
+class CrossingMeasures {
+ public:
+  explicit CrossingMeasures(const CrossingSettings& settings);
+  // The kinds refer to the names.
+  CrossingMeasures(const CrossingMeasures&) = delete;
+  CrossingMeasures& operator=(const CrossingMeasures&) = delete;
+
+  [[nodiscard]] std::span<const MeasureKind> kinds() const { return kinds_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<MeasureKind> kinds_;
+};
+
+class CrossingRun : public Sut {
+ public:
+  /// Both must outlive it.
+  CrossingRun(const CrossingSpace& space, const CrossingSettings& settings)
+      : space_(space), settings_(settings) {}
+
+  [[nodiscard]] Outcome run(const TestInput& input, std::size_t test) override;
+
+ private:
+  struct Seen;
+  [[nodiscard]] std::string prepare(const TestInput& input);
+  [[nodiscard]] Seen see(const TrialInput& input);
+  [[nodiscard]] Outcome measured(const Seen& seen) const;
+  [[nodiscard]] std::uint64_t seed(const TestInput& input) const;
+
+  const CrossingSpace& space_;
+  const CrossingSettings& settings_;
+  // Of the last test: most of the next one differ in what TrialInput says alone.
+  std::vector<std::string> sets_;
+  std::shared_ptr<const PreparedScenario> prepared_;
+  std::unique_ptr<TrialRunner> trials_;
+  Ground ground_;
+};
+
+}  // namespace jaywalk::search
