@@ -188,6 +188,8 @@ class ScenarioBuilder {
              fmt::format("the key is {}", problem.path));
     }
     if (world.av.vehicle.model == "external") check_external();
+    check_command(world.av.vehicle, "world.av");
+    if (world.av.twin) check_command(*world.av.twin, "world.av.twin");
     check_behaviours();
     if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
     if (!diagnostics_.has_errors()) read_programs();
@@ -279,6 +281,13 @@ class ScenarioBuilder {
              fmt::format("'{}' has no meaning for the model external", key),
              "it is for the program to decide; what a vehicle can do limits its answers");
     }
+  }
+
+  void check_command(const VehicleParameters& vehicle, const std::string& path) {
+    if (vehicle.model != "external" || !vehicle.command.empty()) return;
+    if (draft_.origins.contains(path + ".command")) return;  // already diagnosed
+    report(diagnostics_, origin_of(path + ".model"), "no 'command' to start the controller with",
+           "for example command: [python3, controller.py]");
   }
 
   void check_behaviours() {

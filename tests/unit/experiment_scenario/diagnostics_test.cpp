@@ -43,6 +43,19 @@ TEST(ScenarioDiagnostics, PointAtAColonThatABlankIsMissingBehind) {
   }
 }
 
+TEST(ScenarioDiagnostics, PointAtAnExternalModelWithoutACommand) {
+  EXPECT_EQ(errors(parse("world:\n  av: {model: external}\nbehaviours: [a.asl]\n")),
+            "folder/test.yaml:2:15: error: no 'command' to start the controller with\n"
+            "    av: {model: external}\n"
+            "                ^~~~~~~~\n"
+            "  hint: for example command: [python3, controller.py]\n");
+  EXPECT_EQ(errors(parse("world:\n  av: {model: idm, twin: external}\nbehaviours: [a.asl]\n")),
+            "folder/test.yaml:2:26: error: no 'command' to start the controller with\n"
+            "    av: {model: idm, twin: external}\n"
+            "                           ^~~~~~~~\n"
+            "  hint: for example command: [python3, controller.py]\n");
+}
+
 TEST(ScenarioDiagnostics, PointAtTabs) {
   EXPECT_EQ(errors(parse("world:\n\tlength: 60\nbehaviours: [a.asl]\n")),
             "folder/test.yaml:2:1: error: a tab in the indentation\n"
