@@ -1,5 +1,6 @@
 #include "tests/fuzz/run_case.h"
 
+#include <array>
 #include <exception>
 #include <fcntl.h>
 #include <filesystem>
@@ -46,6 +47,30 @@ void run_programs(const Case& made) {
   (void)test::run_agents(programs, options);
 }
 
+/// The options of a command: its own and those that all have.
+std::vector<OptionSpec> options_of(const Command& command) {
+  std::vector<OptionSpec> options = command.help().options;
+  options.insert(options.end(), common_options().begin(), common_options().end());
+  return options;
+}
+
+/// Commands that take limits of a test get small ones, of inferences and megabytes: programs at
+/// random reach them often.
+std::vector<std::string> with_limits(std::vector<std::string> words) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> kLimits{
+      {{"max-inferences", "1000000"}, {"max-memory", "64"}}};
+  for (const Command& command : commands()) {
+    if (command.name != words.front()) continue;
+    for (const OptionSpec& option : options_of(command)) {
+      for (const auto& [name, value] : kLimits) {
+        if (option.name == name)
+          words.push_back("--" + std::string(name) + "=" + std::string(value));
+      }
+    }
+  }
+  return words;
+}
+
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -57,9 +82,7 @@ std::string quoted(const std::string& word) {
 int run_command(std::span<const std::string> words) {
   for (const Command& command : commands()) {
     if (command.name != words.front()) continue;
-    std::vector<OptionSpec> options = command.help().options;
-    options.insert(options.end(), common_options().begin(), common_options().end());
-    const auto arguments = parse_arguments(words.subspan(1), options);
+    const auto arguments = parse_arguments(words.subspan(1), options_of(command));
     if (!arguments) return static_cast<int>(ExitCode::usage);
     Console console;
     const ExitCode code = command.execute(arguments.value(), console);
@@ -78,7 +101,7 @@ std::string run_case(const Case& made, const std::string& folder) {
     run_programs(made);
     for (const auto& words : made.commands) {
       open_input();
-      const int code = run_command(words);
+      const int code = run_command(with_limits(words));
       if (code < 0 || code > 2) return "exit code " + std::to_string(code) + " of " + words.front();
     }
   } catch (const std::bad_alloc&) {
@@ -102,7 +125,7 @@ void write_case(const Case& made, const std::string& folder) {
   }
   for (const auto& words : made.commands) {
     script << "jaywalk";
-    for (const std::string& word : words) script << " " << quoted(word);
+    for (const std::string& word : with_limits(words)) script << " " << quoted(word);
     script << " <" << kInput << "\n";
   }
 }
