@@ -3,6 +3,7 @@
 from row import Row, WALKER
 
 CROSSING = {"walker.asl": WALKER, "s.yaml": "behaviours: [walker.asl]\n"}
+BINARY = bytes(i * 7919 % 251 for i in range(100_000))
 AGENT = {"agent.asl": "!go. +!go <- .print(done).\n"}
 
 
@@ -32,6 +33,13 @@ ROWS = [
         {"a.asl": '{ include("b.asl") }\n', "b.asl": '{ include("a.asl") }\n'}),
     Row("includes, 100 deep", ["check", "f0.asl"], 2, "include",
         {f"f{i}.asl": f'{{ include("f{i + 1}.asl") }}\n' for i in range(100)} | {"f100.asl": "b.\n"}),
+    *(Row(f"10 MB of one letter to {command} as {name}", [command, name], 2, "error:", {name: "a" * 10_000_000})
+      for command, name in (("run", "a.asl"), ("check", "a.asl"), ("run", "s.yaml"))),
+    *(Row(f"no file {name}", ["run", name], 2, "no such file") for name in ("p.mas2j", "s.yaml")),
+    *(Row(f"bytes to {command} as {name}", [command, name], 2, "error:", {name: BINARY}, most=60_000)
+      for command, name in (("run", "a.asl"), ("check", "a.asl"), ("run", "p.mas2j"), ("run", "s.yaml"), ("search", "s.yaml"))),
+    *(Row(f"a folder to {command} as {name}", [command, name], 2, "error:", {name + "/x": ""})
+      for command, name in (("run", "a.asl"), ("run", "p.mas2j"), ("run", "s.yaml"), ("report", "s.gpkg"), ("search", "s.yaml"))),
     Row("a CSV to a folder that there is not", ["compare", "s.yaml", "--csv", "none/x.csv"], 2, "none", CROSSING),
     Row("a CSV to a folder", ["compare", "s.yaml", "--csv", "."], 2, "error:", CROSSING),
     Row("a CSV to a full device", ["compare", "s.yaml", "--tests", "2", "--agents", "1", "--csv", "/dev/full"], 1, "/dev/full", CROSSING),

@@ -1,6 +1,6 @@
 """Programs that do not end: an option, a limit or the loop's own end ends them."""
 
-from row import Row, program
+from row import Row, program, scenario
 
 ROWS = [
     program("a goal that calls itself last", "!go. +!go <- !go.\n", 1, "timeout", "--timeout", "1"),
@@ -33,4 +33,6 @@ ROWS = [
     Row("a test that takes too long", ["test", "agent.asl", "--timeout", "1"], 1, "",
         {"agent.asl": "@[test] +!t <- !l. +!l <- !l.\n"}),
     Row("a test that stops the system", ["test", "agent.asl"], 1, "", {"agent.asl": "@[test] +!t <- .stopMAS.\n"}),
+    scenario("a pedestrian who reasons for ever within a tick", "behaviours: [bad.asl]\n", 1, "error:", "--no-check",
+             files={"bad.asl": "!go. +!go <- !go.\n"}, seconds=60),
 ]

@@ -32,6 +32,7 @@ ROWS = [
     scenario("a map of odd letters", "world:\n  map: |\n    >>?>\n", 2, "scenario.yaml:"),
     scenario("an obstacle beyond the road", "world: {obstacles: [{rows: [2, 2], cells: [900, 901]}]}\n", 2, "scenario.yaml:1"),
     scenario("an anchor in no system", "world: {anchor: {epsg: 1}}\n", 2, "scenario.yaml:1"),
+    scenario("an external AV without a program", "world: {av: {model: external}}\n", 2, "command"),
     scenario("a defect that there is not", "world: {av: {model: braking, defect: latancy}}\n", 2, "latency"),
     scenario("a defect of no size", "world: {av: {model: braking, defect: latency=0}}\n", 2, "scenario.yaml:1"),
     scenario("a model that there is not", "world: {av: {model: brakeing}}\n", 2, "braking"),
