@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -149,6 +150,8 @@ IncludePath include_path(const Scenario& scenario) {
   path.folders = scenario.include.folders;
   path.mapped = scenario.include.mapped;
   path.files = scenario.files;
+  // The scenario is the project of its programs, wherever it has them from.
+  path.files.allow_reading(std::filesystem::path(scenario.name).parent_path().string());
   return path;
 }
 

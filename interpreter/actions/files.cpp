@@ -3,6 +3,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/actions/java_regex.h"
+#include "interpreter/agent/agent.h"
 
 namespace jaywalk::actions {
 namespace {
@@ -43,8 +44,11 @@ Outcome list_files(ActionCall& call) {
   const std::optional<Regex> pattern =
       Regex::parse(result == 2 ? call.arg(1).text()->view() : std::string_view(".*"), error);
   if (!pattern) return call.java_exception(error);
+  const std::string folder(call.arg(0).text()->view());
+  const std::string denied = call.agent()->host().society().why_not_list(folder);
+  if (!denied.empty()) return call.fail("internal_action", denied);
   std::vector<std::string> found;
-  find_files(std::filesystem::path(call.arg(0).text()->view()), *pattern, 0, found);
+  find_files(folder, *pattern, 0, found);
   std::vector<Value> files;
   for (const std::string& file : found) files.push_back(call.heap().text(file));
   return call.result(result, call.heap().list(files));

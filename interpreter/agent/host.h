@@ -64,6 +64,8 @@ class Society {
   /// Writes a program to a file; false after setting `error`.
   [[nodiscard]] virtual bool save(const std::string& file, const std::string& text,
                                   std::string& error) = 0;
+  /// Why agents may not list the files of a folder; empty: they may.
+  [[nodiscard]] virtual std::string why_not_list(const std::string& folder) = 0;
   /// A new agent that runs the program in a file. A name that is taken gets a suffix.
   [[nodiscard]] virtual Creation create(const std::string& name, const std::string& file) = 0;
   /// A new agent with the beliefs, plans and goals of another.

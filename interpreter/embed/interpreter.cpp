@@ -1,7 +1,10 @@
 #include "interpreter/embed/interpreter.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/compile/compiler.h"
@@ -105,8 +108,10 @@ Interpreter::Interpreter(MasOptions options, const EnvironmentMaker& make_enviro
   if (!options.load_program) {
     options.load_program = [this](const ProgramRequest& request, SymbolTable&,
                                   std::string& error) -> std::shared_ptr<const Program> {
+      error = why_denied("read", request.file);
+      if (!error.empty()) return nullptr;
       Diagnostics diagnostics;
-      const SourceTree tree = load_agent(request.file, {}, diagnostics);
+      const SourceTree tree = load_agent(request.file, include_path_, diagnostics);
       auto program = compiled(tree, std::move(diagnostics),
                               {.ns = request.ns, .fresh_labels = request.included});
       if (program) return program.value();
@@ -114,7 +119,22 @@ Interpreter::Interpreter(MasOptions options, const EnvironmentMaker& make_enviro
       return nullptr;
     };
   }
+  if (!options.why_not_list) {
+    options.why_not_list = [this](const std::string& folder) { return why_denied("list", folder); };
+  }
   mas_ = std::make_unique<Mas>(symbols, std::move(options), environment_.get());
+}
+
+void Interpreter::note_loading(const std::string& program, const IncludePath& include_path) {
+  include_path_ = include_path;
+  folders_.insert(std::filesystem::path(program).parent_path().string());
+}
+
+std::string Interpreter::why_denied(std::string_view verb, const std::string& path) const {
+  AllowedFolders readable;
+  for (const std::string& folder : folders_) readable.add(include_path_.readable_from(folder));
+  const auto denial = readable.denial(path);
+  return denial ? fmt::format("cannot {} {}: {}", verb, path, denial->text()) : std::string();
 }
 
 Interpreter::~Interpreter() = default;
@@ -140,6 +160,7 @@ Result<std::shared_ptr<const Program>> Interpreter::compiled(const SourceTree& t
 
 Result<std::shared_ptr<const Program>> Interpreter::load_file(const std::string& path,
                                                               const IncludePath& include_path) {
+  note_loading(path, include_path);
   Diagnostics diagnostics;
   const SourceTree tree = load_agent(path, include_path, diagnostics);
   return compiled(tree, std::move(diagnostics), {});
@@ -148,6 +169,7 @@ Result<std::shared_ptr<const Program>> Interpreter::load_file(const std::string&
 Result<std::shared_ptr<const Program>> Interpreter::load_text(const std::string& name,
                                                               std::string text,
                                                               const IncludePath& include_path) {
+  note_loading(name, include_path);
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>(name, std::move(text));
   const SourceTree tree = load_agent(source, include_path, diagnostics);

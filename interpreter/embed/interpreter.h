@@ -16,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,6 +74,8 @@ class Interpreter {
   void add_function(FunctionDefinition function);
 
   /// A program, to be run by any number of agents of this interpreter. Errors have their places.
+  /// What it includes, and what agents load and list as they run, is read from its folder and
+  /// where `include_path` says, nowhere else.
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_file(
       const std::string& path, const IncludePath& include_path = {});
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(
@@ -121,6 +124,9 @@ class Interpreter {
   [[nodiscard]] Result<std::shared_ptr<const Program>> compiled(const SourceTree& tree,
                                                                 Diagnostics diagnostics,
                                                                 CompileOptions options);
+  void note_loading(const std::string& program, const IncludePath& include_path);
+  /// Why the agents may not read or list a file; empty: they may.
+  [[nodiscard]] std::string why_denied(std::string_view verb, const std::string& path) const;
   /// What keeps this interpreter from doing anything with the agent now, or nothing.
   [[nodiscard]] std::string obstacle(AgentId agent) const;
   [[nodiscard]] Diagnostics tell(AgentId agent, const std::string& name, const std::string& text,
@@ -130,6 +136,10 @@ class Interpreter {
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Mas> mas_;
   std::vector<std::shared_ptr<const Program>> programs_;
+  // What agents may read as they run: as the program that was loaded last, and from its folder and
+  // those of all before.
+  IncludePath include_path_;
+  std::set<std::string> folders_;
   bool is_at_work_ = false;
 };
 

@@ -91,6 +91,8 @@ struct MasOptions {
   /// Writes a file for `.save_agent`; false after setting `error`. Not set: nothing can be written.
   std::function<bool(const std::string& file, const std::string& text, std::string& error)>
       save_program;
+  /// Why `.list_files` may not look into a folder; empty: it may. Not set: it may look into none.
+  std::function<std::string(const std::string& folder)> why_not_list;
   /// Where `.print` and its kin write; called with whole lines `[agent] text` without line break.
   std::function<void(std::string_view line)> print;
   /// Where agents with `verbose=0` write, text as it is; not set: nowhere.

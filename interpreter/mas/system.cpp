@@ -132,6 +132,11 @@ bool Mas::Implementation::save(const std::string& file, const std::string& text,
   return false;
 }
 
+std::string Mas::Implementation::why_not_list(const std::string& folder) {
+  return options_.why_not_list ? options_.why_not_list(folder)
+                               : "files cannot be listed in this run";
+}
+
 Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
   if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
   AgentSpec spec;

@@ -77,6 +77,7 @@ class Mas::Implementation : public AgentHost, public Society {
                                                     std::string& error) override;
   [[nodiscard]] bool save(const std::string& file, const std::string& text,
                           std::string& error) override;
+  [[nodiscard]] std::string why_not_list(const std::string& folder) override;
   [[nodiscard]] Creation create(const std::string& name, const std::string& file) override;
   [[nodiscard]] Creation clone(Agent& original, const std::string& name) override;
   bool kill(std::string_view name, double deadline_ms) override;

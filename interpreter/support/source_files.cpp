@@ -40,6 +40,15 @@ std::string SourceFiles::place(const std::string& path) const {
   return stays_below(below) ? (fs::path(library_) / below).string() : path;
 }
 
+AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
+  AllowedFolders readable = readable_;
+  const std::string own = folder.empty() ? folder : place(folder + '/');
+  readable.add(own);
+  if (const auto project = find_project_folder(own)) readable.add(*project);
+  if (!library_.empty()) readable.add(library_);
+  return readable;
+}
+
 bool SourceFiles::has(const std::string& path) const {
   if (copies_) return copies_->contains(path);
   std::error_code error;
@@ -89,6 +98,21 @@ std::vector<std::string> SourceFiles::installed_in(std::string_view folder) cons
     names.push_back(std::string(folder) + '/' + entry.path().filename().generic_string());
   }
   return names;
+}
+
+std::optional<std::string> find_project_folder(const std::string& folder) {
+  constexpr int kHighest = 4;
+  std::error_code error;
+  fs::path above = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
+  if (!above.has_filename()) above = above.parent_path();  // of `folder/`
+  for (int i = 0; i < kHighest && !error; ++i, above = above.parent_path()) {
+    for (fs::directory_iterator entry(above, error), end; !error && entry != end;
+         entry.increment(error)) {
+      const fs::path extension = entry->path().extension();
+      if (extension == ".mas2j" || extension == ".jcm") return above.string();
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace jaywalk

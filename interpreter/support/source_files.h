@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/support/allowed_folders.h"
 #include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
@@ -27,6 +28,14 @@ class SourceFiles {
   explicit SourceFiles(std::string library) : library_(std::move(library)) {}
   /// These, by their names, and no others.
   explicit SourceFiles(std::span<const SourcePtr> copies);
+
+  /// Programs may read what lies in this folder, besides their own (`--allow-read`).
+  void allow_reading(const std::string& folder) { readable_.add(folder); }
+  /// What a program in `folder` may read of the disk: what lies there, in the project that the
+  /// folder belongs to, among the installed programs and where allow_reading() says.
+  [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
+  /// Whether that matters: copies may be read by everybody.
+  [[nodiscard]] bool are_on_disk() const { return !copies_; }
 
   /// There is a file (not a folder) of this name.
   [[nodiscard]] bool has(const std::string& path) const;
@@ -45,6 +54,10 @@ class SourceFiles {
  private:
   std::optional<std::map<std::string, SourcePtr>> copies_;
   std::string library_;  // empty: none
+  AllowedFolders readable_;
 };
+
+/// The next folder from this one upwards in which a project lies, of Jason or JaCaMo.
+[[nodiscard]] std::optional<std::string> find_project_folder(const std::string& folder);
 
 }  // namespace jaywalk

@@ -99,6 +99,7 @@ class Loader {
       add_included(directive, std::make_shared<const Source>(*path, *text));
       return;
     }
+    if (!may_read(*path, where)) return;
     Result<SourcePtr> source = read_program(*path, include_path_.files, diagnostics_);
     if (!source) {
       diagnostics_.error(where, fmt::format("cannot include {}: {}", *path,
@@ -112,6 +113,20 @@ class Loader {
   [[nodiscard]] bool is_file(const fs::path& path) const {
     const std::string name = path.generic_string();
     return text_at(name, include_path_) != nullptr || include_path_.files.has(name);
+  }
+
+  bool may_read(const std::string& path, const SourceSpan& where) {
+    if (!include_path_.files.are_on_disk()) return true;
+    if (!readable_) {
+      const fs::path program(tree_.main().source->name());
+      readable_ = include_path_.readable_from(program.parent_path().string());
+    }
+    const auto denial = readable_->denial(include_path_.files.place(path));
+    if (!denial) return true;
+    diagnostics_.error(where, fmt::format("cannot include {}: {}", path, denial->message),
+                       denial->hint);
+    ++tree_.left_out_errors;
+    return false;
   }
 
   bool may_include(const std::string& path, const SourceSpan& where) {
@@ -148,8 +163,10 @@ class Loader {
     const fs::path folder = fs::path(where.source->name()).parent_path();
     std::vector<fs::path> candidates = {folder.empty() ? fs::path(name)
                                                        : (folder / name).lexically_normal()};
-    for (const std::string& searched : include_path_.folders) {
-      candidates.push_back((fs::path(searched) / name).lexically_normal());
+    for (const auto* folders : {&include_path_.source_path, &include_path_.folders}) {
+      for (const std::string& searched : *folders) {
+        candidates.push_back((fs::path(searched) / name).lexically_normal());
+      }
     }
     const auto found = std::find_if(candidates.begin(), candidates.end(),
                                     [this](const fs::path& path) { return is_file(path); });
@@ -219,9 +236,17 @@ class Loader {
   /// The files that include one another, from the program to the one that is being read.
   std::vector<std::string> chain_;
   bool too_many_ = false;
+  std::optional<AllowedFolders> readable_;  // once asked for
 };
 
 }  // namespace
+
+AllowedFolders IncludePath::readable_from(const std::string& folder) const {
+  AllowedFolders readable = files.readable_from(folder);
+  for (const std::string& each : folders) readable.add(each);
+  for (const auto& [prefix, meant] : mapped) readable.add(meant);
+  return readable;
+}
 
 const std::string* IncludePath::given_text(std::string_view path) const {
   const std::string_view name = path.substr(path.rfind('/') + 1);

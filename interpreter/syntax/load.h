@@ -22,13 +22,18 @@ inline constexpr std::string_view kMissingIncludeHint =
 
 /// Where included files are looked for, after the folder of the including file.
 struct IncludePath {
-  /// Folders, in order (`aslSourcePath` of a project, `--include`).
+  /// Folders that a project names, in order (`aslSourcePath`). Of those that lie outside what its
+  /// programs may read (SourceFiles::readable_from), nothing is.
+  std::vector<std::string> source_path;
+  /// Folders that the user names, after those (`--include`).
   std::vector<std::string> folders;
   /// Prefixes and what stands for them: `$jasonJar` → a folder (`--map`).
   std::vector<std::pair<std::string, std::string>> mapped;
   /// Texts that stand for files: those of a name, in whatever folder, or the one of a path (a/b).
   std::vector<std::pair<std::string, std::string>> given;
 
+  /// What a program in `folder` may read.
+  [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
   /// The text given for a file; null if it is to be looked for.
   [[nodiscard]] const std::string* given_text(std::string_view path) const;
   /// The program's own file, if the text that is loaded only adds to it (options of a project):

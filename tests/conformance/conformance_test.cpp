@@ -64,6 +64,7 @@ void keep_files_in_memory(ProgramFile& file) {
     if (program == nullptr) error = diagnostics.render();
     return program;
   };
+  file.options.why_not_list = [](const std::string&) { return std::string(); };
   file.options.save_program = [&file](const std::string& name, const std::string& text,
                                       std::string&) {
     file.files[name] = text;

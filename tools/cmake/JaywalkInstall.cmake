@@ -39,6 +39,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios
         DESTINATION ${JAYWALK_DATA_DIR}
         FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.md")
 install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
+              ${PROJECT_SOURCE_DIR}/SECURITY.md
               ${PROJECT_SOURCE_DIR}/interpreter/COVERAGE.md
               ${PROJECT_SOURCE_DIR}/interpreter/EMBEDDING.md
               ${PROJECT_SOURCE_DIR}/interpreter/LANGUAGE.md

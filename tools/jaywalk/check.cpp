@@ -130,7 +130,7 @@ class Checker {
       return;
     }
     const std::size_t errors = diagnostics_.error_count();
-    check_programs(scenario.value(), include_path_, checked_, diagnostics_);
+    check_programs(scenario.value(), checked_, diagnostics_);
     if (diagnostics_.error_count() > errors) return;
     // What remains is how parameters and programs fit together.
     Diagnostics known_warnings;

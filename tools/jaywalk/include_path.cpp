@@ -1,6 +1,8 @@
 #include "tools/jaywalk/include_path.h"
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,14 @@ IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnost
   IncludePath path;
   path.files = files_on_disk();
   path.folders = arguments.texts("include");
+  for (const std::string& folder : arguments.texts("allow-read")) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) {
+      path.files.allow_reading(folder);
+    } else {
+      diagnostics.error("--allow-read", fmt::format("there is no folder '{}'", folder));
+    }
+  }
   for (const std::string& mapping : arguments.texts("map")) {
     const auto equals = mapping.find('=');
     if (equals == std::string::npos || equals == 0) {

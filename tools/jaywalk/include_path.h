@@ -18,6 +18,9 @@ inline constexpr std::array kIncludeOptions = {
     OptionSpec{"map", "PREFIX=FOLDER",
                "what stands for a prefix of included files: '$jasonJar=DIR';\n"
                "repeatable"},
+    OptionSpec{"allow-read", "FOLDER",
+               "programs may read files in this folder, too; repeatable (else those\n"
+               "of their own and their project's folder, of --include and --map)"},
 };
 
 /// What is wrong with the options is added to the diagnostics.

@@ -281,6 +281,7 @@ nlohmann::json Server::to_json(const std::vector<Place>& places) const {
 
 IncludePath Server::with_open_texts() const {
   IncludePath include_path = include_path_;
+  for (const std::string& folder : folders_) include_path.files.allow_reading(folder);
   for (const auto& [uri, opened] : documents_) {
     const std::string& file = opened.source->name();
     include_path.given.emplace_back(file, opened.source->text());

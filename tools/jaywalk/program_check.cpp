@@ -2,12 +2,13 @@
 
 #include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "experiment/trial.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/support/excerpt.h"
+#include "interpreter/support/source_files.h"
 #include "interpreter/term/symbol.h"
 #include "tools/jaywalk/vocabulary.h"
 
@@ -16,19 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a project, of Jason or JaCaMo, lies in the program's folder or above it.
+/// Whether a project lies in the program's folder or above it.
 bool lies_in_project(const std::string& path) {
-  constexpr int kFolders = 4;
-  std::error_code failure;
-  fs::path folder = fs::absolute(path, failure).parent_path();
-  for (int i = 0; i < kFolders && !failure; ++i, folder = folder.parent_path()) {
-    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-         entry.increment(failure)) {
-      const std::string extension = entry->path().extension().string();
-      if (extension == ".mas2j" || extension == ".jcm") return true;
-    }
-  }
-  return false;
+  return find_project_folder(fs::path(path).parent_path().string()).has_value();
 }
 
 /// The world of all scenarios.
@@ -71,12 +62,11 @@ void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found) {
   }
 }
 
-void check_programs(const Scenario& scenario, const IncludePath& include_path, Checked& checked,
-                    Diagnostics& found) {
+void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& found) {
   for (const std::string& program : programs_of(scenario)) {
     checked.programs.insert(fs::path(program).lexically_normal().string());
     Diagnostics of_program;
-    const SourceTree tree = load_agent(program, include_path, of_program);
+    const SourceTree tree = load_agent(program, include_path(scenario), of_program);
     of_program = with_errors(of_program, kMissingInclude, kMissingIncludeHint);
     const auto complete = [&](Vocabulary& vocabulary) {
       vocabulary.settings = settings_of(scenario, program);

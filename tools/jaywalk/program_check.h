@@ -34,8 +34,7 @@ void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found);
 /// What `check` says of the programs that a scenario names: its behaviours', with their teams, and
 /// its actors'. Of a program that another scenario names, too, only that is said which is new. A
 /// missing include is an error.
-void check_programs(const Scenario& scenario, const IncludePath& include_path, Checked& checked,
-                    Diagnostics& found);
+void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& found);
 
 /// Whether a program was started by itself or as one of a project.
 enum class StartedAs { alone, part };

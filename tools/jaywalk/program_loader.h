@@ -16,9 +16,10 @@ namespace jaywalk {
 
 class ProgramLoader {
  public:
-  /// Files are looked for in `folders`, then in those of the include path, then as they are named.
-  ProgramLoader(std::vector<std::string> folders, IncludePath include_path)
-      : folders_(std::move(folders)), include_path_(std::move(include_path)) {}
+  /// For the programs of a folder (empty: the working one). Files are looked for there, then in the
+  /// folders of the include path, then as they are named; only those that the programs may read
+  /// are loaded.
+  ProgramLoader(const std::string& folder, IncludePath include_path);
 
   /// Compiles a file into `symbols`, which must be the same table in every call. A file that has
   /// not changed is read once. Null after setting `error`; a program with an error as well has been
@@ -34,8 +35,11 @@ class ProgramLoader {
 
   [[nodiscard]] std::string find(const std::string& file) const;
 
+  [[nodiscard]] bool may_read(const std::string& path, std::string& error) const;
+
   std::vector<std::string> folders_;
   IncludePath include_path_;
+  AllowedFolders readable_;
   std::unordered_map<std::string, Loaded> loaded_;  // by path, purpose and namespace
 };
 

@@ -193,7 +193,11 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
     }
     if (folder.empty()) break;
   }
-  folders.folders.insert(folders.folders.begin(), source_path.begin(), source_path.end());
+  folders.source_path = source_path;
+  // All of the project's programs may read what the project may.
+  const std::string own_folder = folder.string();
+  folders.files.allow_reading(own_folder);
+  const AllowedFolders readable = folders.readable_from(own_folder);
 
   std::vector<ProgramSource> sources;
   for (const ProjectAgent& agent : project->agents) {
@@ -201,6 +205,12 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
                           .include_path = folders,
                           .agents = names_of(agent),
                           .settings = settings_of(agent)};
+    if (const auto denial = readable.denial(program.path)) {
+      diagnostics.error(agent.where,
+                        fmt::format("cannot read {}: {}", program.path, denial->message),
+                        denial->hint);
+      continue;
+    }
     auto beliefs = literals_of(agent, "beliefs", diagnostics);
     const auto goals = literals_of(agent, "goals", diagnostics);
     if (!beliefs.empty() || !goals.empty()) {

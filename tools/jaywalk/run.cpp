@@ -22,7 +22,8 @@ namespace {
 constexpr std::array<std::string_view, 13> kForScenarios = {
     "set",   "preset",     "behaviour", "agents", "test",    "watch", "speed",
     "store", "assertions", "metrics",   "junit",  "fail-on", "strict"};
-constexpr std::array<std::string_view, 3> kForPrograms = {"realtime", "threads", "ignore-java"};
+constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "threads", "ignore-java",
+                                                          "allow-write"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
             const Arguments& arguments, Console& console) {
@@ -57,6 +58,9 @@ CommandHelp help() {
                "so many agents reason at the same time (default 1); what they\n"
                "do and print does not depend on it"},
               {"ignore-java", "", "run a project without its Java classes"},
+              {"allow-write", "FOLDER",
+               "the agents may write files in this folder, too, not only in the\n"
+               "working one; repeatable"},
               {"behaviour", "FILE",
                "of a scenario: this program (.asl), behaviour of the scenario\n"
                "or installed one (jaywalk list behaviours) instead of the first"},

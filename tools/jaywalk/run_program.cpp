@@ -151,6 +151,14 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
   return agents;
 }
 
+/// Where programs may write: in the working folder, and where the user says.
+AllowedFolders writable_folders(const Arguments& arguments) {
+  AllowedFolders writable("--allow-write");
+  writable.add(".");
+  for (const std::string& folder : arguments.texts("allow-write")) writable.add(folder);
+  return writable;
+}
+
 /// `folder` is the one of the program or project.
 ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
                      ProgramCheck check, const Limits& limits, const Arguments& arguments,
@@ -164,15 +172,24 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   MasOptions options = limits.mas;
   const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
   sources = {};  // which has a name for each of perhaps very many agents, as the agents have
-  options.load_program =
-      [loader = std::make_shared<ProgramLoader>(std::vector{folder}, include_path)](
-          const ProgramRequest& request, SymbolTable& run_symbols, std::string& error) {
-        return loader->load(request, run_symbols, error);
-      };
-  options.save_program = [](const std::string& file, const std::string& text, std::string& error) {
-    const auto problem = write_file(file, text);
-    if (problem) error = *problem;
-    return !problem;
+  options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path)](
+                             const ProgramRequest& request, SymbolTable& run_symbols,
+                             std::string& error) {
+    return loader->load(request, run_symbols, error);
+  };
+  options.why_not_list = [readable =
+                              include_path.readable_from(folder)](const std::string& listed) {
+    const auto denial = readable.denial(listed);
+    return denial ? fmt::format("cannot list {}: {}", listed, denial->text()) : std::string();
+  };
+  options.save_program = [writable = writable_folders(arguments)](
+                             const std::string& file, const std::string& text, std::string& error) {
+    if (const auto denial = writable.denial(file)) {
+      error = fmt::format("cannot write {}: {}", file, denial->text());
+    } else {
+      error = write_file(file, text).value_or("");
+    }
+    return error.empty();
   };
   const std::string& subject = arguments.operands().front();
   Observers observers;
@@ -208,7 +225,7 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
 
 std::string folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
+  return folder.string();
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(const std::string& path
     warnings = {};
     Checked checked;
     const Scenario& own = prepared.value()->scenario();
-    check_programs(own, include_path(own), checked, warnings);
+    check_programs(own, checked, warnings);
   }
   console.report(warnings);
   return std::move(prepared).value();

@@ -227,8 +227,7 @@ class TestRun {
     options.log = keep;
     const fs::path folder = fs::path(test_.file).parent_path();
     options.load_program =
-        [loader = std::make_shared<ProgramLoader>(
-             std::vector{folder.empty() ? "." : folder.string()}, include_path_)](
+        [loader = std::make_shared<ProgramLoader>(folder.string(), include_path_)](
             const ProgramRequest& request, SymbolTable& symbols, std::string& error) {
           return loader->load(request, symbols, error);
         };
