@@ -1,7 +1,6 @@
 #include "experiment/program_copies.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
 
@@ -34,22 +33,12 @@ bool is_as_it_was(const Source& kept) {
 
 }  // namespace
 
-ProgramCopies::ProgramCopies() {
-  std::error_code error;
-  std::string name = (fs::temp_directory_path(error) / "jaywalk-programs-XXXXXX").string();
-  if (!error && ::mkdtemp(name.data()) != nullptr) folder_ = name;
-}
-
-ProgramCopies::~ProgramCopies() {
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
-}
-
 Result<std::string> ProgramCopies::add(const Source& program) {
   // The file keeps its name, by which an interpreter may know what it is; a folder each.
-  const fs::path path = folder_ / std::to_string(count_++) / fs::path(program.name()).filename();
+  const fs::path path =
+      fs::path(folder_.path()) / std::to_string(count_++) / fs::path(program.name()).filename();
   std::error_code error;
-  if (folder_.empty() || !fs::create_directory(path.parent_path(), error)) {
+  if (folder_.path().empty() || !fs::create_directory(path.parent_path(), error)) {
     return cannot_write(program.name());
   }
   std::ofstream file(path, std::ios::binary);

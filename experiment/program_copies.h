@@ -3,12 +3,12 @@
 // Programs as files to start processes from, made of texts that were kept of them: a stored test
 // runs with the controller that it ran with, whatever has become of the file since.
 
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "experiment/export/temporary.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/source_files.h"
 
@@ -17,16 +17,11 @@ namespace jaywalk {
 /// Files in a folder of their own, which goes when this does.
 class ProgramCopies {
  public:
-  ProgramCopies();
-  ~ProgramCopies();
-  ProgramCopies(const ProgramCopies&) = delete;
-  ProgramCopies& operator=(const ProgramCopies&) = delete;
-
   /// The name of a new file with this text, executable by us alone. Error: it cannot be written.
   [[nodiscard]] Result<std::string> add(const Source& program);
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   int count_ = 0;
 };
 

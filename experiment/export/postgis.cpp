@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "experiment/export/exporters.h"
 #include "experiment/export/program.h"
+#include "experiment/export/temporary.h"
 #include "experiment/results/excerpt.h"
 
 namespace jaywalk {
@@ -47,28 +47,6 @@ std::string dataset(std::string_view connection) {
                           (connection[1] == 'G' || connection[1] == 'g') && connection[2] == ':';
   return fmt::format("PG:{}", has_prefix ? connection.substr(3) : connection);
 }
-
-/// A file that is gone when its user is.
-class TemporaryFile {
- public:
-  TemporaryFile()
-      : path_((std::filesystem::temp_directory_path() /
-               fmt::format("jaywalk-{}-tests.gpkg", ::getpid()))
-                  .string()) {
-    remove();
-  }
-  ~TemporaryFile() { remove(); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  void remove() const {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  std::string path_;
-};
 
 /// What is wrong with a run of one of GDAL's programs; false if nothing is.
 bool failed(std::string_view program, int status, Diagnostics& diagnostics) {
@@ -136,16 +114,17 @@ ExportedFiles export_postgis(const ExportRequest& request) {
                       "--schema gives another one, --overwrite replaces the store's tables in it");
     return diagnostics;
   }
-  const TemporaryFile excerpt;
+  const TemporaryFolder folder;
+  const std::string excerpt = folder.path() + "/tests.gpkg";
   std::string store = request.store.path();
   if (request.tests.size() < request.store.count()) {
     std::vector<std::int64_t> ids;
     for (const StoredTest& test : request.tests) ids.push_back(test.id);
-    if (const auto why = copy_tests(store, excerpt.path(), ids)) {
-      diagnostics.error(excerpt.path(), fmt::format("cannot be written: {}", *why));
+    if (const auto why = copy_tests(store, excerpt, ids)) {
+      diagnostics.error(excerpt, fmt::format("cannot be written: {}", *why));
       return diagnostics;
     }
-    store = excerpt.path();
+    store = excerpt;
   }
   if (failed("ogr2ogr", copy(store, database, schema, request.overwrite), diagnostics)) {
     return diagnostics;

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/temporary.h"
+
 namespace jaywalk {
 namespace {
 
@@ -26,9 +28,6 @@ std::optional<std::string> write_text(const std::string& path, std::string_view 
   if (std::fclose(file.release()) != 0) return reason();
   return std::nullopt;
 }
-
-/// Where a text is kept until all of it is written.
-std::string part_of(const std::string& path) { return fmt::format("{}.{}.part", path, ::getpid()); }
 
 std::string folder_of(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -54,7 +53,8 @@ std::optional<std::string> write_file(const std::string& path, std::string_view 
   const std::string replaced = replaced_file(path);
   if (replaced.empty()) return write_text(path, text);
 
-  const std::string temporary = part_of(replaced);
+  const std::string temporary = make_part_of(replaced);
+  if (temporary.empty()) return reason();
   auto failure = write_text(temporary, text);
   if (!failure && std::rename(temporary.c_str(), replaced.c_str()) != 0) failure = reason();
   if (failure) std::filesystem::remove(temporary, ignored);
@@ -72,10 +72,10 @@ std::optional<std::string> why_not_writable(const std::string& path) {
   }
   const std::string folder = folder_of(replaced);
   if (!fs::exists(folder, ignored)) return fmt::format("there is no folder '{}'", folder);
-  const std::string temporary = part_of(replaced);
-  auto failure = write_text(temporary, "");
+  const std::string temporary = make_part_of(replaced);
+  if (temporary.empty()) return reason();
   fs::remove(temporary, ignored);
-  return failure;
+  return std::nullopt;
 }
 
 std::optional<std::string> why_no_folder(const std::string& path) {

@@ -9,6 +9,7 @@
 #include "env/crossing/layout.h"
 #include "experiment/report/player.html.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -97,14 +98,6 @@ json to_json(const MindRecorder& recorder) {
   return result;
 }
 
-/// `</script>` in a text would end the page's own.
-std::string embeddable(std::string text) {
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) {
-    text.replace(at, 2, "<\\/");
-  }
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::size_t> MindRecorder::intern(const std::vector<std::string>& texts) {
@@ -153,7 +146,7 @@ std::string render_player(const std::string& title, const CrossingParameters& pa
   constexpr std::string_view kPlace = "/*DATA*/null";
   std::string page(kPlayerHtml);
   page.replace(page.find(kPlace), kPlace.size(),
-               embeddable(data.dump(-1, ' ', false, json::error_handler_t::replace)));
+               in_script(data.dump(-1, ' ', false, json::error_handler_t::replace)));
   return page;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/temporary.h"
 #include "experiment/results/store_file.h"
 
 namespace jaywalk {
@@ -17,11 +18,14 @@ std::optional<Diagnostics> create_store_file(const std::string& path,
   if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
     return store_error(path, "the file exists", "choose another name, or remove it first");
   }
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
-  std::filesystem::remove(temporary, error);
+  const std::string temporary = make_part_of(path);
   std::optional<std::string> failure;
+  if (temporary.empty()) {
+    failure = std::generic_category().message(errno);
+    return store_error(path, fmt::format("cannot be written: {}", *failure));
+  }
   {
-    Database database(temporary, Database::Mode::create);
+    Database database(temporary, Database::Mode::write);
     // Larger pages than SQLite's own make rows of this size cheaper to write.
     database.execute("PRAGMA page_size = 16384");
     database.execute("BEGIN");

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/excerpt.h"
+#include "interpreter/support/markup.h"
 #include "interpreter/support/silenced.h"
 
 namespace jaywalk {
@@ -42,7 +43,8 @@ std::size_t character_count(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 
-// Control characters would move the caret or the terminal's cursor.
+// Control characters would move the caret or the terminal's cursor; each becomes one character, so
+// that the caret below stays where it belongs.
 std::string printable(std::string_view text) {
   std::string shown(text);
   std::replace_if(
@@ -125,22 +127,22 @@ std::string marked_line(const Source& source, Span span, Paint paint) {
 
 std::string render(const Diagnostic& diagnostic, Colour colour) {
   const Paint paint{colour};
-  std::string place = diagnostic.subject;
+  std::string place = visible(diagnostic.subject);
   if (diagnostic.where.source) {
     const auto [line, column] = diagnostic.where.source->position(diagnostic.where.span.begin);
-    place = fmt::format("{}:{}:{}", diagnostic.where.source->name(), line, column);
+    place = fmt::format("{}:{}:{}", visible(diagnostic.where.source->name()), line, column);
   }
   std::string text = place.empty() ? std::string() : paint(kBold, place + ":") + " ";
   text += fmt::format(
       "{} {}",
       paint(code_of(diagnostic.severity), fmt::format("{}:", name_of(diagnostic.severity))),
-      paint(kBold, printable(diagnostic.message)));
+      paint(kBold, visible(diagnostic.message)));
   if (!diagnostic.code.empty()) text += fmt::format(" [{}]", diagnostic.code);
   text += '\n';
   if (diagnostic.where.source) {
     text += marked_line(*diagnostic.where.source, diagnostic.where.span, paint);
   }
-  if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", printable(diagnostic.hint));
+  if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", visible(diagnostic.hint));
   return text;
 }
 

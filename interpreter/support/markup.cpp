@@ -24,6 +24,24 @@ void append_escaped(std::string& result, char c) {
   }
 }
 
+/// The control character at `at`, those of two bytes (U+0080 to U+009F) too; 0: there is none, or
+/// it is a tab.
+unsigned control_at(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<unsigned char>(text[at]);
+  if (byte == 0xC2U && at + 1 < text.size()) {
+    const auto next = static_cast<unsigned char>(text[at + 1]);
+    return next >= 0x80U && next < 0xA0U ? next : 0;
+  }
+  return (byte < 0x20U && byte != '\t') || byte == 0x7FU ? byte : 0;
+}
+
+/// Behind the colours that begin with the ESC at `at`; `at` if it begins something else.
+std::size_t colour_end(std::string_view text, std::size_t at) {
+  if (at + 1 >= text.size() || text[at + 1] != '[') return at;
+  const std::size_t end = text.find_first_not_of("0123456789;", at + 2);
+  return end != std::string_view::npos && text[end] == 'm' ? end + 1 : at;
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -43,6 +61,50 @@ std::string escaped_xml(std::string_view text) {
     }
   }
   return result;
+}
+
+std::string in_script(std::string_view json) {
+  std::string result;
+  for (const char c : json) {
+    // Within JSON it stands in strings alone.
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string visible(std::string_view text, LineBreaks breaks) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') {
+      result += breaks == LineBreaks::kept ? "\n" : "\\n";
+    } else if (const unsigned control = control_at(text, i); control != 0) {
+      result += fmt::format("\\x{:02x}", control);
+      if (control >= 0x80) ++i;
+    } else if (text[i] == '\0') {
+      result += "\\x00";
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
+std::string visible_with_colours(std::string_view lines) {
+  std::string result;
+  std::size_t plain = 0;
+  for (std::size_t at = lines.find('\x1b'); at != std::string_view::npos;
+       at = lines.find('\x1b', at + 1)) {
+    const std::size_t end = colour_end(lines, at);
+    if (end == at) continue;
+    result += visible(lines.substr(plain, at - plain), LineBreaks::kept);
+    result += lines.substr(at, end - at);
+    plain = end;
+  }
+  return result + visible(lines.substr(plain), LineBreaks::kept);
 }
 
 }  // namespace jaywalk

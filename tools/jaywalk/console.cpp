@@ -12,6 +12,8 @@
 #include <spdlog/logger.h>
 #include <spdlog/sinks/ansicolor_sink.h>
 
+#include "interpreter/support/markup.h"
+
 namespace jaywalk {
 namespace {
 
@@ -51,7 +53,17 @@ Console::Console(ColourChoice choice)
       error_colour_(colour_for(choice, error_is_terminal_)),
       logger_(make_logger(error_colour_)) {}
 
-void Console::print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void Console::print(std::string_view text) {
+  if (output_is_terminal_) {
+    control(visible_with_colours(text));
+  } else {
+    control(text);
+  }
+}
+
+void Console::control(std::string_view codes) {
+  std::fwrite(codes.data(), 1, codes.size(), stdout);
+}
 
 void Console::flush() { std::fflush(stdout); }
 
@@ -63,20 +75,22 @@ void Console::report(const Diagnostics& diagnostics) {
 
 void Console::error(std::string_view message, std::string_view hint) {
   const bool colour = error_colour_ == Colour::on;
-  note(fmt::format("{}error:{} {}", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "", message));
+  flush();
+  fmt::print(stderr, "{}error:{} {}\n", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "",
+             visible(message, LineBreaks::kept));
   if (!hint.empty()) note(fmt::format("  hint: {}", hint));
 }
 
 void Console::note(std::string_view line) {
   flush();
-  const std::string text = fmt::format("{}\n", line);
+  const std::string text = visible(line, LineBreaks::kept) + '\n';
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void Console::log(LogLevel level, std::string_view message) {
   if (!logger_->should_log(spdlog_level(level))) return;
   flush();
-  logger_->log(spdlog_level(level), message);
+  logger_->log(spdlog_level(level), visible(message, LineBreaks::kept));
 }
 
 void Console::set_log_level(LogLevel level) { logger_->set_level(spdlog_level(level)); }

@@ -32,6 +32,9 @@ class Console {
 
   /// To standard output, buffered; what goes to standard error meanwhile comes after it.
   void print(std::string_view text);
+  /// The same for codes of the terminal: what they do is up to the caller. Texts of others are for
+  /// print(), which lets none of theirs but colours come to a terminal.
+  void control(std::string_view codes);
   /// Everything printed so far leaves the program.
   void flush();
   /// Diagnostics of what the user wrote.

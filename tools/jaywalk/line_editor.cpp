@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "experiment/export/temporary.h"
+
 namespace jaywalk {
 namespace {
 
@@ -105,11 +107,15 @@ class TerminalReader : public LineReader {
   // Written whole, then renamed. A history that cannot be kept is no reason to disturb.
   void keep_history() {
     if (!history_file_) return;
-    const std::string fresh = history_file_->string() + ".new";
+    const std::string fresh = make_part_of(history_file_->string());
+    if (fresh.empty()) return;
     HistEvent event;
-    if (history(history_.get(), &event, H_SAVE, fresh.c_str()) < 0) return;
     std::error_code ignored;
-    std::filesystem::rename(fresh, *history_file_, ignored);
+    if (history(history_.get(), &event, H_SAVE, fresh.c_str()) < 0) {
+      std::filesystem::remove(fresh, ignored);
+    } else {
+      std::filesystem::rename(fresh, *history_file_, ignored);
+    }
   }
 
   std::optional<std::filesystem::path> history_file_;

@@ -3,11 +3,11 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "experiment/export/temporary.h"
 #include "experiment/export/write_file.h"
 
 namespace jaywalk {
@@ -15,8 +15,8 @@ namespace jaywalk {
 TraceFile::TraceFile(std::string path) : path_(std::move(path)) {
   const std::string replaced = replaced_file(path_);
   if (!replaced.empty()) path_ = replaced;
-  temporary_ = replaced.empty() ? path_ : fmt::format("{}.{}.part", path_, ::getpid());
-  file_ = std::fopen(temporary_.c_str(), "wb");
+  temporary_ = replaced.empty() ? path_ : make_part_of(path_);
+  file_ = temporary_.empty() ? nullptr : std::fopen(temporary_.c_str(), "wb");
   if (file_ == nullptr) failure_ = std::generic_category().message(errno);
 }
 

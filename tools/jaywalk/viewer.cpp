@@ -30,7 +30,7 @@ void Viewer::show(const Crossing& crossing, const Mas& mas) {
   printed_.clear();
   if (live && lines_ > 0) {
     pause();
-    console_.print(fmt::format("\x1b[{}F\x1b[J", lines_));
+    console_.control(fmt::format("\x1b[{}F\x1b[J", lines_));
   }
   console_.print(frame);
   if (live) {
