@@ -153,6 +153,7 @@ void FindingsTable::add(const TestCase& test, const TestFindings& findings) {
   Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
   std::call_once(cell.started, [&] { cell.tests.resize(tests_); });
   Row& row = cell.tests[test.number];
+  row = {};
   for (const Judgement& judgement : findings.judgements) {
     row.verdicts.push_back(judgement.verdict);
     row.robustness.push_back(judgement.robustness);

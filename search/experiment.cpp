@@ -71,7 +71,7 @@ class ExperimentReader {
         {"generators", [&](const ConfigNode& node, const std::string&) { read_generators(node); }},
         {"repetitions",
          [&](const ConfigNode& node, const std::string&) {
-           if (const auto count = reader_.integer(node, {1, 100'000})) {
+           if (const auto count = reader_.integer(node, {1, kMostRepetitions})) {
              experiment_.plan.repetitions = static_cast<std::uint32_t>(*count);
            }
          }},
@@ -129,8 +129,8 @@ class ExperimentReader {
     if (!chosen) return nullptr;
     if (experiment_.sut.empty()) experiment_.sut = (*chosen)->name;
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
-    return (*chosen)->read(
-        {node, path, reader_, folder, options_.files, options_.include, experiment_.defects});
+    return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include,
+                            experiment_.defects, options_.trials == Trials::none});
   }
 
   void read_sut(const ConfigNode& node, const std::string& path) {

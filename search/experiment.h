@@ -2,6 +2,7 @@
 
 // A search as a YAML file describes it (search/README.md is the reference of its keys).
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,11 @@
 #include "search/search.h"
 
 namespace jaywalk::search {
+
+inline constexpr std::int64_t kMostRepetitions = 100'000;
+
+/// Whether an experiment's SUT is tried with the least and the greatest values as it is read.
+enum class Trials { some, none };
 
 struct SearchOptions {
   /// `dotted.path=value`, in order, as given to `--set`.
@@ -21,6 +27,7 @@ struct SearchOptions {
   /// Where the programs of agents are looked for.
   SourceFiles files;
   IncludeFolders include;
+  Trials trials = Trials::some;
 };
 
 struct SearchExperiment {

@@ -1,6 +1,7 @@
 #include "experiment/results/database.h"
 
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <sqlite3.h>
@@ -42,6 +43,8 @@ int flags_of(Database::Mode mode) {
       return SQLITE_OPEN_READWRITE;
     case Database::Mode::create:
       return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    case Database::Mode::memory:
+      return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_MEMORY;
   }
   return SQLITE_OPEN_READONLY;
 }
@@ -66,7 +69,9 @@ void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(conn
 
 Database::Database(const std::string& path, Mode mode) {
   sqlite3* connection = nullptr;
-  const std::string uri = file_uri(path, mode == Mode::untouched ? "immutable=1" : "");
+  const std::string uri = mode == Mode::memory
+                              ? ":memory:"
+                              : file_uri(path, mode == Mode::untouched ? "immutable=1" : "");
   // Each connection is used by one thread at a time.
   const int code = sqlite3_open_v2(uri.c_str(), &connection,
                                    flags_of(mode) | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, nullptr);
@@ -141,10 +146,34 @@ bool Statement::is_null(int column) const {
 }
 
 std::int64_t Statement::number(int column) const {
+  if (sqlite3_column_type(statement_.get(), column) != SQLITE_INTEGER) {
+    damaged(column, "no whole number");
+    return 0;
+  }
   return sqlite3_column_int64(statement_.get(), column);
 }
 
-double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+double Statement::real(int column) const {
+  const double value = any_real(column);
+  if (std::isfinite(value)) return value;
+  damaged(column, "an infinite number");
+  return 0;
+}
+
+double Statement::any_real(int column) const {
+  const int type = sqlite3_column_type(statement_.get(), column);
+  if (type != SQLITE_FLOAT && type != SQLITE_INTEGER) {
+    damaged(column, "no number");
+    return 0;
+  }
+  return sqlite3_column_double(statement_.get(), column);
+}
+
+void Statement::damaged(int column, std::string_view has) const {
+  const char* const name = sqlite3_column_name(statement_.get(), column);
+  database_.fail(fmt::format("the store is damaged: its column '{}' has {}",
+                             name == nullptr ? "" : name, has));
+}
 
 std::string Statement::text(int column) const {
   const void* const bytes = sqlite3_column_blob(statement_.get(), column);

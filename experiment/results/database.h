@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -26,7 +27,8 @@ enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, read_
 class Database {
  public:
   /// `untouched`: as the file is, without what other files beside it say is to be undone or added.
-  enum class Mode { read, untouched, write, create };
+  /// `memory`: a new one that is no file; the path is not used.
+  enum class Mode { read, untouched, write, create, memory };
 
   /// Opens the file; whether that succeeded, failure() tells.
   Database(const std::string& path, Mode mode);
@@ -86,16 +88,25 @@ class Statement {
   /// Makes it ready to run again.
   void reset();
 
+  // The values of a row. A file's numbers may be anything, whatever its schema says: where there is
+  // none of the kind, or it is out of range, the database fails as damaged, and the value is 0.
   [[nodiscard]] bool is_null(int column) const;
   [[nodiscard]] std::int64_t number(int column) const;
+  /// Finite.
   [[nodiscard]] double real(int column) const;
+  /// Perhaps infinite.
+  [[nodiscard]] double any_real(int column) const;
   [[nodiscard]] std::string text(int column) const;
   template <class T>
   [[nodiscard]] T integer(int column) const {
-    return static_cast<T>(number(column));
+    const std::int64_t value = number(column);
+    if (std::in_range<T>(value)) return static_cast<T>(value);
+    damaged(column, "a number out of range");
+    return 0;
   }
 
  private:
+  void damaged(int column, std::string_view has) const;
   void set(int index, std::int64_t value);
   void set(int index, std::uint64_t value) { set(index, static_cast<std::int64_t>(value)); }
   void set(int index, std::uint32_t value) { set(index, std::int64_t{value}); }

@@ -1,27 +1,15 @@
 #include "experiment/results/excerpt.h"
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "experiment/results/database.h"
+#include "experiment/results/schema.h"
 
 namespace jaywalk {
-namespace {
-
-/// The tables whose rows belong to a test.
-std::vector<std::string> tables_of_tests(Database& database) {
-  std::vector<std::string> tables;
-  Statement rows(database,
-                 "SELECT m.name FROM sqlite_master m JOIN pragma_table_info(m.name) p "
-                 "ON p.name = 'test_id' WHERE m.type = 'table' ORDER BY m.name");
-  while (rows.step()) tables.emplace_back(rows.text(0));
-  return tables;
-}
-
-}  // namespace
 
 std::optional<std::string> copy_tests(const std::string& from, const std::string& to,
                                       std::span<const std::int64_t> ids) {
@@ -34,11 +22,11 @@ std::optional<std::string> copy_tests(const std::string& from, const std::string
     Statement keep(database, "INSERT OR IGNORE INTO kept VALUES (?)");
     for (const std::int64_t id : ids) keep.run(id);
   }
-  for (const std::string& table : tables_of_tests(database)) {
-    database.execute(
-        fmt::format("DELETE FROM {} WHERE test_id NOT IN (SELECT id FROM kept)", table));
+  for (const std::string_view table : kTablesOfTests) {
+    database.execute(fmt::format("DELETE FROM {} WHERE {} NOT IN (SELECT id FROM kept)", table,
+                                 table == "tests" ? "id" : "test_id"));
   }
-  database.execute("DELETE FROM tests WHERE id NOT IN (SELECT id FROM kept); COMMIT");
+  database.execute("COMMIT");
   return database.failure();
 }
 

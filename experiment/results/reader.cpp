@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "experiment/feedback.h"
 #include "experiment/kills/kills.h"
@@ -21,14 +22,23 @@ namespace {
 /// Less than the greatest speed of an AV, in cells per tick.
 constexpr std::int64_t kMostHeadStart = 9'999;
 
+/// The command that its tests start, of the AV or its twin; empty: none.
+std::string command_of(const Scenario& scenario) {
+  const AvParameters& av = scenario.world.av;
+  std::vector<std::string> words = av.vehicle.command;
+  if (words.empty() && av.twin) words = av.twin->command;
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
 }  // namespace
 
 class ResultsReader::Impl {
  public:
-  Impl(std::string path, std::unique_ptr<Database> database, ExperimentDescription description)
+  Impl(std::string path, Commands commands, OpenStore store)
       : path_(std::move(path)),
-        database_(std::move(database)),
-        description_(std::move(description)) {
+        commands_(commands),
+        database_(std::move(store.database)),
+        description_(std::move(store.description)) {
     count_ =
         static_cast<std::uint64_t>(database_->number("SELECT count(*) FROM tests").value_or(0));
   }
@@ -49,6 +59,15 @@ class ResultsReader::Impl {
     if (database_->failure()) return store_error(path_, trouble_with(*database_));
     return std::nullopt;
   }
+
+  /// The test of that id; if the plan has none, reading has failed.
+  std::optional<TestCase> planned(std::int64_t id) {
+    auto test = find_test(description_, id);
+    if (!test) database_->fail(fmt::format("the store is damaged: it has a test {}", id));
+    return test;
+  }
+
+  [[nodiscard]] Commands commands() const { return commands_; }
 
   /// The inputs, as they were.
   [[nodiscard]] SourceFiles copies() const {
@@ -76,6 +95,7 @@ class ResultsReader::Impl {
 
  private:
   std::string path_;
+  Commands commands_;
   std::unique_ptr<Database> database_;
   ExperimentDescription description_;
   std::uint64_t count_ = 0;
@@ -85,11 +105,11 @@ class ResultsReader::Impl {
 ResultsReader::ResultsReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ResultsReader::~ResultsReader() = default;
 
-Result<std::unique_ptr<ResultsReader>> ResultsReader::open(const std::string& path) {
+Result<std::unique_ptr<ResultsReader>> ResultsReader::open(const std::string& path,
+                                                           Commands commands) {
   auto store = open_to_read(path, Scrutiny::header);
   if (!store) return std::move(store.diagnostics());
-  auto impl = std::make_unique<Impl>(path, std::move(store.value().database),
-                                     std::move(store.value().description));
+  auto impl = std::make_unique<Impl>(path, commands, std::move(store).value());
   if (impl->database().failure()) return store_error(path, trouble_with(impl->database()));
   return std::unique_ptr<ResultsReader>(new ResultsReader(std::move(impl)));
 }
@@ -136,7 +156,7 @@ std::optional<Diagnostics> ResultsReader::for_each_place(
     std::string_view kind,
     const std::function<void(const TestCase& test, double x_m, double y_m)>& callback) const {
   read_places(impl_->database(), kind, [&](std::int64_t id, double x_m, double y_m) {
-    if (const auto test = find_test(description(), id)) callback(*test, x_m, y_m);
+    if (const auto test = impl_->planned(id)) callback(*test, x_m, y_m);
   });
   return impl_->failure();
 }
@@ -145,7 +165,7 @@ std::optional<Diagnostics> ResultsReader::for_each_assessed(
     const std::function<void(const TestCase& test, const std::vector<Assessment>& assessments)>&
         callback) const {
   read_all_assessments(impl_->database(), [&](std::int64_t id, const auto& assessments) {
-    if (const auto test = find_test(description(), id)) callback(*test, assessments);
+    if (const auto test = impl_->planned(id)) callback(*test, assessments);
   });
   return impl_->failure();
 }
@@ -188,6 +208,11 @@ Result<TrialInput> ResultsReader::input(std::int64_t id) const {
   if (!vehicle) {
     return store_error(path(), fmt::format("its scenario has no vehicle '{}'",
                                            description().vehicles[wanted.vehicle]));
+  }
+  const std::string command = command_of(scenario.value()->scenario());
+  if (impl_->commands() == Commands::refused && !command.empty()) {
+    return store_error(path(), fmt::format("to run its tests again it starts '{}'", command),
+                       "--allow-commands lets it; whoever made the store chose the command");
   }
   const auto told = impl_->checked(read_event(impl_->database(), id, "feedback"));
   if (!told) return told.diagnostics();

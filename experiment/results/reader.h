@@ -41,11 +41,16 @@ struct TestFilter {
   std::optional<std::uint64_t> limit;
 };
 
+/// Whether tests that are run again may start the command that the stored scenario names (an AV of
+/// one's own): whoever made the store chose it.
+enum class Commands { refused, allowed };
+
 class ResultsReader {
  public:
-  /// Errors: no file, no store, another version of the store's tables, damaged. A store that is
-  /// being written cannot be read.
-  [[nodiscard]] static Result<std::unique_ptr<ResultsReader>> open(const std::string& path);
+  /// Errors: no file, no store, another version of the store's tables, tables that are not a
+  /// store's, damaged. A store that is being written cannot be read.
+  [[nodiscard]] static Result<std::unique_ptr<ResultsReader>> open(
+      const std::string& path, Commands commands = Commands::refused);
   ~ResultsReader();
   ResultsReader(const ResultsReader&) = delete;
   ResultsReader& operator=(const ResultsReader&) = delete;
@@ -87,7 +92,8 @@ class ResultsReader {
   /// What its tests are judged by, as it was: the assertions of the files of `--assertions`, or
   /// else the scenario's.
   [[nodiscard]] Result<std::vector<Assertion>> assertions() const;
-  /// What to run for a test: `run_trial(*prepared, input)` repeats it.
+  /// What to run for a test: `run_trial(*prepared, input)` repeats it. Error: it would start a
+  /// command, which is refused.
   [[nodiscard]] Result<TrialInput> input(std::int64_t id) const;
   /// Runs a test again, with what the caller wants to see of it. Error: its outcome is not the
   /// stored one, as when another version of the program wrote the store.

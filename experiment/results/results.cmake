@@ -14,6 +14,7 @@ target_sources(jaywalk_experiment PRIVATE
   results/schema.cpp
   results/sha256.cpp
   results/store_file.cpp
+  results/store_tables.cpp
   results/stored_description.cpp
   results/stored_rows.cpp
   results/test_record.cpp

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/results/store_tables.h"
+
 namespace jaywalk {
 namespace {
 
@@ -138,8 +140,8 @@ void register_tables(Database& database, const Placement& placement) {
 }  // namespace
 
 void create_tables(Database& database, const Placement& placement) {
-  database.execute(
-      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = 10300;", kGeoPackageId));
+  database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
+                               kGeoPackageId, kGeoPackageVersion));
   database.execute(std::string(kGeoPackageTables));
   database.execute(std::string(kTables));
   if (placement.srs_id() > 0) register_reference_system(database, placement);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/schema.h"
+#include "experiment/results/store_tables.h"
 
 namespace jaywalk {
 namespace {
@@ -50,8 +51,9 @@ std::optional<std::string> cut_off(const std::string& path, const Header& header
   return fmt::format("it is cut off: {} of {} bytes are there", bytes, wanted);
 }
 
-/// Why the file cannot be a store, by its first bytes.
-std::optional<std::string> objection(const std::string& path) {
+}  // namespace
+
+std::optional<std::string> why_no_store_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return "no such file";
@@ -73,16 +75,26 @@ std::optional<std::string> objection(const std::string& path) {
   return cut_off(path, header);
 }
 
+namespace {
+
 /// Why its tables are not those of a store of our version.
 std::optional<std::string> objection(Database& database) {
   const bool ours =
       database.number("SELECT count(*) FROM sqlite_master WHERE name = 'versions'") == 1;
   if (database.failure()) return std::nullopt;
   if (!ours) return "not a results store: a GeoPackage that jaywalk did not write";
+  const auto create = [](Database& wanted) {
+    create_tables(wanted, Placement(std::nullopt));
+    complete_tables(wanted);
+  };
+  if (auto foreign = foreign_object(database, create)) return foreign;
   const auto version = database.text("SELECT version FROM versions WHERE subject = 'store'");
-  if (database.failure() || version == fmt::format("{}", kStoreVersion)) return std::nullopt;
-  return fmt::format("its tables have version {}, this jaywalk knows version {}",
-                     version.value_or("unknown"), kStoreVersion);
+  if (database.failure()) return std::nullopt;
+  if (version != fmt::format("{}", kStoreVersion)) {
+    return fmt::format("its tables have version {}, this jaywalk knows version {}",
+                       version.value_or("unknown"), kStoreVersion);
+  }
+  return table_difference(database, create);
 }
 
 /// Why not all of its pages are sound.
@@ -111,7 +123,7 @@ std::unique_ptr<Database> readable(const std::string& path) {
 }
 
 Result<std::unique_ptr<Database>> checked(const std::string& path, Scrutiny scrutiny) {
-  if (auto why = objection(path)) return store_error(path, std::move(*why));
+  if (auto why = why_no_store_file(path)) return store_error(path, std::move(*why));
   auto database = readable(path);
   auto why = objection(*database);
   if (!why && !database->failure()) why = damage(*database, scrutiny);

@@ -4,6 +4,7 @@
 // before SQLite, which could change it, is let near it.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "experiment/results/database.h"
@@ -24,6 +25,10 @@ struct OpenStore {
 [[nodiscard]] Result<OpenStore> open_to_read(const std::string& path, Scrutiny scrutiny);
 /// Opens for writing what was seen to be sound and was closed again; nobody else can open it then.
 [[nodiscard]] Result<std::unique_ptr<Database>> open_to_write(const std::string& path);
+
+/// Why a file cannot be a store of any kind, by its first bytes: it is no SQLite file, no
+/// GeoPackage, cut off; nothing if it can.
+[[nodiscard]] std::optional<std::string> why_no_store_file(const std::string& path);
 
 /// What became of a database, in words; REQUIRES: it failed.
 [[nodiscard]] std::string trouble_with(const Database& database);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/schema.h"
+#include "experiment/results/sha256.h"
 #include "experiment/results/store_file.h"
 
 namespace jaywalk {
@@ -90,11 +91,19 @@ void read_plan(Database& database, ExperimentDescription& description) {
   while (vehicle.step()) description.vehicles.push_back(vehicle.text(0));
 }
 
+// More than any scenario can ask for; nothing that is counted with them wraps.
+constexpr std::uint32_t kMaxTestedAgents = 1'000'000;
+constexpr std::uint64_t kMaxFirstTest = std::uint64_t{1} << 53U;
+
 /// Whether the numbers can be reckoned with.
 bool sensible(const ExperimentDescription& description) {
   const auto cells = static_cast<std::int64_t>(jaywalk::cells(description));
   const Shard& shard = description.shard;
-  return cells > 0 && description.tests > 0 && description.tests <= kMaxTests &&
+  const bool some_agents = std::ranges::none_of(description.agents, [](std::uint32_t agents) {
+    return agents == 0 || agents > kMaxTestedAgents;
+  });
+  return some_agents && description.first_test <= kMaxFirstTest && cells > 0 &&
+         description.tests > 0 && description.tests <= kMaxTests &&
          cells <= kMaxTestId / static_cast<std::int64_t>(description.tests) && shard.index > 0 &&
          shard.index <= shard.count && description.tick_s > 0;
 }
@@ -136,7 +145,7 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
   bool found = row.step();
   if (found) {
     description.scenario = row.text(0);
-    description.seed = row.integer<std::uint64_t>(1);
+    description.seed = static_cast<std::uint64_t>(row.number(1));
     description.first_test = row.integer<std::uint64_t>(2);
     description.tests = row.integer<std::uint64_t>(3);
     description.tick_s = row.real(4);
@@ -164,6 +173,14 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
   if (database.failure()) return store_error(path, trouble_with(database));
   if (!found || !sensible(description)) {
     return store_error(path, "the store is damaged: its description makes no sense");
+  }
+  const auto changed = std::ranges::find_if(description.inputs, [](const StoredInput& stored) {
+    return sha256(stored.text) != stored.sha256;
+  });
+  if (changed != description.inputs.end()) {
+    return store_error(path, fmt::format("the store is damaged: the text of '{}' is not the one "
+                                         "whose hash it has",
+                                         changed->path));
   }
   return description;
 }

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view kTestColumns =
     "SELECT id, met_precondition, coalesce(precondition_ticks, ticks), score, cpu_us, wall_us, "
-    "scenes, ticks, precondition_ticks, ended_by, impact_mps FROM tests ";
+    "scenes, ticks, precondition_ticks, ended_by, impact_mps, behaviour, agents, vehicle, number "
+    "FROM tests ";
 
 void damaged(Database& database, std::string_view what, std::int64_t test_id) {
   database.fail(fmt::format("the store is damaged: {} of test {}", what, test_id));
@@ -31,10 +32,18 @@ std::optional<double> real_or_null(const Statement& row, int column) {
   return row.real(column);
 }
 
+/// Whether the columns of kTestColumns say the same as the test's id.
+bool is_of(const Statement& row, const ExperimentDescription& description, const TestCase& test) {
+  return row.text(11) == description.behaviours[test.behaviour].name &&
+         row.number(12) == test.agents && row.text(13) == description.vehicles[test.vehicle] &&
+         row.integer<std::uint64_t>(14) == test.number && description.shard.has(test.number);
+}
+
 StoredTest test_of(Database& database, const ExperimentDescription& description,
                    const Statement& row) {
   StoredTest test{.id = row.number(0)};
-  if (const auto found = find_test(description, test.id)) {
+  const auto found = find_test(description, test.id);
+  if (found && is_of(row, description, *found)) {
     test.test = *found;
   } else {
     damaged(database, "the number", test.id);
@@ -79,7 +88,7 @@ Assessment assessment_of(Database& database, std::int64_t test_id, const Stateme
           .value = real_or_null(row, 1),
           .tick = integer_or_null<std::uint32_t>(row, 2),
           .actor = integer_or_null<std::uint32_t>(row, 3),
-          .robustness = real_or_null(row, 4),
+          .robustness = row.is_null(4) ? std::nullopt : std::optional(row.any_real(4)),
           .verdict = verdict.value_or(AssessmentVerdict::none)};
 }
 
@@ -214,9 +223,11 @@ void read_all_assessments(
     const std::function<void(std::int64_t test_id, const std::vector<Assessment>&)>& callback) {
   std::vector<Assessment> assessments;
   std::int64_t test_id = 0;
-  Statement row(database,
-                fmt::format("SELECT {}, test_id FROM assessments ORDER BY id", kAssessmentColumns));
+  Statement row(database, fmt::format("SELECT {}, test_id, id FROM assessments ORDER BY id",
+                                      kAssessmentColumns));
   while (row.step()) {
+    // Each test comes once: whoever sums up counts on it.
+    if (row.number(7) >> kRowBits != row.number(6)) damaged(database, "a verdict", row.number(6));
     if (row.number(6) != test_id && !assessments.empty()) {
       callback(test_id, assessments);
       assessments.clear();

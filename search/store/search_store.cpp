@@ -1,6 +1,7 @@
 #include "search/store/search_store.h"
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/results/database.h"
+#include "experiment/results/store_file.h"
+#include "experiment/results/store_tables.h"
 
 namespace jaywalk::search {
 namespace {
@@ -81,12 +84,37 @@ std::vector<unsigned char> line_string(const std::vector<double>& xy) {
   return bytes;
 }
 
-std::vector<double> parse_numbers(const std::string& text) {
+/// A list of finite numbers; nothing if the text is none.
+std::optional<std::vector<double>> parse_numbers(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_array()) return {};
+  if (!json.is_array()) return std::nullopt;
   std::vector<double> numbers;
-  for (const Json& each : json) numbers.push_back(each.is_number() ? each.get<double>() : 0);
+  for (const Json& each : json) {
+    // As JSON has it, `null` stands for what is infinite.
+    if (!each.is_number() && !each.is_null()) return std::nullopt;
+    numbers.push_back(each.is_null() ? 0 : each.get<double>());
+    if (!std::isfinite(numbers.back())) return std::nullopt;
+  }
   return numbers;
+}
+
+void create_tables(Database& database) {
+  database.execute(std::string(kGeoPackage));
+  database.execute(std::string(kTables));
+}
+
+/// Why the file is no store of searches that can be read.
+std::optional<std::string> objection(const std::string& path) {
+  if (auto why = why_no_store_file(path)) return why;
+  Database database(path, Database::Mode::read);
+  const bool ours =
+      database.number("SELECT 1 FROM sqlite_master WHERE name = 'search_experiment'") == 1;
+  if (database.failure()) return trouble_with(database);
+  if (!ours) return "is no store of searches";
+  auto why = foreign_object(database, create_tables);
+  if (!why) why = table_difference(database, create_tables);
+  if (database.failure()) return trouble_with(database);
+  return why;
 }
 
 Diagnostics wrong(const std::string& path, std::string message, std::string hint = {}) {
@@ -99,12 +127,19 @@ constexpr std::string_view kRows =
     "SELECT run, form, input, error, simulated_s, measures, fitness, failed, candidates, invalid, "
     "generation_s, execution_s, signature FROM search_tests ORDER BY run, number";
 
-TestRow read_row(const Statement& rows) {
+/// A test of a search with this SUT; nothing if it cannot be one.
+std::optional<TestRow> read_row(const Statement& rows, const SutModel& model) {
   TestRow row;
-  row.test.input.form = parse_form(rows.text(1)).value_or(Form::vector);
-  row.test.input.values = parse_numbers(rows.text(2));
-  row.test.outcome = {rows.text(3), rows.real(4), parse_numbers(rows.text(5)),
-                      parse_numbers(rows.text(12))};
+  const auto form = parse_form(rows.text(1));
+  auto input = parse_numbers(rows.text(2));
+  auto measures = parse_numbers(rows.text(5));
+  auto signature = parse_numbers(rows.text(12));
+  if (!form || !input || !measures || !signature) return std::nullopt;
+  row.test.input = {*form, std::move(*input)};
+  if (!model.space().check(row.test.input).valid()) return std::nullopt;
+  row.test.outcome = {rows.text(3), rows.real(4), std::move(*measures), std::move(*signature)};
+  const bool measured = row.test.outcome.measures.size() == model.measures().size();
+  if (row.test.outcome.executed() && !measured) return std::nullopt;
   row.test.fitness = rows.real(6);
   row.test.failed = rows.number(7) != 0;
   row.candidates = rows.integer<std::uint64_t>(8);
@@ -140,10 +175,12 @@ class Store : public SearchStore {
     while (rows.step()) {
       const auto run = rows.integer<std::size_t>(0);
       if (run >= finished_.size()) return "is damaged";
-      finished_[run].push_back(read_row(rows));
+      auto row = read_row(rows, plan_.model_of(plan_.generators[run / plan_.repetitions]));
+      if (!row) return "is damaged";
+      finished_[run].push_back(std::move(*row));
       ++had_;
     }
-    return {};
+    return database_.failure().value_or("");
   }
 
   [[nodiscard]] const std::vector<TestRow>& finished(std::size_t search) const override {
@@ -191,8 +228,7 @@ class Store : public SearchStore {
   void create(const SearchExperiment& experiment) {
     database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
     database_.execute("BEGIN");
-    database_.execute(std::string(kGeoPackage));
-    database_.execute(std::string(kTables));
+    create_tables(database_);
     Statement(database_, "INSERT INTO search_experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?)")
         .run(experiment.name, experiment.origin, experiment.sut, experiment.measure,
              plan_.fitness.fails_at, std::to_string(plan_.seed), plan_.repetitions);
@@ -245,6 +281,7 @@ bool is_search_store(const std::string& path) {
 }
 
 Result<StoredSearches> read_search_store(const std::string& path) {
+  if (auto why = objection(path)) return wrong(path, std::move(*why));
   Database database(path, Database::Mode::read);
   const auto name = database.text("SELECT name FROM search_experiment");
   auto origin = database.text("SELECT origin FROM search_experiment");
@@ -253,12 +290,15 @@ Result<StoredSearches> read_search_store(const std::string& path) {
   if (database.failure() || !name || !origin || !seed || !repetitions) {
     return wrong(path, database.failure().value_or("is no store of searches"));
   }
-  const SearchOptions options = options_in(*origin);
+  SearchOptions options = options_in(*origin);
+  // Whoever made the store chose what the experiment names: nothing of it is run.
+  options.trials = Trials::none;
   auto experiment = parse_search(std::make_shared<const Source>(*name, *origin), options);
   if (!experiment) return std::move(experiment.diagnostics());
   StoredSearches stored{.experiment = std::move(experiment).value(), .results = {}};
   SearchPlan& plan = stored.experiment.plan;
   plan.seed = std::strtoull(seed->c_str(), nullptr, 10);
+  if (*repetitions < 1 || *repetitions > kMostRepetitions) return wrong(path, "is damaged");
   plan.repetitions = static_cast<std::uint32_t>(*repetitions);
   stored.results.complete = true;
   Statement runs(database, "SELECT generator, repetition, complete FROM search_runs ORDER BY id");
@@ -267,12 +307,19 @@ Result<StoredSearches> read_search_store(const std::string& path) {
                                    .repetition = runs.integer<std::uint32_t>(1),
                                    .complete = runs.number(2) != 0});
     stored.results.complete = stored.results.complete && runs.number(2) != 0;
+    const std::size_t place = (stored.results.runs.size() - 1) / plan.repetitions;
+    if (place >= plan.generators.size() ||
+        plan.generators[place].name != stored.results.runs.back().generator) {
+      return wrong(path, "is damaged");
+    }
   }
   Statement rows(database, kRows);
   while (rows.step()) {
     const auto run = rows.integer<std::size_t>(0);
     if (run >= stored.results.runs.size()) return wrong(path, "is damaged");
-    stored.results.runs[run].tests.push_back(read_row(rows));
+    auto row = read_row(rows, plan.model_of(plan.generators[run / plan.repetitions]));
+    if (!row) return wrong(path, "is damaged");
+    stored.results.runs[run].tests.push_back(std::move(*row));
   }
   if (database.failure()) return wrong(path, *database.failure());
   return stored;
@@ -284,6 +331,9 @@ Result<std::unique_ptr<SearchStore>> SearchStore::open(const std::string& path, 
   const bool exists = std::filesystem::exists(path, error);
   if (exists && mode == Mode::create) {
     return wrong(path, "the file exists", "--resume goes on with it");
+  }
+  if (exists) {
+    if (auto why = objection(path)) return wrong(path, std::move(*why));
   }
   auto store = std::make_unique<Store>(path, experiment, exists);
   if (const auto why = store->failure()) return wrong(path, *why);

@@ -242,7 +242,7 @@ class CrossingReader {
     auto model = std::make_shared<CrossingModel>(
         settings_, std::make_shared<const CrossingSpace>(dimensions_, name, *starts),
         defect_names(scenario.value()));
-    if (tried(*model, std::move(scenario).value())) return model;
+    if (setup_.untried || tried(*model, std::move(scenario).value())) return model;
     return nullptr;
   }
 

@@ -27,6 +27,8 @@ struct SutSetup {
   IncludeFolders include;
   /// That the AV is to be searched with, one after another.
   std::span<const VehicleDefect> defects;
+  /// No test may be run to see whether it can be.
+  bool untried = false;
 };
 
 struct SutKind {

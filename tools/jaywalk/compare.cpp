@@ -86,7 +86,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!can_be_run(*request, console)) return ExitCode::usage;
 
   Collected collected(*request);
-  if (!add_earlier_tests(*request, collected, console)) return ExitCode::usage;
+  if (!add_earlier_tests(*request, describe_experiment(*request, arguments), collected, console))
+    return ExitCode::usage;
   // Whoever sees that there is a store may end us, and what is finished is kept.
   const InterruptGuard interrupt;
   std::unique_ptr<ResultsWriter> store;

@@ -71,8 +71,8 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
                                      const reporting::FactsTable& facts, Console& console) {
   if (!wants_page(arguments)) return render_svg(comparison);
   if (request.store) {
-    return stored_report(request.store->path, *arguments.text("report"), ReplayPages::none, console,
-                         request.other_kills);
+    return stored_report(request.store->path, *arguments.text("report"), ReplayPages::none,
+                         Commands::refused, console, request.other_kills);
   }
   return unstored_report({.comparison = comparison,
                           .description = describe_experiment(request, arguments),

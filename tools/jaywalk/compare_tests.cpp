@@ -136,6 +136,15 @@ bool follows(const StoredTest& test, const StoredTest& next) {
          next.test.number == test.test.number + 1;
 }
 
+/// Commands are the user's own where the store is of the scenario that the user gives.
+Commands commands_for(const std::string& path, const ExperimentDescription& description) {
+  const auto store = ResultsReader::open(path);
+  if (!store.ok()) return Commands::refused;
+  ExperimentDescription stored = store.value()->description();
+  stored.tests = description.tests;  // there may be more now
+  return difference(stored, description).empty() ? Commands::allowed : Commands::refused;
+}
+
 }  // namespace
 
 void ControllerNotes::add(std::uint64_t place, const std::string& note) {
@@ -186,12 +195,14 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
   return outcome;
 }
 
-bool add_earlier_tests(const Request& request, Collected& collected, Console& console) {
+bool add_earlier_tests(const Request& request, const ExperimentDescription& description,
+                       Collected& collected, Console& console) {
   const bool wanted = request.situations || collected.carry_over;
   if (!wanted || !request.store || !request.store->resume) return true;
   std::error_code ignored;
   if (!std::filesystem::exists(request.store->path, ignored)) return true;
-  const auto store = ResultsReader::open(request.store->path);
+  const std::string& path = request.store->path;
+  const auto store = ResultsReader::open(path, commands_for(path, description));
   const auto tests =
       store.ok() ? store.value()->tests() : Result<std::vector<StoredTest>>(store.diagnostics());
   if (!tests.ok()) {

@@ -90,7 +90,8 @@ class Selection {
 
 /// What later tests need of those that a store to be continued has: what they have covered, and
 /// what they have left over. False after reporting why that cannot be read.
-[[nodiscard]] bool add_earlier_tests(const Request& request, Collected& collected,
+[[nodiscard]] bool add_earlier_tests(const Request& request,
+                                     const ExperimentDescription& description, Collected& collected,
                                      Console& console);
 
 }  // namespace jaywalk::command::compare

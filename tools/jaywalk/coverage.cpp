@@ -79,6 +79,7 @@ CommandHelp help() {
               {"csv", "FILE", "write the situations as CSV", Written::file},
               {"json", "FILE", "write the situations as JSON, with their growth", Written::file},
               kCoverageOption,
+              kAllowCommandsOption,
               {"threads", "N", "threads for --coverage (default: as many as cores)"},
               {"quiet", "", "print no table"},
           },

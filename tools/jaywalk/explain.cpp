@@ -142,6 +142,7 @@ CommandHelp help() {
               {"agent", "NAME", "of this agent only, as p1"},
               {"tick", "N", "in this tick only, from 1"},
               {"json", "FILE", "write it as JSON instead", Written::file},
+              kAllowCommandsOption,
           },
       .examples =
           "  jaywalk explain runs.gpkg --test 7\n"

@@ -9,6 +9,7 @@
 #include "experiment/export/exporter.h"
 #include "experiment/export/validate.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/stored_test.h"
 
 namespace jaywalk::command::export_ {
 namespace {
@@ -113,6 +114,7 @@ CommandHelp help() {
                "of postgis: the schema for the tables (default: the store's\n"
                "name); it must be new"},
               {"overwrite", "", "of postgis: replace the store's tables in an existing schema"},
+              kAllowCommandsOption,
               {"list", "", "name the formats"},
           },
       .examples =
@@ -140,7 +142,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const Exporter* exporter = wanted_exporter(arguments, console);
   if (exporter == nullptr) return ExitCode::usage;
-  const auto store = ResultsReader::open(operands[0]);
+  const auto store = ResultsReader::open(operands[0], commands_of(arguments));
   if (!store.ok()) {
     console.report(store.diagnostics());
     return ExitCode::usage;

@@ -16,6 +16,7 @@
 #include "tools/jaywalk/judging.h"
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/stored_test.h"
 
 namespace jaywalk::command::judge {
 namespace {
@@ -40,7 +41,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
                   .test = arguments.number("test", 1, diagnostics)};
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  auto store = ResultsReader::open(arguments.operands().front());
+  auto store = ResultsReader::open(arguments.operands().front(), commands_of(arguments));
   if (!store) {
     console.report(store.diagnostics());
     return std::nullopt;
@@ -178,6 +179,7 @@ CommandHelp help() {
               {"fail-on", "EXPR",
                "exit with 1 if a row meets it: ASSERTION.VERDICT>NUMBER, as\n"
                "collision_avoidance.fail>0, or MEASURE<NUMBER; repeatable"},
+              kAllowCommandsOption,
               {"quiet", "", "print no table"},
           },
       .examples =

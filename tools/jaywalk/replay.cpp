@@ -61,6 +61,7 @@ CommandHelp help() {
                   kStoredTestOptions[1],
                   kStoredTestOptions[2],
                   kStoredTestOptions[3],
+                  kAllowCommandsOption,
                   {"speed", "N", "ticks per second in the terminal and in a GIF (default 2)"},
                   {"html", "FILE", "write the player's page instead", Written::file},
                   {"png", "FILE", "write a picture instead", Written::file},

@@ -1,38 +1,20 @@
 // `jaywalk report`: a page of what a store has.
 
 #include <filesystem>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "experiment/export/temporary.h"
 #include "experiment/results/merge.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/reporting.h"
+#include "tools/jaywalk/stored_test.h"
 
 namespace jaywalk::command::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A store for as long as the report is made; its file goes with it.
-class TemporaryStore {
- public:
-  TemporaryStore()
-      : path_((fs::temp_directory_path() / fmt::format("jaywalk-report-{}.gpkg", ::getpid()))
-                  .string()) {}
-  ~TemporaryStore() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryStore(const TemporaryStore&) = delete;
-  TemporaryStore& operator=(const TemporaryStore&) = delete;
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// `runs.gpkg` becomes `runs.html`.
 std::string beside(const std::string& store) {
@@ -55,6 +37,7 @@ CommandHelp help() {
                   {"replays", "",
                    "run the tests that the page names again and link pages that\n"
                    "play them, in a folder beside it"},
+                  kAllowCommandsOption,
               },
           .examples =
               "  jaywalk report paper.gpkg\n"
@@ -69,17 +52,19 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::usage;
   }
   const std::string html = arguments.text("html").value_or(beside(stores.front()));
-  const TemporaryStore together;
+  const TemporaryFolder folder;  // for as long as the report is made
+  const std::string together = folder.path() + "/together.gpkg";
   if (stores.size() > 1) {
-    const auto merged = merge_stores(together.path(), stores);
+    const auto merged = merge_stores(together, stores);
     if (!merged) {
       console.report(merged.diagnostics());
       return ExitCode::usage;
     }
   }
   const auto page =
-      stored_report(stores.size() > 1 ? together.path() : stores.front(), html,
-                    arguments.has("replays") ? ReplayPages::beside : ReplayPages::none, console);
+      stored_report(stores.size() > 1 ? together : stores.front(), html,
+                    arguments.has("replays") ? ReplayPages::beside : ReplayPages::none,
+                    commands_of(arguments), console);
   if (!page) return ExitCode::usage;
   if (!write_output(html, *page, console)) return ExitCode::failed;
   if (!arguments.has("html")) console.print(html + '\n');

@@ -56,9 +56,9 @@ std::optional<std::string> search_report(const std::string& path, Console& conso
 }  // namespace
 
 std::optional<std::string> stored_report(const std::string& store, const std::string& html,
-                                         ReplayPages pages, Console& console,
+                                         ReplayPages pages, Commands commands, Console& console,
                                          const std::vector<KillLine>& other_kills) {
-  const auto reader = ResultsReader::open(store);
+  const auto reader = ResultsReader::open(store, commands);
   if (!reader && search::is_search_store(store)) return search_report(store, console);
   if (!reader) {
     console.report(reader.diagnostics());

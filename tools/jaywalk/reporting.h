@@ -8,6 +8,7 @@
 
 #include "experiment/kills/kills_file.h"
 #include "experiment/report/report.h"
+#include "experiment/results/reader.h"
 #include "tools/jaywalk/console.h"
 
 namespace jaywalk {
@@ -15,11 +16,11 @@ namespace jaywalk {
 enum class ReplayPages { none, beside };
 
 /// The page of a store of tests or of searches; nothing after reporting why there is none. With
-/// `beside`, pages that play the tests it names are written into a folder named after `html`. The
-/// kill matrix has `other_kills`, too.
+/// `beside`, pages that play the tests it names are written into a folder named after `html`; the
+/// tests are run again for it. The kill matrix has `other_kills`, too.
 [[nodiscard]] std::optional<std::string> stored_report(
-    const std::string& store, const std::string& html, ReplayPages pages, Console& console,
-    const std::vector<KillLine>& other_kills = {});
+    const std::string& store, const std::string& html, ReplayPages pages, Commands commands,
+    Console& console, const std::vector<KillLine>& other_kills = {});
 
 /// What is known of tests that were run and not kept.
 struct UnstoredTests {

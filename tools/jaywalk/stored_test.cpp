@@ -9,6 +9,10 @@
 
 namespace jaywalk {
 
+Commands commands_of(const Arguments& arguments) {
+  return arguments.has("allow-commands") ? Commands::allowed : Commands::refused;
+}
+
 std::unique_ptr<ResultsReader> open_results(const Arguments& arguments, std::string_view command,
                                             Console& console) {
   if (arguments.operands().size() != 1) {
@@ -16,7 +20,7 @@ std::unique_ptr<ResultsReader> open_results(const Arguments& arguments, std::str
                   fmt::format("jaywalk {} --help shows how to write it", command));
     return nullptr;
   }
-  auto store = ResultsReader::open(arguments.operands().front());
+  auto store = ResultsReader::open(arguments.operands().front(), commands_of(arguments));
   if (store.ok()) return std::move(store).value();
   console.report(store.diagnostics());
   return nullptr;

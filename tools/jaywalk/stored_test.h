@@ -21,6 +21,14 @@ inline constexpr std::array kStoredTestOptions = {
                "one (without --test: the first that kills it)"},
 };
 
+/// Of every command that runs a store's tests again.
+inline constexpr OptionSpec kAllowCommandsOption{
+    "allow-commands", "",
+    "start the command that the stored scenario names, if it does (an\n"
+    "AV of one's own): only for stores that you trust"};
+
+[[nodiscard]] Commands commands_of(const Arguments& arguments);
+
 /// The store named by the only operand; null after reporting what is wrong.
 [[nodiscard]] std::unique_ptr<ResultsReader> open_results(const Arguments& arguments,
                                                           std::string_view command,

@@ -116,14 +116,17 @@ TEST_F(Damage, AnywhereIsNoticedBeforeAStoreIsContinued) {
 
 TEST_F(Damage, OfADescriptionThatMakesNoSense) {
   for (const char* sql :
-       {"UPDATE experiment SET tests = -1", "UPDATE experiment SET tests = 4611686018427387904",
-        "UPDATE experiment SET shard = 9", "UPDATE experiment SET level = 'much'",
-        "DELETE FROM experiment", "DELETE FROM behaviours", "UPDATE experiment SET tick_s = 0"}) {
+       {"UPDATE experiment SET tests = 4611686018427387904", "UPDATE experiment SET shard = 9",
+        "UPDATE experiment SET level = 'much'", "DELETE FROM experiment", "DELETE FROM behaviours",
+        "UPDATE experiment SET tick_s = 0"}) {
     write(file("a.gpkg"), description(), cases());
     run_sql(file("a.gpkg"), sql);
     expect_refused(file("a.gpkg"), "its description makes no sense");
     std::filesystem::remove(file("a.gpkg"));
   }
+  write(file("a.gpkg"), description(), cases());
+  run_sql(file("a.gpkg"), "UPDATE experiment SET tests = -1");
+  expect_refused(file("a.gpkg"), "its column 'tests' has a number out of range");
 }
 
 TEST_F(Damage, OfRowsIsTold) {
