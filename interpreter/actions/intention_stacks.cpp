@@ -59,7 +59,7 @@ Value stack_term(Agent& agent, Intention& intention) {
   Heap& heap = agent.heap();
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
-    Value label = agent.label_of(*means.plan);
+    Value label = agent.label_term(*means.plan);
     if (is_literal(label)) {
       const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().place.line;
       const Value number = Value::number(line);

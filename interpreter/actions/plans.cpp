@@ -132,10 +132,6 @@ Outcome no_trigger(ActionCall& call) {
                   term_text(call.arg(0), call.symbols())));
 }
 
-Value bare_label(ActionCall& call, const Plan& plan) {
-  return call.unifier().apply(call.agent()->label_of(plan));
-}
-
 // Pairs of plan and label, one after another.
 class PlanSolutions : public Solutions {
  public:
@@ -147,7 +143,7 @@ class PlanSolutions : public Solutions {
       const Plan& plan = *plans_[next_++];
       const std::size_t trail = call.unifier().mark();
       if (call.unify(plan_arg_, call.agent()->plan_term(plan)) &&
-          (label_arg_ >= call.count() || call.unify(label_arg_, bare_label(call, plan)))) {
+          (label_arg_ >= call.count() || call.unify(label_arg_, call.agent()->label_term(plan)))) {
         return true;
       }
       call.unifier().undo(trail);
@@ -203,7 +199,7 @@ Outcome relevant_plans(ActionCall& call) {
   std::vector<Value> labels;
   for (const Plan* const plan : plans) {
     terms.push_back(call.agent()->plan_term(*plan));
-    labels.push_back(bare_label(call, *plan));
+    labels.push_back(call.agent()->label_term(*plan));
   }
   if (!call.unify(1, call.heap().list(terms))) return Outcome::failed;
   return call.count() == 2 ? Outcome::succeeded : call.result(2, call.heap().list(labels));
