@@ -210,8 +210,10 @@ class Agent final : public MachineSurroundings {
   /// Adds a plan made at run time, last or first.
   void add_plan(std::shared_ptr<Plan> plan, Place place);
   void remove_plan(const Plan& plan);
-  /// The plan's label with the sources that this agent has it from.
+  /// The plan's label with the sources that this agent has it from; a template of the plan's slots.
   [[nodiscard]] Value label_of(const Plan& plan) const;
+  /// The same as a term whose variables are fresh.
+  [[nodiscard]] Value label_term(const Plan& plan);
   /// Takes a source away, and the plan too when no other is left; nothing if it is none of them.
   void remove_plan_source(const Plan& plan, Value source);
   /// The plan as a term whose variables are fresh.

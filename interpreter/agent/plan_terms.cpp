@@ -36,6 +36,17 @@ Value Agent::plan_term(const Plan& plan) {
                          Form::plan);
 }
 
+Value Agent::label_term(const Plan& plan) {
+  Unifier& unifier = machine().unifier();
+  ScratchSlots slots(unifier, plan.slot_count);
+  const std::size_t trail = unifier.mark();
+  unifier.set_slot_names(plan.slot_names);
+  const Value label = label_of(plan);
+  const Value made = label.is_unset() ? label : unifier.instantiate(label, slots.data());
+  unifier.commit(trail);
+  return made;
+}
+
 // The variables of a term become slots 0, 1, ...; their names are collected.
 Value Agent::as_template(Value term, std::vector<Symbol>& slot_names) {
   Unifier& unifier = machine().unifier();
@@ -117,7 +128,8 @@ void Agent::remove_plan_source(const Plan& plan, Value source) {
   const Value label = label_of(plan);
   std::vector<Value> kept;
   bool was_there = false;
-  for (Value rest = literal_parts(label).annots; rest.is_pair(); rest = deref(rest.pair()->tail)) {
+  Value rest = literal_parts(label).annots;
+  for (; rest.is_pair(); rest = deref(rest.pair()->tail)) {
     const Value annot = deref(rest.pair()->head);
     const bool named = annot.is_structure() &&
                        annot.structure()->predicate() == predicates::source &&
@@ -126,7 +138,7 @@ void Agent::remove_plan_source(const Plan& plan, Value source) {
     if (!named) kept.push_back(annot);
   }
   if (!was_there) return;
-  const Value annots = heap_.list(kept);
+  const Value annots = heap_.list(kept, rest);
   if (!has_source(annots)) {
     remove_plan(plan);
     return;
