@@ -5,7 +5,7 @@
 
 !exercise_av.
 
-+!exercise_av <- !set_out_across; !get(beside); !wait_for_the_av(4); !dart; !feint.
++!exercise_av <- !set_out_across; !come_into_view; !get(beside); !wait_for_the_av(4.4); !dart; !feint.
 
 // Back as soon as it slows; if it does not, it is met.
 +!dart : slows | stands | gone <- !get(beside).
@@ -19,5 +19,5 @@
 +!stay_there : not stands <- !wait; !stay_there.
 +!stay_there              <- !get(brim); !make_room; !get(beside); !feint.
 
-+!make_room : gap(M) & M < 4 & stands <- !along(forward); !make_room.
++!make_room : stands & gap(M) & (M < 4 | on_the_zebra(_)) <- !along(forward); !make_room.
 +!make_room.

@@ -8,7 +8,14 @@ fast(3).    // m/s, or as fast as it can
 
 !exercise_av.
 
-+!exercise_av <- !set_out_across; !get(beside); !wait_for_the_brink; ?slow(V); -+pace(V); !dawdle.
++!exercise_av
+  <- !set_out_across;
+     !come_into_view;
+     !get(beside);
+     !wait_for_the_brink;
+     ?slow(V);
+     -+pace(V);
+     !dawdle.
 
 +!dawdle : in_path & gap(M) & M < 20 & not stands <- !wait; !dawdle.
 +!dawdle : would_come_in_time <- ?fast(V); -+pace(V); !get(middle); !dawdle.

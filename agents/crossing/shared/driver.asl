@@ -115,10 +115,12 @@ brakes(V, B, Way) :-
   strongest(Most) & jerk(J) & V <= (B + Most) / 2 * (Most - B) / J &
   T = (math.sqrt(B * B + 2 * J * V) - B) / J & Way = V * T - B * T * T / 2 - J * T * T * T / 6.
 
-// Whoever comes over the lane here in so many seconds is avoided by the driver.
-avoids(In) :-
+// Whoever comes over the lane here in so many seconds is avoided by the driver, who then stands so
+// many metres short of the margin.
+spare(In, Short) :-
   risks(Risks) & since(Risks, Since) & now(S) & way_to_stop(math.min(In, Since - S), Way) &
-  driver(F, _, _) & near(N) & margin(M) & F + Way + M <= N.
+  driver(F, _, _) & near(N) & margin(M) & Short = N - F - Way - M.
+avoids(In) :- spare(In, Short) & Short >= 0.
 avoids(_) :- driver(F, _, _) & av_metres(Length) & far(Y) & F - Length > Y.
 
 av_metres(M) :- av_length(N) & cell_length(C) & M = N * C.

@@ -22,9 +22,11 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 +!reach(X) : there(X).
 +!reach(X) <- !step_to(X); !reach(X).
 
-// The same by the place's name, seen from the side that one came from.
-+!set_out_across : in_the_way(Y) <- !watch; !turn_round; !along_to(Y).
-+!set_out_across                 <- !watch; !turn_round.
+// The same by the place's name, seen from the side that one came from. On a zebra the AV would wait
+// before it, whatever one does.
++!set_out_across <- !watch; !turn_round; !step_aside.
++!step_aside : in_the_way(Y) | off_the_zebra(Y) <- !along_to(Y).
++!step_aside.
 +!turn_round : side(Side) <- -+home(Side).
 +!to(Name) : home(Side) & place(Name, Side, X)  <- !step_to(X).
 +!get(Name) : home(Side) & place(Name, Side, X) <- !reach(X).
@@ -45,6 +47,23 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 // A parked car between oneself and the AV's path, and where one can pass behind it.
 in_the_way(Y) :-
   side(Side) & parked(Side, From, To) & y(M) & body(B) & M > From - B & M < To + B & Y = To + B.
+
+// Where a zebra ends that one is on.
+off_the_zebra(To + B) :- on_the_zebra(To) & body(B) & time_to_walk(beside, To + B).
+on_the_zebra(To) :-
+  crosswalk(_, First, Last, zebra) & in_metres(First, Last, From, To) &  // jaywalk: allow absent-percept
+  y(Y) & Y >= From & Y <= To.
+
+// Out of the shadow of a parked car: to the other side of the lane, or further along, if there is time.
++!come_into_view : in_the_shadow(_) & y(Y) & time_to_walk(out, Y)      <- !get(out); !turn_round.
++!come_into_view : in_the_shadow(To) & time_to_walk(beside, To + 14) <- !along_to(To + 14).
++!come_into_view.
+in_the_shadow(To) :- side(Side) & parked(Side, From, To) & y(Y) & Y > From & Y - To < 22.
+
+// One can be at the place across the road, at Y along it, before a driver would have to brake.
+time_to_walk(Place, To) :-
+  side(Side) & place(Place, Side, X) & x(M) & y(Y) & pace(V) & av_seen(_, Av, _) & comes_in(S) &
+  (math.abs(X - M) + math.abs(To - Y)) / V + 2 < S + (To - Y) / Av.
 
 // One can walk along to there and be ready before the AV comes.
 in_time(Y) :-

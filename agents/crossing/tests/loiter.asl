@@ -19,7 +19,16 @@ at(1.4, 30).
      !assert_true(did(get(middle))).
 
 @[test]
-+!it_crosses_when_the_av_has_stopped
-  <- !the_av_is_at(28, 0, 0);
++!it_tries_the_other_side_when_the_av_has_stopped
+  <- +tick(1);
+     !the_av_is_at(28, 0, 0);
+     !try(loiter);
+     !assert_true(did(get(tip))).
+
+@[test]
++!it_crosses_when_the_av_waits_there_too
+  <- +tick(41);
+     +came_over(0);
+     !the_av_is_at(28, 0, 0);
      !try(loiter);
      !assert_true(did(get(out))).

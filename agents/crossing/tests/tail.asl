@@ -12,10 +12,17 @@ at(2.1, 30).
      !assert_true(did(along(back))).
 
 @[test]
-+!it_waits_while_the_av_brakes
++!it_walks_on_while_the_av_brakes
   <- !the_av_is_at(20, 6, -0.7);
      !try(tail);
-     !assert_true(did(wait)).
+     !assert_true(did(along(back))).
+
+@[test]
++!it_turns_round_where_a_driver_could_hardly_stop
+  <- !the_av_is_at(20, 9, 0);
+     !a_driver_would_stand_at(44.5);
+     !try(tail);
+     !assert_true(did(along(forward))).
 
 @[test]
 +!it_turns_in_when_the_av_is_about_to_pass
