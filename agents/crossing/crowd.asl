@@ -13,12 +13,9 @@
 +!begin : id(Me) & post(Me)  <- !get(beside); !hold_up; !get(beside); !stay_behind.
 +!begin                      <- !get(beside); !split.
 
-+!tell_the_post : id(Me) & post(Post) <- .concat("p", Post, Name); .send(Name, tell, here(Me)).
-
-+!hold_up : all_here                        <- !wait.
++!hold_up : not awaits_others               <- !wait.
 +!hold_up : comes_in(S) & S < 5 & avoids(0) <- !to(toe); !hold_up.
 +!hold_up                                   <- !wait; !hold_up.
-all_here :- .count(joins(_), N) & .count(here(_), N).
 
 +!split <- !wait_for_the_brink; !get(middle); !stand.
 +!stand : not gone & not stands <- !wait; !stand.

@@ -1,21 +1,23 @@
 // Hunter: looks for what the AV does wrong. In every tick it pursues what is worth most as the AV now
 // drives: to be met by it where it drives on though somebody is in its lane; to try its patience where
-// it stands; to draw it on; to step out on the brink; to provoke it from afar. It remembers what the
-// AV reacted to, and with others it hides beside one of them.
+// it stands; to draw it on; to step out on the brink; to lure it from afar. It remembers how the AV
+// reacted; with others it forms a group beside one of them, who stays behind.
 
 { include("shared/stepping.asl") }
 { include("shared/company.asl") }
 
 patience(2.6).  // s, how long to try the AV in one place
-provokes(30).   // m beyond the driver's way to stop from where on the AV is provoked
+lures(16).      // m short of which a driver would stand who is lured
+falls_back(2.5).  // m by which an AV that reacts otherwise leaves that driver behind
 
 !exercise_av.
 
 +!exercise_av <- +trials([far, near, beyond]); !tell_where_i_stand; !set_out_across; !begin.
 
-+!begin : id(Me) & joins(Me) & post(Post) & stood(Post, _, Y) & in_time(Y)
++!begin : id(Me) & joins(Me)
   <- +reacts_to(nothing_yet);
      !join;
+     !tell_the_post;
      !hunt.
 +!begin <- !hunt.
 
@@ -25,21 +27,31 @@ somebody_hides_here :-
   id(Me) & stood(Me, Side, _) & stood(Other, Side, _) & Other > Me & in_sight(Other, _, Near) &
   near(Mine) & math.abs(Near - Mine) < 1.5.
 
+// It has slowed as the driver has, or by now leaves that one far behind.
+reacts(as_a_driver) :-
+  slows & driver(_, V, _) & cruise(Most) & V < Most - 0.8 & leads(M) & math.abs(M) < 0.2 &
+  av_seen(_, Av, _) & Av - V < 0.3.
+reacts(otherwise) :- leads(M) & falls_back(Least) & M > Least & (slows | stands).
+leads(M) :- av_seen(F, _, _) & driver(D, _, _) & M = F - D.
+
 +!hunt : desire(Desire) <- !Desire; !hunt.
 
 desire(let_go) :- gone.
 desire(try(Place)) :- in_lane & stands & gap(M) & M < 4 & trials([Place|_]).
 desire(meet) :- in_lane & drives & drawing & about_to_pass.
 desire(draw_on) :- in_lane & (stands | drawing).
+desire(meet) :- in_lane & not in_path & about_to_pass.
 desire(hold) :- in_lane & aim(_).
 desire(be_ready) :- in_lane & unseen & not in_path.
 desire(meet) :- in_lane & about_to_pass.
+desire(remember(How)) :- in_lane & not reacts_to(_) & reacts(How).
+desire(be_ready) :- in_lane & reacts_to(_).
 desire(come_on) :- in_lane.
+desire(hold_up) :- awaits_others & comes_in(S) & S < 5 & avoids(0).
 desire(stay_by) :- somebody_hides_here & not stands.
 desire(step_out) :- on_the_brink.
-desire(provoke) :-
-  not reacts_to(_) & gap(M) & provokes(Least) & way_to_stop(0, W) & M > W + Least & side(Side) &
-  not emerges_from(Side).
+desire(come_on) :-
+  not reacts_to(_) & spare(0, M) & lures(Least) & M > Least & side(Side) & not emerges_from(Side).
 desire(be_ready).
 
 +!let_go        <- !wait.
@@ -56,15 +68,14 @@ desire(be_ready).
 
 +!aim_at(Place) : home(Side) & place(Place, Side, X) <- -+aim(X); !step_to(X).
 
-+!provoke : home(Side) & place(beside, Side, Edge) & there(Edge)
-  <- +reacts_to(nothing_yet);
-     !come_on.
-+!provoke <- !be_ready.
++!remember(How) <- +reacts_to(How); !be_ready.
 
-// Along the AV's path, against it, until it reacts.
-+!come_on : slows <- -+reacts_to(walking); !wait.
-+!come_on : home(Side) & place(brim, Side, X) & there(X) <- !along(back).
-+!come_on <- !to(brim).
+// A foot in the lane, and along it against the AV, until that reacts.
++!come_on : slows <- !wait.
++!come_on : home(Side) & place(toe, Side, X) & there(X) <- !along(back).
++!come_on <- !to(toe).
+
++!hold_up <- !to(toe).
 
 // Somewhere else in its lane, for as long as the patience lasts.
 +!try(Place) : trying(Place, Since) & now(S) & patience(P) & S - Since > P & trials([_|Rest])
@@ -76,6 +87,6 @@ desire(be_ready).
 // Ahead in its lane until a driver who had stopped would have the way to pick up speed, then out.
 +!draw_on : not drawing <- +drawing; !wait.
 +!draw_on : in_path     <- !leave_path.
-+!draw_on : driver(F, _, _) & near(N) & N - F < 4.5 <- !along(forward).
++!draw_on : leads(M) & M < 1 & driver(F, _, _) & near(N) & N - F < 4.5 <- !along(forward).
 +!draw_on : side(Side) & place(beside, Side, X) <- !step_to(X).
 +!leave_path : side(Side) & place(brim, Side, X) <- !step_to(X).

@@ -20,3 +20,8 @@ far_ahead(Y)          :- av_start(F) & Y - F > 45.
 near_enough(Y, Other) :- math.abs(Y - Other) < 25.
 
 +!join : post(Post) & stood(Post, _, Y) & id(Me) <- !along_to(Y + 0.3 * (Me - Post)); !get(beside).
+
+// Who has come tells the post, who waits for all.
++!tell_the_post : id(Me) & post(Post) <- .concat("p", Post, Name); .send(Name, tell, here(Me)).
+awaits_others :- id(Me) & post(Me) & not all_here.
+all_here :- .count(joins(_), N) & .count(here(_), N).
