@@ -15,7 +15,7 @@ falls_back(2.5).  // m by which an AV that reacts otherwise leaves that driver b
 +!exercise_av <- +trials([far, near, beyond]); !tell_where_i_stand; !set_out_across; !begin.
 
 +!begin : id(Me) & joins(Me)
-  <- +reacts_to(nothing_yet);
+  <- +reacted(in_company);
      !join;
      !tell_the_post;
      !hunt.
@@ -44,14 +44,14 @@ desire(meet) :- in_lane & not in_path & about_to_pass.
 desire(hold) :- in_lane & aim(_).
 desire(be_ready) :- in_lane & unseen & not in_path.
 desire(meet) :- in_lane & about_to_pass.
-desire(remember(How)) :- in_lane & not reacts_to(_) & reacts(How).
-desire(be_ready) :- in_lane & reacts_to(_).
+desire(remember(How)) :- in_lane & not reacted(_) & reacts(How).
+desire(be_ready) :- in_lane & reacted(_).
 desire(come_on) :- in_lane.
 desire(hold_up) :- awaits_others & comes_in(S) & S < 5 & avoids(0).
 desire(stay_by) :- somebody_hides_here & not stands.
 desire(step_out) :- on_the_brink.
 desire(come_on) :-
-  not reacts_to(_) & spare(0, M) & lures(Least) & M > Least & side(Side) & not emerges_from(Side).
+  not reacted(_) & spare(0, M) & lures(Least) & M > Least & side(Side) & not emerges_from(Side).
 desire(be_ready).
 
 +!let_go        <- !wait.
@@ -68,7 +68,7 @@ desire(be_ready).
 
 +!aim_at(Place) : home(Side) & place(Place, Side, X) <- -+aim(X); !step_to(X).
 
-+!remember(How) <- +reacts_to(How); !be_ready.
++!remember(How) <- +reacted(How); !be_ready.
 
 // A foot in the lane, and along it against the AV, until that reacts.
 +!come_on : slows <- !wait.

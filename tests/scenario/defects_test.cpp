@@ -61,5 +61,43 @@ TEST(DefectsInScenarios, AreOnControllersOfOnesOwn) {
   EXPECT_GT(changed("external", 3, "weak-brakes=1"), 0);
 }
 
+// Seed 0, with which no behaviour was written.
+TEST(Specialists, AreBetterThanAnyOtherAtTheirDefect) {
+  const auto failures = [](const std::string& behaviour, const std::string& defect,
+                           const std::string& speed) {
+    const auto prepared = scenario("defects", {"experiment.defects=[]", "world.av.defect=" + defect,
+                                               "world.pedestrians.speed_mps=" + speed});
+    return verdicts(*prepared, behaviour, "avoidability", 40).of(Verdict::fail);
+  };
+  struct Row {
+    const char* best;
+    const char* defect;
+    const char* speed;
+  };
+  for (const Row& row : {Row{"loiter", "lateral-bias", "1.5"}, Row{"sprint", "fast-as-noise", "3"},
+                         Row{"tail", "short-range=20", "1.5"}}) {
+    const auto kills = failures(row.best, row.defect, row.speed);
+    for (const char* other : {"random_behaviour", "brink", "feint", "loiter", "shadow", "tail",
+                              "sprint", "repeat", "hunter"}) {
+      if (std::string(other) == row.best) continue;
+      EXPECT_GT(kills, failures(other, row.defect, row.speed)) << other << " at " << row.defect;
+    }
+  }
+}
+
+TEST(BrokenDrivers, AreFoundByTheHunterUnlessTheyAreHealthy) {
+  const auto failures = [](const std::string& behaviour, const std::string& fault) {
+    const auto prepared = scenario(
+        "broken", {"experiment.defects=[]", "world.av.command=[python3, " +
+                                                project_file("scenarios/controllers/broken.py") +
+                                                ", " + fault + "]"});
+    return verdicts(*prepared, behaviour, "avoidability", 15).of(Verdict::fail);
+  };
+  EXPECT_EQ(failures("hunter", "healthy"), 0U);
+  for (const char* fault : {"cry-wolf", "soft-stop", "pulsed-brakes"}) {
+    EXPECT_GT(failures("hunter", fault), 3 * failures("random_behaviour", fault)) << fault;
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk::testing_scenario

@@ -6,11 +6,11 @@
 trials([far, near, beyond]).
 
 @[test]
-+!it_provokes_an_av_that_is_far
++!it_lures_an_av_that_is_far
   <- +at(1.5 - 1 / 6, 50);
      !the_av_is_at(10, 9, 0);
      ?desire(Desire);
-     !assert_equals(provoke, Desire).
+     !assert_equals(come_on, Desire).
 
 @[test]
 +!it_steps_out_on_the_brink
@@ -43,8 +43,40 @@ trials([far, near, beyond]).
      !assert_equals(meet, Desire).
 
 @[test]
-+!it_remembers_that_the_av_reacted
-  <- +at(2.1, 30);
++!it_is_out_of_the_lane_again_when_the_av_reacts_as_a_driver
+  <- +at(1.4, 30);
      !the_av_is_at(20, 7, -0.7);
-     !try(come_on);
-     !assert_true(reacts_to(walking)).
+     ?desire(Desire);
+     !assert_equals(remember(as_a_driver), Desire).
+
+@[test]
++!it_waits_for_an_av_that_reacts_late_to_leave_the_driver_behind
+  <- +at(1.4, 30);
+     !the_av_is_at(22, 8, -0.3);
+     !a_driver_would_stand_at(20);
+     ?desire(Desire);
+     !assert_equals(come_on, Desire);
+     !the_av_is_at(23, 7, -0.3);
+     !a_driver_would_stand_at(20);
+     ?desire(Then);
+     !assert_equals(remember(otherwise), Then).
+
+@[test]
++!it_remembers_how_the_av_reacted
+  <- +at(1.4, 30);
+     !the_av_is_at(20, 7, -0.7);
+     !try(remember(as_a_driver));
+     !assert_true(reacted(as_a_driver)).
+
+@[test]
++!the_post_holds_the_av_up_until_all_are_there
+  <- +at(1.5 - 1 / 6, 50);
+     +stood(1, left, 75.75);
+     +stood(2, left, 70);
+     +av_start(1.5);
+     !the_av_is_at(40, 9, 0);
+     ?desire(Desire);
+     !assert_equals(hold_up, Desire);
+     +here(2);
+     ?desire(Then);
+     !assert_false(Then == hold_up).
