@@ -7,11 +7,28 @@
 
 namespace jaywalk {
 
+namespace {
+
+// Of UTF-8, by the bytes that begin one.
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
+}  // namespace
+
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_starts_{0} {
   assert(text_.size() < std::numeric_limits<std::uint32_t>::max() && "offsets have 32 bits");
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1)) {
     line_starts_.push_back(static_cast<std::uint32_t>(at + 1));
+  }
+  std::size_t count = 0;
+  const std::string_view all = text_;
+  for (std::size_t at = 0; at + kBetweenMarks <= all.size(); at += kBetweenMarks) {
+    count += characters(all.substr(at, kBetweenMarks));
+    characters_at_marks_.push_back(static_cast<std::uint32_t>(count));
   }
 }
 
@@ -21,16 +38,22 @@ std::string_view Source::text(Span span) const {
   return std::string_view(text_).substr(begin, end - begin);
 }
 
+// Of a very long line, characters are not counted from its begin for each of its positions.
+std::size_t Source::characters_before(std::uint32_t offset) const {
+  const std::size_t mark = offset / kBetweenMarks;
+  const auto begin = static_cast<std::uint32_t>(mark * kBetweenMarks);
+  return (mark == 0 ? 0 : characters_at_marks_[mark - 1]) + characters(text({begin, offset}));
+}
+
 Source::Position Source::position(std::uint32_t offset) const {
   const auto clamped = static_cast<std::uint32_t>(std::min<std::size_t>(offset, text_.size()));
   const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), clamped);
   const std::uint32_t start = *std::prev(next);
   Position position;
   position.line = static_cast<std::uint32_t>(next - line_starts_.begin());
-  for (const char byte : text({start, clamped})) {
-    const bool continues_character = (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-    if (!continues_character) ++position.column;
-  }
+  position.column += static_cast<std::uint32_t>(
+      clamped - start < kBetweenMarks ? characters(text({start, clamped}))
+                                      : characters_before(clamped) - characters_before(start));
   return position;
 }
 

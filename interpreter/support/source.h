@@ -38,9 +38,14 @@ class Source {
   [[nodiscard]] std::string_view line(std::uint32_t number) const;
 
  private:
+  // So many bytes lie between two places before which characters have been counted.
+  static constexpr std::size_t kBetweenMarks = 1024;
+  [[nodiscard]] std::size_t characters_before(std::uint32_t offset) const;
+
   std::string name_;
   std::string text_;
   std::vector<std::uint32_t> line_starts_;
+  std::vector<std::uint32_t> characters_at_marks_;
 };
 
 using SourcePtr = std::shared_ptr<const Source>;

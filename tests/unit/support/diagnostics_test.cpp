@@ -118,5 +118,18 @@ TEST(Diagnostics, ComeInTheOrderOfTheTextOnceSorted) {
   EXPECT_EQ(diagnostics.items()[1].message, "later");
 }
 
+TEST(Diagnostics, ShowOfAVeryLongTextItsBeginAndEnd) {
+  const std::string goals(1'000'000, 'g');
+  Diagnostics diagnostics;
+  diagnostics.error("a.asl", "begin " + goals + " end", "ä" + goals + "ö");
+  const std::string text = diagnostics.render();
+  EXPECT_LT(text.size(), 5'000U);
+  EXPECT_EQ(text.substr(0, 23), "a.asl: error: begin ggg");
+  EXPECT_NE(text.find("ggg end\n"), std::string::npos);
+  EXPECT_NE(text.find("hint: ägg"), std::string::npos);
+  EXPECT_NE(text.find("ggö\n"), std::string::npos);
+  EXPECT_NE(text.find("bytes left out"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace jaywalk

@@ -45,5 +45,18 @@ TEST(Source, MayBeEmpty) {
   EXPECT_EQ(source.line(1), "");
 }
 
+TEST(Source, CountsCharactersOfVeryLongLines) {
+  std::string text = "ä\n";
+  for (int i = 0; i < 3000; ++i) text += i % 3 == 0 ? "ö" : "o";
+  const Source source("a.asl", text);
+  std::uint32_t column = 0;
+  for (std::uint32_t offset = 3; offset < text.size(); ++offset) {
+    const bool begins = (static_cast<unsigned char>(text[offset]) & 0xC0U) != 0x80U;
+    if (!begins) continue;
+    ASSERT_EQ(source.position(offset).column, ++column) << offset;
+    ASSERT_EQ(source.position(offset).line, 2U);
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk
