@@ -18,9 +18,13 @@ std::vector<double> linear_marks(double least, double most, int count) {
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (range / (factor * power) <= count) step = factor * power;
   }
+  const double first = std::ceil(least / step - 1e-9);
   std::vector<double> marks;
-  for (double mark = std::ceil(least / step - 1e-9); mark * step <= most + 1e-9 * range; ++mark) {
-    marks.push_back(mark == 0 ? 0 : mark * step);
+  // Counted, since adding 1 to a large number, or a step to it, may change nothing.
+  for (int i = 0; i <= 2 * count; ++i) {
+    const double mark = (first + i) * step;
+    if (!(mark <= most + 1e-9 * range)) break;
+    if (marks.empty() || mark > marks.back()) marks.push_back(mark == 0 ? 0 : mark);
   }
   return marks;
 }
@@ -43,6 +47,17 @@ std::vector<double> logarithmic_marks(double least, double most, int count) {
 }
 
 }  // namespace
+
+void widen_if_narrow(double& least, double& most) {
+  // What arithmetic leaves of equal values; wider than what doubles can tell apart.
+  constexpr double kPrecision = 1e-9;
+  const double size = std::max(std::fabs(least), std::fabs(most));
+  if (most - least > kPrecision * size) return;
+  const double middle = least / 2 + most / 2;
+  const double room = std::max(0.5, 1e-3 * size);
+  least = middle - room;
+  most = middle + room;
+}
 
 double Axis::at(double value) const {
   const double clamped = std::clamp(value, least, most);

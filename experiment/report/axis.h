@@ -10,8 +10,12 @@
 
 namespace jaywalk::reporting {
 
-/// Maps values from `least` to `most` to places from `begin` to `end`. REQUIRES: least < most, on a
-/// logarithmic scale both positive.
+/// Makes room around values whose spread is below their precision: those are one value. Nothing
+/// else changes.
+void widen_if_narrow(double& least, double& most);
+
+/// Maps values from `least` to `most` to places from `begin` to `end`. REQUIRES: least < most and
+/// not narrow (see above), on a logarithmic scale both positive.
 struct Axis {
   double least = 0;
   double most = 1;
@@ -21,7 +25,7 @@ struct Axis {
 
   /// The place of a value; of one outside, the nearest end.
   [[nodiscard]] double at(double value) const;
-  /// At most so many round values.
+  /// About so many round values, ascending, and never more than twice as many.
   [[nodiscard]] std::vector<double> marks(int count) const;
 };
 

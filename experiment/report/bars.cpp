@@ -37,10 +37,7 @@ Axis value_axis(const std::vector<BoxGroup>& groups) {
   }
   if (!(least <= most)) return {.begin = kBarsLeft, .end = kBarsRight};
   if (least > 0 && least < 0.3 * most) least = 0;
-  if (most <= least) {
-    most += 0.5;
-    least -= 0.5;
-  }
+  widen_if_narrow(least, most);
   return {.least = least, .most = most, .begin = kBarsLeft, .end = kBarsRight};
 }
 

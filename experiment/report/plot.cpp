@@ -41,13 +41,15 @@ Axis vertical_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series) 
     most = least + 1;
   }
   if (axes.scale == Scale::logarithmic) {
-    least /= 1.2;
-    most *= 1.2;
+    least = std::max(least / 1.2, std::numeric_limits<double>::min());
+    most = std::min(most * 1.2, std::numeric_limits<double>::max());
   } else {
+    const double lowest = least;
+    widen_if_narrow(least, most);
+    if (axes.least && lowest >= *axes.least) least = std::max(least, *axes.least);
     const double room = 0.03 * (most - least);
     if (!axes.most || most > *axes.most) most += room;
     if (!axes.least || least < *axes.least) least -= room;
-    if (most <= least) most = least + 1;
   }
   return {.least = least, .most = most, .begin = kBottom, .end = kTop, .scale = axes.scale};
 }

@@ -1,9 +1,13 @@
 #include "experiment/report/report.h"
 
+#include <cmath>
+#include <vector>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/report/axis.h"
 #include "experiment/report/chart.h"
 #include "experiment/report/plot.h"
 #include "experiment/report/table.h"
@@ -141,6 +145,32 @@ TEST(Report, DrawsEachOfThePapersFiguresAndSetsThePublishedValuesBesideOurs) {
   EXPECT_THAT(html, HasSubstr("class=\"published\""));
   EXPECT_THAT(html, HasSubstr("<td>48.0</td><td>38.5 to 57.7</td><td>46.9</td>"));
   EXPECT_THAT(html, Not(testing::ContainsRegex("[^a-z](nan|inf)[^a-z]")));
+}
+
+/// As the marks of an axis of one metric whose values are these.
+std::string picture_of(std::vector<double> values) {
+  return reporting::box_plots("minutes",
+                              {{.name = "mine", .boxes = {{"", distribution(std::move(values))}}}});
+}
+
+// Values that differ by rounding alone made an axis whose marks never advanced.
+TEST(Plot, TakesValuesThatDifferByRoundingForOne) {
+  for (const double value : {1e-300, 0.1, 1.0, -3.0, 4.25, 1e6, 1e17, -1e300}) {
+    const double next = std::nextafter(value, 2 * value);
+    EXPECT_LT(picture_of({value, next}).size(), 4000U) << value;
+    const std::vector<reporting::PlotSeries> curve{
+        {.name = "mine", .points = {{.x = 1, .y = value}, {.x = 2, .y = next}}}};
+    EXPECT_LT(reporting::curves({}, curve).size(), 8000U) << value;
+    EXPECT_LT(reporting::curves({.scale = reporting::Scale::logarithmic}, curve).size(), 8000U)
+        << value;
+  }
+}
+
+TEST(Plot, MarksAnAxisOfLargeValuesThatHardlyDiffer) {
+  reporting::Axis axis{.least = 1e16, .most = 1e16 + 8, .begin = 0, .end = 100};
+  EXPECT_LE(axis.marks(5).size(), 10U);
+  axis = {.least = 0, .most = 1, .begin = 0, .end = 100};
+  EXPECT_EQ(axis.marks(5).size(), 6U) << "both ends";
 }
 
 TEST(Plot, NamesBothAxes) {
