@@ -7,7 +7,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
@@ -15,8 +14,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-
-extern char** environ;
 
 namespace jaywalk {
 namespace {
@@ -49,34 +46,6 @@ class Descriptor {
 
  private:
   int number_;
-};
-
-/// posix_spawn's settings: the streams, the folder, a process group of its own.
-class SpawnSettings {
- public:
-  SpawnSettings(int channel, int errors, const std::string& folder) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawnattr_init(&attributes_);
-    posix_spawn_file_actions_adddup2(&actions_, channel, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, channel, STDOUT_FILENO);
-    if (errors >= 0) posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
-    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-  }
-  ~SpawnSettings() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-
-  [[nodiscard]] const posix_spawn_file_actions_t* actions() const { return &actions_; }
-  [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
 };
 
 std::string last_line(const std::string& text) {
@@ -114,17 +83,11 @@ std::string LineProcess::start() {
   Descriptor read_end(pipe[0]);
   const Descriptor write_end(pipe[1]);
 
-  std::vector<char*> arguments;
-  for (std::string& each : command_) arguments.push_back(each.data());
-  arguments.push_back(nullptr);
-  const SpawnSettings settings(theirs.get(), write_end.get(), folder_);
-  pid_t process = -1;
-  const int failure = posix_spawnp(&process, arguments[0], settings.actions(),
-                                   settings.attributes(), arguments.data(), environ);
-  if (failure != 0) {
-    return fmt::format("cannot start '{}': {}", command_[0], std::strerror(failure));
+  if (std::string problem = start_guarded(
+          command_, folder_, {.channel = theirs.get(), .errors = write_end.get()}, child_);
+      !problem.empty()) {
+    return problem;
   }
-  process_ = process;
   channel_ = ours.release();
   error_pipe_ = read_end.release();
   buffer_.clear();
@@ -198,10 +161,10 @@ std::optional<std::string> LineProcess::unasked(milliseconds settling) {
   return buffer_.substr(0, buffer_.find('\n'));
 }
 
-LineAnswer LineProcess::ask(std::string_view line, milliseconds limit, milliseconds settling) {
-  if (process_ < 0) {
+LineAnswer LineProcess::ask(std::string_view line, milliseconds limit) {
+  if (child_.guard < 0) {
     if (std::string problem = start(); !problem.empty()) return {{}, std::move(problem)};
-  } else if (const auto text = unasked(settling)) {
+  } else if (const auto text = unasked(milliseconds(0))) {
     give_up();
     return {{}, fmt::format("it wrote '{}' without being asked", shortened(*text)), true};
   }
@@ -215,7 +178,7 @@ LineAnswer LineProcess::ask(std::string_view line, milliseconds limit, milliseco
 }
 
 void LineProcess::tell(std::string_view line, std::chrono::milliseconds limit) {
-  if (process_ < 0) return;
+  if (child_.guard < 0) return;
   const std::string failed = write_all(fmt::format("{}\n", line), steady_clock::now() + limit);
   if (!failed.empty()) give_up();
 }
@@ -248,24 +211,12 @@ std::string LineProcess::ended() {
 }
 
 int LineProcess::end(milliseconds patience) {
-  if (process_ < 0) return -1;
+  if (child_.guard < 0) return -1;
   shutdown(channel_, SHUT_RDWR);
   close(std::exchange(channel_, -1));
-  int status = 0;
-  const Deadline deadline = steady_clock::now() + patience;
-  pid_t gone = waitpid(process_, &status, WNOHANG);
-  while (gone == 0 && steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(milliseconds(1));
-    gone = waitpid(process_, &status, WNOHANG);
-  }
-  kill(-process_, SIGKILL);
-  if (gone == 0) {
-    waitpid(process_, &status, 0);
-    status = -1;
-  }
+  const int status = end_guarded(child_, patience);
   if (error_pipe_ >= 0) read_errors();
   if (error_pipe_ >= 0) close(std::exchange(error_pipe_, -1));
-  process_ = -1;
   return status;
 }
 

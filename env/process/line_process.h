@@ -1,8 +1,8 @@
 #pragma once
 
 // A child process that is asked one line and answers one line: how controllers and systems under
-// test are attached that live outside of this program. It gets a process group of its own, so that
-// what it started ends with it.
+// test are attached that live outside of this program. It, and what it started, end with us
+// (guarded_child.h).
 
 #include <chrono>
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "env/process/guarded_child.h"
 
 namespace jaywalk {
 
@@ -43,15 +45,16 @@ class LineProcess {
   LineProcess(const LineProcess&) = delete;
   LineProcess& operator=(const LineProcess&) = delete;
 
-  /// Sends a line and waits for the answer. Output that is unread by then, or comes within
-  /// `settling` before the line is sent, answers nothing: it is an error, since all answers after
-  /// it would belong to other questions. After an error the process is gone; the next question
-  /// starts it anew.
-  [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit,
-                               std::chrono::milliseconds settling = std::chrono::milliseconds(0));
+  /// Sends a line and waits for the answer. Output that is unread before the line is sent answers
+  /// nothing: it is an error, since all answers after it would belong to other questions. After an
+  /// error the process is gone; the next question starts it anew.
+  [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
   /// Sends a line that is not answered, to a process that was asked before. One that does not take
   /// it is gone.
   void tell(std::string_view line, std::chrono::milliseconds limit);
+  /// The first line, or its beginning, that the process has written without being asked, or writes
+  /// within `settling`.
+  [[nodiscard]] std::optional<std::string> unasked(std::chrono::milliseconds settling);
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }
   /// Lines answered since the process was started.
@@ -65,8 +68,6 @@ class LineProcess {
   [[nodiscard]] Wait wait_for(short events, Deadline deadline);
   [[nodiscard]] std::string write_all(std::string_view text, Deadline deadline);
   [[nodiscard]] LineAnswer read_line(Deadline deadline);
-  /// The first line, or its beginning, that the process has written without being asked.
-  [[nodiscard]] std::optional<std::string> unasked(std::chrono::milliseconds settling);
   void read_errors();
   /// Waits for the process to end by itself, then kills it: the status of waitpid, -1 if killed.
   int end(std::chrono::milliseconds patience);
@@ -75,7 +76,7 @@ class LineProcess {
   std::vector<std::string> command_;
   std::string folder_;
   Errors errors_;
-  int process_ = -1;
+  GuardedChild child_;
   int channel_ = -1;        // its standard input and output
   int error_pipe_ = -1;     // its standard error, if quoted
   std::string buffer_;      // read, but not yet answered

@@ -22,9 +22,7 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
                                 std::chrono::milliseconds limit) {
   const std::string key(settings_.key);
   question[key] = number;
-  const bool may_say_more = asked_ && !repeats_;
-  LineAnswer answer = process_.ask(
-      text_of(question), limit, may_say_more ? settings_.settling : std::chrono::milliseconds(0));
+  LineAnswer answer = process_.ask(text_of(question), limit);
   asked_ = answer.error.empty();
   if (!answer.error.empty()) {
     repeats_ = false;
@@ -34,7 +32,16 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
   nlohmann::json json = nlohmann::json::parse(last_, nullptr, false);
   if (!json.is_object()) return {{}, refuse("expected a JSON object")};
   if (std::string why = mismatch(json, number); !why.empty()) return {{}, refuse(why)};
+  std::string more = said_more(repeats_ ? std::chrono::milliseconds(0) : settings_.settling);
+  if (!more.empty()) return {{}, std::move(more)};
   return {std::move(json), {}};
+}
+
+std::string NumberedProcess::said_more(std::chrono::milliseconds settling) {
+  if (!asked_) return {};
+  const auto text = process_.unasked(settling);
+  if (!text) return {};
+  return refuse(fmt::format("one line is an answer, but it also wrote '{}'", shortened(*text)));
 }
 
 void NumberedProcess::tell(const nlohmann::json& line, std::chrono::milliseconds limit) {

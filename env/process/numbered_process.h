@@ -34,8 +34,8 @@ class NumberedProcess {
     LineProcess::Errors errors = LineProcess::Errors::shown;
     /// The key of the number, in question and answer.
     std::string_view key;
-    /// If the answer before did not repeat its number: how long to look whether the process says
-    /// more than it was asked before the next question.
+    /// How long to look, after an answer that does not repeat its number, whether the process says
+    /// more than it was asked.
     std::chrono::milliseconds settling{0};
   };
 
@@ -45,6 +45,9 @@ class NumberedProcess {
   /// reports about itself, the process is gone; the next question starts it anew.
   [[nodiscard]] JsonAnswer ask(nlohmann::json question, std::size_t number,
                                std::chrono::milliseconds limit);
+  /// What to say if it has answered the last question with more than one line, or does within
+  /// `settling`; it is ended then. Empty if all is well.
+  [[nodiscard]] std::string said_more(std::chrono::milliseconds settling);
   /// Sends an object that is not answered; of a process that is gone nothing is sent.
   void tell(const nlohmann::json& line, std::chrono::milliseconds limit);
   /// Ends the process, whose last answer makes no sense. What to say about it: the answer, which

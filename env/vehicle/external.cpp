@@ -12,7 +12,8 @@
 // `front` counts from the road's begin, `gap` and `far` from the vehicle's front, `sides`, `body`,
 // `lane` and `kerb` from the world's left. `step` counts the questions of the test from 0. An
 // answer may repeat it, {"step":4,"acceleration":-3.5}; then it is checked, so that a line too many
-// cannot shift the answers after it. Answers are limited to what a vehicle can do.
+// cannot shift the answers after it. More than one line for a question ends the test, and so does
+// an acceleration beyond 1000 m/s^2; others are limited to what a vehicle can do.
 //
 // Each test starts a process of its own, so that none remembers another, unless the scenario says
 // `process: kept`. Then one process drives in many tests, and each begins and ends with a line:
@@ -42,6 +43,8 @@ namespace {
 constexpr std::chrono::milliseconds kLimit{5000};
 // How long one that does not repeat the step is watched for lines that nobody asked for.
 constexpr std::chrono::milliseconds kSettling{1};
+// Answers beyond a hundred times gravity are refused; what is less absurd is limited.
+constexpr double kAbsurdMps2 = 1000;
 
 /// Nanometres are noise of the arithmetic, and -0 is 0.
 double tidy(double value) {
@@ -143,16 +146,27 @@ class External final : public VehicleController {
     const auto answer = ask(std::move(question));
     if (!answer) return {};
     const auto acceleration = answer->find("acceleration");
-    if (acceleration == answer->end() || !acceleration->is_number() ||
-        !std::isfinite(acceleration->get<double>())) {
+    if (acceleration == answer->end() || !acceleration->is_number()) {
       fail(process().refuse("expected {\"acceleration\": <m/s^2>}"));
+      return {};
+    }
+    // A controller that asks for that reckons wrongly, and its other answers mean nothing either.
+    if (!(std::fabs(acceleration->get<double>()) <= kAbsurdMps2)) {
+      fail(process().refuse(fmt::format("no vehicle reaches {:g} m/s^2, let alone more than {:g}",
+                                        acceleration->get<double>(), kAbsurdMps2)));
       return {};
     }
     return {limited(acceleration->get<double>())};
   }
 
   void end(const DriveEnd& end) override {
-    if (process_ == nullptr || !failure_.empty()) return;
+    if (!failure_.empty()) return;
+    // One that drives on is asked again, which finds what comes later.
+    const bool drives_on = process_ != nullptr;
+    const std::string more =
+        process().said_more(drives_on ? std::chrono::milliseconds(0) : kSettling);
+    if (!more.empty()) return fail(more);
+    if (!drives_on) return;
     nlohmann::json said{{"why", std::string(end.why)}, {"collision", end.impact_mps.has_value()}};
     if (end.impact_mps) said["impact"] = tidy(*end.impact_mps);
     process_->tell({{"end", std::move(said)}}, kLimit);

@@ -26,9 +26,13 @@ struct ExternalSettings {
   std::vector<std::string> measures;
 };
 
-/// How long a program that does not repeat the test's number is watched, between two tests, for
-/// lines that nobody asked for.
+/// How long a program that does not repeat the test's number is watched, after an answer, for lines
+/// that nobody asked for.
 constexpr std::chrono::milliseconds kSettling{20};
+
+/// Numbers beyond these are absurd, and sums of them would be infinite. The time: a year.
+constexpr double kLongestTest_s = 31'536'000;
+constexpr double kGreatestMeasure = 1e12;
 
 /// The test: the points, and the map as the competition's executors want it.
 Json request(const RoadSpace& space, const TestInput& input) {
@@ -77,6 +81,9 @@ class ExternalProgram : public Sut {
       if (!time->is_number() || !(time->get<double>() >= 0)) {
         return nonsense("sim_time is not a number of seconds");
       }
+      if (time->get<double>() > kLongestTest_s) {
+        return nonsense(fmt::format("a test of more than {:g} s", kLongestTest_s));
+      }
       outcome.simulated_s = time->get<double>();
     }
     for (const std::string& measure : settings_.measures) {
@@ -84,6 +91,9 @@ class ExternalProgram : public Sut {
       if (value == json.end()) return nonsense(fmt::format("there is no '{}'", measure));
       if (!value->is_number() || !std::isfinite(value->get<double>())) {
         return nonsense(fmt::format("'{}' is not a number", measure));
+      }
+      if (std::fabs(value->get<double>()) > kGreatestMeasure) {
+        return nonsense(fmt::format("'{}' is beyond {:g}", measure, kGreatestMeasure));
       }
       outcome.measures.push_back(value->get<double>());
     }

@@ -103,7 +103,15 @@ TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
   EXPECT_EQ(
       fails(
           R"(while read line; do echo "{\"acceleration\": 0}"; echo "{\"acceleration\": 0}"; done)"),
-      "the controller 'sh': it wrote '{\"acceleration\": 0}' without being asked");
+      "the controller 'sh': line 1 of its output, '{\"acceleration\": 0}': one line is an answer, "
+      "but it also wrote '{\"acceleration\": 0}'");
+  EXPECT_EQ(fails(R"(while read line; do echo "{\"acceleration\": 1e308}"; done)"),
+            "the controller 'sh': line 1 of its output, '{\"acceleration\": 1e308}': no vehicle "
+            "reaches 1e+308 m/s^2, let alone more than 1000");
+  EXPECT_EQ(
+      fails(R"(while read line; do echo "{\"acceleration\": -inf}"; done)"),
+      "the controller 'sh': line 1 of its output, '{\"acceleration\": -inf}': expected a JSON "
+      "object");
   EXPECT_EQ(fails(R"(while read line; do echo "{\"step\": 3, \"acceleration\": 0}"; done)"),
             "the controller 'sh': line 1 of its output, '{\"step\": 3, \"acceleration\": 0}': it "
             "answers step 3, asked was 0");

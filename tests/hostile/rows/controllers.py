@@ -37,7 +37,7 @@ ROWS = [
     controller("an answer without an acceleration", always('{"a":1}'), 1, "acceleration"),
     controller("an acceleration that is a text", always('{"acceleration":"1"}'), 1, "acceleration"),
     controller("an acceleration beyond doubles", always('{"acceleration":1e999}'), 1, "av.sh"),
-    controller("two answers for a question", always('{"acceleration":1}\\n{"acceleration":2}'), 1, "without being asked"),
+    controller("two answers for a question", always('{"acceleration":1}\\n{"acceleration":2}'), 1, "it also wrote"),
     controller("the answer to another question", always('{"step":7,"acceleration":1}'), 1, "step"),
     controller("an answer before the question", "echo hello\n" + always('{"acceleration":1}'), 1, "hello"),
     controller("an answer 100,000 brackets deep", "ask; head -c 100000 /dev/zero | tr '\\0' '['; echo; ask\n", 1, "av.sh"),

@@ -39,14 +39,34 @@ TEST_F(Numbered, GetsTheAnswerToEachQuestion) {
   EXPECT_EQ(ask().json["heard"]["n"], 1);
 }
 
-TEST_F(Numbered, RefusesALineTooMany) {
+TEST_F(Numbered, RefusesALineTooManyInTheQuestionThatItCameAfter) {
   start(std::string(kPlain) + "; [ $i = 1 ] && " + kPlain);
   EXPECT_EQ(ask().json["v"], 0);
-  EXPECT_EQ(ask().json["v"], 1);
-  const JsonAnswer third = ask();
-  EXPECT_THAT(third.error, HasSubstr("it wrote '{\"v\": 1}' without being asked"));
-  EXPECT_FALSE(third.silent);
+  const JsonAnswer second = ask();
+  EXPECT_EQ(second.error,
+            "line 2 of its output, '{\"v\": 1}': one line is an answer, but it also wrote "
+            "'{\"v\": 1}'");
+  EXPECT_FALSE(second.silent);
   EXPECT_EQ(ask().json["v"], 0) << "a new process";
+}
+
+TEST_F(Numbered, RefusesALineTooManyThatRepeatsTheNumber) {
+  start(R"(printf '{"n": %d}\n{"n": %d}\n' $i $i)");
+  EXPECT_THAT(ask().error, HasSubstr("but it also wrote '{\"n\": 0}'"));
+}
+
+TEST_F(Numbered, LooksForLinesAfterTheLastAnswer) {
+  start(std::string(kRepeating) + "; sleep 0.05; echo more");
+  EXPECT_EQ(ask().error, "");
+  EXPECT_THAT(process_->said_more(milliseconds(5000)), HasSubstr("but it also wrote 'more'"));
+  EXPECT_EQ(process_->said_more(milliseconds(0)), "") << "it is gone";
+}
+
+TEST_F(Numbered, RefusesNumbersThatJsonDoesNotHave) {
+  for (const char* number : {"1e999", "inf", "NaN", "-Infinity", "1e99999999999"}) {
+    start(std::string("echo '{\"v\": ") + number + "}'");
+    EXPECT_THAT(ask().error, HasSubstr("expected a JSON object")) << number;
+  }
 }
 
 // The line comes when the next question has been asked already.

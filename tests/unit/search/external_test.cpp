@@ -124,11 +124,23 @@ TEST_F(ExternalSut, MaySayMoreThanItWasAsked) {
           5);
   const auto& tests = results.runs[0].tests;
   ASSERT_EQ(errors_.size(), 1U);
-  EXPECT_THAT(errors_[0], HasSubstr("test 2: it wrote '{\"max_oob\": 0.9}' without being asked"));
-  EXPECT_DOUBLE_EQ(tests[1].test.fitness, 0.2);
-  EXPECT_FALSE(tests[2].test.outcome.executed());
-  EXPECT_DOUBLE_EQ(tests[3].test.fitness, 0.1) << "it was started anew";
-  EXPECT_DOUBLE_EQ(tests[4].test.fitness, 0.2);
+  EXPECT_THAT(errors_[0], HasSubstr("test 1: line 2 of its output"));
+  EXPECT_THAT(errors_[0], HasSubstr("but it also wrote '{\"max_oob\": 0.9}'"));
+  EXPECT_DOUBLE_EQ(tests[0].test.fitness, 0.1);
+  EXPECT_FALSE(tests[1].test.outcome.executed());
+  EXPECT_DOUBLE_EQ(tests[2].test.fitness, 0.1) << "it was started anew";
+}
+
+TEST_F(ExternalSut, MayAnswerNumbersThatNobodyCanReckonWith) {
+  for (const char* answer :
+       {R"(\"max_oob\": 1e308)", R"(\"max_oob\": -1e13)", R"(\"max_oob\": 1e999)",
+        R"(\"max_oob\": 0, \"sim_time\": 1e300)", R"(\"max_oob\": NaN)"}) {
+    const SearchResults results =
+        run(std::string("while read line; do echo \"{") + answer + "}\"; done", 2);
+    EXPECT_EQ(errors_.size(), 2U) << answer;
+    EXPECT_FALSE(results.runs[0].tests[0].test.outcome.executed()) << answer;
+    errors_.clear();
+  }
 }
 
 TEST_F(ExternalSut, MayAnswerAnotherTest) {
