@@ -30,6 +30,8 @@ std::string PerTestTable::line(const Row& row, std::uint64_t first_test) const {
   text += outcome.impact_mps ? ",1" : ",0";
   add_csv_field(text, outcome.impact_mps);
   for (const Verdict verdict : row.verdicts) text += fmt::format(",{}", name(verdict));
+  // An errored test is not judged.
+  for (std::size_t i = row.verdicts.size(); i < assertions_.size(); ++i) text += ',';
   return text + '\n';
 }
 

@@ -25,7 +25,7 @@ class PerTestTable {
   /// A header line and a line for each test, in the order of the plan. Columns: behaviour, agents,
   /// vehicle (only if there are several), test (from `first_test`), ended_by, ticks,
   /// precondition_ticks (empty: not met), collision (0, 1), impact_mps (empty: none), and each
-  /// assertion's verdict. REQUIRES: nobody adds meanwhile.
+  /// assertion's verdict (empty of a test that ended errored). REQUIRES: nobody adds meanwhile.
   [[nodiscard]] std::string csv(std::uint64_t first_test = 0) const;
 
  private:

@@ -67,6 +67,21 @@ struct BehaviourSpec {
   ValueOrigin origin;
 };
 
+/// When a test is given up, which is then errored. All but the time give the same on any machine.
+struct TestLimits {
+  /// Reasoning cycles of one agent; 0: no limit but that of a tick.
+  std::uint64_t cycles = 0;
+  /// Steps of queries, of all agents together; 0: no limit.
+  std::uint64_t inferences = kUsualInferences;
+  /// What one agent, and all of them together, may own, in MB; 0: the interpreter's own limits.
+  std::uint64_t memory_mb = 0;
+  /// By the wall clock; 0: no limit.
+  double time_s = 0;
+
+  /// Seconds of reasoning; tests of the shipped scenarios take less than a hundredth.
+  static constexpr std::uint64_t kUsualInferences = 200'000'000;
+};
+
 /// The defaults of an experiment; options of the command line take their place.
 struct ExperimentSpec {
   std::uint64_t tests = 1000;
@@ -77,6 +92,7 @@ struct ExperimentSpec {
   std::vector<VehicleDefect> defects;
   /// Tests in a generation: those of later ones believe what earlier ones covered; 0: none do.
   std::uint64_t feedback = 0;
+  TestLimits limits;
 };
 
 /// Where programs look for what they include, after their own folder (IncludePath).

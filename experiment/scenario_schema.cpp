@@ -15,6 +15,8 @@ namespace {
 // What a scenario may ask for; generous, but safe to multiply.
 constexpr IntegerRange kTests{1, 1'000'000'000};
 constexpr IntegerRange kGenerations{0, 1'000'000'000};
+constexpr IntegerRange kLimits{0, 1'000'000'000'000'000};
+constexpr IntegerRange kMegabytes{0, 1'000'000'000};
 constexpr IntegerRange kSeeds{0, INT64_MAX};
 constexpr std::uint32_t kMaxAgents = 10'000;
 
@@ -191,6 +193,18 @@ class LayerReader : LayerPart {
                   {"seed", integer(experiment.seed, kSeeds)},
                   {"feedback", integer(experiment.feedback, kGenerations)},
                   {"defects", method(&LayerReader::read_defects)},
+                  {"limits", method(&LayerReader::read_limits)},
+              });
+  }
+
+  void read_limits(const ConfigNode& node, const std::string& path) {
+    TestLimits& limits = draft_.scenario.experiment.limits;
+    read_keys(node, path,
+              {
+                  {"cycles", integer(limits.cycles, kLimits)},
+                  {"inferences", integer(limits.inferences, kLimits)},
+                  {"memory_mb", integer(limits.memory_mb, kMegabytes)},
+                  {"time_s", number(limits.time_s, {0, 1e6})},
               });
   }
 

@@ -24,16 +24,26 @@ std::vector<double> ranks(std::span<const double> values) {
 }  // namespace
 
 Sample summarise(std::span<const double> values) {
-  Sample sample;
-  sample.count = values.size();
-  if (values.empty()) return sample;
-  double sum = 0;
-  for (const double value : values) sum += value;
-  sample.mean = sum / static_cast<double>(values.size());
-  for (const double value : values) {
-    sample.squares += (value - sample.mean) * (value - sample.mean);
+  SampleMaker maker;
+  for (const double value : values) maker.add(value);
+  maker.end_pass();
+  for (const double value : values) maker.add(value);
+  maker.end_pass();
+  return maker.sample();
+}
+
+void SampleMaker::add(double value) {
+  if (has_mean_) {
+    sample_.squares += (value - sample_.mean) * (value - sample_.mean);
+  } else {
+    sum_ += value;
+    ++sample_.count;
   }
-  return sample;
+}
+
+void SampleMaker::end_pass() {
+  if (!has_mean_ && sample_.count > 0) sample_.mean = sum_ / static_cast<double>(sample_.count);
+  has_mean_ = true;
 }
 
 std::optional<double> rank_correlation(std::span<const double> first,

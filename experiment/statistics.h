@@ -26,6 +26,21 @@ struct Sample {
 /// Two passes in the order of the values, so that equal values in equal order give equal bits.
 [[nodiscard]] Sample summarise(std::span<const double> values);
 
+/// The same of values that nobody keeps: all of them are added, then, after end_pass(), all of them
+/// again in the same order, which gives the same bits.
+class SampleMaker {
+ public:
+  void add(double value);
+  void end_pass();
+  /// REQUIRES: both passes have ended.
+  [[nodiscard]] Sample sample() const { return sample_; }
+
+ private:
+  Sample sample_;
+  double sum_ = 0;
+  bool has_mean_ = false;
+};
+
 /// The interval of a proportion, from 0 to 1, after Wilson (1927), "Probable inference, the law of
 /// succession, and statistical inference". REQUIRES: successes <= trials and trials > 0.
 [[nodiscard]] ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t trials,

@@ -67,6 +67,7 @@ Result<std::vector<SituationRow>> stored_situations(const ResultsReader& store,
       if (now.done++ % kTestsBetweenLooks == 0 && progress(now) == Proceed::no) {
         return interrupted();
       }
+      if (test.result.errored) continue;
       if (!test.result.succeeded) {
         row.coverage.add(SituationBins(situation_items().size()));
         continue;

@@ -1,37 +1,47 @@
 #include "experiment/summary.h"
 
-#include <vector>
-
 namespace jaywalk {
-namespace {
 
-enum class Which { all, successful };
-
-template <class Value>
-Sample sample_of(std::span<const TestResult> tests, Which which, Value value) {
-  std::vector<double> values;
-  values.reserve(tests.size());
-  for (const TestResult& test : tests) {
-    if (which == Which::all || test.succeeded) values.push_back(static_cast<double>(value(test)));
+void SummaryMaker::add(const TestResult& test) {
+  if (!counted_) {
+    ++counts_.tests;
+    if (test.errored) ++counts_.errored;
+    if (test.succeeded && !test.errored) ++counts_.successes;
   }
-  return summarise(values);
+  if (test.errored) return;
+  if (test.succeeded) {
+    score_.add(test.score);
+    ticks_success_.add(test.ticks);
+  }
+  ticks_all_.add(test.ticks);
+  cpu_us_.add(test.cpu_us);
+  wall_us_.add(test.wall_us);
 }
 
-}  // namespace
+void SummaryMaker::end_pass() {
+  counted_ = true;
+  for (SampleMaker* each : {&score_, &ticks_success_, &ticks_all_, &cpu_us_, &wall_us_}) {
+    each->end_pass();
+  }
+}
+
+Summary SummaryMaker::summary() const {
+  Summary summary = counts_;
+  summary.score = score_.sample();
+  summary.ticks_success = ticks_success_.sample();
+  summary.ticks_all = ticks_all_.sample();
+  summary.cpu_us = cpu_us_.sample();
+  summary.wall_us = wall_us_.sample();
+  return summary;
+}
 
 Summary summarise(std::span<const TestResult> tests) {
-  const auto score = [](const TestResult& test) { return test.score; };
-  const auto ticks = [](const TestResult& test) { return test.ticks; };
-  Summary summary;
-  summary.tests = tests.size();
-  summary.score = sample_of(tests, Which::successful, score);
-  summary.successes = summary.score.count;
-  summary.ticks_success = sample_of(tests, Which::successful, ticks);
-  summary.ticks_all = sample_of(tests, Which::all, ticks);
-  summary.cpu_us = sample_of(tests, Which::all, [](const TestResult& test) { return test.cpu_us; });
-  summary.wall_us =
-      sample_of(tests, Which::all, [](const TestResult& test) { return test.wall_us; });
-  return summary;
+  SummaryMaker maker;
+  for (int pass = 0; pass < SummaryMaker::kPasses; ++pass) {
+    for (const TestResult& test : tests) maker.add(test);
+    maker.end_pass();
+  }
+  return maker.summary();
 }
 
 }  // namespace jaywalk

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -88,12 +90,52 @@ std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TrialIn
   return specs;
 }
 
-std::string describe(const RunOutcome& outcome) {
-  if (!outcome.message.empty()) return outcome.message;
+/// The one limit of a test that depends on the machine.
+class TestDeadline {
+ public:
+  /// Seconds from now; 0: never.
+  explicit TestDeadline(double limit_s)
+      : limit_s_(limit_s), start_(std::chrono::steady_clock::now()) {}
+
+  [[nodiscard]] bool passed() const {
+    if (limit_s_ <= 0) return false;
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+    return taken.count() > limit_s_;
+  }
+  [[nodiscard]] std::string message() const {
+    return fmt::format("the test took longer than {:g} s, the limit", limit_s_);
+  }
+
+ private:
+  double limit_s_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+/// REQUIRES: the deadline outlives the run. A test that asks for more than its memory is at fault
+/// as a whole: an agent whose steps fail would go on and be measured as if it had chosen to.
+void set_limits(const TestLimits& limits, const TestDeadline& deadline, MasOptions& options) {
+  constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
+  options.max_run_inferences = limits.inferences;
+  options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
+  if (limits.memory_mb > 0) {
+    options.max_agent_bytes = limits.memory_mb * kMegabyte;
+    options.max_system_bytes = limits.memory_mb * kMegabyte;
+  }
+  if (limits.time_s > 0) options.interrupted = [&deadline] { return deadline.passed(); };
+}
+
+std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
+  if (outcome.end == RunEnd::interrupted) return deadline.message();
+  if (!outcome.message.empty()) {
+    const bool placed =
+        outcome.where.empty() || outcome.message.find(outcome.where) != std::string::npos;
+    return placed ? outcome.message : fmt::format("{} ({})", outcome.message, outcome.where);
+  }
   return outcome.end == RunEnd::stopped ? "an agent stopped the system" : "the run was cut short";
 }
 
-void record_events(const Crossing& crossing, const TrialInput& input, Recording& recording) {
+void record_events(const Crossing& crossing, const TrialInput& input, const TrialResult& result,
+                   Recording& recording) {
   if (!input.feedback.empty()) {
     recording.add(RecordedEvent{
         .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(input.feedback)});
@@ -120,6 +162,12 @@ void record_events(const Crossing& crossing, const TrialInput& input, Recording&
                                 .kind = "collision",
                                 .text = fmt::format("impact at {:.3f} m/s", each.impact_mps)});
   }
+  if (!result.completed) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(recording.scenes() - 1),
+                                .actor = {},
+                                .kind = std::string(kErrored),
+                                .text = result.message});
+  }
 }
 
 /// REQUIRES: the agents are those of the crossing, then perhaps others that they have created.
@@ -135,8 +183,13 @@ TestTroubles troubles_of(const Mas& mas, const CrossingResult& outcome) {
   return troubles;
 }
 
+void give_up(std::string why, TrialResult& result) {
+  result.completed = false;
+  result.message = std::move(why);
+}
+
 void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& options,
-                    TrialResult& result) {
+                    const TestDeadline& deadline, TrialResult& result) {
   const auto observe = [&] {
     if (options.observe) options.observe(crossing, mas);
     if (options.record != nullptr) options.record->add(crossing.scene());
@@ -144,16 +197,34 @@ void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& opti
   observe();
   while (!crossing.finished()) {
     if (!mas.step() && !crossing.finished()) {
-      result.completed = false;
-      result.message = describe(mas.outcome());
-      return;
+      return give_up(describe(mas.outcome(), deadline), result);
     }
     observe();
     if (std::string failure = crossing.failure(); !failure.empty()) {
-      result.completed = false;
-      result.message = std::move(failure);
-      return;
+      return give_up(std::move(failure), result);
     }
+    if (deadline.passed()) return give_up(deadline.message(), result);
+  }
+}
+
+/// Of a trial that ended in the middle of anything.
+TrialResult without_memory(const TrialOptions& options) {
+  TrialResult failed;
+  give_up("the machine has no memory left for the test", failed);
+  failed.troubles.error = failed.message;
+  if (options.record != nullptr) {
+    *options.record = Recording();
+    options.record->add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = std::string(kErrored), .text = failed.message});
+  }
+  return failed;
+}
+
+/// What the controller makes of the end may be wrong, too.
+void end_drive(Crossing& crossing, TrialResult& result) {
+  crossing.end();
+  if (std::string failure = crossing.failure(); !failure.empty()) {
+    give_up(std::move(failure), result);
   }
 }
 
@@ -194,6 +265,10 @@ std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) 
 TestOutcome outcome_of(const TrialResult& trial) {
   const CrossingResult& of = trial.outcome;
   TestOutcome outcome{.ticks = static_cast<std::uint32_t>(of.all_ticks)};
+  if (!trial.completed) {
+    outcome.ended_by = kErrored;
+    return outcome;
+  }
   if (of.success) outcome.precondition_ticks = static_cast<std::uint32_t>(of.ticks);
   if (of.end) outcome.ended_by = name(*of.end);
   if (!of.collisions.empty()) outcome.impact_mps = of.collisions.front().impact_mps;
@@ -229,8 +304,11 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   MasOptions mas_options;
   mas_options.seed = seed_for(input, Purpose::agents);
   mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
-  mas_options.max_cycles = options.max_cycles;
+  const TestLimits& limits = prepared_.scenario().experiment.limits;
+  const TestDeadline deadline(limits.time_s);
+  mas_options.max_cycles = options.max_cycles > 0 ? options.max_cycles : limits.cycles;
   mas_options.max_ticks = options.max_ticks;
+  set_limits(limits, deadline, mas_options);
   mas_options.print = options.print;
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;
@@ -251,14 +329,16 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   if (options.record != nullptr) {
     *options.record = Recording(prepared_.scenario().world.tick_s, crossing.actors());
   }
-  run_to_the_end(*mas_, crossing, options, result);
-  if (result.completed) crossing.end();
+  run_to_the_end(*mas_, crossing, options, deadline, result);
+  if (result.completed) end_drive(crossing, result);
   result.note = crossing.note();
-  if (options.record != nullptr) record_events(crossing, input, *options.record);
+  if (options.record != nullptr) record_events(crossing, input, result, *options.record);
   result.outcome = crossing.result();
-  result.left_over = crossing.left_over();
+  // A chain goes on as if a new one began.
+  result.left_over = result.completed ? crossing.left_over() : 0;
   result.cycles = mas_->outcome().cycles;
   result.troubles = troubles_of(*mas_, result.outcome);
+  if (!result.completed) result.troubles.error = result.message;
   result.cpu_s = mas_->reasoning_cpu_s();
   return result;
 }
@@ -272,8 +352,14 @@ TrialResult TrialRunners::run(const TrialInput& input, const TrialOptions& optio
       idle_.pop_back();
     }
   }
-  if (runner == nullptr) runner = std::make_unique<TrialRunner>(prepared_);
-  TrialResult result = runner->run(input, options);
+  TrialResult result;
+  try {
+    if (runner == nullptr) runner = std::make_unique<TrialRunner>(prepared_);
+    result = runner->run(input, options);
+  } catch (const std::bad_alloc&) {
+    // Of the runner nothing is used again.
+    return without_memory(options);
+  }
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(runner));
   return result;

@@ -119,8 +119,9 @@ struct TrialOptions {
   TrialObserver observe;
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
   /// the first in the zone, `collision`, of whoever the AV touched, `signal`, the colour that one
-  /// begins to show, `feedback`, what the pedestrians were told of earlier tests, and `head_start`,
-  /// the AV's if it has one. Null: nothing is recorded.
+  /// begins to show, `errored`, why the test came to no end of its own, `feedback`, what the
+  /// pedestrians were told of earlier tests, and `head_start`, the AV's if it has one. Null:
+  /// nothing is recorded.
   Recording* record = nullptr;
   /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
   ReasoningObserver* observer = nullptr;
@@ -128,7 +129,8 @@ struct TrialOptions {
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the trial is given up.
   std::uint64_t max_cycles_per_tick = 1'000'000;
-  /// Reasoning cycles of one agent in all, and ticks, before the trial is given up; 0: no limit.
+  /// Reasoning cycles of one agent in all before the trial is given up, in place of the scenario's
+  /// limit; and ticks. 0: that limit, and none.
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
   bool measure_cpu = false;
@@ -138,7 +140,8 @@ struct TrialResult {
   CrossingResult outcome;
   /// The head start of the next test (Crossing::left_over).
   int left_over = 0;
-  /// The test came to its end; otherwise `message` says which agent ran away or stopped it.
+  /// The test came to an end of its own; otherwise it is errored and `message` says why and where:
+  /// which agent ran away, reached a limit or stopped it, or what the AV's controller did.
   bool completed = true;
   std::string message;
   std::uint64_t cycles = 0;
@@ -180,7 +183,7 @@ class TrialRunners {
   /// The scenario must outlive them.
   explicit TrialRunners(const PreparedScenario& prepared) : prepared_(prepared) {}
 
-  /// As run_trial, on any thread.
+  /// As run_trial, on any thread. Without enough memory the trial is errored.
   [[nodiscard]] TrialResult run(const TrialInput& input, const TrialOptions& options = {});
 
  private:

@@ -23,6 +23,25 @@ bool comes_before(const SharedCause& left, const SharedCause& right) {
   return left.cause.formula < right.cause.formula;
 }
 
+using Errors = std::map<std::string, SharedError>;
+
+void add_error(const SharedError& error, std::uint64_t& count, Errors& errors) {
+  count += error.tests;
+  const auto [known, is_new] = errors.try_emplace(error.message, error);
+  if (is_new) return;
+  known->second.tests += error.tests;
+  known->second.first_test = std::min(known->second.first_test, error.first_test);
+}
+
+std::vector<SharedError> most_frequent_first(const Errors& errors) {
+  std::vector<SharedError> sorted;
+  for (const auto& [message, error] : errors) sorted.push_back(error);
+  std::ranges::stable_sort(sorted, [](const SharedError& left, const SharedError& right) {
+    return left.tests > right.tests;
+  });
+  return sorted;
+}
+
 }  // namespace
 
 void TroublesSum::add_cause(std::uint64_t test, const DropCause& cause) {
@@ -51,18 +70,22 @@ void TroublesSum::add(std::uint64_t test, const TestTroubles& troubles) {
     last = drop.actor;
     add_cause(test, drop.cause);
   }
+  if (!troubles.error.empty()) add_error({troubles.error, 1, test}, totals_.errored, errors_);
 }
 
 Troubles TroublesSum::sum() const {
   Troubles sum = totals_;
   for (const Entry& entry : entries_) sum.causes.push_back(entry.shared);
   std::ranges::sort(sum.causes, comes_before);
+  sum.errors = most_frequent_first(errors_);
   return sum;
 }
 
 Troubles together(std::span<const Troubles> parts) {
   Troubles all;
+  Errors errors;
   for (const Troubles& part : parts) {
+    for (const SharedError& each : part.errors) add_error(each, all.errored, errors);
     all.agents += part.agents;
     all.pedestrians += part.pedestrians;
     all.idle += part.idle;
@@ -79,6 +102,7 @@ Troubles together(std::span<const Troubles> parts) {
     }
   }
   std::ranges::sort(all.causes, comes_before);
+  all.errors = most_frequent_first(errors);
   return all;
 }
 

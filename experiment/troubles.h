@@ -1,10 +1,11 @@
 #pragma once
 
 // What went wrong with agents, beside what the measures see: intentions that they dropped, and
-// pedestrians that never acted. A misspelt action gives an accuracy of 0 %; this says why. Read
-// interpreter/agent/drops.h before.
+// pedestrians that never acted, and tests that ended errored. A misspelt action gives an accuracy
+// of 0 %; this says why. Read interpreter/agent/drops.h before.
 
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <span>
 #include <string>
@@ -30,6 +31,18 @@ struct TestTroubles {
   std::uint64_t idle = 0;
   /// In the order of the agents.
   std::vector<AgentDrop> drops;
+  /// Why, and where, the test ended errored; empty if it did not.
+  std::string error;
+};
+
+/// What several tests ended errored of.
+struct SharedError {
+  std::string message;
+  std::uint64_t tests = 0;
+  /// The number of the first of them.
+  std::uint64_t first_test = 0;
+
+  friend bool operator==(const SharedError&, const SharedError&) = default;
 };
 
 /// A reason that several agents had.
@@ -49,6 +62,9 @@ struct Troubles {
   std::uint64_t dropping = 0;
   /// Those of most agents first.
   std::vector<SharedCause> causes;
+  /// Tests that ended errored, and why: what most of them ended of first.
+  std::uint64_t errored = 0;
+  std::vector<SharedError> errors;
 
   [[nodiscard]] bool never_acted() const { return pedestrians > 0 && idle == pedestrians; }
 };
@@ -67,8 +83,9 @@ class TroublesSum {
   };
   void add_cause(std::uint64_t test, const DropCause& cause);
 
-  Troubles totals_;  // without causes
+  Troubles totals_;  // without causes and errors
   std::vector<Entry> entries_;
+  std::map<std::string, SharedError> errors_;  // by message
 };
 
 /// Those of several numbers of agents together.

@@ -77,16 +77,22 @@ Json to_object(const SharedCause& shared) {
 Json to_object(const Troubles& troubles) {
   Json causes = Json::array();
   for (const SharedCause& each : troubles.causes) causes.push_back(to_object(each));
-  return {{"agents", troubles.agents},
-          {"dropped_an_intention", troubles.dropping},
-          {"pedestrians", troubles.pedestrians},
-          {"never_acted", troubles.idle},
-          {"causes", std::move(causes)}};
+  Json object = {{"agents", troubles.agents},
+                 {"dropped_an_intention", troubles.dropping},
+                 {"pedestrians", troubles.pedestrians},
+                 {"never_acted", troubles.idle},
+                 {"causes", std::move(causes)}};
+  for (const SharedError& each : troubles.errors) {
+    object["errors"].push_back(
+        {{"message", each.message}, {"tests", each.tests}, {"first_test", each.first_test}});
+  }
+  return object;
 }
 
 Json to_object(const KillCell& cell, const std::string& defect) {
   const ConfidenceInterval interval = wilson_interval(cell.kills, cell.tests);
   Json object = {{"defect", defect}, {"tests", cell.tests}, {"kills", cell.kills}};
+  if (cell.errored > 0) object["errored"] = cell.errored;
   add_number(object, "low", 100 * interval.low);
   add_number(object, "high", 100 * interval.high);
   object["first_kill"] = cell.first ? Json(*cell.first) : Json(nullptr);

@@ -13,6 +13,7 @@ namespace {
 struct Case {
   std::string name;
   Verdict verdict = Verdict::pass;
+  bool errored = false;
   std::string message;
 };
 
@@ -26,11 +27,16 @@ std::string on_one_line(std::string text) {
 std::string suite(const std::string& name, const std::vector<Case>& cases) {
   std::size_t failures = 0;
   std::size_t skipped = 0;
+  std::size_t errors = 0;
   std::string text;
   for (const Case& each : cases) {
     text += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", on_one_line(name),
                         on_one_line(each.name));
-    if (each.verdict == Verdict::fail) {
+    if (each.errored) {
+      ++errors;
+      text += fmt::format(">\n      <error message=\"{}\"/>\n    </testcase>\n",
+                          on_one_line(each.message));
+    } else if (each.verdict == Verdict::fail) {
       ++failures;
       text += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n",
                           on_one_line(each.message));
@@ -43,9 +49,9 @@ std::string suite(const std::string& name, const std::vector<Case>& cases) {
     }
   }
   return fmt::format(
-      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}"
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}"
       "  </testsuite>\n",
-      on_one_line(name), cases.size(), failures, skipped, text);
+      on_one_line(name), cases.size(), failures, errors, skipped, text);
 }
 
 std::string document(std::string_view suites) {
@@ -79,6 +85,24 @@ Case case_of(const Assertion& assertion, const Judgement& judgement) {
   return result;
 }
 
+/// A suite of the rows some of whose tests ended errored, whatever is judged.
+std::string errored_suite(const Comparison& comparison) {
+  std::vector<Case> cases;
+  for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
+    const Summary& summary = comparison.summaries[row];
+    if (summary.errored == 0) continue;
+    Case result{
+        .name = fmt::format("{}, {} agents", summary.behaviour, summary.agents),
+        .errored = true,
+        .message = fmt::format("{} of {} tests ended errored", summary.errored, summary.tests)};
+    if (row < comparison.troubles.size() && !comparison.troubles[row].errors.empty()) {
+      result.message += ": " + comparison.troubles[row].errors.front().message;
+    }
+    cases.push_back(std::move(result));
+  }
+  return cases.empty() ? std::string() : suite("errored", cases);
+}
+
 }  // namespace
 
 std::string to_junit(const Comparison& comparison) {
@@ -90,7 +114,7 @@ std::string to_junit(const Comparison& comparison) {
     }
     suites += suite(comparison.assertions[i], cases);
   }
-  return document(suites);
+  return document(suites + errored_suite(comparison));
 }
 
 std::string to_junit(const std::string& name, const Inquiry& inquiry,

@@ -1,7 +1,6 @@
 #include "experiment/kills/kills.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace jaywalk {
 namespace {
@@ -46,6 +45,12 @@ bool blames_the_av(std::span<const Assessment> assessments) {
 std::uint64_t KillRow::tests() const {
   std::uint64_t sum = 0;
   for (const KillCell& cell : cells) sum += cell.tests;
+  return sum;
+}
+
+std::uint64_t KillRow::errored() const {
+  std::uint64_t sum = 0;
+  for (const KillCell& cell : cells) sum += cell.errored;
   return sum;
 }
 
@@ -97,10 +102,10 @@ double mutation_score(const KillRow& row, std::uint64_t tests) {
   double score = 0;
   for (const KillCell& cell : row.cells) {
     if (cell.kills == 0) continue;
-    assert(tests <= cell.tests);
     NoKill none(cell);
     double chance = 1;
-    for (std::uint64_t i = 0; i < tests && chance > 0; ++i) chance = none.next();
+    for (std::uint64_t i = 0; i < std::min(tests, cell.tests) && chance > 0; ++i)
+      chance = none.next();
     score += 1 - chance;
   }
   return score / static_cast<double>(row.cells.size());
@@ -110,10 +115,16 @@ KillTable::KillTable(const ExperimentPlan& plan, std::uint64_t expected)
     : plan_(plan), expected_(expected), cells_(plan.vehicles.size() > 1 ? plan.cells() : 0) {}
 
 void KillTable::add(const TestCase& test, bool blamed) {
+  add(test, blamed ? Outcome::blamed : Outcome::kept);
+}
+
+void KillTable::add_errored(const TestCase& test) { add(test, Outcome::errored); }
+
+void KillTable::add(const TestCase& test, Outcome outcome) {
   if (cells_.empty()) return;
   Cell& cell = cells_[plan_.cell_of(test)];
   std::call_once(cell.started, [&] { cell.tests.resize(plan_.tests); });
-  cell.tests[test.number] = blamed ? Outcome::blamed : Outcome::kept;
+  cell.tests[test.number] = outcome;
 }
 
 KillCell KillTable::compare(const Cell& healthy, const Cell& defective) const {
@@ -123,11 +134,15 @@ KillCell KillTable::compare(const Cell& healthy, const Cell& defective) const {
     const Outcome twin = healthy.tests[test];
     const Outcome own = defective.tests[test];
     if (twin == Outcome::unknown || own == Outcome::unknown) continue;
+    if (twin == Outcome::errored || own == Outcome::errored) {
+      ++result.errored;
+      continue;
+    }
     ++result.tests;
     if (twin != Outcome::kept || own != Outcome::blamed) continue;
     if (++result.kills == 1) result.first = result.tests;
   }
-  return result.tests == expected_ ? result : KillCell{};
+  return result.tests + result.errored == expected_ ? result : KillCell{};
 }
 
 KillMatrix KillTable::matrix() const {

@@ -24,8 +24,10 @@ namespace jaywalk {
 
 /// The tests of a behaviour with one number of agents and one defect.
 struct KillCell {
-  /// 0 as long as not all of them are finished.
+  /// 0 as long as not all of them are finished. Those that ended errored, with the healthy AV or
+  /// the defective one, are left out: nothing is known of them.
   std::uint64_t tests = 0;
+  std::uint64_t errored = 0;
   std::uint64_t kills = 0;
   /// How many tests were run up to the first that kills, that one included.
   std::optional<std::uint64_t> first;
@@ -52,6 +54,7 @@ struct KillRow {
   /// With each of those whose tests are finished.
   [[nodiscard]] std::uint64_t tests_of_each() const;
   [[nodiscard]] std::uint64_t kills() const;
+  [[nodiscard]] std::uint64_t errored() const;
   /// How many defects some test of it kills.
   [[nodiscard]] std::size_t killed() const;
 };
@@ -77,7 +80,7 @@ struct KillMatrix {
 [[nodiscard]] std::optional<std::uint64_t> first_kill_median(const KillRow& row);
 
 /// The share of defects, from 0 to 1, that so many of the row's tests are expected to kill: the
-/// mean over all choices of tests. REQUIRES: at most as many as there are.
+/// mean over all choices of tests; a defect with fewer tests counts with those that it has.
 [[nodiscard]] double mutation_score(const KillRow& row, std::uint64_t tests);
 
 /// The defects that no row kills, as indices.
@@ -96,15 +99,18 @@ class KillTable {
 
   /// REQUIRES: a test of the plan, numbered from 0; each once.
   void add(const TestCase& test, bool blamed);
+  /// The same for a test that ended errored.
+  void add_errored(const TestCase& test);
   /// REQUIRES: nobody adds meanwhile.
   [[nodiscard]] KillMatrix matrix() const;
 
  private:
-  enum class Outcome : std::uint8_t { unknown, kept, blamed };
+  enum class Outcome : std::uint8_t { unknown, kept, blamed, errored };
   struct Cell {
     std::once_flag started;
     std::vector<Outcome> tests;
   };
+  void add(const TestCase& test, Outcome outcome);
   [[nodiscard]] KillCell compare(const Cell& healthy, const Cell& defective) const;
 
   ExperimentPlan plan_;

@@ -27,7 +27,7 @@ double standard_error(const Sample& ours, double published_tests) {
 /// Of a difference of two shares in percent. If both come from one program, the share of all tests
 /// is the best guess at its probability.
 double standard_error(const Summary& ours, double published_pct) {
-  const auto tests = static_cast<double>(ours.tests);
+  const auto tests = static_cast<double>(ours.judged());
   const double both =
       (static_cast<double>(ours.successes) + published_pct / 100 * kPublishedTests) /
       (tests + kPublishedTests);
@@ -41,7 +41,7 @@ class Comparer {
 
   void compare() {
     const auto accuracy = published("accuracy");
-    if (!accuracy) return;
+    if (!accuracy || ours_.judged() == 0) return;
     add("accuracy", standard_error(ours_, *accuracy), 0);
     if (ours_.score.count > 0) {
       add("score", standard_error(ours_.score, *accuracy / 100 * kPublishedTests), kHalfAHundredth);

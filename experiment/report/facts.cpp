@@ -35,7 +35,9 @@ void FactsTable::add(const TestCase& test, const TestResult& result) {
   const std::lock_guard lock(cell.mutex);
   cell.facts.succeeded.resize(tests_);
   cell.facts.succeeded[test.number] = result.succeeded;
-  ++cell.facts.ticks[result.ticks];
+  cell.facts.errored.resize(tests_);
+  cell.facts.errored[test.number] = result.errored;
+  if (!result.errored) ++cell.facts.ticks[result.ticks];
 }
 
 void FactsTable::add_place(const TestCase& test, double x_m, double y_m) {
@@ -46,6 +48,7 @@ void FactsTable::add_place(const TestCase& test, double x_m, double y_m) {
 
 void FactsTable::add(const TestCase& test, const TestResult& result, const Recording& recording) {
   add(test, result);
+  if (result.errored) return;
   for (const RecordedEvent& event : recording.events()) {
     if (event.kind != "precondition" || !event.actor) continue;
     const ActorState& state = recording.scene(event.tick)[*event.actor];

@@ -21,9 +21,10 @@ inline constexpr double kSquare_m = 0.5;
 
 /// Of one behaviour with one number of agents.
 struct CellFacts {
-  /// By the number of the test.
+  /// By the number of the test, as the next.
   std::vector<bool> succeeded;
-  /// The ticks of all tests.
+  std::vector<bool> errored;
+  /// The ticks of all tests but those that ended errored.
   Counts ticks;
   /// How many pedestrians met the precondition where.
   std::map<Square, std::uint64_t> places;

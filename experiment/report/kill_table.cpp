@@ -55,6 +55,19 @@ std::string defect_line(const KillMatrix& matrix, std::size_t defect, std::size_
                             count_text(first_kill_median(cell), cell.tests));
 }
 
+/// Which rows' numbers are of fewer tests.
+std::string errored_lines(const KillMatrix& matrix) {
+  std::string text;
+  for (const KillRow& row : matrix.rows) {
+    if (row.errored() == 0) continue;
+    text += fmt::format(
+        "{}: {} tests ended errored, with the healthy AV or the defective one, and "
+        "are left out\n",
+        row_name(row), row.errored());
+  }
+  return text.empty() ? text : '\n' + text;
+}
+
 std::string predictor_lines(const Comparison& comparison) {
   std::string text;
   std::uint32_t agents = 0;
@@ -75,7 +88,7 @@ std::string predictor_lines(const Comparison& comparison) {
 std::string render_kills(const KillMatrix& matrix) {
   if (matrix.empty()) return {};
   const std::size_t width = name_width(matrix);
-  std::string text = behaviour_lines(matrix, width);
+  std::string text = behaviour_lines(matrix, width) + errored_lines(matrix);
   text += fmt::format("\n{:<{}}  killed by\n", "defect", width);
   for (std::size_t i = 0; i < matrix.defects.size(); ++i) text += defect_line(matrix, i, width);
   std::vector<std::string> team;

@@ -1,5 +1,6 @@
 #include "experiment/report/table.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -15,6 +16,8 @@ namespace {
 enum class Interval95 { shown, hidden };
 /// The columns of the published values.
 enum class Paper { shown, hidden };
+/// The column of the tests that ended errored, which is there if some did.
+enum class Errored { shown, hidden };
 
 /// A measure in the table: its value, perhaps its interval, and the paper's value.
 struct Column {
@@ -34,6 +37,7 @@ constexpr std::array kColumns = {
 };
 
 constexpr int kAgentsWidth = 6;
+constexpr int kErroredWidth = 7;
 constexpr int kIntervalWidth = 16;
 constexpr int kPaperWidth = 7;
 
@@ -46,8 +50,9 @@ std::string interval_text(const Estimate& estimate, int decimals) {
   return fmt::format("{:.{}f} to {:.{}f}", *estimate.low, decimals, *estimate.high, decimals);
 }
 
-std::string heading(Paper paper) {
+std::string heading(Paper paper, Errored errored) {
   std::string line = fmt::format("{:>{}}", "agents", kAgentsWidth);
+  if (errored == Errored::shown) line += fmt::format("  {:>{}}", "errored", kErroredWidth);
   for (const Column& column : kColumns) {
     line += fmt::format("  {:>{}}", column.title, column.width);
     if (column.interval == Interval95::shown) {
@@ -58,8 +63,9 @@ std::string heading(Paper paper) {
   return line + '\n';
 }
 
-std::string row(const Summary& summary, const PublishedRows& published) {
+std::string row(const Summary& summary, const PublishedRows& published, Errored errored) {
   std::string line = fmt::format("{:>{}}", summary.agents, kAgentsWidth);
+  if (errored == Errored::shown) line += fmt::format("  {:>{}}", summary.errored, kErroredWidth);
   for (const Column& column : kColumns) {
     const Measure& measure = *find_measure(column.measure);
     const Estimate ours = measure.estimate(summary);
@@ -81,18 +87,23 @@ std::string render_table(const Comparison& comparison) {
   std::string table;
   const PublishedRows& published = comparison.published;
   const Paper paper = published.behaviours.empty() ? Paper::hidden : Paper::shown;
+  const bool some = std::ranges::any_of(comparison.summaries,
+                                        [](const Summary& each) { return each.errored > 0; });
+  const Errored errored = some ? Errored::shown : Errored::hidden;
   const std::string* behaviour = nullptr;
   for (const Summary& summary : comparison.summaries) {
     if (behaviour == nullptr || *behaviour != summary.behaviour) {
       behaviour = &summary.behaviour;
       if (!table.empty()) table += '\n';
       table += fmt::format("{} ({} lines of AgentSpeak)\n", *behaviour, summary.code_lines);
-      table += heading(paper);
+      table += heading(paper, errored);
     }
-    table += row(summary, published);
+    table += row(summary, published, errored);
   }
   if (table.empty()) return table;
   std::string notes;
+  if (some)
+    notes += "errored: tests that came to no end of their own; the measures are of the others.\n";
   for (const std::string& note : published_notes(published)) notes += note + '\n';
   if (const std::string note = agreement_note(comparison); !note.empty()) notes += note + '\n';
   return notes.empty() ? table : table + '\n' + notes;

@@ -13,6 +13,22 @@ std::string counted_agents(std::uint64_t count) {
   return fmt::format("{} agent{}", count, count == 1 ? "" : "s");
 }
 
+std::string counted_tests(std::uint64_t count) {
+  return fmt::format("{} test{}", count, count == 1 ? "" : "s");
+}
+
+std::string error_lines(const std::vector<SharedError>& errors) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostCausesShown, errors.size()); ++i) {
+    text += fmt::format("    {}, the first is {}: {}\n", counted_tests(errors[i].tests),
+                        errors[i].first_test, errors[i].message);
+  }
+  if (errors.size() > kMostCausesShown) {
+    text += fmt::format("    and {} more errors\n", errors.size() - kMostCausesShown);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<BehaviourTroubles> troubles_of(const Comparison& comparison) {
@@ -24,13 +40,18 @@ std::vector<BehaviourTroubles> troubles_of(const Comparison& comparison) {
       parts.push_back(comparison.troubles[row++]);
     }
     Troubles all = together(parts);
-    if (all.dropping > 0 || all.idle > 0) found.push_back({behaviour, std::move(all)});
+    if (all.dropping > 0 || all.idle > 0 || all.errored > 0)
+      found.push_back({behaviour, std::move(all)});
   }
   return found;
 }
 
 std::vector<std::string> trouble_sentences(const Troubles& troubles) {
   std::vector<std::string> sentences;
+  if (troubles.errored > 0) {
+    sentences.push_back(fmt::format("{} ended errored; the measures are of the others",
+                                    counted_tests(troubles.errored)));
+  }
   if (troubles.never_acted()) {
     sentences.push_back(
         fmt::format("its agents never acted: no action of {} pedestrian{} was carried out",
@@ -53,6 +74,7 @@ std::string render_troubles(const std::vector<BehaviourTroubles>& behaviours) {
     for (const std::string& sentence : trouble_sentences(troubles)) {
       text += fmt::format("  {}: {}\n", behaviour, sentence);
     }
+    text += error_lines(troubles.errors);
     for (std::size_t i = 0; i < std::min(kMostCausesShown, troubles.causes.size()); ++i) {
       const auto& [cause, agents] = troubles.causes[i];
       text += fmt::format("    {}: {}\n", counted_agents(agents), describe(cause));
@@ -67,9 +89,15 @@ std::string render_troubles(const std::vector<BehaviourTroubles>& behaviours) {
   return text;
 }
 
+std::uint64_t errored_tests(const Comparison& comparison) {
+  std::uint64_t count = 0;
+  for (const Summary& summary : comparison.summaries) count += summary.errored;
+  return count;
+}
+
 bool is_troubled(const std::vector<BehaviourTroubles>& behaviours) {
   return std::ranges::any_of(behaviours, [](const BehaviourTroubles& each) {
-    return each.troubles.dropping > 0 || each.troubles.never_acted();
+    return each.troubles.dropping > 0 || each.troubles.errored > 0 || each.troubles.never_acted();
   });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What went wrong with agents, as text.
+// What went wrong with agents and tests, as text.
 
 #include <string>
 #include <string_view>
@@ -26,7 +26,11 @@ struct BehaviourTroubles {
 /// is well.
 [[nodiscard]] std::string render_troubles(const std::vector<BehaviourTroubles>& behaviours);
 
-/// Whether `--strict` objects: some agent has dropped an intention, or a behaviour never acted.
+/// How many of the comparison's tests ended errored.
+[[nodiscard]] std::uint64_t errored_tests(const Comparison& comparison);
+
+/// Whether `--strict` objects: some agent has dropped an intention, a test ended errored, or a
+/// behaviour never acted.
 [[nodiscard]] bool is_troubled(const std::vector<BehaviourTroubles>& behaviours);
 
 }  // namespace jaywalk

@@ -124,7 +124,16 @@ bool ResultsReader::complete() const {
 }
 
 Result<std::vector<StoredTest>> ResultsReader::tests(const TestFilter& filter) const {
-  return impl_->checked(read_tests(impl_->database(), description(), filter));
+  std::vector<StoredTest> tests;
+  auto failure = for_each_test(filter, [&](const StoredTest& each) { tests.push_back(each); });
+  if (failure) return std::move(*failure);
+  return tests;
+}
+
+std::optional<Diagnostics> ResultsReader::for_each_test(
+    const TestFilter& filter, const std::function<void(const StoredTest&)>& callback) const {
+  read_tests(impl_->database(), description(), filter, callback);
+  return impl_->failure();
 }
 
 Result<StoredTest> ResultsReader::test(std::int64_t id) const {
@@ -244,9 +253,11 @@ Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& op
   }
   TrialResult result = run_trial(*scenario.value(), trial_input.value(), options);
   const TestResult& wanted = stored.value().result;
-  const bool same = result.completed && result.outcome.success == wanted.succeeded &&
-                    static_cast<std::uint32_t>(result.outcome.ticks) == wanted.ticks &&
-                    result.outcome.score() == wanted.score;
+  const bool same = wanted.errored
+                        ? !result.completed
+                        : result.completed && result.outcome.success == wanted.succeeded &&
+                              static_cast<std::uint32_t>(result.outcome.ticks) == wanted.ticks &&
+                              result.outcome.score() == wanted.score;
   if (same) return result;
   return store_error(
       path(), fmt::format("test {} came out otherwise than stored", id),
@@ -269,6 +280,12 @@ std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) c
     if (test.vehicle == 0) table.add(test, from_assessments(rows, ids.value()));
   });
   if (failure || !any) return failure;
+  failure = for_each_test({.vehicle = std::nullopt, .errored = true}, [&](const StoredTest& each) {
+    TestCase test = each.test;
+    test.number -= description().first_test;
+    kills.add_errored(test);
+  });
+  if (failure) return failure;
   comparison.kills = kills.matrix();
   comparison.assertions = std::move(ids).value();
   for (const Summary& summary : comparison.summaries) {
@@ -279,6 +296,22 @@ std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) c
   return std::nullopt;
 }
 
+/// Two passes over the tests, of which none is kept.
+Result<Summary> ResultsReader::summary_of(std::size_t behaviour, std::uint32_t agents) const {
+  const TestFilter cell{.behaviour = behaviour, .agents = agents};
+  SummaryMaker maker;
+  for (int pass = 0; pass < SummaryMaker::kPasses; ++pass) {
+    auto failure = for_each_test(cell, [&](const StoredTest& each) { maker.add(each.result); });
+    if (failure) return std::move(*failure);
+    maker.end_pass();
+  }
+  Summary summary = maker.summary();
+  summary.behaviour = description().behaviours[behaviour].name;
+  summary.agents = agents;
+  summary.code_lines = description().behaviours[behaviour].code_lines;
+  return summary;
+}
+
 Result<Comparison> ResultsReader::comparison() const {
   const ExperimentDescription& plan = description();
   Comparison comparison{.scenario = plan.scenario,
@@ -287,18 +320,14 @@ Result<Comparison> ResultsReader::comparison() const {
                         .complete = complete()};
   for (std::size_t behaviour = 0; behaviour < plan.behaviours.size(); ++behaviour) {
     for (const std::uint32_t agents : plan.agents) {
-      auto stored = tests({.behaviour = behaviour, .agents = agents});
-      if (!stored) return std::move(stored.diagnostics());
-      if (stored.value().empty() || stored.value().size() != tests_in_shard(plan)) continue;
-      std::vector<TestResult> results;
-      for (const StoredTest& each : stored.value()) results.push_back(each.result);
-      Summary summary = summarise(results);
-      summary.behaviour = plan.behaviours[behaviour].name;
-      summary.agents = agents;
-      summary.code_lines = plan.behaviours[behaviour].code_lines;
-      comparison.summaries.push_back(std::move(summary));
+      auto summary = summary_of(behaviour, agents);
+      if (!summary) return std::move(summary.diagnostics());
+      if (summary.value().tests == 0 || summary.value().tests != tests_in_shard(plan)) continue;
+      comparison.summaries.push_back(std::move(summary).value());
+      const TestCase first{.behaviour = behaviour, .agents = agents, .number = plan.first_test};
+      const std::int64_t id = test_id(plan, first);
       auto troubles = impl_->checked(
-          read_troubles(impl_->database(), stored.value().front().id, stored.value().back().id));
+          read_troubles(impl_->database(), id, id + static_cast<std::int64_t>(plan.tests) - 1));
       if (!troubles) return std::move(troubles.diagnostics());
       comparison.troubles.push_back(std::move(troubles).value());
     }
@@ -325,7 +354,7 @@ Result<std::string> per_test_table(const ResultsReader& store) {
     TestCase test = each.test;
     test.number -= description.first_test;
     TestFindings& found = findings[each.id];
-    found.judgements.resize(ids.value().size());
+    if (!each.result.errored) found.judgements.resize(ids.value().size());
     table.add(test, each.outcome, found);
   }
   return table.csv(description.first_test);

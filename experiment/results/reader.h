@@ -37,6 +37,7 @@ struct TestFilter {
   std::optional<std::size_t> behaviour;
   std::optional<std::uint32_t> agents;
   std::optional<bool> succeeded;
+  std::optional<bool> errored;
   /// At most so many, the first ones.
   std::optional<std::uint64_t> limit;
 };
@@ -63,6 +64,9 @@ class ResultsReader {
 
   /// In the order of their ids, which is that of the plan.
   [[nodiscard]] Result<std::vector<StoredTest>> tests(const TestFilter& filter = {}) const;
+  /// The same one by one. The error is what could not be read.
+  [[nodiscard]] std::optional<Diagnostics> for_each_test(
+      const TestFilter& filter, const std::function<void(const StoredTest&)>& callback) const;
   /// Error: there is no such test.
   [[nodiscard]] Result<StoredTest> test(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
@@ -95,8 +99,9 @@ class ResultsReader {
   /// What to run for a test: `run_trial(*prepared, input)` repeats it. Error: it would start a
   /// command, which is refused.
   [[nodiscard]] Result<TrialInput> input(std::int64_t id) const;
-  /// Runs a test again, with what the caller wants to see of it. Error: its outcome is not the
-  /// stored one, as when another version of the program wrote the store.
+  /// Runs a test again, with what the caller wants to see of it; one that ended errored does so
+  /// again, perhaps of something else. Error: its outcome is not the stored one, as when another
+  /// version of the program wrote the store.
   [[nodiscard]] Result<TrialResult> rerun(std::int64_t id, const TrialOptions& options = {}) const;
 
   /// What the tests come to: rows whose tests (those of the shard) are all there, with what
@@ -105,6 +110,7 @@ class ResultsReader {
 
  private:
   class Impl;
+  [[nodiscard]] Result<Summary> summary_of(std::size_t behaviour, std::uint32_t agents) const;
   [[nodiscard]] std::optional<Diagnostics> add_findings(Comparison& comparison) const;
   explicit ResultsReader(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;

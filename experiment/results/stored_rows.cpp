@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -58,6 +57,7 @@ StoredTest test_of(Database& database, const ExperimentDescription& description,
                   .precondition_ticks = integer_or_null<std::uint32_t>(row, 8),
                   .ended_by = row.text(9),
                   .impact_mps = real_or_null(row, 10)};
+  test.result.errored = test.outcome.ended_by == kErrored;
   return test;
 }
 
@@ -128,21 +128,22 @@ void read_scenes(Database& database, std::int64_t test_id, Recording& recording)
 
 }  // namespace
 
-std::vector<StoredTest> read_tests(Database& database, const ExperimentDescription& description,
-                                   const TestFilter& filter) {
+void read_tests(Database& database, const ExperimentDescription& description,
+                const TestFilter& filter, const std::function<void(const StoredTest&)>& callback) {
   std::string sql(kTestColumns);
   sql +=
       "WHERE id >= ?1 AND id <= ?2 AND (?3 IS NULL OR agents = ?3) "
-      "AND (?4 IS NULL OR met_precondition = ?4) ORDER BY id LIMIT ?5";
+      "AND (?4 IS NULL OR met_precondition = ?4) "
+      "AND (?6 IS NULL OR (ended_by = 'errored') = ?6) ORDER BY id LIMIT ?5";
   const auto [first, last] = ids_of(description, filter);
   std::optional<int> succeeded;
   if (filter.succeeded) succeeded = *filter.succeeded ? 1 : 0;
+  std::optional<int> errored;
+  if (filter.errored) errored = *filter.errored ? 1 : 0;
   Statement row(database, sql);
   row.bind(first, last, filter.agents, succeeded,
-           filter.limit ? static_cast<std::int64_t>(*filter.limit) : std::int64_t{-1});
-  std::vector<StoredTest> tests;
-  while (row.step()) tests.push_back(test_of(database, description, row));
-  return tests;
+           filter.limit ? static_cast<std::int64_t>(*filter.limit) : std::int64_t{-1}, errored);
+  while (row.step()) callback(test_of(database, description, row));
 }
 
 std::optional<StoredTest> read_test(Database& database, const ExperimentDescription& description,
@@ -178,36 +179,59 @@ std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
   return actors;
 }
 
-Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last) {
-  // The tests in their order, and each one's agents: as the sum wants them.
-  std::map<std::int64_t, TestTroubles> tests;
-  Statement actor(database,
-                  "SELECT test_id, count(*), count(actions), sum(actions = 0) FROM actors "
-                  "WHERE id >= ? AND id < ? AND actor > 0 GROUP BY test_id");
-  actor.bind(row_id(first, 0), row_id(last + 1, 0));
-  while (actor.step()) {
-    TestTroubles& test = tests[actor.number(0)];
-    test.agents = actor.integer<std::uint64_t>(1);
-    test.pedestrians = actor.integer<std::uint64_t>(2);
-    test.idle = actor.is_null(3) ? 0 : actor.integer<std::uint64_t>(3);
-  }
+namespace {
+
+/// Calls back for each test that dropped intentions, in their order, with nothing else.
+void read_drops(Database& database, std::int64_t first, std::int64_t last,
+                const std::function<void(std::int64_t, const TestTroubles&)>& callback) {
   Statement drop(database,
                  "SELECT test_id, actor, error, file, line, \"column\", formula, message, goals, "
                  "times FROM drops WHERE id >= ? AND id < ? ORDER BY id");
   drop.bind(row_id(first, 0), row_id(last + 1, 0));
+  TestTroubles test;
+  std::int64_t id = 0;
   while (drop.step()) {
-    tests[drop.number(0)].drops.push_back({.actor = drop.integer<std::uint32_t>(1),
-                                           .cause = {.error = drop.text(2),
-                                                     .file = drop.text(3),
-                                                     .line = drop.integer<std::uint32_t>(4),
-                                                     .column = drop.integer<std::uint32_t>(5),
-                                                     .formula = drop.text(6),
-                                                     .message = drop.text(7),
-                                                     .goals = drop.text(8),
-                                                     .times = drop.integer<std::uint64_t>(9)}});
+    if (drop.number(0) != id && !test.drops.empty()) {
+      callback(id, test);
+      test.drops.clear();
+    }
+    id = drop.number(0);
+    test.drops.push_back({.actor = drop.integer<std::uint32_t>(1),
+                          .cause = {.error = drop.text(2),
+                                    .file = drop.text(3),
+                                    .line = drop.integer<std::uint32_t>(4),
+                                    .column = drop.integer<std::uint32_t>(5),
+                                    .formula = drop.text(6),
+                                    .message = drop.text(7),
+                                    .goals = drop.text(8),
+                                    .times = drop.integer<std::uint64_t>(9)}});
   }
+  if (!test.drops.empty()) callback(id, test);
+}
+
+}  // namespace
+
+Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last) {
   TroublesSum sum;
-  for (const auto& [id, test] : tests) sum.add(static_cast<std::uint64_t>(id), test);
+  Statement actors(database,
+                   "SELECT count(*), count(actions), sum(actions = 0) FROM actors "
+                   "WHERE id >= ? AND id < ? AND actor > 0");
+  actors.bind(row_id(first, 0), row_id(last + 1, 0));
+  if (actors.step()) {
+    sum.add(0, {.agents = actors.integer<std::uint64_t>(0),
+                .pedestrians = actors.integer<std::uint64_t>(1),
+                .idle = actors.is_null(2) ? 0 : actors.integer<std::uint64_t>(2)});
+  }
+  read_drops(database, first, last, [&](std::int64_t id, const TestTroubles& test) {
+    sum.add(static_cast<std::uint64_t>(id), test);
+  });
+  // Tests are known by their numbers there.
+  Statement error(database,
+                  "SELECT number, text FROM events JOIN tests ON tests.id = test_id "
+                  "WHERE events.id >= ? AND events.id < ? AND kind = 'errored' "
+                  "ORDER BY events.id");
+  error.bind(row_id(first, 0), row_id(last + 1, 0));
+  while (error.step()) sum.add(error.integer<std::uint64_t>(0), {.error = error.text(1)});
   return sum.sum();
 }
 

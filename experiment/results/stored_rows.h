@@ -13,9 +13,8 @@
 
 namespace jaywalk {
 
-[[nodiscard]] std::vector<StoredTest> read_tests(Database& database,
-                                                 const ExperimentDescription& description,
-                                                 const TestFilter& filter);
+void read_tests(Database& database, const ExperimentDescription& description,
+                const TestFilter& filter, const std::function<void(const StoredTest&)>& callback);
 [[nodiscard]] std::optional<StoredTest> read_test(Database& database,
                                                   const ExperimentDescription& description,
                                                   std::int64_t id);

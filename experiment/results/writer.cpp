@@ -80,6 +80,25 @@ Result<OpenStore> open_to_continue(const std::string& path, const ExperimentDesc
   return open_to_read(path, Scrutiny::header);
 }
 
+/// In one transaction: a test is there whole, or it is missing and can be run.
+std::optional<Diagnostics> take_out_errored(const std::string& path) {
+  auto database = open_to_write(path);
+  if (!database) return std::move(database.diagnostics());
+  Database& store = *database.value();
+  store.execute("BEGIN");
+  store.execute(
+      "CREATE TEMP TABLE errored AS SELECT id FROM main.tests WHERE ended_by = 'errored'");
+  for (const std::string_view table : kTablesOfTests) {
+    const std::string_view key = table == "tests" ? "id" : "test_id";
+    store.execute(
+        fmt::format("DELETE FROM main.{} WHERE {} IN (SELECT id FROM errored)", table, key));
+  }
+  store.execute("COMMIT");
+  store.execute("PRAGMA journal_mode = DELETE");
+  if (store.failure()) return store_error(path, trouble_with(store));
+  return std::nullopt;
+}
+
 /// Which tests a store has.
 struct StoredIds {
   std::vector<bool> has;  // by id
@@ -233,7 +252,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::create(
 }
 
 Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
-    const std::string& path, const ExperimentDescription& description) {
+    const std::string& path, const ExperimentDescription& description, ErroredTests errored) {
   if (const auto why = excess(description)) return store_error(path, *why);
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
@@ -246,6 +265,12 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   auto seen = open_to_continue(path, description);
   if (!seen) return std::move(seen.diagnostics());
   if (auto why = mismatch(path, seen.value().description, description)) return std::move(*why);
+  if (errored == ErroredTests::taken_out) {
+    seen.value().database.reset();
+    if (auto failure = take_out_errored(path)) return std::move(*failure);
+    seen = open_to_read(path, Scrutiny::header);
+    if (!seen) return std::move(seen.diagnostics());
+  }
   auto ids = read_ids(path, seen.value());
   if (!ids) return std::move(ids.diagnostics());
   seen.value().database.reset();

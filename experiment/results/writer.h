@@ -24,8 +24,11 @@ class ResultsWriter {
   /// Continues a store, perhaps with more tests of each behaviour and number of agents than it was
   /// made for; a new one if there is no file. Errors: a file that is no store, is damaged,
   /// has another version, is in use, or holds another experiment. Such a file is left as it is.
+  /// Tests that ended errored are kept, or taken out to be run again.
+  enum class ErroredTests { kept, taken_out };
   [[nodiscard]] static Result<std::unique_ptr<ResultsWriter>> resume(
-      const std::string& path, const ExperimentDescription& description);
+      const std::string& path, const ExperimentDescription& description,
+      ErroredTests errored = ErroredTests::kept);
 
   /// Closes the store as it is; what was handed in is written.
   ~ResultsWriter();

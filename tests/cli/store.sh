@@ -2,7 +2,7 @@
 
 # results CSV: its columns but for the times.
 results() {
-  cut -d, -f1-18,21 "$1"
+  cut -d, -f1-19,22 "$1"
 }
 
 # content STORE: every row in the order of its id, but for the times that tests took; needs sqlite3.

@@ -123,6 +123,7 @@ TEST_F(ProgramsTest, AreStoppedWhenTheyLoop) {
   const TrialResult result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_NE(result.message.find("p1"), std::string::npos) << result.message;
+  EXPECT_EQ(outcome_of(result).ended_by, kErrored);
 }
 
 TEST_F(ProgramsTest, MayStopTheTest) {
@@ -131,6 +132,51 @@ TEST_F(ProgramsTest, MayStopTheTest) {
   const TrialResult result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_EQ(result.message, "an agent stopped the system");
+  EXPECT_EQ(outcome_of(result).ended_by, kErrored);
+}
+
+TEST_F(ProgramsTest, EndTestsErroredThatTakeTooManyInferences) {
+  const auto prepared = prepare(
+      "n(0). n(N) :- N > 0 & n(N - 1).\n"
+      "!count.\n+!count <- stay; ?n(300); !count.\n-!count <- stay; !count.\n",
+      "experiment: {limits: {inferences: 1000}}\n");
+  ASSERT_TRUE(prepared.ok()) << errors(prepared);
+  const TrialResult result = run(*prepared.value(), 1);
+  EXPECT_FALSE(result.completed);
+  EXPECT_NE(result.message.find("1000 inferences"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("walker.asl:3:"), std::string::npos) << result.message;
+}
+
+TEST_F(ProgramsTest, EndTestsErroredThatTakeTooMuchMemory) {
+  const auto prepared =
+      prepare("!grow([1]).\n+!grow(L) <- .concat(L, L, M); !grow(M).\n-!grow(_).\n",
+              "experiment: {limits: {memory_mb: 4}}\n");
+  ASSERT_TRUE(prepared.ok()) << errors(prepared);
+  const TrialResult result = run(*prepared.value(), 1);
+  EXPECT_FALSE(result.completed);
+  EXPECT_NE(result.message.find("walker.asl:2:"), std::string::npos) << result.message;
+}
+
+TEST_F(ProgramsTest, EndTestsErroredThatTakeTooManyCycles) {
+  const auto prepared =
+      prepare("!stay. +!stay <- stay; !stay.\n", "experiment: {limits: {cycles: 5}}\n");
+  ASSERT_TRUE(prepared.ok()) << errors(prepared);
+  const TrialResult result = run(*prepared.value(), 1);
+  EXPECT_FALSE(result.completed);
+  EXPECT_NE(result.message.find("5 cycles"), std::string::npos) << result.message;
+}
+
+/// The query would take longer by far.
+TEST_F(ProgramsTest, EndTestsErroredThatTakeTooLong) {
+  const auto prepared = prepare(
+      "d(1). d(2). d(3). d(4). d(5). d(6). d(7). d(8). d(9).\n"
+      "far :- d(A) & d(B) & d(C) & d(D) & d(E) & d(F) & d(G) & d(H) & A + B + C + D + E + F > 99.\n"
+      "!go. +!go <- ?far.\n",
+      "experiment: {limits: {inferences: 0, time_s: 0.2}}\n");
+  ASSERT_TRUE(prepared.ok()) << errors(prepared);
+  const TrialResult result = run(*prepared.value(), 1);
+  EXPECT_FALSE(result.completed);
+  EXPECT_EQ(result.message, "the test took longer than 0.2 s, the limit");
 }
 
 TEST_F(ProgramsTest, FailWhenTheyLeaveTheGrid) {

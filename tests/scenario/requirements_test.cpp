@@ -73,10 +73,11 @@ TEST(APlaceOnTheEarth, IsWhereTheStoresPointsLie) {  // F10
 
 TEST(Measures, OfThePaperAreAllThere) {  // F18
   // Tests with scores and ticks that are easy to sum up.
-  const std::vector<TestResult> results{{true, 4, 50, 10, 20},
-                                        {true, 6, 70, 10, 20},
-                                        {false, 11, -11, 10, 20},
-                                        {false, 11, -11, 10, 20}};
+  const std::vector<TestResult> results{{true, false, 4, 50, 10, 20},
+                                        {true, false, 6, 70, 10, 20},
+                                        {false, false, 11, -11, 10, 20},
+                                        {false, false, 11, -11, 10, 20},
+                                        {false, true, 3, 0, 90, 90}};
   Summary summary = summarise(results);
   summary.code_lines = 34;
   const auto value = [&](const char* name) { return *find_measure(name)->estimate(summary).value; };

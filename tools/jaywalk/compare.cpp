@@ -77,6 +77,7 @@ CommandHelp help() {
   help.options.insert(help.options.end(), kJudgingOptions.begin(), kJudgingOptions.end());
   help.options.insert(help.options.end(), kStoreOptions.begin(), kStoreOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
+  help.options.insert(help.options.end(), kLimitOptions.begin(), kLimitOptions.end());
   return help;
 }
 
@@ -132,6 +133,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                   situations_of(*request, *comparison, collected.situations));
   }
   if (const std::string note = collected.notes.text(); !note.empty()) console.note(note);
+  warn_of_errored(*comparison, console);
   if (!comparison->complete) {
     console.note(interruption(*request, outcome, *comparison));
     return ExitCode::interrupted;

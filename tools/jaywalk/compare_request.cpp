@@ -24,6 +24,7 @@ struct Options {
   std::optional<std::vector<std::uint32_t>> agents;
   std::vector<FailureCondition> conditions;
   std::optional<StoreOptions> store;
+  std::vector<std::string> limits;
 };
 
 Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
@@ -40,6 +41,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
     }
   }
   options.conditions = read_conditions(arguments, diagnostics);
+  options.limits = limit_sets(arguments, diagnostics);
   options.store = read_store_options(arguments, diagnostics);
   check_coverage_options(arguments, diagnostics);
   check_format(arguments, diagnostics);
@@ -156,10 +158,12 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     console.report(diagnostics);
     return std::nullopt;
   }
-  Request request{.prepared = prepare_scenario(located(arguments.operands().front()), arguments,
-                                               listed(arguments, "behaviours"), console),
-                  .conditions = options.conditions,
-                  .store = options.store};
+  Request request{
+      .prepared = prepare_scenario(located(arguments.operands().front()), arguments,
+                                   listed(arguments, "behaviours"), console, options.limits),
+      .limits = options.limits,
+      .conditions = options.conditions,
+      .store = options.store};
   if (!request.prepared) return std::nullopt;
   const ExperimentSpec& defaults = request.prepared->scenario().experiment;
   request.seed = options.seed.value_or(defaults.seed);
@@ -202,7 +206,8 @@ bool can_be_run(const Request& request, Console& console) {
 
 ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
   ExperimentDescription description =
-      describe(*request.prepared, scenario_options(arguments, listed(arguments, "behaviours")),
+      describe(*request.prepared,
+               scenario_options(arguments, listed(arguments, "behaviours"), request.limits),
                request.plan, request.seed);
   add_judging(description, request.inquiry.files, request.inquiry.metrics);
   return description;

@@ -22,6 +22,8 @@ namespace jaywalk::command::compare {
 /// Everything that the command line says, once it is known to be right.
 struct Request {
   std::shared_ptr<const PreparedScenario> prepared;
+  /// What the options that limit tests set in it.
+  std::vector<std::string> limits;
   std::uint64_t seed = 0;
   ExperimentPlan plan;
   std::vector<FailureCondition> conditions;

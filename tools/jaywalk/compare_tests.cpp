@@ -27,6 +27,18 @@ std::uint64_t number_of(const ExperimentPlan& plan, const TestCase& test) {
   return plan.cell_of(test) * plan.tests + test.number;
 }
 
+/// What is measured of a test; of one that ended errored the times alone.
+TestResult measured(const TrialResult& trial, double wall_us) {
+  TestResult result{.errored = !trial.completed,
+                    .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+                    .cpu_us = trial.cpu_s * 1e6,
+                    .wall_us = wall_us};
+  if (result.errored) return result;
+  result.succeeded = trial.outcome.success;
+  result.score = trial.outcome.score();
+  return result;
+}
+
 /// Tells those who want to know of the tests with the first vehicle, which the measures are of.
 void note_measured(const Request& request, const TestCase& test, const TestResult& result,
                    const TrialResult& trial, const Recording& recording,
@@ -35,7 +47,9 @@ void note_measured(const Request& request, const TestCase& test, const TestResul
   listeners.collected.troubles.add(test, trial.troubles);
   if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
   if (!request.situations) return;
-  listeners.collected.situations.add(test, covered_bins(recording, request.ground));
+  if (!result.errored) {
+    listeners.collected.situations.add(test, covered_bins(recording, request.ground));
+  }
   if (listeners.collected.feedback) listeners.collected.feedback->finished(test);
 }
 
@@ -77,20 +91,15 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
     listeners.trace->add(number_of(request.plan, test), trace->lines());
   }
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
-  if (!trial.completed) {
-    return not_run(test, request.plan.behaviours[test.behaviour], std::move(trial.message));
-  }
   if (carry_over) carry_over->finished(test, trial.left_over);
-  const TestResult result{.succeeded = trial.outcome.success,
-                          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
-                          .score = trial.outcome.score(),
-                          .cpu_us = trial.cpu_s * 1e6,
-                          .wall_us = wall.count()};
+  const TestResult result = measured(trial, wall.count());
   listeners.collected.notes.add(number_of(request.plan, test), trial.note);
   note_measured(request, test, result, trial, recording, listeners);
   std::vector<Assessment> assessments;
   TestFindings found;
-  if (asks(request.inquiry)) {
+  if (asks(request.inquiry) && result.errored) {
+    listeners.collected.kills.add_errored(test);
+  } else if (asks(request.inquiry)) {
     found = assess(request.inquiry, recording, request.ground);
     if (test.vehicle == 0) listeners.collected.findings.add(test, found);
     listeners.collected.kills.add(test, blames_the_av(found));
@@ -122,6 +131,7 @@ void add_situations(const Request& request, const ResultsReader& store, const St
 
 void add_left_over(const ResultsReader& store, const StoredTest& stored, CarryOver& carry_over,
                    Diagnostics& trouble) {
+  if (stored.result.errored) return carry_over.finished(stored.test, 0);
   const auto again = store.rerun(stored.id);
   if (again.ok()) {
     carry_over.finished(stored.test, again.value().left_over);

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/report/markdown.h"
@@ -54,9 +56,18 @@ void show_comparison(const Arguments& arguments, const Comparison& comparison, C
   }
 }
 
+void warn_of_errored(const Comparison& comparison, Console& console) {
+  const std::uint64_t errored = errored_tests(comparison);
+  if (errored == 0) return;
+  std::uint64_t tests = 0;
+  for (const Summary& summary : comparison.summaries) tests += summary.tests;
+  console.note(fmt::format("warning: {} of {} tests ended errored; the measures are of the others",
+                           errored, tests));
+}
+
 bool fails_strictly(const Arguments& arguments, const Comparison& comparison, Console& console) {
   if (!arguments.has("strict") || !is_troubled(troubles_of(comparison))) return false;
-  console.error("--strict: agents dropped intentions or never acted");
+  console.error("--strict: agents dropped intentions or never acted, or tests ended errored");
   return true;
 }
 

@@ -77,6 +77,11 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
     console.report(recording.diagnostics());
     return ExitCode::usage;
   }
+  const auto stored = request.store->test(id);
+  if (stored.ok() && stored.value().result.errored) {
+    console.error(fmt::format("test {} ended errored: it is not judged", id));
+    return ExitCode::failed;
+  }
   const TestFindings findings =
       assess(request.inquiry, recording.value(), ground(request.prepared->scenario().world));
   console.print(render_findings(request.inquiry, findings, recording.value().actors()));
@@ -110,6 +115,13 @@ Outcome judge_all(const Request& request, bool keep, FindingsTable& table, KillT
   for (const StoredTest& stored : tests.value()) {
     constexpr std::uint64_t kBetweenLooks = 256;
     if (progress.done % kBetweenLooks == 0) line.show(progress);
+    TestCase test = stored.test;
+    test.number -= request.store->description().first_test;
+    ++progress.done;
+    if (stored.result.errored) {
+      kills.add_errored(test);
+      continue;
+    }
     const auto recording = request.store->recording(stored.id);
     if (!recording || interrupt.interrupted()) {
       line.clear();
@@ -117,14 +129,11 @@ Outcome judge_all(const Request& request, bool keep, FindingsTable& table, KillT
       return {.code = recording ? ExitCode::interrupted : ExitCode::failed};
     }
     const TestFindings findings = assess(request.inquiry, recording.value(), on);
-    TestCase test = stored.test;
-    test.number -= request.store->description().first_test;
     if (test.vehicle == 0) table.add(test, findings);
     kills.add(test, blames_the_av(findings));
     if (keep) {
       outcome.assessments.emplace_back(stored.id, to_assessments(request.inquiry, findings));
     }
-    ++progress.done;
   }
   line.clear();
   return outcome;

@@ -1,7 +1,11 @@
 #include "tools/jaywalk/scenario_options.h"
 
+#include <array>
 #include <map>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "tools/jaywalk/include_path.h"
 #include "tools/jaywalk/program_check.h"
@@ -9,11 +13,37 @@
 
 namespace jaywalk {
 
+namespace {
+
+/// The options of kLimitOptions, and their keys in experiment.limits.
+constexpr std::array<std::pair<const char*, std::string_view>, 4> kLimitKeys = {{
+    {"max-cycles", "cycles"},
+    {"max-inferences", "inferences"},
+    {"max-memory", "memory_mb"},
+    {"timeout", "time_s"},
+}};
+
+}  // namespace
+
 bool is_scenario_file(const std::string& path) {
   return path.ends_with(".yaml") || path.ends_with(".yml");
 }
 
-ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours) {
+std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& diagnostics) {
+  for (const char* whole : {"max-cycles", "max-inferences", "max-memory"}) {
+    (void)arguments.number(whole, 0, diagnostics);
+  }
+  (void)arguments.positive("timeout", diagnostics);
+  std::vector<std::string> sets;
+  for (const auto& [option, key] : kLimitKeys) {
+    const auto value = arguments.text(option);
+    if (value) sets.push_back(fmt::format("experiment.limits.{}={}", key, *value));
+  }
+  return sets;
+}
+
+ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours,
+                                 const std::vector<std::string>& more_sets) {
   Diagnostics ignored;  // prepare_scenario() reports them
   IncludePath include_path = parse_include_path(arguments, ignored);
   // Programs may be installed ones, as scenarios may.
@@ -28,6 +58,7 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
     sets.push_back("experiment.defects=" + *defects);
     given_by[sets.back()] = std::make_shared<const Source>("--defects", *defects);
   }
+  sets.insert(sets.end(), more_sets.begin(), more_sets.end());
   return {.preset = arguments.text("preset"),
           .sets = std::move(sets),
           .given_by = std::move(given_by),
@@ -36,12 +67,11 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
           .include = {std::move(include_path.folders), std::move(include_path.mapped)}};
 }
 
-std::shared_ptr<const PreparedScenario> prepare_scenario(const std::string& path,
-                                                         const Arguments& arguments,
-                                                         std::vector<std::string> behaviours,
-                                                         Console& console) {
+std::shared_ptr<const PreparedScenario> prepare_scenario(
+    const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
+    Console& console, const std::vector<std::string>& more_sets) {
   if (!read_include_path(arguments, console)) return nullptr;
-  const ScenarioOptions options = scenario_options(arguments, std::move(behaviours));
+  const ScenarioOptions options = scenario_options(arguments, std::move(behaviours), more_sets);
   Result<Scenario> scenario = read_scenario(path, options);
   if (!scenario) {
     console.report(scenario.diagnostics());

@@ -25,22 +25,40 @@ inline constexpr std::array kScenarioOptions = {
     OptionSpec{"no-check", "", "leave out the warnings of `jaywalk check`"},
 };
 
+/// The limits of one test: the scenario's `experiment.limits`.
+inline constexpr std::array kLimitOptions = {
+    OptionSpec{"max-cycles", "N",
+               "of one test, which ends errored beyond: reasoning cycles of one\n"
+               "agent, as the next three"},
+    OptionSpec{"max-inferences", "N", "inferences of all agents (default 200000000; 0: no limit)"},
+    OptionSpec{"max-memory", "MB", "memory of its agents"},
+    OptionSpec{"timeout", "S",
+               "seconds by the wall clock (default: no limit): the one limit\n"
+               "whose outcome depends on the machine"},
+};
+
 /// More pedestrians than this are a slip.
 inline constexpr std::uint64_t kMaxAgents = 10'000;
 
 /// The file names a scenario.
 [[nodiscard]] bool is_scenario_file(const std::string& path);
 
-/// How the options of `arguments` change a scenario, with `behaviours` in place of its own if there
-/// are any.
+/// What kLimitOptions set, as `--set` would: so it is kept with stored tests. Adds errors for what
+/// is wrong.
+[[nodiscard]] std::vector<std::string> limit_sets(const Arguments& arguments,
+                                                  Diagnostics& diagnostics);
+
+/// How the options of `arguments`, and then `more_sets`, change a scenario, with `behaviours` in
+/// place of its own if there are any.
 [[nodiscard]] ScenarioOptions scenario_options(const Arguments& arguments,
-                                               std::vector<std::string> behaviours);
+                                               std::vector<std::string> behaviours,
+                                               const std::vector<std::string>& more_sets = {});
 
 /// Reads the scenario with the options of `arguments`, `behaviours` in place of its own if there
 /// are any, and compiles its programs; reports what is wrong and returns null if that fails. Says
 /// what `check` warns of, unless --no-check is given.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> prepare_scenario(
     const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
-    Console& console);
+    Console& console, const std::vector<std::string>& more_sets = {});
 
 }  // namespace jaywalk

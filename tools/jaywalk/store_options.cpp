@@ -14,6 +14,10 @@ std::optional<StoreOptions> read_store_options(const Arguments& arguments,
                                                Diagnostics& diagnostics) {
   StoreOptions options;
   options.resume = arguments.has("resume");
+  options.retry_errors = arguments.has("retry-errors");
+  if (options.retry_errors && !options.resume && arguments.has("store")) {
+    diagnostics.error("--retry-errors", "has no meaning without --resume");
+  }
   if (const auto text = arguments.text("store-level")) {
     options.level = parse_store_level(*text);
     if (!options.level) {
@@ -35,7 +39,7 @@ std::optional<StoreOptions> read_store_options(const Arguments& arguments,
     options.path = *path;
     return options;
   }
-  for (const char* option : {"store-level", "shard", "resume"}) {
+  for (const char* option : {"store-level", "shard", "resume", "retry-errors"}) {
     if (arguments.has(option)) {
       diagnostics.error(fmt::format("--{}", option), "has no meaning without --store");
     }
@@ -56,7 +60,9 @@ std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
     }
     description.level = there.value()->description().level;
   }
-  auto store = options.resume ? ResultsWriter::resume(options.path, description)
+  const auto errored = options.retry_errors ? ResultsWriter::ErroredTests::taken_out
+                                            : ResultsWriter::ErroredTests::kept;
+  auto store = options.resume ? ResultsWriter::resume(options.path, description, errored)
                               : ResultsWriter::create(options.path, description);
   if (store) return std::move(store).value();
   console.report(store.diagnostics());

@@ -24,6 +24,7 @@ inline constexpr std::array kStoreOptions = {
                "test's), found (default: of tests that met the\n"
                "precondition), all"},
     OptionSpec{"resume", "", "run only what the store does not have yet"},
+    OptionSpec{"retry-errors", "", "with --resume: run tests that ended errored again"},
     OptionSpec{"shard", "I/N",
                "run the I-th of N parts of the tests; needs --store.\n"
                "`jaywalk merge` puts the parts together"},
@@ -35,6 +36,7 @@ struct StoreOptions {
   std::optional<StoreLevel> level;
   Shard shard;
   bool resume = false;
+  bool retry_errors = false;
 };
 
 /// Nothing without --store. Adds errors for what is wrong.

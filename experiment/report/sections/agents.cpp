@@ -1,4 +1,5 @@
-// What went wrong with the agents: intentions that they dropped, pedestrians that never acted.
+// What went wrong with the agents and tests: tests that ended errored, intentions that they
+// dropped, pedestrians that never acted.
 
 #include <algorithm>
 
@@ -23,6 +24,12 @@ std::string place_cell(const DropCause& cause) {
 void add_causes(Table& table, const BehaviourTroubles& each) {
   table.heading(
       fmt::format("{}: {}", each.behaviour, fmt::join(trouble_sentences(each.troubles), "; ")));
+  const std::vector<SharedError>& errors = each.troubles.errors;
+  for (std::size_t i = 0; i < std::min(kMostCausesListed, errors.size()); ++i) {
+    table.row({"–", "–", "test errored", "–", "–", escaped(errors[i].message),
+               fmt::format("{}, the first is {}", plural(errors[i].tests, "test"),
+                           errors[i].first_test)});
+  }
   const std::vector<SharedCause>& causes = each.troubles.causes;
   for (std::size_t i = 0; i < std::min(kMostCausesListed, causes.size()); ++i) {
     const auto& [cause, agents] = causes[i];
@@ -47,7 +54,8 @@ std::string section::agents(const ReportData& data) {
   return paragraph(
              "Agents of all tests together, each counted once in every test. An intention is "
              "dropped when a formula fails, or a goal has no plan, and no plan is for that "
-             "failure.") +
+             "failure. A test is errored if it came to no end of its own; the measures are of the "
+             "others.") +
          table.html();
 }
 

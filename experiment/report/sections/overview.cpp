@@ -6,6 +6,7 @@
 #include "experiment/measures/measures.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
+#include "experiment/report/troubles_text.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {
@@ -28,6 +29,11 @@ std::string facts_of(const ReportData& data) {
   if (!comparison.kills.empty()) {
     list += term("AVs", fmt::format("each of these tests with the healthy AV and with {} of it",
                                     plural(comparison.kills.defects.size(), "defect")));
+  }
+  if (const std::uint64_t errored = errored_tests(comparison); errored > 0) {
+    list += term("errored", fmt::format("{}: the measures are of the others, and "
+                                        "<a href=\"#agents\">what happened</a> says why",
+                                        plural(errored, "test")));
   }
   list += term("seed", std::to_string(comparison.seed));
   const Shard& shard = data.description.shard;

@@ -43,9 +43,14 @@ std::vector<BehaviourPair> pairs_of(const std::vector<std::string>& behaviours) 
   return pairs;
 }
 
+/// Of the tests that ended errored for neither.
 PairedOutcomes paired(const CellFacts& first, const CellFacts& second, std::uint64_t tests) {
   PairedOutcomes outcomes;
   for (std::size_t i = 0; i < std::min(first.succeeded.size(), second.succeeded.size()); ++i) {
+    if (first.errored[i] || second.errored[i]) {
+      --tests;
+      continue;
+    }
     outcomes.both += first.succeeded[i] && second.succeeded[i] ? 1 : 0;
     outcomes.first_only += first.succeeded[i] && !second.succeeded[i] ? 1 : 0;
     outcomes.second_only += !first.succeeded[i] && second.succeeded[i] ? 1 : 0;

@@ -30,8 +30,8 @@ Comparison one_row(const char* behaviour, std::uint64_t successes) {
 
 TEST(Csv, HasTheHeaderOfTheContract) {
   EXPECT_EQ(to_csv({}),
-            "behaviour,agents,tests,successes,accuracy_pct,accuracy_low,accuracy_high,score_mean,"
-            "score_low,score_high,combined,combined_normalised,ticks_success_mean,"
+            "behaviour,agents,tests,successes,errored,accuracy_pct,accuracy_low,accuracy_high,"
+            "score_mean,score_low,score_high,combined,combined_normalised,ticks_success_mean,"
             "ticks_success_low,ticks_success_high,ticks_all_mean,ticks_all_low,ticks_all_high,"
             "cpu_us_per_test,wall_us_per_test,code_lines\n");
 }
@@ -39,13 +39,26 @@ TEST(Csv, HasTheHeaderOfTheContract) {
 TEST(Csv, WritesSixDecimalsWithoutTrailingZeros) {
   // Two successes: t(1; 0.975) = 12.706205 and a standard error of 1 give the score's interval.
   EXPECT_THAT(to_csv(one_row("walk", 2)),
-              testing::EndsWith("\nwalk,3,4,2,50,15.003899,84.996101,30.25,17.543795,42.956205,"
+              testing::EndsWith("\nwalk,3,4,2,0,50,15.003899,84.996101,30.25,17.543795,42.956205,"
                                 "1.5125,0.416667,2,2,2,11,11,11,12.5,20,17\n"));
 }
 
 TEST(Csv, LeavesEmptyWhatDoesNotExist) {
   EXPECT_THAT(to_csv(one_row("walk", 0)),
-              testing::EndsWith("\nwalk,3,4,0,0,0,48.989084,,,,,,,,,11,11,11,12.5,20,17\n"));
+              testing::EndsWith("\nwalk,3,4,0,0,0,0,48.989084,,,,,,,,,11,11,11,12.5,20,17\n"));
+}
+
+TEST(Csv, MeasuresTheTestsThatDidNotEndErrored) {
+  Comparison comparison = one_row("walk", 2);
+  comparison.summaries[0].tests = 7;
+  comparison.summaries[0].errored = 3;
+  EXPECT_THAT(to_csv(comparison), testing::HasSubstr("\nwalk,3,7,2,3,50,15.003899,84.996101,"));
+}
+
+TEST(Csv, HasNoShareOfSuccessesIfEveryTestEndedErrored) {
+  Comparison comparison = one_row("walk", 0);
+  comparison.summaries[0].errored = 4;
+  EXPECT_THAT(to_csv(comparison), testing::HasSubstr("\nwalk,3,4,0,4,,,,"));
 }
 
 TEST(Csv, QuotesNamesWithSeparators) {

@@ -51,6 +51,23 @@ TEST(KillTable, CountsTestsThatBlameTheDefectiveAvAndNotTheHealthyOne) {
   EXPECT_EQ(row.cells.at(0).first, 3U);
 }
 
+TEST(KillTable, LeavesOutTestsThatEndedErroredWithEitherAv) {
+  KillTable table(plan(), 4);
+  for (std::uint64_t test = 0; test < 4; ++test) {
+    const TestCase healthy{.number = test};
+    const TestCase late{.number = test, .vehicle = 1};
+    test == 0 ? table.add_errored(healthy) : table.add(healthy, false);
+    test == 1 ? table.add_errored(late) : table.add(late, true);
+  }
+  const KillRow row = table.matrix().rows.at(0);
+  EXPECT_EQ(row.cells.at(0).tests, 2U);
+  EXPECT_EQ(row.cells.at(0).errored, 2U);
+  EXPECT_EQ(row.cells.at(0).kills, 2U);
+  EXPECT_EQ(row.cells.at(0).first, 1U);
+  EXPECT_EQ(row.errored(), 2U);
+  EXPECT_THAT(render_kills(table.matrix()), HasSubstr("p (1): 2 tests ended errored"));
+}
+
 TEST(KillTable, LeavesOutCellsWhoseTestsAreNotAllFinished) {
   KillTable table(plan(), 4);
   for (std::uint64_t test = 0; test < 3; ++test) {

@@ -112,6 +112,7 @@ reporting::ReportData report_data() {
   for (std::size_t row = 0; row < data.comparison.summaries.size(); ++row) {
     reporting::CellFacts facts;
     for (std::size_t test = 0; test < 100; ++test) facts.succeeded.push_back(test % 2 == row / 2);
+    facts.errored.assign(100, false);
     facts.ticks = {{5, 48}, {11, 52}};
     data.facts.push_back(facts);
   }

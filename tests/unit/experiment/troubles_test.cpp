@@ -47,6 +47,15 @@ TEST(Troubles, CountEachAgentOnceAndEachCauseByItself) {
   EXPECT_EQ(all.causes[1].cause.error, "no_relevant");
 }
 
+TEST(Troubles, CountErroredTestsByWhatEndedThem) {
+  TroublesSum sum;
+  for (const std::uint64_t test : {9U, 4U, 6U}) sum.add(test, {.agents = 1, .error = "p1 loops"});
+  sum.add(2, {.agents = 1, .error = "no answer"});
+  const Troubles all = together(std::vector<Troubles>{sum.sum(), sum.sum()});
+  EXPECT_EQ(all.errored, 8U);
+  EXPECT_EQ(all.errors, (std::vector<SharedError>{{"p1 loops", 6, 4}, {"no answer", 2, 2}}));
+}
+
 TEST(Troubles, ShowTheFirstTestsExampleInWhateverOrderTestsCome) {
   std::vector<std::pair<std::uint64_t, std::string>> tests = {{0, "a"}, {1, "b"}, {2, "c"}};
   do {

@@ -69,7 +69,7 @@ TEST(ScenarioDiagnostics, ListTheKeysWhenNoneIsClose) {
             "folder/test.yaml:2:14: error: unknown key 'repetitions' in 'experiment'\n"
             "  experiment: {repetitions: 5}\n"
             "               ^~~~~~~~~~~\n"
-            "  hint: the keys here are tests, agents, seed, feedback, defects\n");
+            "  hint: the keys here are tests, agents, seed, feedback, defects, limits\n");
 }
 
 TEST(ScenarioDiagnostics, NameTheOptionThatIsWrong) {

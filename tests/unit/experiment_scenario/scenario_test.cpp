@@ -48,7 +48,8 @@ world:
     dead_zones: {4: 10}
   scoring: {pavement_cost: 2, road_cost: 3, costs: add, reward: 50, rewarded: zone}
 behaviours: [walk.asl]
-experiment: {tests: 10, agents: "1..3,7", seed: 42}
+experiment:
+  {tests: 10, agents: "1..3,7", seed: 42, limits: {cycles: 9, inferences: 8, memory_mb: 7, time_s: 0.5}}
 )");
   ASSERT_TRUE(result.ok()) << errors(result);
   const CrossingParameters& world = result.value().world;
@@ -78,6 +79,11 @@ experiment: {tests: 10, agents: "1..3,7", seed: 42}
   EXPECT_EQ(result.value().experiment.tests, 10U);
   EXPECT_EQ(result.value().experiment.agents, (std::vector<std::uint32_t>{1, 2, 3, 7}));
   EXPECT_EQ(result.value().experiment.seed, 42U);
+  const TestLimits& limits = result.value().experiment.limits;
+  EXPECT_EQ(limits.cycles, 9U);
+  EXPECT_EQ(limits.inferences, 8U);
+  EXPECT_EQ(limits.memory_mb, 7U);
+  EXPECT_EQ(limits.time_s, 0.5);
 }
 
 TEST(Scenario, TakesTheAvsSpeedInMetresPerSecond) {
