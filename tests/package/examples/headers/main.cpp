@@ -13,5 +13,6 @@ int main() {
     return 2;
   }
   std::cout << jaywalk::environments().front().name << ": " << scenario.value().behaviours.size()
-            << " behaviours, measured by " << jaywalk::measures().front().name << " and others\n";
+            << " behaviours, measured by " << jaywalk::find_measure("accuracy")->name
+            << " and others\n";
 }
