@@ -10,6 +10,8 @@
 #include <thread>
 #include <utility>
 
+#include "interpreter/support/start_threads.h"
+
 namespace jaywalk {
 namespace {
 
@@ -163,11 +165,8 @@ ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction&
   Work work(plan, test);
   {
     std::vector<std::jthread> workers;
-    workers.reserve(plan.threads);
-    for (unsigned i = 0; i < plan.threads; ++i) {
-      workers.emplace_back([&work] { work.run_chunks(); });
-    }
-    work.wait(plan.threads, progress);
+    const std::size_t count = start_threads(workers, plan.threads, [&work] { work.run_chunks(); });
+    work.wait(static_cast<unsigned>(count), progress);
   }
   progress(work.progress());
   return work.outcome();

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "experiment/plan_coverage.h"
+#include "interpreter/support/start_threads.h"
 
 namespace jaywalk {
 namespace {
@@ -113,7 +114,7 @@ Result<SourceCoverage> stored_plan_coverage(const ResultsReader& store,
   };
   {
     std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
+    (void)start_threads(workers, threads, work);
     while (done < inputs.size() && !cancelled) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       if (progress({.done = done, .total = inputs.size()}) == Proceed::no) cancelled = true;

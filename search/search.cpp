@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/start_threads.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -245,10 +247,9 @@ SearchResults run_searches(const SearchPlan& plan, TestLog* log, const SearchObs
   Shared shared(plan, log, observer);
   {
     std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < plan.threads; ++i) {
-      threads.emplace_back([&] { work(shared, results.runs); });
-    }
-    shared.watch(plan.threads);
+    const std::size_t count =
+        start_threads(threads, plan.threads, [&] { work(shared, results.runs); });
+    shared.watch(static_cast<unsigned>(count));
   }
   results.trouble = std::move(shared.diagnostics());
   results.complete = std::ranges::all_of(results.runs, &SearchRun::complete);

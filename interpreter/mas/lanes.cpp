@@ -1,5 +1,6 @@
 #include "interpreter/mas/lanes.h"
 
+#include <system_error>
 #include <utility>
 
 namespace jaywalk {
@@ -20,8 +21,13 @@ void wait_for_change(const std::atomic<T>& value, T old) {
 }  // namespace
 
 Lanes::Lanes(std::size_t count) {
+  threads_.reserve(count);
   for (std::size_t lane = 1; lane < count; ++lane) {
-    threads_.emplace_back([this, lane] { wait_for_work(lane); });
+    try {
+      threads_.emplace_back([this, lane] { wait_for_work(lane); });
+    } catch (const std::system_error&) {
+      break;  // there are no more to be had; what comes of a run does not depend on it
+    }
   }
 }
 

@@ -67,6 +67,8 @@ void Console::control(std::string_view codes) {
 
 void Console::flush() { std::fflush(stdout); }
 
+bool Console::can_print() { return std::ferror(stdout) == 0; }
+
 void Console::report(const Diagnostics& diagnostics) {
   flush();
   const std::string text = diagnostics.render(error_colour_);

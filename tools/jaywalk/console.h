@@ -37,6 +37,8 @@ class Console {
   void control(std::string_view codes);
   /// Everything printed so far leaves the program.
   void flush();
+  /// What is printed still gets somewhere: whoever reads it has not gone.
+  [[nodiscard]] static bool can_print();
   /// Diagnostics of what the user wrote.
   void report(const Diagnostics& diagnostics);
   /// `error: message` and, on a line of its own, the hint.

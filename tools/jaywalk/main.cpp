@@ -9,6 +9,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -144,6 +145,12 @@ int main(int argc, char** argv) {
     return static_cast<int>(jaywalk::dispatch(words));
   } catch (const std::bad_alloc&) {
     std::fputs("error: out of memory\n", stderr);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) {
+      std::fputs("error: no thread can be started: the system has none left\n", stderr);
+      return static_cast<int>(jaywalk::ExitCode::failed);
+    }
+    fmt::print(stderr, "internal error: {}\n  please report it with the command\n", error.what());
   } catch (const std::exception& error) {
     fmt::print(stderr, "internal error: {}\n  please report it with the command\n", error.what());
   }

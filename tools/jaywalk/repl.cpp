@@ -39,7 +39,7 @@ void converse(ReplSession& session, LineReader& reader, Console& console) {
     for (const ReplInput& input : read_inputs(*text)) {
       const bool goes_on = session.carry_out(input);
       console.flush();
-      if (!goes_on) return;
+      if (!goes_on || !Console::can_print()) return;
     }
   }
 }

@@ -165,7 +165,7 @@ void ReplSession::ask(const std::string& query) {
     any = true;
     print_line(answer_text(answer));
     console_.flush();
-    return !interrupt.interrupted();
+    return !interrupt.interrupted() && Console::can_print();
   });
   trace_.heed(nullptr);
   if (interrupt.interrupted()) {
