@@ -43,8 +43,10 @@ namespace jaywalk::actions {
 
 /// The list or set in an argument as values; false if it is neither.
 [[nodiscard]] bool collection_in(Value value, std::vector<Value>& all);
+/// For what may take long: throws QueryLimit if the run is to end.
+void check_interruption(ActionCall& call);
 /// Sorted by the order of terms, without duplicates.
-void sort_as_set(std::vector<Value>& all, const SymbolTable& symbols);
+void sort_as_set(std::vector<Value>& all, ActionCall& call);
 
 /// The text of an argument: a string's content, anything else as it prints.
 [[nodiscard]] std::string text_of(Value value, const SymbolTable& symbols);

@@ -52,6 +52,11 @@ class RegexRun {
   }
 
  private:
+  void look_now_and_then() {
+    constexpr std::size_t kStepsBetweenLooks = 16 * 1024;
+    if (++steps_ % kStepsBetweenLooks == 0 && regex_.look_) regex_.look_();
+  }
+
   using Kind = Regex::Instruction::Kind;
   struct Thread {
     std::uint32_t at;
@@ -70,6 +75,7 @@ class RegexRun {
     while (!stack.empty()) {
       Thread top = std::move(stack.back());
       stack.pop_back();
+      look_now_and_then();
       if (last_seen_[top.at] == generation_) continue;
       last_seen_[top.at] = generation_;
       const Regex::Instruction& instruction = regex_.program_[top.at];
@@ -115,6 +121,7 @@ class RegexRun {
   std::string_view text_;
   std::vector<std::size_t> last_seen_;  // the step in which an instruction was last reached
   std::size_t generation_ = 0;
+  std::size_t steps_ = 0;
 };
 
 Regex::Groups Regex::find(std::string_view text, std::size_t from) const {

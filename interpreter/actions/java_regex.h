@@ -7,9 +7,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "interpreter/actions/java_character_class.h"
@@ -35,6 +37,9 @@ class Regex {
   [[nodiscard]] std::optional<std::string> replace_all(std::string_view text,
                                                        std::string_view replacement,
                                                        std::string& error) const;
+
+  /// Called now and then while a match is looked for; what it throws ends that.
+  void watch(std::function<void()> look) { look_ = std::move(look); }
 
  private:
   friend class RegexParser;
@@ -62,6 +67,7 @@ class Regex {
   std::vector<Instruction> program_;
   std::vector<CharacterClass> classes_;
   std::size_t groups_ = 1;
+  std::function<void()> look_;
 };
 
 }  // namespace jaywalk::actions

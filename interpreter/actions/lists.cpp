@@ -83,8 +83,8 @@ Outcome combine_sets(ActionCall& call, SetOperation operation) {
   }
   std::vector<Value> a = elements(call.arg(0));
   std::vector<Value> b = elements(call.arg(1));
-  sort_as_set(a, call.symbols());
-  sort_as_set(b, call.symbols());
+  sort_as_set(a, call);
+  sort_as_set(b, call);
   return call.result(2, call.heap().list(operation(a, b, call.symbols())));
 }
 
@@ -104,10 +104,30 @@ bool collection_in(Value value, std::vector<Value>& all) {
   return true;
 }
 
-void sort_as_set(std::vector<Value>& all, const SymbolTable& symbols) {
-  std::stable_sort(all.begin(), all.end(), less_than(symbols));
-  const auto last = std::unique(
-      all.begin(), all.end(), [&](Value a, Value b) { return compare_terms(a, b, symbols) == 0; });
+namespace {
+
+// In the order of terms. A long sort can be interrupted.
+void sort_terms(std::vector<Value>& all, ActionCall& call) {
+  constexpr std::uint64_t kBetweenLooks = 4096;
+  std::uint64_t compared = 0;
+  std::stable_sort(all.begin(), all.end(), [&, less = less_than(call.symbols())](Value a, Value b) {
+    if (++compared % kBetweenLooks == 0) check_interruption(call);
+    return less(a, b);
+  });
+}
+
+}  // namespace
+
+void check_interruption(ActionCall& call) {
+  if (call.agent() == nullptr || !call.agent()->interrupted()) return;
+  throw QueryLimit{"the action was interrupted", ReachedLimit::interruption};
+}
+
+void sort_as_set(std::vector<Value>& all, ActionCall& call) {
+  sort_terms(all, call);
+  const auto last = std::unique(all.begin(), all.end(), [&](Value a, Value b) {
+    return compare_terms(a, b, call.symbols()) == 0;
+  });
   all.erase(last, all.end());
 }
 
@@ -215,7 +235,7 @@ Outcome reverse(ActionCall& call) {
 Outcome sort(ActionCall& call) {
   if (!call.arg(0).is_list()) return call.wrong_argument(0, "a list");
   std::vector<Value> all = elements(call.arg(0));
-  std::stable_sort(all.begin(), all.end(), less_than(call.symbols()));
+  sort_terms(all, call);
   return call.result(1, call.heap().list(all));
 }
 

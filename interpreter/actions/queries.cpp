@@ -25,7 +25,7 @@ Outcome findall(ActionCall& call) {
 Outcome setof(ActionCall& call) {
   if (!is_java_literal(deref(call.applied(1)))) return call.wrong_argument(1, "a formula");
   std::vector<Value> found = collect(call);
-  sort_as_set(found, call.symbols());
+  sort_as_set(found, call);
   return call.result(2, call.heap().list(found));
 }
 

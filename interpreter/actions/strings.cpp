@@ -45,8 +45,9 @@ Outcome concat_lists(ActionCall& call) {
 Outcome replace_all(ActionCall& call, std::size_t result, const std::string& text,
                     const std::string& pattern, const std::string& by) {
   std::string error;
-  const std::optional<Regex> regex = Regex::parse(pattern, error);
+  std::optional<Regex> regex = Regex::parse(pattern, error);
   if (!regex) return call.java_exception(error);
+  regex->watch([&call] { check_interruption(call); });
   const std::optional<std::string> replaced = regex->replace_all(text, by, error);
   if (!replaced) return call.java_exception(error);
   return call.result(result, call.heap().text(*replaced));

@@ -23,13 +23,18 @@ extern "C" void note_interrupt(int signal) {
 
 InterruptGuard::InterruptGuard() {
   interrupt_seen = false;
-  before_interrupt_ = std::signal(SIGINT, note_interrupt);
-  before_termination_ = std::signal(SIGTERM, note_interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Handler before = std::signal(signal, note_interrupt);
+    if (signal == SIGHUP && before == SIG_IGN) {
+      std::signal(signal, SIG_IGN);
+    } else {
+      noted_.push_back({signal, before});
+    }
+  }
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, before_interrupt_);
-  std::signal(SIGTERM, before_termination_);
+  for (const Noted& each : noted_) std::signal(each.signal, each.before);
 }
 
 bool InterruptGuard::interrupted() const { return interrupt_seen; }

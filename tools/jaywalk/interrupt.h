@@ -7,10 +7,12 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace jaywalk {
 
-/// While one exists, the first Ctrl-C is noted instead of ending the program; a second one ends it.
+/// While one exists, the first Ctrl-C, SIGTERM or SIGHUP is noted instead of ending the program; a
+/// second one ends it. A SIGHUP that the program was started to ignore (nohup) stays ignored.
 /// Afterwards it does what it did before.
 class InterruptGuard {
  public:
@@ -24,8 +26,11 @@ class InterruptGuard {
  private:
   using Handler = void (*)(int);
 
-  Handler before_interrupt_ = nullptr;
-  Handler before_termination_ = nullptr;
+  struct Noted {
+    int signal;
+    Handler before;
+  };
+  std::vector<Noted> noted_;
 };
 
 /// The time that a run may take. What does not look at it in time (a query that goes on for very

@@ -103,8 +103,7 @@ struct End {
   std::string_view how;
 };
 
-End run_to_end(Mas& mas, const Limits& limits, Console& console) {
-  const InterruptGuard interrupt;
+End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, Console& console) {
   const Deadline deadline(limits.timeout_s);
   for (std::uint64_t steps = 1; mas.stride(); ++steps) {
     if (interrupt.interrupted()) {
@@ -117,7 +116,6 @@ End run_to_end(Mas& mas, const Limits& limits, Console& console) {
       return {ExitCode::failed, "timeout"};
     }
   }
-  if (interrupt.interrupted()) return {ExitCode::interrupted, "interrupted"};
   return {verdict(mas.outcome(), console), name(mas.outcome().end)};
 }
 
@@ -207,10 +205,12 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
     trace->begin(subject, agents.size(), options.seed);
   }
   options.observer = observers.get();
+  const InterruptGuard interrupt;
+  options.interrupted = [&interrupt] { return interrupt.interrupted(); };
   Mas mas(symbols, std::move(options), nullptr);
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
   agents = {};
-  const End end = run_to_end(mas, limits, console);
+  const End end = run_to_end(mas, limits, interrupt, console);
   if (trace) {
     trace->end(end.how, mas.outcome().message, mas.now_ms() / 1000, static_cast<int>(end.code));
   }

@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "interpreter/support/start_threads.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/coverage_options.h"
 #include "tools/jaywalk/include_path.h"
@@ -114,7 +115,8 @@ class Work {
     try {
       for (std::size_t i = next_.fetch_add(1); i < tests_.size() && !cancelled_;
            i = next_.fetch_add(1)) {
-        reports_[i] = run_unit_test(tests_[i], options_.include_path, options_.limits);
+        reports_[i] = run_unit_test(tests_[i], options_.include_path, options_.limits,
+                                    [this] { return cancelled_.load(); });
         ++done_;
       }
     } catch (...) {
@@ -159,11 +161,11 @@ std::optional<std::vector<UnitTestReport>> run_tests(const std::vector<UnitTest>
   const InterruptGuard interrupt;
   ProgressLine progress(console);
   Work work(tests, options);
-  const auto workers = static_cast<unsigned>(std::min<std::size_t>(options.threads, tests.size()));
   {
     std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < workers; ++i) threads.emplace_back([&work] { work.run(); });
-    work.wait(workers, interrupt, progress);
+    const std::size_t workers = start_threads(
+        threads, std::min<std::size_t>(options.threads, tests.size()), [&work] { work.run(); });
+    work.wait(static_cast<unsigned>(workers), interrupt, progress);
   }
   progress.clear();
   auto reports = work.reports();

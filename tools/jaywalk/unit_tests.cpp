@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kStepsAfterTest = 10'000;
 constexpr std::uint64_t kStepsBetweenLooksOfTests = 64;
 constexpr std::size_t kMaxOutputLines = 1000;
-constexpr std::uint64_t kMaxHeapBytes = std::uint64_t{256} << 20U;
+constexpr std::uint64_t kMaxAgentBytes = std::uint64_t{256} << 20U;
 constexpr std::uint64_t kMaxInferences = 10'000'000;
 
 /// Jason's framework is built in, whatever path it is included by.
@@ -177,8 +178,12 @@ std::string failure_message(const std::vector<std::string>& result) {
 
 class TestRun {
  public:
-  TestRun(const UnitTest& test, IncludePath include_path, const UnitTestLimits& limits)
-      : test_(test), include_path_(std::move(include_path)), limits_(limits) {}
+  TestRun(const UnitTest& test, IncludePath include_path, const UnitTestLimits& limits,
+          std::function<bool()> cancelled)
+      : test_(test),
+        include_path_(std::move(include_path)),
+        limits_(limits),
+        cancelled_(std::move(cancelled)) {}
 
   UnitTestReport run() {
     Diagnostics diagnostics;
@@ -217,9 +222,10 @@ class TestRun {
     MasOptions options;
     options.seed = limits_.seed;
     options.max_cycles = limits_.max_cycles;
-    options.max_agent_bytes = kMaxHeapBytes;
+    options.max_agent_bytes = kMaxAgentBytes;
     options.max_inferences = kMaxInferences;
     options.max_agents = 1000;
+    options.interrupted = [this] { return has_timed_out() || (cancelled_ && cancelled_()); };
     const auto keep = [this](std::string_view line) {
       if (report_.output.size() < kMaxOutputLines) report_.output.emplace_back(line);
     };
@@ -240,20 +246,23 @@ class TestRun {
     return believes(agent, names_->finished) || believes(agent, names_->broken);
   }
 
+  [[nodiscard]] bool has_timed_out() const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
+    return passed.count() > limits_.timeout_s;
+  }
+
   // Empty, or why it was stopped.
   std::string run_to_end(Mas& mas, AgentId agent) {
-    const auto begin = std::chrono::steady_clock::now();
     std::optional<std::uint64_t> last_step;
     for (std::uint64_t step = 1; mas.step(); ++step) {
       if (last_step && step >= *last_step) return {};
       if (step % kStepsBetweenLooksOfTests != 0) continue;
-      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-      if (passed.count() > limits_.timeout_s) {
-        return fmt::format("the test took longer than {:g} s", limits_.timeout_s);
-      }
       if (!last_step && has_ended(mas, agent)) last_step = step + kStepsAfterTest;
     }
     const RunOutcome& outcome = mas.outcome();
+    if (outcome.end == RunEnd::interrupted) {
+      return fmt::format("the test took longer than {:g} s", limits_.timeout_s);
+    }
     const bool limited = outcome.end == RunEnd::limit || outcome.end == RunEnd::looping;
     return limited ? outcome.message : std::string();
   }
@@ -316,6 +325,8 @@ class TestRun {
   const UnitTest& test_;
   IncludePath include_path_;
   const UnitTestLimits& limits_;
+  std::function<bool()> cancelled_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<FindingNames> names_;
   UnitTestReport report_;
 };
@@ -337,8 +348,8 @@ std::vector<UnitTest> find_unit_tests(const std::string& path, const IncludePath
 }
 
 UnitTestReport run_unit_test(const UnitTest& test, const IncludePath& include_path,
-                             const UnitTestLimits& limits) {
-  return TestRun(test, with_framework(include_path), limits).run();
+                             const UnitTestLimits& limits, std::function<bool()> cancelled) {
+  return TestRun(test, with_framework(include_path), limits, std::move(cancelled)).run();
 }
 
 }  // namespace jaywalk

@@ -4,6 +4,7 @@
 // its own, on virtual time; what its assertion goals found comes back as a report.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -69,9 +70,11 @@ struct UnitTestReport {
 };
 using UnitTestVerdict = UnitTestReport::Verdict;
 
-/// May be called from several threads at once.
+/// May be called from several threads at once. `cancelled` is asked now and then: true ends the
+/// test.
 [[nodiscard]] UnitTestReport run_unit_test(const UnitTest& test, const IncludePath& include_path,
-                                           const UnitTestLimits& limits);
+                                           const UnitTestLimits& limits,
+                                           std::function<bool()> cancelled = {});
 
 /// JUnit's XML, a suite for each file. Times are virtual, so that it is the same in every run.
 [[nodiscard]] std::string junit_xml(const std::vector<UnitTest>& tests,

@@ -73,5 +73,17 @@ TEST(JavaRegex, MatchesWholeTexts) {
   EXPECT_TRUE(Regex::parse("a|ab", error)->matches("ab"));
 }
 
+TEST(JavaRegex, CanBeInterrupted) {
+  std::string error;
+  std::optional<Regex> regex = Regex::parse("(a*)*(a*)*b", error);
+  ASSERT_TRUE(regex) << error;
+  struct Enough {};
+  int looks = 0;
+  regex->watch([&looks] {
+    if (++looks == 3) throw Enough{};
+  });
+  EXPECT_THROW((void)regex->matches(std::string(1'000'000, 'a')), Enough);
+}
+
 }  // namespace
 }  // namespace jaywalk::actions
