@@ -9,6 +9,7 @@
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
+#include "interpreter/term/width.h"
 
 namespace jaywalk {
 namespace {
@@ -70,6 +71,10 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   }
   std::vector<Symbol> names;
   const Value made = as_template(term, names);
+  if (names.size() > kMostArguments) {
+    problem = fmt::format("a plan with more than {} variables", kMostArguments);
+    return false;
+  }
   const std::shared_ptr<Plan> plan =
       compile_plan(made, std::move(names), machine().actions(), symbols_);
   if (plan == nullptr) {

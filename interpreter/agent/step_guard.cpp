@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/term/width.h"
+
 namespace jaywalk {
 
 ActionError error_of_limit() {
@@ -17,6 +19,9 @@ ActionError error_of_limit() {
     error.limit = ReachedLimit::memory;
   } catch (const TermTooDeep&) {
     error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);
+    error.limit = ReachedLimit::nesting;
+  } catch (const TermTooWide&) {
+    error.message = fmt::format("a structure has more than {} arguments", kMostArguments);
     error.limit = ReachedLimit::nesting;
   } catch (const DivisionByZero&) {
     error.id = "division_by_zero";

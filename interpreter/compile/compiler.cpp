@@ -83,6 +83,15 @@ class ProgramBuilder {
     return file == nullptr ? std::string() : file->source->name();
   }
 
+  // False, with an error, if a clause has more variables than their numbers tell apart.
+  bool has_few_variables(VariableScope& scope, Span clause) {
+    if (scope.slot_names().size() <= kMostParts) return true;
+    diagnostics_.error(where({clause.begin, clause.begin}),
+                       fmt::format("more than {} variables", kMostParts),
+                       "split it into several rules or plans");
+    return false;
+  }
+
   void add_belief(const ast::Component& component) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
     Value head = translator_.literal(*component.literal, scope);
@@ -108,6 +117,7 @@ class ProgramBuilder {
     }
     const Value body = component.body == nullptr ? Value::atom(predicates::truth)
                                                  : translator_.formula(*component.body, scope);
+    if (!has_few_variables(scope, component.span)) return;
     program_.rules_.push_back(
         make_rule(head, body, std::move(scope.slot_names()), constants(), actions_, symbols_));
     program_.beliefs_.push_back({Value(), program_.rules_.back().get(), predicate, place});
@@ -148,6 +158,7 @@ class ProgramBuilder {
           constants(), literal,
           union_of(constants(), literal_parts(literal).annots, source_self(), symbols_));
     }
+    if (!has_few_variables(scope, component.span)) return;
     const auto count = static_cast<std::uint32_t>(scope.slot_names().size());
     program_.goals_.push_back({literal, count, std::move(scope.slot_names())});
   }
@@ -155,6 +166,7 @@ class ProgramBuilder {
   void add_plan(const ast::Plan& plan, PlanLibrary& library, const Plan* enclosing) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
     const Value term = translator_.program_plan(plan, scope);
+    if (!has_few_variables(scope, plan.span)) return;
     const auto compiled = compile_plan(term, scope.slot_names(), actions_, symbols_);
     if (compiled == nullptr) {
       diagnostics_.error(where(plan.span), "this is not a plan");

@@ -79,7 +79,15 @@ Value Unifier::build_term(Value term, Value* slots) {
   if (is_number(term, slots, number)) return Value::number(number);
   if (term.is_pair()) {
     const Value head = build(term.pair()->head, slots);
-    return heap().pair(head, build(term.pair()->tail, slots));
+    Value tail = term.pair()->tail;
+    ElementBuffer more;  // a list may be as long as its text: it is not gone down by recursion
+    for (; !tail.is_closed() && tail.is_pair(); tail = tail.pair()->tail) {
+      more.push_back(build(tail.pair()->head, slots));
+    }
+    Value made = build(tail, slots);
+    const std::span<const Value> elements = more.span();
+    for (std::size_t i = elements.size(); i > 0; --i) made = heap().pair(elements[i - 1], made);
+    return heap().pair(head, made);
   }
   const Structure& s = *term.structure();
   if (s.form() != Form::literal || s.is_annotated()) return instantiate_structure(s, slots);

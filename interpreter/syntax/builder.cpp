@@ -217,6 +217,10 @@ void Builder::end_arguments() {
   Frame& frame = frames_.back();
   int depth = 0;
   frame.node->args = pop_values(frame.values, depth);
+  if (frame.node->args.size() > kMostParts) {
+    error(frame.node->span, fmt::format("more than {} arguments", kMostParts),
+          "a list may have any number of elements");
+  }
   frame.depth = std::max(frame.depth, depth + 1);
 }
 

@@ -220,6 +220,7 @@ class Builder {
   void reduce();
   void check_formula(const ast::Node& node);
   void check_number(const ast::Node& operand, Span operation);
+  void check_body_size(std::span<const ast::Formula> body);
   void check_target(ast::BodyOperator op, const ast::Node& node);
   void end_fork(ast::Statement statement);
   void end_statement(ast::Statement statement, std::string_view functor);

@@ -87,11 +87,39 @@ void Builder::missing_semicolon() {
                        "a ';' is missing between two formulas");
 }
 
+namespace {
+
+// Adds the formulas to `count`, until there are too many; the one that is. A body within
+// parentheses is just a part of the body around it.
+const ast::Formula* first_beyond_limit(std::span<const ast::Formula> body, std::size_t& count) {
+  for (const ast::Formula& formula : body) {
+    const bool is_part = formula.op == BodyOperator::none && formula.node->kind == Kind::body;
+    if (is_part) {
+      const ast::Formula* const beyond = first_beyond_limit(formula.node->formulas, count);
+      if (beyond != nullptr) return beyond;
+    } else if (++count > kMostParts) {
+      return &formula;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void Builder::check_body_size(std::span<const ast::Formula> body) {
+  std::size_t count = 0;
+  const ast::Formula* const beyond = first_beyond_limit(body, count);
+  if (beyond == nullptr) return;
+  error(beyond->span, fmt::format("more than {} formulas in a body", kMostParts),
+        "split it into several plans");
+}
+
 void Builder::end_body_as_term() {
   const Frame frame = end_frame();
   Node* const node = make_node(Kind::body, {});
   int depth = 0;
   node->formulas = pop_formulas(frame.formulas, depth);
+  check_body_size(node->formulas);
   // From the bracket before the first formula to the one that was matched last.
   node->span = span_from(frame.begin - 1);
   push_value(node, depth + 1);
@@ -325,6 +353,7 @@ void Builder::plan_body() {
   const Frame frame = end_frame();
   int depth = 0;
   std::span<const ast::Formula> body = pop_formulas(frame.formulas, depth);
+  check_body_size(body);
   if (!body.empty() && body.front().op == BodyOperator::none &&
       body.front().node->kind == Kind::truth && body.front().node->text == "true") {
     body = body.subspan(1);

@@ -367,7 +367,15 @@ class ProjectParser {
     if (number == nullptr) return false;
     const std::string_view text = number->text;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), agent.count);
-    if (code == std::errc() && end == text.data() + text.size() && agent.count > 0) return true;
+    if (code == std::errc() && end == text.data() + text.size() && agent.count > 0) {
+      std::int64_t all = agent.count;
+      for (const ProjectAgent& other : project_.agents) all += other.count;
+      if (all > kMostProjectAgents) {
+        diagnostics_.error(where(number->span),
+                           fmt::format("{} agents, more than {}", all, kMostProjectAgents));
+      }
+      return true;
+    }
     diagnostics_.error(where(number->span), fmt::format("'{}' is not a number of agents", text));
     return true;
   }

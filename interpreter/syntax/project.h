@@ -2,6 +2,7 @@
 
 // The project file, `.mas2j`: which agents a multi-agent system consists of.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct ProjectOption {
   std::string value;  // strings without their quotes
   SourceSpan where;   // of the value's content, so that errors inside point there
 };
+
+/// Agents of a project, in all.
+inline constexpr std::int64_t kMostProjectAgents = 1'000'000;
 
 struct ProjectAgent {
   std::string name;

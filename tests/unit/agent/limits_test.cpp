@@ -139,5 +139,58 @@ TEST(AgentLimits, HoldForTermsThatShareTheirParts) {
   }
 }
 
+/// What has numbers of 16 bits does not begin anew at 65,536.
+TEST(AgentLimits, HoldForTheWidthOfTermsAndClauses) {
+  const auto repeated = [](const std::string& text, int times, const std::string& between) {
+    std::string all = text;
+    for (int i = 1; i < times; ++i) all += between + text;
+    return all;
+  };
+  const auto error = [](const std::string& program) {
+    const test::AgentRun run = test::run_agents({{"agent", program}}, small_limits());
+    return run.errors.empty() ? std::string() : run.errors.front();
+  };
+  const std::string body = "!a.\n+!a <- ";
+  EXPECT_EQ(error(body + "X = f(" + repeated("1", 65'535, ",") + ")."), "");
+  EXPECT_EQ(error(body + "X = f(" + repeated("1", 65'536, ",") + ")."),
+            "2:12: more than 65535 arguments");
+  EXPECT_EQ(error("b(" + repeated("1", 70'000, ",") + ")."), "1:1: more than 65535 arguments");
+  EXPECT_EQ(error(body + repeated("X=1", 65'535, ";") + "."), "");
+  EXPECT_EQ(error(body + repeated("a", 65'536, ";") + "."),
+            "2:131078: more than 65535 formulas in a body");
+  EXPECT_EQ(error(body + "X = { " + repeated("a", 40'000, ";") + " }; Y = { " +
+                  repeated("a", 40'000, ";") + " }."),
+            "");
+  EXPECT_THAT(
+      error(body + "(" + repeated("a", 40'000, ";") + "); (" + repeated("a", 40'000, ";") + ")."),
+      HasSubstr("more than 65535 formulas"));
+  const auto variables = [](int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += (i == 0 ? "X" : ",X") + std::to_string(i);
+    return all;
+  };
+  EXPECT_EQ(error(body + "Y = [" + variables(65'000) + "]."), "");
+  EXPECT_EQ(error(body + "Y = [" + variables(65'536) + "]."), "2:1: more than 65535 variables");
+  EXPECT_EQ(error("b :- Y = [" + variables(65'536) + "]."), "1:1: more than 65535 variables");
+  EXPECT_THAT(test::printed_by("!a. +!a <- .findall(1, .range(_, 1, 65536), L); X =.. [f, L, []]; "
+                               ".print(never). -!a[error(E)] <- .print(E).",
+                               small_limits()),
+              ElementsAre("limit"));
+}
+
+TEST(AgentLimits, LetALongSortAndALongMatchBeInterrupted) {
+  for (const char* const program :
+       {"!a. +!a <- .findall(X, .range(X, 1, 3), L); !b(L). "
+        "+!b(L) <- .concat(L, L, M); .sort(M, S); !b(M).",
+        "!a. +!a <- !b(\"aaaaaaaaaaaaaaaaaaaa\"). +!b(S) <- .concat(S, S, T); "
+        ".replace(T, \"(a*)*(a*)*b\", \"\", R); !b(T)."}) {
+    int asked = 0;
+    MasOptions options;
+    options.interrupted = [&asked] { return ++asked > 2000; };
+    EXPECT_EQ(test::run_agents({{"agent", program}}, options).outcome.end, RunEnd::interrupted)
+        << program;
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk

@@ -130,5 +130,19 @@ TEST(Project, TellsSeveralErrors) {
   EXPECT_EQ(diagnostics.error_count(), 2U) << diagnostics.render();
 }
 
+TEST(Project, HasAMillionAgentsAtMost) {
+  for (const auto& [agents, is_refused] :
+       {std::pair{"a #1000000;", false}, std::pair{"a #1000001;", true},
+        std::pair{"a #600000; b #600000;", true},
+        std::pair{"a #2000000000; b #2000000000;", true}}) {
+    Diagnostics diagnostics;
+    (void)project_of(std::string("MAS m { agents: ") + agents + " }", diagnostics);
+    EXPECT_EQ(diagnostics.has_errors(), is_refused) << agents;
+    if (is_refused) {
+      EXPECT_NE(diagnostics.render().find("more than 1000000"), std::string::npos);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk
