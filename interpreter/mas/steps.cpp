@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/goal_stack.h"
+#include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/system.h"
 
 namespace jaywalk {
@@ -255,7 +256,16 @@ void Mas::Implementation::look() {
 void Mas::Implementation::update_percepts() {
   for (Resident& resident : residents_.all()) {
     if (!resident.has_body() || resident.is_leaving) continue;
-    resident.agent->update_percepts(*resident.percepts);
+    Agent& agent = *resident.agent;
+    ActionError error;
+    const bool perceived = guarded(error, [&] {
+      agent.update_percepts(*resident.percepts);
+      return true;
+    });
+    if (!perceived) {
+      agent.log("in its percepts: " + error.message);
+      limit_reached(agent, error.limit, "its percepts");
+    }
     resident.agent->rest();
     if (resident.agent->is_active()) wake(resident);
   }
