@@ -13,13 +13,24 @@ if(JAYWALK_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(JAYWALK_UNITY_ALARMS -Wno-subobject-linkage)
 endif()
 
+# Programs read files of strangers: what an error in them could overwrite is guarded. The standard
+# library's checks of lengths need optimisation; sanitizers have their own.
+set(JAYWALK_HARDENING "")
+if(NOT JAYWALK_SANITIZERS AND CMAKE_BUILD_TYPE MATCHES "^Rel|^MinSizeRel$")
+  set(JAYWALK_HARDENING -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIE)
+endif()
+
 # Warnings, sanitizers and the include root (the project's folder) for one target.
 function(jaywalk_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Designated initialisers leave fields at their defaults on purpose.
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                          -Wno-missing-field-initializers ${JAYWALK_FALSE_ALARMS}
-                         ${JAYWALK_UNITY_ALARMS} $<$<BOOL:${JAYWALK_WERROR}>:-Werror>)
+                         ${JAYWALK_UNITY_ALARMS} $<$<BOOL:${JAYWALK_WERROR}>:-Werror>
+                         ${JAYWALK_HARDENING})
+  if(JAYWALK_HARDENING)
+    target_link_options(${target} PRIVATE -pie -Wl,-z,relro,-z,now)
+  endif()
   if(JAYWALK_SANITIZERS)
     # -O1: instrumented code without any optimisation is too slow for the scenario tests. -g1: lines
     # are all that a finding needs, and they compile in three quarters of the time.
