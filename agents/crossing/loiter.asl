@@ -13,9 +13,9 @@ patience(3).  // s, how long to stand at the other side
 +!put_a_foot_in : avoids(0) <- !get(toe).
 +!put_a_foot_in             <- !wait; !put_a_foot_in.
 
-+!loiter : gone                          <- !get(beside).
-+!loiter : in_path                       <- !wait; !loiter.
-+!loiter : about_to_pass                 <- !get(middle); !loiter.
-+!loiter : stands & not came_over(_)     <- !get(tip); ?now(S); +came_over(S); !loiter.
++!loiter : gone                      <- !get(beside).
++!loiter : in_path                   <- !wait; !loiter.
++!loiter : about_to_pass             <- !get(middle); !loiter.
++!loiter : stands & not came_over(_) <- !get(tip); ?now(S); +came_over(S); !loiter.
 +!loiter : stands & came_over(Since) & now(S) & patience(P) & S - Since > P <- !get(out).
-+!loiter                                 <- !wait; !loiter.
++!loiter <- !wait; !loiter.

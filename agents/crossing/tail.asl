@@ -15,6 +15,6 @@
 +!tail : about_to_pass <- !get(middle); !tail.
 +!tail : stands        <- !get(out); !get(beside).
 +!tail : near_the_limit <- !along(forward); !tail.
-+!tail                 <- !along(back); !tail.
++!tail <- !along(back); !tail.
 
 near_the_limit :- spare(0, M) & M < 1.

@@ -42,6 +42,8 @@ std::string end_text(RunEnd end) {
       return "limit";
     case RunEnd::looping:
       return "looping";
+    case RunEnd::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }

@@ -55,7 +55,7 @@ on_the_zebra(To) :-
   y(Y) & Y >= From & Y <= To.
 
 // Out of the shadow of a parked car: to the other side of the lane, or further along, if there is time.
-+!come_into_view : in_the_shadow(_) & y(Y) & time_to_walk(out, Y)      <- !get(out); !turn_round.
++!come_into_view : in_the_shadow(_) & y(Y) & time_to_walk(out, Y) <- !get(out); !turn_round.
 +!come_into_view : in_the_shadow(To) & time_to_walk(beside, To + 14) <- !along_to(To + 14).
 +!come_into_view.
 in_the_shadow(To) :- side(Side) & parked(Side, From, To) & y(Y) & Y > From & Y - To < 22.
