@@ -61,7 +61,7 @@ std::vector<std::string> parameters(const Scenario& scenario, const std::string&
 }
 
 TEST(Presets, SetParametersOfTheBehavioursThatTheScenarioHas) {
-  const ScenarioOptions options{.preset = "as-published-program"};
+  ScenarioOptions options{.preset = "as-published-program"};
   const std::string text =
       "behaviours: [random_behaviour.asl, proximity.asl,\n"
       "  {program: mine.asl, name: election, parameters: {radius_limit: inclusive}}]\n";
