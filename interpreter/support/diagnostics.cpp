@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/excerpt.h"
+#include "interpreter/support/markup.h"
 #include "interpreter/support/silenced.h"
 
 namespace jaywalk {
@@ -42,7 +43,8 @@ std::size_t character_count(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 
-// Control characters would move the caret or the terminal's cursor.
+// Control characters would move the caret or the terminal's cursor; each becomes one character, so
+// that the caret below stays where it belongs.
 std::string printable(std::string_view text) {
   std::string shown(text);
   std::replace_if(
@@ -121,29 +123,25 @@ std::string marked_line(const Source& source, Span span, Paint paint) {
                      blanks_like(line.substr(begin, caret - begin)), paint(kGreen, mark));
 }
 
-}  // namespace
-
-namespace {
-
 // For people: of a very long text its begin and its end.
 std::string shortened(std::string_view text) {
   constexpr std::size_t kMostShown = 2000;
-  if (text.size() <= kMostShown) return printable(text);
+  if (text.size() <= kMostShown) return visible(text);
   const std::size_t begin = step_back(text, step_forward(text, 0, kMostShown * 3 / 4), 0);
   const std::size_t end = step_back(text, text.size(), kMostShown / 4);
-  if (begin >= end) return printable(text);
-  return fmt::format("{} ... ({} bytes left out) ... {}", printable(text.substr(0, begin)),
-                     end - begin, printable(text.substr(end)));
+  if (begin >= end) return visible(text);
+  return fmt::format("{} ... ({} bytes left out) ... {}", visible(text.substr(0, begin)),
+                     end - begin, visible(text.substr(end)));
 }
 
 }  // namespace
 
 std::string render(const Diagnostic& diagnostic, Colour colour) {
   const Paint paint{colour};
-  std::string place = diagnostic.subject;
+  std::string place = visible(diagnostic.subject);
   if (diagnostic.where.source) {
     const auto [line, column] = diagnostic.where.source->position(diagnostic.where.span.begin);
-    place = fmt::format("{}:{}:{}", diagnostic.where.source->name(), line, column);
+    place = fmt::format("{}:{}:{}", visible(diagnostic.where.source->name()), line, column);
   }
   std::string text = place.empty() ? std::string() : paint(kBold, place + ":") + " ";
   text += fmt::format(

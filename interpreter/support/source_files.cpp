@@ -28,6 +28,16 @@ bool stays_below(std::string_view path) {
   return !normal.empty() && !normal.is_absolute() && *normal.begin() != "..";
 }
 
+/// Unit tests lie in a folder `tests` below the programs that they test.
+std::optional<std::string> tested_folder(const std::string& folder) {
+  std::error_code error;
+  fs::path own = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
+  if (error) return std::nullopt;
+  if (!own.has_filename()) own = own.parent_path();  // of `folder/`
+  if (own.filename() != "tests") return std::nullopt;
+  return own.parent_path().string();
+}
+
 }  // namespace
 
 SourceFiles::SourceFiles(std::span<const SourcePtr> copies) : copies_(std::in_place) {
@@ -45,6 +55,7 @@ AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
   const std::string own = folder.empty() ? folder : place(folder + '/');
   readable.add(own);
   if (const auto project = find_project_folder(own)) readable.add(*project);
+  if (const auto tested = tested_folder(own)) readable.add(*tested);
   if (!library_.empty()) readable.add(library_);
   return readable;
 }

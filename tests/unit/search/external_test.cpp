@@ -123,7 +123,7 @@ TEST_F(ExternalSut, MaySayMoreThanItWasAsked) {
           R"([ $i = 2 ] && echo "{\"max_oob\": 0.9}"; done)",
           5);
   const auto& tests = results.runs[0].tests;
-  ASSERT_EQ(errors_.size(), 1U);
+  ASSERT_EQ(errors_.size(), 2U) << "that of test 1, and of the process after it";
   EXPECT_THAT(errors_[0], HasSubstr("test 1: line 2 of its output"));
   EXPECT_THAT(errors_[0], HasSubstr("but it also wrote '{\"max_oob\": 0.9}'"));
   EXPECT_DOUBLE_EQ(tests[0].test.fitness, 0.1);
