@@ -16,7 +16,7 @@ ROWS = [
     program("a rule without end", "n(X) :- n(Y) & X = Y+1.\nn(0).\n!go. +!go <- ?n(X) & false. -!go[error(E)] <- .print(E).\n", 0, "limit", seconds=60),
     program("a rule that burns inferences", "p(1). p(2). p(3). p(4). p(5). p(6). p(7). p(8). p(9). p(0).\n"
             "r :- p(A) & p(B) & p(C) & p(D) & p(E) & p(F) & p(G) & p(H) & p(I) & false.\n"
-            "!go. +!go : r. -!go[error(E)] <- .print(E).\n", 1, "", "--timeout", "1"),
+            "!go. +!go : r. -!go[error(E)] <- .print(E).\n", 1, "", "--timeout", "0.2"),
     program("a regular expression that backtracks", "!go. +!go <- .concat(\"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\",\"b\",S);"
             " .replace(S,\"(a+)+c\",\"x\",T); .print(done). -!go <- .print(failed).\n", 0, ""),
     program("an agent that makes agents that make agents", "!go. +!go <- .create_agent(x,\"agent.asl\"); .my_name(_).\n", 1, "", "--timeout", "1"),
