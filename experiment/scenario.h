@@ -73,7 +73,7 @@ struct TestLimits {
   std::uint64_t cycles = 0;
   /// Steps of queries, of all agents together; 0: no limit.
   std::uint64_t inferences = kUsualInferences;
-  /// What one agent, and all of them together, may own, in MB; 0: the interpreter's own limits.
+  /// MB (2^20 bytes) of one agent's terms; 0: the interpreter's own limit, 1 GB.
   std::uint64_t memory_mb = 0;
   /// By the wall clock; 0: no limit.
   double time_s = 0;

@@ -117,10 +117,7 @@ void set_limits(const TestLimits& limits, const TestDeadline& deadline, MasOptio
   constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
   options.max_run_inferences = limits.inferences;
   options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
-  if (limits.memory_mb > 0) {
-    options.max_agent_bytes = limits.memory_mb * kMegabyte;
-    options.max_system_bytes = limits.memory_mb * kMegabyte;
-  }
+  if (limits.memory_mb > 0) options.max_agent_bytes = limits.memory_mb * kMegabyte;
   if (limits.time_s > 0) options.interrupted = [&deadline] { return deadline.passed(); };
 }
 

@@ -98,7 +98,7 @@ struct TrialInput {
   /// The experiment's seed and the test's number, from 0.
   std::uint64_t seed = 0;
   std::uint64_t test = 0;
-  /// What the pedestrians are told of earlier tests: the beliefs covered(Item, Bin, Times).
+  /// What the pedestrians believe of earlier tests: the beliefs covered(Item, Bin, Times).
   std::vector<CoveredBin> feedback;
   /// Cells that the AV is ahead of its start: what the test before has left over (carry_over.h).
   int head_start = 0;
@@ -120,7 +120,7 @@ struct TrialOptions {
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
   /// the first in the zone, `collision`, of whoever the AV touched, `signal`, the colour that one
   /// begins to show, `errored`, why the test came to no end of its own, `feedback`, what the
-  /// pedestrians were told of earlier tests, and `head_start`, the AV's if it has one. Null:
+  /// pedestrians believed of earlier tests, and `head_start`, the AV's if it has one. Null:
   /// nothing is recorded.
   Recording* record = nullptr;
   /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.

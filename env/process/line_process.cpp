@@ -15,6 +15,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 namespace {
 
@@ -166,7 +168,8 @@ LineAnswer LineProcess::ask(std::string_view line, milliseconds limit) {
     if (std::string problem = start(); !problem.empty()) return {{}, std::move(problem)};
   } else if (const auto text = unasked(milliseconds(0))) {
     give_up();
-    return {{}, fmt::format("it wrote '{}' without being asked", shortened(*text)), true};
+    return {
+        {}, fmt::format("it wrote '{}' without being asked", shortened(*text, kMostQuoted)), true};
   }
   const Deadline deadline = steady_clock::now() + limit;
   LineAnswer answer;
@@ -218,15 +221,6 @@ int LineProcess::end(milliseconds patience) {
   if (error_pipe_ >= 0) read_errors();
   if (error_pipe_ >= 0) close(std::exchange(error_pipe_, -1));
   return status;
-}
-
-std::string shortened(const std::string& text) {
-  constexpr std::size_t kMostBytes = 80;
-  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  if (text.size() <= kMostBytes) return text;
-  std::size_t end = kMostBytes;
-  while (end > 0 && goes_on(text[end])) --end;
-  return text.substr(0, end) + "...";
 }
 
 }  // namespace jaywalk

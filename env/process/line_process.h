@@ -84,7 +84,7 @@ class LineProcess {
   std::size_t lines_ = 0;
 };
 
-/// The beginning of what a process wrote, as messages quote it.
-[[nodiscard]] std::string shortened(const std::string& text);
+/// Bytes of what a process wrote that messages quote.
+inline constexpr std::size_t kMostQuoted = 80;
 
 }  // namespace jaywalk

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 namespace {
 
@@ -41,7 +43,8 @@ std::string NumberedProcess::said_more(std::chrono::milliseconds settling) {
   if (!asked_) return {};
   const auto text = process_.unasked(settling);
   if (!text) return {};
-  return refuse(fmt::format("one line is an answer, but it also wrote '{}'", shortened(*text)));
+  return refuse(
+      fmt::format("one line is an answer, but it also wrote '{}'", shortened(*text, kMostQuoted)));
 }
 
 void NumberedProcess::tell(const nlohmann::json& line, std::chrono::milliseconds limit) {
@@ -66,7 +69,7 @@ std::string NumberedProcess::refuse(std::string_view why) {
   process_.give_up();
   asked_ = false;
   repeats_ = false;
-  return fmt::format("line {} of its output, '{}': {}", line, shortened(last_), why);
+  return fmt::format("line {} of its output, '{}': {}", line, shortened(last_, kMostQuoted), why);
 }
 
 }  // namespace jaywalk

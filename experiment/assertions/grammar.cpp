@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "experiment/assertions/expression.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk::stl {
 namespace {
@@ -398,7 +399,7 @@ void report_syntax_error(const ExpressionText& text, Iterator where, std::string
   if (found.empty() && !rest.empty()) {
     // A number or a sign, whole characters of UTF-8.
     std::size_t length = 1;
-    while (length < rest.size() && (static_cast<unsigned char>(rest[length]) & 0xC0U) == 0x80U) {
+    while (length < rest.size() && !begins_character(rest[length])) {
       ++length;
     }
     if (is_word_character(rest[0])) {

@@ -7,6 +7,7 @@
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/support/excerpt.h"
+#include "interpreter/support/text.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
@@ -18,12 +19,7 @@ constexpr std::size_t kLongestText = 300;
 constexpr std::size_t kOuterGoals = 3;
 constexpr std::size_t kInnerGoals = 5;
 
-std::string cut(std::string text) {
-  if (text.size() <= kLongestText) return text;
-  std::size_t end = kLongestText;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-  return text.substr(0, end) + "...";
-}
+std::string cut(std::string_view text) { return shortened(text, kLongestText); }
 
 std::string goal_with_place(const IntendedMeans& means, const SymbolTable& symbols) {
   const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().place.line;

@@ -7,6 +7,7 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/program/plan_compiler.h"
+#include "interpreter/support/width.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 #include "interpreter/term/width.h"
@@ -71,8 +72,8 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   }
   std::vector<Symbol> names;
   const Value made = as_template(term, names);
-  if (names.size() > kMostArguments) {
-    problem = fmt::format("a plan with more than {} variables", kMostArguments);
+  if (names.size() > kMostParts) {
+    problem = fmt::format("a plan with more than {} variables", kMostParts);
     return false;
   }
   const std::shared_ptr<Plan> plan =

@@ -21,7 +21,7 @@ ActionError error_of_limit() {
     error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);
     error.limit = ReachedLimit::nesting;
   } catch (const TermTooWide&) {
-    error.message = fmt::format("a structure has more than {} arguments", kMostArguments);
+    error.message = fmt::format("a structure has more than {} arguments", kMostParts);
     error.limit = ReachedLimit::nesting;
   } catch (const DivisionByZero&) {
     error.id = "division_by_zero";

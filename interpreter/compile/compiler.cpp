@@ -12,6 +12,7 @@
 #include "interpreter/compile/translator.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/program/plan_compiler.h"
+#include "interpreter/support/width.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"

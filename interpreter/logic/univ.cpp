@@ -88,7 +88,7 @@ bool put_together(Unifier& unifier, Value term, Value list) {
     functor.erase(0, 1);
   }
   const std::vector<Value> args = elements_of(parts[first + 1]);
-  if (args.size() > kMostArguments) throw TermTooWide{};
+  if (args.size() > kMostParts) throw TermTooWide{};
   signature.functor = symbols.symbol(functor);
   signature.arity = static_cast<std::uint16_t>(args.size());
   return unifier.unify(term, heap.structure(symbols.predicate(signature), args, parts[first + 2]));

@@ -69,11 +69,9 @@ struct MasOptions {
   std::uint32_t max_rounds = 10'000;
   /// Agents that live at the same time; beyond, `.create_agent` fails.
   std::size_t max_agents = 1'000'000;
-  /// What one agent may own, in bytes: terms, beliefs, plans of its own, goals, intentions, events
-  /// and messages. A step that asks for more fails, as far as `at_memory_limit` says no other.
+  /// Bytes of one agent's terms. A step that asks for more fails, unless `at_memory_limit` says
+  /// otherwise. Goals, intentions, events and messages are not counted.
   std::uint64_t max_agent_bytes = std::uint64_t{1} << 30U;
-  /// The same for all agents of the system together; 0: half of the machine's memory.
-  std::uint64_t max_system_bytes = 0;
   enum class AtMemoryLimit : std::uint8_t { fail_step, end_run };
   AtMemoryLimit at_memory_limit = AtMemoryLimit::fail_step;
   /// Inferences that one query may take; beyond, the step that asks it fails.

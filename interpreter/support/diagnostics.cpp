@@ -9,6 +9,7 @@
 #include "interpreter/support/excerpt.h"
 #include "interpreter/support/markup.h"
 #include "interpreter/support/silenced.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 // Lines are shown in a window of this many characters around the place that is meant.
 constexpr std::size_t kShownBefore = 60;
 constexpr std::size_t kShownCharacters = 100;
-
-bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
 
 // The byte at which the character `characters` before `at` begins.
 std::size_t step_back(std::string_view line, std::size_t at, std::size_t characters) {
@@ -37,10 +36,6 @@ std::size_t step_forward(std::string_view line, std::size_t at, std::size_t char
     ++at;
   }
   return at;
-}
-
-std::size_t character_count(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 
 // Control characters would move the caret or the terminal's cursor; each becomes one character, so
@@ -124,7 +119,7 @@ std::string marked_line(const Source& source, Span span, Paint paint) {
 }
 
 // For people: of a very long text its begin and its end.
-std::string shortened(std::string_view text) {
+std::string without_middle(std::string_view text) {
   constexpr std::size_t kMostShown = 2000;
   if (text.size() <= kMostShown) return visible(text);
   const std::size_t begin = step_back(text, step_forward(text, 0, kMostShown * 3 / 4), 0);
@@ -147,13 +142,14 @@ std::string render(const Diagnostic& diagnostic, Colour colour) {
   text += fmt::format(
       "{} {}",
       paint(code_of(diagnostic.severity), fmt::format("{}:", name_of(diagnostic.severity))),
-      paint(kBold, shortened(diagnostic.message)));
+      paint(kBold, without_middle(diagnostic.message)));
   if (!diagnostic.code.empty()) text += fmt::format(" [{}]", diagnostic.code);
   text += '\n';
   if (diagnostic.where.source) {
     text += marked_line(*diagnostic.where.source, diagnostic.where.span, paint);
   }
-  if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", shortened(diagnostic.hint));
+  if (!diagnostic.hint.empty())
+    text += fmt::format("  hint: {}\n", without_middle(diagnostic.hint));
   return text;
 }
 

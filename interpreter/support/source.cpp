@@ -5,18 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
-
-namespace {
-
-// Of UTF-8, by the bytes that begin one.
-std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  }));
-}
-
-}  // namespace
 
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_starts_{0} {
@@ -27,7 +18,7 @@ Source::Source(std::string name, std::string text)
   std::size_t count = 0;
   const std::string_view all = text_;
   for (std::size_t at = 0; at + kBetweenMarks <= all.size(); at += kBetweenMarks) {
-    count += characters(all.substr(at, kBetweenMarks));
+    count += character_count(all.substr(at, kBetweenMarks));
     characters_at_marks_.push_back(static_cast<std::uint32_t>(count));
   }
 }
@@ -42,7 +33,7 @@ std::string_view Source::text(Span span) const {
 std::size_t Source::characters_before(std::uint32_t offset) const {
   const std::size_t mark = offset / kBetweenMarks;
   const auto begin = static_cast<std::uint32_t>(mark * kBetweenMarks);
-  return (mark == 0 ? 0 : characters_at_marks_[mark - 1]) + characters(text({begin, offset}));
+  return (mark == 0 ? 0 : characters_at_marks_[mark - 1]) + character_count(text({begin, offset}));
 }
 
 Source::Position Source::position(std::uint32_t offset) const {
@@ -52,7 +43,7 @@ Source::Position Source::position(std::uint32_t offset) const {
   Position position;
   position.line = static_cast<std::uint32_t>(next - line_starts_.begin());
   position.column += static_cast<std::uint32_t>(
-      clamped - start < kBetweenMarks ? characters(text({start, clamped}))
+      clamped - start < kBetweenMarks ? character_count(text({start, clamped}))
                                       : characters_before(clamped) - characters_before(start));
   return position;
 }

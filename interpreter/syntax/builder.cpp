@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/width.h"
 #include "interpreter/syntax/node.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/syntax/precedence.h"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/width.h"
 #include "interpreter/syntax/builder.h"
 #include "interpreter/syntax/node.h"
 #include "interpreter/syntax/precedence.h"

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/formatter_columns.h"
 #include "interpreter/syntax/formatter_items.h"
 #include "interpreter/syntax/parser.h"
@@ -13,7 +14,6 @@ namespace jaywalk {
 namespace {
 
 using enum TokenKind;
-using format::columns;
 using format::Item;
 
 constexpr std::size_t kIndent = 2;
@@ -65,9 +65,9 @@ class Formatter {
     out_ += text;
     const std::size_t last_break = text.rfind('\n');
     if (last_break == std::string_view::npos) {
-      column_ += columns(text);
+      column_ += character_count(text);
     } else {
-      column_ = columns(text.substr(last_break + 1));
+      column_ = character_count(text.substr(last_break + 1));
       line_ += static_cast<std::size_t>(std::ranges::count(text, '\n'));
       line_begin_ = out_.size() - (text.size() - last_break - 1);
     }
@@ -106,7 +106,7 @@ class Formatter {
   [[nodiscard]] bool fits(std::size_t begin, std::size_t end, std::size_t used) const {
     for (std::size_t i = begin; i < end; ++i) {
       if (items_[i].is_comment) return false;
-      used += columns(items_[i].text) + (i > begin && items_[i].blank_before ? 1 : 0);
+      used += character_count(items_[i].text) + (i > begin && items_[i].blank_before ? 1 : 0);
       if (used > kLineWidth) return false;
     }
     return true;
@@ -116,7 +116,7 @@ class Formatter {
     std::size_t width = 0;
     for (std::size_t i = begin; i < end && width <= kLineWidth; ++i) {
       if (i > begin && (items_[i].may_break || items_[i].is_comment)) break;
-      width += columns(items_[i].text) + (items_[i].blank_before ? 1 : 0);
+      width += character_count(items_[i].text) + (items_[i].blank_before ? 1 : 0);
     }
     return width;
   }
@@ -128,7 +128,7 @@ class Formatter {
       if (i > begin && (items_[i].may_break || items_[i].is_comment)) break;
       const std::size_t last = opens(items_[i].kind) ? std::min(items_[i].partner, end - 1) : i;
       for (; i <= last && width <= kLineWidth; ++i) {
-        width += columns(items_[i].text) + (items_[i].blank_before ? 1 : 0);
+        width += character_count(items_[i].text) + (items_[i].blank_before ? 1 : 0);
       }
       --i;
     }

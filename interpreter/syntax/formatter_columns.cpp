@@ -6,23 +6,17 @@
 #include <string_view>
 #include <utility>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk::format {
 namespace {
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
-}
 
 class Columns {
  public:
   Columns(std::string_view text, std::vector<ColumnMark> marks, std::size_t width)
-      : lines_(lines_of(text)), marks_(std::move(marks)), width_(width) {}
+      : marks_(std::move(marks)), width_(width) {
+    for (const std::string_view line : lines_of(text)) lines_.emplace_back(line);
+  }
 
   std::string run() {
     // From left to right, since each pass moves what stands behind.
@@ -51,14 +45,14 @@ class Columns {
   }
 
   [[nodiscard]] std::size_t column_of(const ColumnMark& mark) const {
-    return columns(std::string_view(lines_[mark.line]).substr(0, mark.offset));
+    return character_count(std::string_view(lines_[mark.line]).substr(0, mark.offset));
   }
 
   void pad(std::span<ColumnMark* const> run) {
     std::size_t widest = 0;
     for (const ColumnMark* mark : run) widest = std::max(widest, column_of(*mark));
     const bool fits = std::ranges::all_of(run, [&](const ColumnMark* mark) {
-      return columns(lines_[mark->line]) + widest - column_of(*mark) <= width_;
+      return character_count(lines_[mark->line]) + widest - column_of(*mark) <= width_;
     });
     if (!fits) return;
     for (const ColumnMark* mark : run) {
@@ -78,11 +72,6 @@ class Columns {
 };
 
 }  // namespace
-
-std::size_t columns(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 std::string with_columns(std::string text, std::vector<ColumnMark> marks, std::size_t width) {
   return Columns(text, std::move(marks), width).run();

@@ -22,9 +22,6 @@ struct ColumnMark {
   std::size_t former_column = 0;
 };
 
-/// How many columns a text takes: its characters.
-[[nodiscard]] std::size_t columns(std::string_view text);
-
 /// The text with blanks before the marks where that makes columns of them again; lines that would
 /// be longer than `width` stay. The marks are in the order of the text.
 [[nodiscard]] std::string with_columns(std::string text, std::vector<ColumnMark> marks,

@@ -3,7 +3,6 @@
 // Text to syntax tree. The grammar (Boost.Spirit X3) is in grammar.cpp alone. Every parse collects
 // its errors as diagnostics, several per text, since it goes on after the next full stop.
 
-#include <cstddef>
 #include <memory>
 
 #include "interpreter/support/diagnostics.h"
@@ -13,8 +12,6 @@ namespace jaywalk {
 
 /// Terms, formulas and bodies nested deeper than this are refused with a diagnostic.
 inline constexpr int kMaxNesting = 1000;
-/// Arguments of a literal, formulas of a body and variables of a clause have numbers of 16 bits.
-inline constexpr std::size_t kMostParts = 65'535;
 
 /// A whole program, an `.asl` file. What could be parsed is returned even if there are errors.
 [[nodiscard]] ast::File parse_agent(SourcePtr source, Diagnostics& diagnostics);

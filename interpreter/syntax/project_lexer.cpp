@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "interpreter/support/characters.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -74,7 +75,7 @@ class ProjectLexer {
     ++at_;
     if (std::string_view("{}()[]:;,#=.").find(c) != std::string_view::npos)
       return ProjectTokenKind::symbol;
-    while ((static_cast<unsigned char>(peek()) & 0xC0U) == 0x80U) ++at_;
+    while (!begins_character(peek())) ++at_;
     diagnostics_.error({source_, span()}, "unexpected character in a project");
     return ProjectTokenKind::bad;
   }

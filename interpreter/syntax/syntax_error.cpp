@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 namespace {
 
@@ -182,17 +184,10 @@ class Reporter {
   [[nodiscard]] std::string found() const {
     const Token& token = *error_.found;
     if (token.kind == atom || token.kind == variable || token.kind == number) {
-      return fmt::format("'{}'", shortened(text_of(token)));
+      return fmt::format("'{}'", shortened(text_of(token), kLongestQuoted));
     }
-    if (token.kind == string) return shortened(text_of(token));
+    if (token.kind == string) return shortened(text_of(token), kLongestQuoted);
     return std::string(name_of(token.kind));
-  }
-
-  [[nodiscard]] static std::string shortened(std::string_view text) {
-    if (text.size() <= kLongestQuoted) return std::string(text);
-    std::size_t end = kLongestQuoted;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-    return std::string(text.substr(0, end)) + "...";
   }
 
   // The grammar asks for the one token that must come; here is what else could.

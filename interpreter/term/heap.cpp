@@ -116,7 +116,7 @@ void Heap::release_chunks(std::size_t kept) {
 Value Heap::structure(Predicate predicate, std::span<const Value> args, Value annots, Form form) {
   const bool annotated = !annots.is_empty_list();
   if (args.empty() && !annotated && form == Form::literal) return Value::atom(predicate);
-  if (args.size() > kMostArguments) throw TermTooWide{};
+  if (args.size() > kMostParts) throw TermTooWide{};
   const std::size_t extra = annotated ? 1 : 0;
   std::uint64_t* const cell = allocate(1 + extra + args.size());
   auto* const made = reinterpret_cast<Structure*>(cell);

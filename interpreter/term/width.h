@@ -1,15 +1,13 @@
 #pragma once
 
-// How wide terms may be: what counts arguments and variables has 16 bits.
+// What becomes of a structure that would be wider than terms may be (support/width.h).
 
-#include <cstddef>
+#include "interpreter/support/width.h"
 
 namespace jaywalk {
 
-/// Arguments of a structure, and variables of a clause.
-inline constexpr std::size_t kMostArguments = 65'535;
-
-/// Thrown when a structure would have more arguments; caught where the agent executes a step.
+/// Thrown when a structure would have more than kMostParts arguments; caught where the agent
+/// executes a step.
 struct TermTooWide {};
 
 }  // namespace jaywalk

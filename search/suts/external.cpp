@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "env/process/numbered_process.h"
+#include "interpreter/support/text.h"
 #include "search/suts/read_road_space.h"
 #include "search/suts/suts.h"
 
@@ -74,7 +75,7 @@ class ExternalProgram : public Sut {
   Outcome read(const Json& json) {
     if (const auto error = json.find("error"); error != json.end() && error->is_string()) {
       // The program goes on; it could not execute this test.
-      return failed(fmt::format("it says '{}'", shortened(error->get<std::string>())));
+      return failed(fmt::format("it says '{}'", shortened(error->get<std::string>(), kMostQuoted)));
     }
     Outcome outcome;
     if (const auto time = json.find("sim_time"); time != json.end()) {

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk::fuzz {
 namespace {
 
@@ -105,16 +107,6 @@ Run some_run(Choices& choices, const std::vector<std::string_view>& tokens) {
     default:
       return {first, std::min(tokens.size(), first + 1 + choices.below(12))};
   }
-}
-
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
 }
 
 /// The line with another value behind its last colon, dash or comma.
@@ -240,8 +232,9 @@ std::string splice(Choices& choices, std::string_view text, std::string_view don
 }
 
 std::string spoil_yaml(Choices& choices, std::string_view text, std::string_view donor) {
-  std::vector<std::string> lines = lines_of(text);
-  const std::vector<std::string> others = lines_of(donor);
+  const std::vector<std::string_view> old = lines_of(text);
+  std::vector<std::string> lines(old.begin(), old.end());
+  const std::vector<std::string_view> others = lines_of(donor);
   const std::size_t times = 1 + choices.below(5);
   for (std::size_t i = 0; i < times && !lines.empty(); ++i) {
     const std::size_t at = choices.below(lines.size());
@@ -263,7 +256,7 @@ std::string spoil_yaml(Choices& choices, std::string_view text, std::string_view
         lines[at].erase(0, std::min(lines[at].find_first_not_of(' '), choices.below(5)));
         break;
       case 5:
-        if (!others.empty()) lines.insert(place, others[choices.below(others.size())]);
+        if (!others.empty()) lines.emplace(place, others[choices.below(others.size())]);
         break;
       default:
         lines[at] = with_value(choices, lines[at], odd_scalar(choices));

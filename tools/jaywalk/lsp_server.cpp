@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/formatter.h"
 #include "tools/jaywalk/lsp_json.h"
 
@@ -81,10 +82,7 @@ std::string first_words(std::string_view text) {
   constexpr std::size_t kMost = 60;
   text = text.substr(0, text.find('\n'));
   while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
-  if (text.size() <= kMost) return std::string(text);
-  std::size_t end = kMost;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-  return std::string(text.substr(0, end)) + "...";
+  return shortened(text, kMost);
 }
 
 Json symbol(const Document& document, std::string name, int kind, Span span, Span selection) {

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk::lsp {
 namespace {
 
 constexpr std::string_view kFile = "file://";
-
-bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
 // Characters beyond the basic plane take two units; in UTF-8 they begin with 0xF0 or more.
 std::uint32_t units_of(char lead) { return static_cast<unsigned char>(lead) >= 0xF0U ? 2 : 1; }

@@ -31,7 +31,7 @@ inline constexpr std::array kLimitOptions = {
                "of one test, which ends errored beyond: reasoning cycles of one\n"
                "agent, as the next three"},
     OptionSpec{"max-inferences", "N", "inferences of all agents (default 200000000; 0: no limit)"},
-    OptionSpec{"max-memory", "MB", "memory of its agents"},
+    OptionSpec{"max-memory", "MB", "memory of one agent's terms (default 1024)"},
     OptionSpec{"timeout", "S",
                "seconds by the wall clock (default: no limit): the one limit\n"
                "whose outcome depends on the machine"},

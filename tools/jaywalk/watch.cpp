@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/frame_cells.h"
 
 namespace jaywalk {
@@ -15,14 +16,12 @@ namespace {
 
 constexpr int kLabelWidth = 13;
 
-bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
-
 /// At most so many letters of it, without what moves a terminal's cursor.
 std::string fitted(std::string_view text, int columns) {
   std::string line;
   int letters = 0;
   for (const char c : text) {
-    if (begins_letter(c) && ++letters > columns) break;
+    if (begins_character(c) && ++letters > columns) break;
     line += static_cast<unsigned char>(c) < ' ' || c == 0x7F ? ' ' : c;
   }
   return line;

@@ -1,0 +1,40 @@
+#pragma once
+
+// Texts by characters of UTF-8 and by lines.
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jaywalk {
+
+/// Whether a character begins with the byte; otherwise it goes on with it.
+[[nodiscard]] inline bool begins_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+[[nodiscard]] inline std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+/// At most `most` bytes of the text, in whole characters, and "..." if that is not all.
+[[nodiscard]] inline std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && !begins_character(text[most])) --most;
+  return std::string(text.substr(0, most)) + "...";
+}
+
+/// Without their line breaks; a break at the end begins no further line.
+[[nodiscard]] inline std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+}  // namespace jaywalk
