@@ -61,6 +61,23 @@ TEST(DefectsInScenarios, AreOnControllersOfOnesOwn) {
   EXPECT_GT(changed("external", 3, "weak-brakes=1"), 0);
 }
 
+TEST(StandardSet, HasNoNewBehaviourThatDropsAnIntention) {
+  const auto prepared = scenario("defects", {"experiment.defects=[]"});
+  for (const char* name : {"brink", "feint", "loiter", "shadow", "decoy_and_runner", "tail",
+                           "stall", "sprint", "crowd", "repeat", "hunter"}) {
+    for (const std::uint32_t agents : {1U, 3U}) {
+      std::size_t drops = 0;
+      for (std::uint64_t test = 0; test < 30; ++test) {
+        drops += run_trial(*prepared, {.behaviour = behaviour(*prepared, name),
+                                       .agents = agents,
+                                       .test = test})
+                     .troubles.drops.size();
+      }
+      EXPECT_EQ(drops, 0U) << name << " with " << agents;
+    }
+  }
+}
+
 // Seed 0, with which no behaviour was written.
 TEST(Specialists, AreBetterThanAnyOtherAtTheirDefect) {
   const auto failures = [](const std::string& behaviour, const std::string& defect,

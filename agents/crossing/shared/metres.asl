@@ -24,8 +24,8 @@ in_path :- x(X) & path(From, To) & over(X, From, To).
 side(left)  :- x(X) & path(From, To) & X < (From + To) / 2.
 side(right) :- not side(left).
 
-// Places across the road, seen from a side: beside the lane; a foot in it; beside the AV's path;
-// in its middle; in its other half; beyond it; out of the lane on the other side.
+// Places across the road, seen from a side: beside the lane; a foot in it; beside the AV's path; in
+// its middle; in its other half; beyond it; a foot left in the lane; out of it on the other side.
 place(beside, left, X) :- av_lane(From, _) & body(B) & X = From - B / 2.
 place(toe, left, X)    :- av_lane(From, _) & body(B) & X = From - B / 2 + 0.1.
 place(brim, left, X)   :- path(From, _) & body(B) & X = From - B / 2 - 0.35.
@@ -33,6 +33,7 @@ place(near, left, X)   :- path(From, To) & X = (From + To) / 2 - 0.6.
 place(middle, left, X) :- path(From, To) & X = (From + To) / 2.
 place(far, left, X)    :- path(From, To) & X = (From + To) / 2 + 0.6.
 place(beyond, left, X) :- path(_, To) & body(B) & X = To + B / 2 + 0.35.
+place(tip, left, X)    :- av_lane(_, To) & body(B) & X = To + B / 2 - 0.1.
 place(out, left, X)    :- av_lane(_, To) & body(B) & X = To + B / 2.
 place(Name, right, X)  :- mirrored(Name, Other) & place(Other, left, X).
 
@@ -44,4 +45,4 @@ mirrored(far, near).
 mirrored(beyond, brim).
 mirrored(out, beside).
 mirrored(toe, tip).
-place(tip, left, X) :- av_lane(_, To) & body(B) & X = To + B / 2 - 0.1.
+mirrored(tip, toe).
