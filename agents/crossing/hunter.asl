@@ -1,25 +1,20 @@
-// Hunter: looks for what the AV does wrong. In every tick it pursues what is worth most as the AV now
-// drives: to be met by it where it drives on though somebody is in its lane; to try its patience where
-// it stands; to draw it on; to step out on the brink; to lure it from afar. It remembers how the AV
-// reacted; with others it forms a group beside one of them, who stays behind.
+// Hunter: looks for what the AV does wrong. In every tick it pursues what is worth most as the AV
+// now drives: to be met by it where it drives on though somebody is in its lane; to try its
+// patience where it stands; to draw it on; to step out on the brink; to lure it. It remembers how
+// the AV reacted. Of several the first whom it comes to lures it, and after two tries lets it go on
+// to the others.
 
 { include("shared/stepping.asl") }
 { include("shared/company.asl") }
 
-patience(2.6).  // s, how long to try the AV in one place
-lures(16).      // m short of which a driver would stand who is lured
+patience(2.6).    // s, how long to try the AV in one place
+lures(14).        // m short of which a driver would stand who is lured
+lures_from(4.4).  // s before the AV comes
 falls_back(2.5).  // m by which an AV that reacts otherwise leaves that driver behind
 
 !exercise_av.
 
-+!exercise_av <- +trials([far, near, beyond]); !tell_where_i_stand; !set_out_across; !begin.
-
-+!begin : id(Me) & joins(Me)
-  <- +reacted(in_company);
-     !join;
-     !tell_the_post;
-     !hunt.
-+!begin <- !hunt.
++!exercise_av <- +trials([far, near, beyond]); !tell_where_i_stand; !set_out_across; !hunt.
 
 unseen :- driver(F, _, _) & x(X) & near(Y) & hidden(F, X, Y).
 
@@ -34,10 +29,25 @@ reacts(as_a_driver) :-
 reacts(otherwise) :- leads(M) & falls_back(Least) & M > Least & (slows | stands).
 leads(M) :- av_seen(F, _, _) & driver(D, _, _) & M = F - D.
 
+can_lure :-
+  comes_in(S) & lures_from(Most) & S < Most & not stands & spare(0, M) & lures(Least) & M > Least.
+
+// Where the way to the other side, or along the lane, ends at a parked car.
+car_across :-
+  home(Side) & parked(Other, From, To) & Other \== Side & far(Y) & Y > From - 5 & near(N) & N < To.
+at_a_car :- side(Side) & parked(Side, From, To) & far(Y) & Y > From - 0.3 & Y < To.
+
+// Somebody whom the AV comes to first, and somebody further on.
+first_to_others :-
+  driver(F, _, _) & near(Mine) & in_sight(Id, _, Y) & Id \== me & Y > F + 12 & Y < Mine - 1.
+others_ahead :- near(Mine) & in_sight(Id, _, Y) & Id \== me & Y > Mine + 1.
+
 +!hunt : desire(Desire) <- !Desire; !hunt.
 
 desire(let_go) :- gone.
-desire(try(Place)) :- in_lane & stands & gap(M) & M < 4 & trials([Place|_]).
+desire(let_go) :- draws(N) & N > 1 & others_ahead & not in_lane.
+desire(try(Place)) :-
+  in_lane & stands & gap(M) & M < 4 & trials([Place|_]) & not (Place == beyond & car_across).
 desire(meet) :- in_lane & drives & drawing & about_to_pass.
 desire(draw_on) :- in_lane & (stands | drawing).
 desire(meet) :- in_lane & not in_path & about_to_pass.
@@ -47,11 +57,10 @@ desire(meet) :- in_lane & about_to_pass.
 desire(remember(How)) :- in_lane & not reacted(_) & reacts(How).
 desire(be_ready) :- in_lane & reacted(_).
 desire(come_on) :- in_lane.
-desire(hold_up) :- awaits_others & comes_in(S) & S < 5 & avoids(0).
 desire(stay_by) :- somebody_hides_here & not stands.
 desire(step_out) :- on_the_brink.
 desire(come_on) :-
-  not reacted(_) & spare(0, M) & lures(Least) & M > Least & side(Side) & not emerges_from(Side).
+  not reacted(_) & can_lure & not first_to_others & side(Side) & not emerges_from(Side).
 desire(be_ready).
 
 +!let_go        <- !wait.
@@ -59,10 +68,16 @@ desire(be_ready).
 +!stay_by       <- !to(beside).
 +!be_ready : side(Side) & place(beside, Side, X) & there(X)
   <- -aim(_);
-     -drawing;
+     !rest;
      !turn_round;
      !come_to_the_brink.
-+!be_ready <- -aim(_); -drawing; !turn_round; !to(beside).
++!be_ready <- -aim(_); !rest; !turn_round; !to(beside).
+
+// How often it has drawn the AV on.
++!rest : drawing & draws(N) <- -drawing; -+draws(N + 1).
++!rest : drawing <- -drawing; +draws(1).
++!rest.
+
 +!step_out <- !aim_at(near).
 +!meet <- !aim_at(middle).
 
@@ -70,12 +85,9 @@ desire(be_ready).
 
 +!remember(How) <- +reacted(How); !be_ready.
 
-// A foot in the lane, and along it against the AV, until that reacts.
+// A foot in the lane until the AV reacts.
 +!come_on : slows <- !wait.
-+!come_on : home(Side) & place(toe, Side, X) & there(X) <- !along(back).
 +!come_on <- !to(toe).
-
-+!hold_up <- !to(toe).
 
 // Somewhere else in its lane, for as long as the patience lasts.
 +!try(Place) : trying(Place, Since) & now(S) & patience(P) & S - Since > P & trials([_|Rest])
@@ -87,6 +99,7 @@ desire(be_ready).
 // Ahead in its lane until a driver who had stopped would have the way to pick up speed, then out.
 +!draw_on : not drawing <- +drawing; !wait.
 +!draw_on : in_path     <- !leave_path.
-+!draw_on : leads(M) & M < 1 & driver(F, _, _) & near(N) & N - F < 4.5 <- !along(forward).
++!draw_on : leads(M) & M < 1 & driver(F, _, _) & near(N) & N - F < 4.5 & not at_a_car
+  <- !along(forward).
 +!draw_on : side(Side) & place(beside, Side, X) <- !step_to(X).
 +!leave_path : side(Side) & place(brim, Side, X) <- !step_to(X).

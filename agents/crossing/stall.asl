@@ -3,8 +3,8 @@
 
 { include("shared/stepping.asl") }
 
-steps_out(4).   // s before the AV comes
-stands_for(8).  // s
+steps_out(4).    // s before the AV comes
+stands_for(20).  // s
 
 !exercise_av.
 

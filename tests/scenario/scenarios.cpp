@@ -85,13 +85,13 @@ Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_
 }
 
 VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,
-                       std::string_view assertion, std::uint64_t tests) {
+                       std::string_view assertion, std::uint64_t tests, std::uint32_t agents) {
   const auto& assertions = prepared.scenario().assertions;
   const auto judged = std::ranges::find(assertions, assertion, &Assertion::id);
   const Ground on = ground(prepared.scenario().world);
   VerdictCounts counts;
   for (std::uint64_t test = 0; test < tests; ++test) {
-    const Recording recording = run(prepared, name, 1, test).recording;
+    const Recording recording = run(prepared, name, agents, test).recording;
     ++counts.tests[static_cast<std::size_t>(judge(*judged, TestView(recording, on)).verdict)];
   }
   return counts;

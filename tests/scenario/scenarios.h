@@ -41,8 +41,9 @@ struct Seen {
 [[nodiscard]] Seen run(const PreparedScenario& prepared, const std::string& name,
                        std::uint32_t agents, std::uint64_t test, std::uint64_t seed = 0);
 
-/// In how many of so many tests a behaviour's only pedestrian has led to each verdict.
+/// In how many of so many tests a behaviour's pedestrians have led to each verdict.
 [[nodiscard]] VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,
-                                     std::string_view assertion, std::uint64_t tests);
+                                     std::string_view assertion, std::uint64_t tests,
+                                     std::uint32_t agents = 1);
 
 }  // namespace jaywalk::testing_scenario

@@ -6,11 +6,18 @@
 trials([far, near, beyond]).
 
 @[test]
-+!it_lures_an_av_that_is_far
++!it_lures_an_av_that_has_room_to_stop
+  <- +at(1.5 - 1 / 6, 50);
+     !the_av_is_at(38, 9, 0);
+     ?desire(Desire);
+     !assert_equals(come_on, Desire).
+
+@[test]
++!it_does_not_lure_an_av_that_is_far
   <- +at(1.5 - 1 / 6, 50);
      !the_av_is_at(10, 9, 0);
      ?desire(Desire);
-     !assert_equals(come_on, Desire).
+     !assert_equals(be_ready, Desire).
 
 @[test]
 +!it_steps_out_on_the_brink
@@ -69,14 +76,49 @@ trials([far, near, beyond]).
      !assert_true(reacted(as_a_driver)).
 
 @[test]
-+!the_post_holds_the_av_up_until_all_are_there
++!it_leaves_luring_to_whom_the_av_comes_to_first
   <- +at(1.5 - 1 / 6, 50);
-     +stood(1, left, 75.75);
-     +stood(2, left, 70);
-     +av_start(1.5);
-     !the_av_is_at(40, 9, 0);
+     +road_user(2, pedestrian, 1, 45, 0, 0);
+     !the_av_is_at(38, 9, 0);
      ?desire(Desire);
-     !assert_equals(hold_up, Desire);
-     +here(2);
+     !assert_equals(be_ready, Desire).
+
+@[test]
++!it_lets_the_av_go_to_those_further_on_after_two_tries
+  <- +at(1.5 - 1 / 6, 30);
+     +road_user(2, pedestrian, 1, 45, 0, 0);
+     +drawing;
+     !rest;
+     !the_av_is_at(27, 9, 0);
+     ?desire(Desire);
+     !assert_equals(step_out, Desire);
+     +drawing;
+     !rest;
      ?desire(Then);
-     !assert_false(Then == hold_up).
+     !assert_equals(let_go, Then).
+
+@[test]
++!it_does_not_go_over_to_a_parked_car
+  <- +at(3.5, 30);
+     +obstacle(4, 4, 30, 32);
+     -+trials([beyond]);
+     !the_av_is_at(44, 0, 0);
+     ?desire(Desire);
+     !assert_equals(draw_on, Desire).
+
+@[test]
++!it_leaves_the_lane_where_a_parked_car_ends_its_way_along_it
+  <- +at(2.3, 30.3);
+     +obstacle(2, 2, 31, 33);
+     +drawing;
+     !the_av_is_at(44, 0, 0);
+     !try(draw_on);
+     !assert_false(did(along(forward))).
+
+@[test]
++!it_draws_the_av_along_a_free_lane
+  <- +at(2.3, 30);
+     +drawing;
+     !the_av_is_at(44, 0, 0);
+     !try(draw_on);
+     !assert_true(did(along(forward))).

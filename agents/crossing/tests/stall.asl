@@ -15,7 +15,7 @@ at(3.5, 30).
 @[test]
 +!it_goes_on_when_it_has_stood_long_enough
   <- !the_av_is_at(45, 0, 0);
-     +stopped(-9);
+     +stopped(-21);
      !try(stall);
      !assert_true(did(get(out))).
 
