@@ -7,9 +7,44 @@
 
 namespace jaywalk {
 
-/// Makes an empty file beside `path`, `path.XXXXXX.part`, with the rights of any new file. Its
-/// name; empty if it cannot be made, and `errno` says why.
-[[nodiscard]] std::string make_part_of(const std::string& path);
+/// A file that is being made and will stand at `path`. Until then it has no name, so that a
+/// process that is killed leaves nothing. Where the file system cannot make such a file it is
+/// called `path.XXXXXX.part`; those that a killed process has left there are removed.
+class PartFile {
+ public:
+  enum class Naming { unnamed_if_possible, named };
+
+  /// Empty, with the rights of any new file. Whether it could be made, is_open() tells, and why
+  /// not, `errno`.
+  explicit PartFile(std::string path, Naming naming = Naming::unnamed_if_possible);
+  /// Removes it unless it stands in its place.
+  ~PartFile();
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  /// By which this process can open it until it stands in its place.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// Puts it into its place, which another file may have had; `errno` says why that failed.
+  [[nodiscard]] bool replace();
+  /// The same where there is no file; fails with EEXIST otherwise.
+  [[nodiscard]] bool put_new();
+
+ private:
+  void open_named();
+  [[nodiscard]] bool link_to(const std::string& path) const;
+
+  std::string path_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool is_named_ = false;
+};
+
+/// A file without a name in the folder for temporary files: it goes when it is closed. Its
+/// descriptor; negative if it cannot be made.
+[[nodiscard]] int open_unnamed();
 
 /// A folder that only we can look into; it goes with all that is in it.
 class TemporaryFolder {

@@ -21,10 +21,16 @@ struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-std::optional<std::string> write_text(const std::string& path, std::string_view text) {
+std::optional<std::string> write_text(const std::string& path, const TextSource& source) {
   std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "wb"));
   if (!file) return reason();
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) return reason();
+  std::optional<std::string> failure;
+  const bool whole = source([&](std::string_view piece) {
+    if (failure || std::fwrite(piece.data(), 1, piece.size(), file.get()) == piece.size()) return;
+    failure = reason();
+  });
+  if (failure) return failure;
+  if (!whole) return std::string();
   if (std::fclose(file.release()) != 0) return reason();
   return std::nullopt;
 }
@@ -48,16 +54,22 @@ std::string replaced_file(const std::string& path) {
 }
 
 std::optional<std::string> write_file(const std::string& path, std::string_view text) {
+  return write_file(path, [text](const TextSink& sink) {
+    sink(text);
+    return true;
+  });
+}
+
+std::optional<std::string> write_file(const std::string& path, const TextSource& source) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return "it is a folder";
   const std::string replaced = replaced_file(path);
-  if (replaced.empty()) return write_text(path, text);
+  if (replaced.empty()) return write_text(path, source);
 
-  const std::string temporary = make_part_of(replaced);
-  if (temporary.empty()) return reason();
-  auto failure = write_text(temporary, text);
-  if (!failure && std::rename(temporary.c_str(), replaced.c_str()) != 0) failure = reason();
-  if (failure) std::filesystem::remove(temporary, ignored);
+  PartFile part(replaced);
+  if (!part.is_open()) return reason();
+  auto failure = write_text(part.name(), source);
+  if (!failure && !part.replace()) failure = reason();
   return failure;
 }
 
@@ -72,10 +84,8 @@ std::optional<std::string> why_not_writable(const std::string& path) {
   }
   const std::string folder = folder_of(replaced);
   if (!fs::exists(folder, ignored)) return fmt::format("there is no folder '{}'", folder);
-  const std::string temporary = make_part_of(replaced);
-  if (temporary.empty()) return reason();
-  fs::remove(temporary, ignored);
-  return std::nullopt;
+  const PartFile part(replaced);
+  return part.is_open() ? std::nullopt : std::optional(reason());
 }
 
 std::optional<std::string> why_no_folder(const std::string& path) {

@@ -1,15 +1,25 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace jaywalk {
 
+/// Takes the next piece of a text.
+using TextSink = std::function<void(std::string_view)>;
+/// Gives a text piece by piece; false if it gave up half-way.
+using TextSource = std::function<bool(const TextSink&)>;
+
 /// Writes a whole file or nothing: the text goes to a file beside it, which then takes its name.
 /// What is not a regular file (/dev/stdout, a pipe) is written to directly. Returns why it could
 /// not be done, for people, if so.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text);
+
+/// The same of a text that is too long for memory. The reason is empty if the source gave up.
+[[nodiscard]] std::optional<std::string> write_file(const std::string& path,
+                                                    const TextSource& source);
 
 /// The file that is replaced when a path is written to: a link stays a link, and what it points to
 /// is replaced. Empty: what is there is written to directly, as is what a link in /dev points to.

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/results/descriptor_vfs.h"
+
 namespace jaywalk {
 namespace {
 
@@ -42,6 +44,7 @@ int flags_of(Database::Mode mode) {
     case Database::Mode::write:
       return SQLITE_OPEN_READWRITE;
     case Database::Mode::create:
+    case Database::Mode::temporary:
       return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     case Database::Mode::memory:
       return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_MEMORY;
@@ -68,13 +71,44 @@ std::string file_uri(const std::string& path, std::string_view query) {
 void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(connection); }
 
 Database::Database(const std::string& path, Mode mode) {
-  sqlite3* connection = nullptr;
-  const std::string uri = mode == Mode::memory
-                              ? ":memory:"
+  const std::string uri = mode == Mode::memory ? ":memory:"
+                          : mode == Mode::temporary
+                              ? ""
                               : file_uri(path, mode == Mode::untouched ? "immutable=1" : "");
+  open(uri, flags_of(mode), nullptr);
+  if (mode == Mode::temporary) keep_no_journal();
+}
+
+Database::Database(int descriptor) {
+  const char* const vfs = descriptor_vfs();
+  if (vfs == nullptr) {
+    fail("SQLite cannot write to an open file");
+    return;
+  }
+  open(descriptor_name(descriptor), flags_of(Mode::write), vfs);
+  keep_no_journal();
+}
+
+void Database::keep_no_journal() {
+  // Which SQLite takes for an attack on a file that others have made.
+  sqlite3_db_config(connection_.get(), SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+  execute("PRAGMA journal_mode = OFF");
+  sqlite3_db_config(connection_.get(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+}
+
+void Database::stop_when(std::function<bool()> stopped) {
+  // Some milliseconds' work.
+  constexpr int kInstructions = 20'000;
+  stopped_ = std::move(stopped);
+  const auto ask = [](void* self) { return static_cast<Database*>(self)->stopped_() ? 1 : 0; };
+  sqlite3_progress_handler(connection_.get(), kInstructions, stopped_ ? +ask : nullptr, this);
+}
+
+void Database::open(const std::string& uri, int flags, const char* vfs) {
+  sqlite3* connection = nullptr;
   // Each connection is used by one thread at a time.
-  const int code = sqlite3_open_v2(uri.c_str(), &connection,
-                                   flags_of(mode) | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, nullptr);
+  const int code =
+      sqlite3_open_v2(uri.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, vfs);
   connection_.reset(connection);
   if (code != SQLITE_OK) note(code);
   // What is in a file is data: its schema calls no functions, its pages are checked when read.

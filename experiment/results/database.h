@@ -5,6 +5,7 @@
 // end. No file outside this folder includes this, but the store of searches (search/store).
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,11 +28,15 @@ enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, read_
 class Database {
  public:
   /// `untouched`: as the file is, without what other files beside it say is to be undone or added.
-  /// `memory`: a new one that is no file; the path is not used.
-  enum class Mode { read, untouched, write, create, memory };
+  /// `memory`: a new one that is no file; the path is not used. `temporary`: the same, but what
+  /// exceeds a few MB is in a file without a name.
+  enum class Mode { read, untouched, write, create, memory, temporary };
 
   /// Opens the file; whether that succeeded, failure() tells.
   Database(const std::string& path, Mode mode);
+  /// Makes one in an empty file that is open already and stays so; what it has is good after the
+  /// last COMMIT only.
+  explicit Database(int descriptor);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -45,17 +50,22 @@ class Database {
   /// The first thing that went wrong, in words.
   [[nodiscard]] const std::optional<std::string>& failure() const { return failure_; }
   [[nodiscard]] DatabaseTrouble trouble() const { return trouble_; }
+  /// From now on statements fail as soon as that is true; it is asked now and then.
+  void stop_when(std::function<bool()> stopped);
   /// Takes note of a failure that SQLite did not see; the first counts.
   void fail(std::string why);
 
  private:
   friend class Statement;
+  void keep_no_journal();
+  void open(const std::string& uri, int flags, const char* vfs);
   void note(int code);
 
   struct Close {
     void operator()(sqlite3* connection) const;
   };
   std::unique_ptr<sqlite3, Close> connection_;
+  std::function<bool()> stopped_;
   std::optional<std::string> failure_;
   DatabaseTrouble trouble_ = DatabaseTrouble::none;
 };

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -18,14 +17,14 @@ std::optional<Diagnostics> create_store_file(const std::string& path,
   if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
     return store_error(path, "the file exists", "choose another name, or remove it first");
   }
-  const std::string temporary = make_part_of(path);
+  PartFile part(path);
   std::optional<std::string> failure;
-  if (temporary.empty()) {
+  if (!part.is_open()) {
     failure = std::generic_category().message(errno);
     return store_error(path, fmt::format("cannot be written: {}", *failure));
   }
   {
-    Database database(temporary, Database::Mode::write);
+    Database database(part.descriptor());
     // Larger pages than SQLite's own make rows of this size cheaper to write.
     database.execute("PRAGMA page_size = 16384");
     database.execute("BEGIN");
@@ -33,12 +32,7 @@ std::optional<Diagnostics> create_store_file(const std::string& path,
     database.execute("COMMIT");
     if (database.failure()) failure = trouble_with(database);
   }
-  // A link, unlike a renamed file, takes no other file's place.
-  if (!failure && ::link(temporary.c_str(), path.c_str()) != 0) {
-    failure = std::generic_category().message(errno);
-  }
-  std::filesystem::remove(temporary, error);
-  std::filesystem::remove(temporary + "-journal", error);
+  if (!failure && !part.put_new()) failure = std::generic_category().message(errno);
   if (!failure) return std::nullopt;
   return store_error(path, fmt::format("cannot be written: {}", *failure));
 }

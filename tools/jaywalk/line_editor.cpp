@@ -107,15 +107,10 @@ class TerminalReader : public LineReader {
   // Written whole, then renamed. A history that cannot be kept is no reason to disturb.
   void keep_history() {
     if (!history_file_) return;
-    const std::string fresh = make_part_of(history_file_->string());
-    if (fresh.empty()) return;
+    PartFile fresh(history_file_->string());
+    if (!fresh.is_open()) return;
     HistEvent event;
-    std::error_code ignored;
-    if (history(history_.get(), &event, H_SAVE, fresh.c_str()) < 0) {
-      std::filesystem::remove(fresh, ignored);
-    } else {
-      std::filesystem::rename(fresh, *history_file_, ignored);
-    }
+    if (history(history_.get(), &event, H_SAVE, fresh.name().c_str()) >= 0) (void)fresh.replace();
   }
 
   std::optional<std::filesystem::path> history_file_;

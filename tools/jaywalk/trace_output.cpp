@@ -1,13 +1,11 @@
 #include "tools/jaywalk/trace_output.h"
 
 #include <cerrno>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "experiment/export/temporary.h"
 #include "experiment/export/write_file.h"
 
 namespace jaywalk {
@@ -15,17 +13,17 @@ namespace jaywalk {
 TraceFile::TraceFile(std::string path) : path_(std::move(path)) {
   const std::string replaced = replaced_file(path_);
   if (!replaced.empty()) path_ = replaced;
-  temporary_ = replaced.empty() ? path_ : make_part_of(path_);
-  file_ = temporary_.empty() ? nullptr : std::fopen(temporary_.c_str(), "wb");
+  if (!replaced.empty()) part_.emplace(path_);
+  if (!part_) {
+    file_ = std::fopen(path_.c_str(), "wb");
+  } else if (part_->is_open()) {
+    file_ = std::fopen(part_->name().c_str(), "wb");
+  }
   if (file_ == nullptr) failure_ = std::generic_category().message(errno);
 }
 
 TraceFile::~TraceFile() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  if (temporary_ == path_) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  if (file_ != nullptr) std::fclose(file_);
 }
 
 void TraceFile::write(std::string_view lines) {
@@ -52,8 +50,7 @@ std::string TraceFile::finish() {
     failure_ = std::generic_category().message(errno);
   }
   file_ = nullptr;
-  if (failure_.empty() && temporary_ != path_ &&
-      std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (failure_.empty() && part_ && !part_->replace()) {
     failure_ = std::generic_category().message(errno);
   }
   return failure_;

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "experiment/export/temporary.h"
 #include "tools/jaywalk/arguments.h"
 #include "tools/jaywalk/console.h"
 
@@ -37,7 +38,8 @@ class TraceFile {
   void write(std::string_view lines);
 
   std::string path_;
-  std::string temporary_;
+  /// Nothing where it is written to directly.
+  std::optional<PartFile> part_;
   std::FILE* file_ = nullptr;
   std::string failure_;
   std::mutex mutex_;
