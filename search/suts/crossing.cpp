@@ -90,6 +90,7 @@ class CrossingReader {
            const std::array choices = {Choice<bool>{"all", true}, Choice<bool>{"none", false}};
            if (const auto all = reader_.choice<bool>(value, choices)) settings_.metrics = *all;
          }},
+        {"limits", [&](const ConfigNode& value, const std::string&) { read_limits(value); }},
         {"parameters",
          [&](const ConfigNode& value, const std::string&) { read_dimensions(value); }},
     };
@@ -112,6 +113,16 @@ class CrossingReader {
       settings_.scenario = source.value();
     } else {
       reader_.error(value.origin, fmt::format("cannot read '{}'", *path));
+    }
+  }
+
+  /// As the scenario's `experiment.limits`, which says what is wrong with them.
+  void read_limits(const ConfigNode& node) {
+    if (node.kind != ConfigNode::Kind::map) return reader_.unexpected(node, "limits of a test");
+    for (const ConfigEntry& entry : node.entries) {
+      if (const auto text = reader_.text(entry.value, "a number")) {
+        settings_.limits.push_back(fmt::format("experiment.limits.{}={}", entry.key, *text));
+      }
     }
   }
 

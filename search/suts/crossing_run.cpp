@@ -64,6 +64,7 @@ double margin(const Judgement& judgement) {
 Result<Scenario> scenario_of(const CrossingSettings& settings,
                              const std::vector<std::string>& sets) {
   ScenarioOptions options{.sets = sets, .files = settings.files, .include = settings.include};
+  options.sets.insert(options.sets.end(), settings.limits.begin(), settings.limits.end());
   if (!settings.behaviour.empty()) options.behaviours = {settings.behaviour};
   Result<Scenario> scenario = parse_scenario(settings.scenario, options);
   if (scenario.ok()) scenario.value().experiment.defects = settings.defects;

@@ -26,6 +26,8 @@ struct CrossingSettings {
   bool metrics = true;
   /// Where programs are looked for.
   SourceFiles files;
+  /// Of each test, in place of the scenario's: as `--set` has them.
+  std::vector<std::string> limits;
   IncludeFolders include;
   /// Those that the AV is searched with, one after another, and the index of the one that it has
   /// among the scenario's vehicles (tested_vehicles.h).

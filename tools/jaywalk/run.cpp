@@ -52,6 +52,7 @@ CommandHelp help() {
           {
               {"timeout", "S", "give up after so many seconds, with exit code 1"},
               {"max-cycles", "N", "stop after so many reasoning cycles of one agent"},
+              {"max-inferences", "N", "stop after so many inferences of all agents together"},
               {"max-ticks", "N", "stop after so many ticks"},
               {"realtime", "", "timers follow the wall clock"},
               {"threads", "N",

@@ -41,6 +41,7 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   Limits limits;
   limits.mas.seed = arguments.number("seed", 0, diagnostics).value_or(0);
   limits.mas.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
+  limits.mas.max_run_inferences = arguments.number("max-inferences", 1, diagnostics).value_or(0);
   limits.mas.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
   limits.mas.realtime = arguments.has("realtime");
   limits.mas.threads = static_cast<std::size_t>(

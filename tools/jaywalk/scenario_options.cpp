@@ -29,7 +29,8 @@ bool is_scenario_file(const std::string& path) {
   return path.ends_with(".yaml") || path.ends_with(".yml");
 }
 
-std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& diagnostics) {
+std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& diagnostics,
+                                    std::string_view within) {
   for (const char* whole : {"max-cycles", "max-inferences", "max-memory"}) {
     (void)arguments.number(whole, 0, diagnostics);
   }
@@ -37,7 +38,7 @@ std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& dia
   std::vector<std::string> sets;
   for (const auto& [option, key] : kLimitKeys) {
     const auto value = arguments.text(option);
-    if (value) sets.push_back(fmt::format("experiment.limits.{}={}", key, *value));
+    if (value) sets.push_back(fmt::format("{}.{}={}", within, key, *value));
   }
   return sets;
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment/trial.h"
@@ -43,10 +44,11 @@ inline constexpr std::uint64_t kMaxAgents = 10'000;
 /// The file names a scenario.
 [[nodiscard]] bool is_scenario_file(const std::string& path);
 
-/// What kLimitOptions set, as `--set` would: so it is kept with stored tests. Adds errors for what
-/// is wrong.
+/// What kLimitOptions set, as `--set` would, within that key: so it is kept with stored tests. Adds
+/// errors for what is wrong.
 [[nodiscard]] std::vector<std::string> limit_sets(const Arguments& arguments,
-                                                  Diagnostics& diagnostics);
+                                                  Diagnostics& diagnostics,
+                                                  std::string_view within = "experiment.limits");
 
 /// How the options of `arguments`, and then `more_sets`, change a scenario, with `behaviours` in
 /// place of its own if there are any.

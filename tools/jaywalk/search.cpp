@@ -1,6 +1,8 @@
 // `jaywalk search`: generators look for inputs under which a system under test fails.
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@
 #include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/progress_line.h"
+#include "tools/jaywalk/scenario_options.h"
 #include "tools/jaywalk/shipped.h"
 #include "tools/jaywalk/usual_options.h"
 
@@ -56,6 +59,8 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   const auto seed = arguments.number("seed", 0, diagnostics);
   const auto repetitions = arguments.number("repetitions", 1, diagnostics);
   const unsigned threads = read_threads(arguments, diagnostics);
+  std::vector<std::string> sets = arguments.texts("set");
+  std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
   if (arguments.has("resume") && !arguments.has("store")) {
     diagnostics.error("--resume", "there is no --store to go on with");
   }
@@ -70,7 +75,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   if (!include_path) return std::nullopt;
   Result<js::SearchExperiment> experiment = js::read_search(
       located(arguments.operands().front()),
-      {.sets = arguments.texts("set"),
+      {.sets = std::move(sets),
        .defects = arguments.text("defects"),
        .generators = listed(arguments, "generators"),
        .files = std::move(include_path->files),
@@ -162,6 +167,7 @@ CommandHelp help() {
           "  jaywalk search scenarios/lane-keeping.yaml --generators random,graft --repetitions 5\n"
           "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"
           "  jaywalk search scenarios/defects-search.yaml --defects latency --kills kills.csv\n"};
+  help.options.insert(help.options.end(), kLimitOptions.begin(), kLimitOptions.end());
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   return help;
 }
