@@ -92,7 +92,9 @@ class Work {
   bool run_chunk(std::uint64_t chunk) {
     const std::size_t index = chunk / chunks_per_cell_;
     Cell& cell = cells_[index];
-    std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
+    if (plan_.summed_up) {
+      std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
+    }
     const std::uint64_t first = chunk % chunks_per_cell_ * chunk_;
     const std::uint64_t last = std::min(first + chunk_, plan_.tests);
     const std::size_t row = index % plan_.rows();
@@ -107,7 +109,7 @@ class Work {
         fail(chunk, test_case, std::move(result.diagnostics()));
         return false;
       }
-      cell.results[number] = result.value();
+      if (plan_.summed_up) cell.results[number] = result.value();
       done_.fetch_add(1, std::memory_order_relaxed);
     }
     if (cell.remaining.fetch_sub(last - first) == last - first) finish(cell, test_case);
@@ -115,7 +117,7 @@ class Work {
   }
 
   void finish(Cell& cell, const TestCase& test_case) {
-    if (test_case.vehicle == 0) {
+    if (plan_.summed_up && test_case.vehicle == 0) {
       cell.summary = summarise(cell.results);
       cell.summary->behaviour = plan_.behaviours[test_case.behaviour];
       cell.summary->agents = test_case.agents;

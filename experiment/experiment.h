@@ -27,7 +27,8 @@ struct TestCase {
 /// Runs one test. Called from several threads at once.
 using TestFunction = std::function<Result<TestResult>(const TestCase&)>;
 
-/// The results of the tests in progress are kept in memory: about 40 bytes each.
+/// The results of the tests in progress are kept in memory, if they are summed up: about 40 bytes
+/// each.
 inline constexpr std::uint64_t kMaxTests = 10'000'000;
 
 /// Whether tests of one behaviour with one number of agents may run in any order and at once, or
@@ -43,6 +44,8 @@ struct ExperimentPlan {
   /// The AVs that every test is run with; the measures are of the first.
   std::vector<std::string> vehicles{"given"};
   TestOrder order = TestOrder::any;
+  /// Otherwise the outcome has no summaries: the caller sums up what a store has.
+  bool summed_up = true;
   /// REQUIRES: at least 1.
   unsigned threads = 1;
 
@@ -65,8 +68,8 @@ enum class Proceed { yes, no };
 using ProgressFunction = std::function<Proceed(const Progress&)>;
 
 struct ExperimentOutcome {
-  /// The pairs of behaviour and number of agents all of whose tests with the first vehicle are
-  /// finished, in the order of the plan. Their code lines are left to the caller.
+  /// If they are summed up: the pairs of behaviour and number of agents all of whose tests with the
+  /// first vehicle are finished, in the order of the plan. Their code lines are left to the caller.
   std::vector<Summary> summaries;
   Progress progress;
   /// The first test (in the plan's order) that could not be run, with the reason.

@@ -1,7 +1,6 @@
 #include "experiment/findings.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace jaywalk {
 namespace {
@@ -33,16 +32,6 @@ Verdict verdict_of(AssessmentVerdict verdict) {
       break;
   }
   return Verdict::vacuous;
-}
-
-/// Of ascending values.
-double quantile(const std::vector<double>& values, double part) {
-  const double at = part * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  const double rest = at - static_cast<double>(below);
-  if (rest == 0 || values[below] == values[above]) return values[below];
-  return values[below] + rest * (values[above] - values[below]);
 }
 
 }  // namespace
@@ -110,20 +99,6 @@ TestFindings from_assessments(std::span<const Assessment> rows,
   return findings;
 }
 
-Distribution distribution(std::vector<double> values) {
-  Distribution result{.count = values.size()};
-  if (values.empty()) return result;
-  std::ranges::sort(values);
-  for (const double value : values) result.mean += value;
-  result.mean /= static_cast<double>(values.size());
-  result.least = values.front();
-  result.lower_quartile = quantile(values, 0.25);
-  result.median = quantile(values, 0.5);
-  result.upper_quartile = quantile(values, 0.75);
-  result.greatest = values.back();
-  return result;
-}
-
 std::uint64_t VerdictCounts::exercised() const { return all() - of(Verdict::vacuous); }
 
 std::uint64_t VerdictCounts::all() const {
@@ -140,8 +115,9 @@ double exercised_pct(const VerdictCounts& counts) {
 FindingsTable::FindingsTable(const Inquiry& inquiry, const ExperimentPlan& plan)
     : assertions_(inquiry.assertions.size()),
       agents_(plan.agents),
-      tests_(plan.tests),
-      cells_(plan.behaviours.size() * plan.agents.size()) {}
+      cells_(plan.behaviours.size() * plan.agents.size(),
+             {.verdicts = std::vector<VerdictCounts>(assertions_)}),
+      values_(first_column(cells_.size())) {}
 
 std::size_t FindingsTable::cell_index(std::size_t behaviour, std::uint32_t agents) const {
   const auto column =
@@ -149,38 +125,37 @@ std::size_t FindingsTable::cell_index(std::size_t behaviour, std::uint32_t agent
   return behaviour * agents_.size() + column;
 }
 
+std::size_t FindingsTable::first_column(std::size_t cell) const {
+  return cell * (assertions_ + metrics().size());
+}
+
 void FindingsTable::add(const TestCase& test, const TestFindings& findings) {
-  Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
-  std::call_once(cell.started, [&] { cell.tests.resize(tests_); });
-  Row& row = cell.tests[test.number];
-  row = {};
-  for (const Judgement& judgement : findings.judgements) {
-    row.verdicts.push_back(judgement.verdict);
-    row.robustness.push_back(judgement.robustness);
+  const std::size_t index = cell_index(test.behaviour, test.agents);
+  const std::size_t first = first_column(index);
+  const std::lock_guard lock(mutex_);
+  Cell& cell = cells_[index];
+  for (std::size_t i = 0; i < findings.judgements.size(); ++i) {
+    const Judgement& judgement = findings.judgements[i];
+    ++cell.verdicts[i].tests[static_cast<std::size_t>(judgement.verdict)];
+    if (judgement.robustness) values_.add(first + i, *judgement.robustness);
   }
-  for (const auto& value : findings.metrics) {
-    row.metrics.push_back(value ? std::optional(value->value) : std::nullopt);
+  if (!findings.metrics.empty()) cell.measured = true;
+  for (std::size_t i = 0; i < findings.metrics.size(); ++i) {
+    if (findings.metrics[i]) values_.add(first + assertions_ + i, findings.metrics[i]->value);
   }
 }
 
 FindingsSummary FindingsTable::summary(std::size_t behaviour, std::uint32_t agents) const {
-  FindingsSummary result;
-  result.verdicts.resize(assertions_);
-  std::vector<std::vector<double>> values;
-  std::vector<std::vector<double>> robustness(assertions_);
-  for (const Row& row : cells_[cell_index(behaviour, agents)].tests) {
-    for (std::size_t i = 0; i < row.verdicts.size(); ++i) {
-      ++result.verdicts[i].tests[static_cast<std::size_t>(row.verdicts[i])];
-      if (row.robustness[i]) robustness[i].push_back(*row.robustness[i]);
-    }
-    values.resize(std::max(values.size(), row.metrics.size()));
-    for (std::size_t i = 0; i < row.metrics.size(); ++i) {
-      if (row.metrics[i]) values[i].push_back(*row.metrics[i]);
-    }
+  const std::size_t index = cell_index(behaviour, agents);
+  const std::size_t first = first_column(index);
+  const std::lock_guard lock(mutex_);
+  FindingsSummary result{.verdicts = cells_[index].verdicts};
+  for (std::size_t i = 0; i < assertions_; ++i) {
+    result.robustness.push_back(values_.distribution(first + i));
   }
-  for (std::vector<double>& each : values) result.metrics.push_back(distribution(std::move(each)));
-  for (std::vector<double>& each : robustness) {
-    result.robustness.push_back(distribution(std::move(each)));
+  const std::size_t measured = cells_[index].measured ? metrics().size() : 0;
+  for (std::size_t i = 0; i < measured; ++i) {
+    result.metrics.push_back(values_.distribution(first + assertions_ + i));
   }
   return result;
 }

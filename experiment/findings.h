@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "experiment/assertions/assertion.h"
+#include "experiment/distribution.h"
 #include "experiment/experiment.h"
 #include "experiment/metrics/metrics.h"
 #include "experiment/results/assessment.h"
@@ -48,20 +48,6 @@ struct TestFindings {
 [[nodiscard]] TestFindings from_assessments(std::span<const Assessment> rows,
                                             std::span<const std::string> assertions);
 
-/// How the values of a metric are spread over tests; those that do not exist are not counted.
-struct Distribution {
-  std::uint64_t count = 0;
-  double mean = 0;
-  double least = 0;
-  double lower_quartile = 0;
-  double median = 0;
-  double upper_quartile = 0;
-  double greatest = 0;
-};
-
-/// Quantiles are interpolated between neighbours, as by R's default (Hyndman and Fan's type 7).
-[[nodiscard]] Distribution distribution(std::vector<double> values);
-
 struct VerdictCounts {
   /// In the order of Verdict.
   std::array<std::uint64_t, kVerdictCount> tests{};
@@ -96,21 +82,19 @@ class FindingsTable {
   [[nodiscard]] FindingsSummary summary(std::size_t behaviour, std::uint32_t agents) const;
 
  private:
-  struct Row {
-    std::vector<Verdict> verdicts;
-    std::vector<std::optional<double>> robustness;
-    std::vector<std::optional<double>> metrics;
-  };
   struct Cell {
-    std::once_flag started;
-    std::vector<Row> tests;
+    std::vector<VerdictCounts> verdicts;
+    bool measured = false;
   };
   [[nodiscard]] std::size_t cell_index(std::size_t behaviour, std::uint32_t agents) const;
+  /// The number of the first of a cell's columns: robustness of each assertion, then each metric.
+  [[nodiscard]] std::size_t first_column(std::size_t cell) const;
 
   std::size_t assertions_;
   std::vector<std::uint32_t> agents_;
-  std::uint64_t tests_;
+  mutable std::mutex mutex_;  // guards what follows
   std::vector<Cell> cells_;
+  ValueColumns values_;
 };
 
 }  // namespace jaywalk

@@ -4,6 +4,7 @@
 // its precondition was met, whether the AV hit somebody, the verdicts.
 
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,25 @@
 #include "experiment/summary.h"
 
 namespace jaywalk {
+
+/// How such a table is written. Columns: behaviour, agents, vehicle (only if there are several),
+/// test, ended_by, ticks, precondition_ticks (empty: not met), collision (0, 1), impact_mps (empty:
+/// none), and each assertion's verdict (empty of a test that ended errored).
+class PerTestLines {
+ public:
+  /// `assertions`: their ids, in the order of the verdicts.
+  PerTestLines(const ExperimentPlan& plan, std::vector<std::string> assertions);
+
+  [[nodiscard]] std::string header() const;
+  [[nodiscard]] std::string line(const TestCase& test, const TestOutcome& outcome,
+                                 std::span<const Verdict> verdicts) const;
+
+ private:
+  ExperimentPlan plan_;
+  std::vector<std::string> assertions_;
+};
+
+[[nodiscard]] std::vector<Verdict> verdicts_of(const TestFindings& findings);
 
 /// Collects from several threads; what it holds depends on the tests alone.
 class PerTestTable {
@@ -22,11 +42,9 @@ class PerTestTable {
   /// REQUIRES: a test of the plan, numbered from 0; each once.
   void add(const TestCase& test, const TestOutcome& outcome, const TestFindings& findings);
 
-  /// A header line and a line for each test, in the order of the plan. Columns: behaviour, agents,
-  /// vehicle (only if there are several), test (from `first_test`), ended_by, ticks,
-  /// precondition_ticks (empty: not met), collision (0, 1), impact_mps (empty: none), and each
-  /// assertion's verdict (empty of a test that ended errored). REQUIRES: nobody adds meanwhile.
-  [[nodiscard]] std::string csv(std::uint64_t first_test = 0) const;
+  /// A header line and a line for each test, in the order of the plan. REQUIRES: nobody adds
+  /// meanwhile.
+  [[nodiscard]] std::string csv() const;
 
  private:
   struct Row {
@@ -34,10 +52,9 @@ class PerTestTable {
     TestOutcome outcome;
     std::vector<Verdict> verdicts;
   };
-  [[nodiscard]] std::string line(const Row& row, std::uint64_t first_test) const;
 
   ExperimentPlan plan_;
-  std::vector<std::string> assertions_;
+  PerTestLines lines_;
   std::mutex mutex_;
   std::vector<Row> rows_;
 };

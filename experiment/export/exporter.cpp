@@ -32,8 +32,20 @@ std::string file_stem(const ResultsReader& store, const TestCase& test) {
 
 bool write_export(const ExportRequest& request, const std::string& name, std::string_view text,
                   std::vector<std::string>& written, Diagnostics& diagnostics) {
+  return write_export(
+      request, name,
+      [text](const TextSink& sink) {
+        sink(text);
+        return true;
+      },
+      written, diagnostics);
+}
+
+bool write_export(const ExportRequest& request, const std::string& name, const TextSource& source,
+                  std::vector<std::string>& written, Diagnostics& diagnostics) {
   std::string path = fmt::format("{}/{}", request.folder, name);
-  if (const auto why = write_file(path, text)) {
+  if (const auto why = write_file(path, source)) {
+    if (why->empty()) return false;
     diagnostics.error(path, fmt::format("cannot be written: {}", *why));
     return false;
   }

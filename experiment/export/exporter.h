@@ -18,7 +18,8 @@ enum class ScenarioDialect { standard, carla };
 
 struct ExportRequest {
   const ResultsReader& store;
-  std::vector<StoredTest> tests;
+  /// Their ids, ascending.
+  std::vector<std::int64_t> tests;
   /// Where the files go; it exists.
   std::string folder;
   ScenarioDialect dialect = ScenarioDialect::standard;
@@ -55,6 +56,10 @@ struct Exporter {
 /// Writes a file of the export and notes it down.
 [[nodiscard]] bool write_export(const ExportRequest& request, const std::string& name,
                                 std::string_view text, std::vector<std::string>& written,
+                                Diagnostics& diagnostics);
+/// The same piece by piece; a source that gives up has said why in the diagnostics.
+[[nodiscard]] bool write_export(const ExportRequest& request, const std::string& name,
+                                const TextSource& source, std::vector<std::string>& written,
                                 Diagnostics& diagnostics);
 
 }  // namespace jaywalk

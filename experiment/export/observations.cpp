@@ -57,18 +57,40 @@ nlohmann::json to_json(const StoredTest& test, const std::string& behaviour,
           {"events", std::move(events)}};
 }
 
+struct SeenTest {
+  StoredTest test;
+  std::string behaviour;
+  Recording recording;
+};
+
+/// Nothing after adding an error.
+std::optional<SeenTest> seen_test(const ResultsReader& store, std::int64_t id,
+                                  Diagnostics& diagnostics) {
+  auto test = store.test(id);
+  auto recording = test ? store.recording(id) : Result<Recording>(test.diagnostics());
+  if (!recording) {
+    diagnostics.append(recording.diagnostics());
+    return std::nullopt;
+  }
+  return SeenTest{.test = test.value(),
+                  .behaviour = store.description().behaviours[test.value().test.behaviour].name,
+                  .recording = std::move(recording).value()};
+}
+
 }  // namespace
 
 ExportedFiles export_csv(const ExportRequest& request) {
-  std::string text = "behaviour,agents,test,tick,time_s,actor,kind,x_m,y_m,speed_mps,heading_rad\n";
-  for (const StoredTest& test : request.tests) {
-    const Result<Recording> recording = request.store.recording(test.id);
-    if (!recording.ok()) return recording.diagnostics();
-    text += rows(test, request.store.description().behaviours[test.test.behaviour].name,
-                 recording.value());
-  }
   Exported exported;
   Diagnostics diagnostics;
+  const auto text = [&](const TextSink& sink) {
+    sink("behaviour,agents,test,tick,time_s,actor,kind,x_m,y_m,speed_mps,heading_rad\n");
+    for (const std::int64_t id : request.tests) {
+      const auto test = seen_test(request.store, id, diagnostics);
+      if (!test) return false;
+      sink(rows(test->test, test->behaviour, test->recording));
+    }
+    return true;
+  };
   if (!write_export(request, "observations.csv", text, exported.files, diagnostics)) {
     return diagnostics;
   }
@@ -78,14 +100,13 @@ ExportedFiles export_csv(const ExportRequest& request) {
 ExportedFiles export_json(const ExportRequest& request) {
   Exported exported;
   Diagnostics diagnostics;
-  for (const StoredTest& test : request.tests) {
-    const Result<Recording> recording = request.store.recording(test.id);
-    if (!recording.ok()) return recording.diagnostics();
-    const std::string& behaviour = request.store.description().behaviours[test.test.behaviour].name;
-    const std::string text = to_json(test, behaviour, recording.value())
+  for (const std::int64_t id : request.tests) {
+    const auto test = seen_test(request.store, id, diagnostics);
+    if (!test) return diagnostics;
+    const std::string text = to_json(test->test, test->behaviour, test->recording)
                                  .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                              '\n';
-    const std::string name = file_stem(request.store, test.test) + ".json";
+    const std::string name = file_stem(request.store, test->test.test) + ".json";
     if (!write_export(request, name, text, exported.files, diagnostics)) return diagnostics;
   }
   return exported;

@@ -72,11 +72,13 @@ class Export {
     const RoadPlan plan = plan_roads(world);
     write("road.xodr", to_opendrive(plan, world.cell_m));
     for (const std::string& each : plan.unsaid) warn("road.xodr", each);
-    for (const StoredTest& test : request_.tests) {
+    for (const std::int64_t id : request_.tests) {
       if (diagnostics_.has_errors()) break;
-      const Result<Recording> recording = request_.store.recording(test.id);
+      const Result<StoredTest> test = request_.store.test(id);
+      if (!test.ok()) return test.diagnostics();
+      const Result<Recording> recording = request_.store.recording(id);
       if (!recording.ok()) return recording.diagnostics();
-      write_test(test, recording.value(), world, plan);
+      write_test(test.value(), recording.value(), world, plan);
     }
     for (const auto& [stem, batch] : batches_) write_batch(stem, batch, world, plan);
     if (diagnostics_.has_errors()) return diagnostics_;

@@ -118,9 +118,7 @@ ExportedFiles export_postgis(const ExportRequest& request) {
   const std::string excerpt = folder.path() + "/tests.gpkg";
   std::string store = request.store.path();
   if (request.tests.size() < request.store.count()) {
-    std::vector<std::int64_t> ids;
-    for (const StoredTest& test : request.tests) ids.push_back(test.id);
-    if (const auto why = copy_tests(store, excerpt, ids)) {
+    if (const auto why = copy_tests(store, excerpt, request.tests)) {
       diagnostics.error(excerpt, fmt::format("cannot be written: {}", *why));
       return diagnostics;
     }

@@ -51,11 +51,12 @@ class DataReader {
   void read_facts() {
     FactsTable table(plan_);
     for (const Summary& summary : data_.comparison.summaries) {
-      std::vector<StoredTest> tests;
-      take(
-          store_.tests({.behaviour = behaviour_index(summary.behaviour), .agents = summary.agents}),
-          tests);
-      for (const StoredTest& test : tests) table.add(in_plan(test.test), test.result);
+      const TestFilter cell{.behaviour = behaviour_index(summary.behaviour),
+                            .agents = summary.agents};
+      note(store_.for_each_test(cell, [&](const StoredTest& test) {
+        table.add(in_plan(test.test), test.result);
+        return Proceed::yes;
+      }));
     }
     note(store_.for_each_place("precondition", [&](const TestCase& test, double x_m, double y_m) {
       if (test.vehicle == 0) table.add_place(in_plan(test), x_m, y_m);

@@ -104,8 +104,8 @@ Result<MergeOutcome> merge_stores(const std::string& output,
     create_tables(database, placement);
     write_description(database, whole);
     database.execute("COMMIT");
-    // Parts are interleaved: enough memory to touch their pages once.
-    database.execute("PRAGMA cache_size = -200000");
+    // Parts are interleaved: enough memory for the pages where the next rows go.
+    database.execute("PRAGMA cache_size = -8000");
     for (const Part& part : parts.value()) copy_tests(database, part);
     outcome.tests =
         static_cast<std::uint64_t>(database.number("SELECT count(*) FROM tests").value_or(0));

@@ -1,7 +1,6 @@
 #include "experiment/results/reader.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,6 +66,12 @@ class ResultsReader::Impl {
     return test;
   }
 
+  void stop_when(std::function<bool()> stopped) {
+    stopped_ = std::move(stopped);
+    database_->stop_when(stopped_);
+  }
+  [[nodiscard]] const std::function<bool()>& stopped() const { return stopped_; }
+
   [[nodiscard]] Commands commands() const { return commands_; }
 
   /// The inputs, as they were.
@@ -99,6 +104,7 @@ class ResultsReader::Impl {
   std::unique_ptr<Database> database_;
   ExperimentDescription description_;
   std::uint64_t count_ = 0;
+  std::function<bool()> stopped_;
   std::shared_ptr<const PreparedScenario> prepared_;
 };
 
@@ -114,6 +120,9 @@ Result<std::unique_ptr<ResultsReader>> ResultsReader::open(const std::string& pa
   return std::unique_ptr<ResultsReader>(new ResultsReader(std::move(impl)));
 }
 
+void ResultsReader::stop_when(std::function<bool()> stopped) {
+  impl_->stop_when(std::move(stopped));
+}
 const std::string& ResultsReader::path() const { return impl_->path(); }
 const ExperimentDescription& ResultsReader::description() const { return impl_->description(); }
 std::uint64_t ResultsReader::count() const { return impl_->count(); }
@@ -125,13 +134,26 @@ bool ResultsReader::complete() const {
 
 Result<std::vector<StoredTest>> ResultsReader::tests(const TestFilter& filter) const {
   std::vector<StoredTest> tests;
-  auto failure = for_each_test(filter, [&](const StoredTest& each) { tests.push_back(each); });
+  auto failure = for_each_test(filter, [&](const StoredTest& each) {
+    tests.push_back(each);
+    return Proceed::yes;
+  });
   if (failure) return std::move(*failure);
   return tests;
 }
 
+Result<std::uint64_t> ResultsReader::count(const TestFilter& filter) const {
+  std::uint64_t count = 0;
+  auto failure = for_each_test(filter, [&](const StoredTest&) {
+    ++count;
+    return Proceed::yes;
+  });
+  if (failure) return std::move(*failure);
+  return count;
+}
+
 std::optional<Diagnostics> ResultsReader::for_each_test(
-    const TestFilter& filter, const std::function<void(const StoredTest&)>& callback) const {
+    const TestFilter& filter, const std::function<Proceed(const StoredTest&)>& callback) const {
   read_tests(impl_->database(), description(), filter, callback);
   return impl_->failure();
 }
@@ -251,7 +273,10 @@ Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& op
   if (const std::string why = obstacle(*scenario.value(), trial_input.value()); !why.empty()) {
     return store_error(path(), why);
   }
-  TrialResult result = run_trial(*scenario.value(), trial_input.value(), options);
+  TrialOptions stoppable = options;
+  if (!stoppable.interrupted) stoppable.interrupted = impl_->stopped();
+  TrialResult result = run_trial(*scenario.value(), trial_input.value(), stoppable);
+  if (result.interrupted) return store_error(path(), "interrupted");
   const TestResult& wanted = stored.value().result;
   const bool same = wanted.errored
                         ? !result.completed
@@ -284,6 +309,7 @@ std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) c
     TestCase test = each.test;
     test.number -= description().first_test;
     kills.add_errored(test);
+    return Proceed::yes;
   });
   if (failure) return failure;
   comparison.kills = kills.matrix();
@@ -301,7 +327,10 @@ Result<Summary> ResultsReader::summary_of(std::size_t behaviour, std::uint32_t a
   const TestFilter cell{.behaviour = behaviour, .agents = agents};
   SummaryMaker maker;
   for (int pass = 0; pass < SummaryMaker::kPasses; ++pass) {
-    auto failure = for_each_test(cell, [&](const StoredTest& each) { maker.add(each.result); });
+    auto failure = for_each_test(cell, [&](const StoredTest& each) {
+      maker.add(each.result);
+      return Proceed::yes;
+    });
     if (failure) return std::move(*failure);
     maker.end_pass();
   }
@@ -338,26 +367,29 @@ Result<Comparison> ResultsReader::comparison() const {
   return comparison;
 }
 
-Result<std::string> per_test_table(const ResultsReader& store) {
-  auto tests = store.tests({.vehicle = std::nullopt});
-  if (!tests) return std::move(tests.diagnostics());
+std::optional<Diagnostics> write_per_test_table(const ResultsReader& store, const TextSink& sink) {
   auto ids = store.assertion_ids();
   if (!ids) return std::move(ids.diagnostics());
-  std::map<std::int64_t, TestFindings> findings;
   const ExperimentDescription& description = store.description();
-  auto failure = store.for_each_assessed([&](const TestCase& test, const auto& rows) {
-    findings[test_id(description, test)] = from_assessments(rows, ids.value());
+  const ExperimentPlan plan = plan_of(description);
+  const PerTestLines lines(plan, ids.value());
+  sink(lines.header());
+  std::optional<Diagnostics> trouble;
+  // In the order of their ids, which is that of the plan.
+  auto failure = store.for_each_test({.vehicle = std::nullopt}, [&](const StoredTest& each) {
+    std::vector<Verdict> verdicts;
+    if (!each.result.errored && !ids.value().empty()) {
+      const auto rows = store.assessments(each.id);
+      if (!rows.ok()) {
+        trouble = rows.diagnostics();
+        return Proceed::no;
+      }
+      verdicts = verdicts_of(from_assessments(rows.value(), ids.value()));
+    }
+    sink(lines.line(each.test, each.outcome, verdicts));
+    return Proceed::yes;
   });
-  if (failure) return std::move(*failure);
-  PerTestTable table(plan_of(description), ids.value());
-  for (const StoredTest& each : tests.value()) {
-    TestCase test = each.test;
-    test.number -= description.first_test;
-    TestFindings& found = findings[each.id];
-    if (!each.result.errored) found.judgements.resize(ids.value().size());
-    table.add(test, each.outcome, found);
-  }
-  return table.csv(description.first_test);
+  return trouble ? trouble : std::move(failure);
 }
 
 }  // namespace jaywalk

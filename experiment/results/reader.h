@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "experiment/comparison.h"
+#include "experiment/export/write_file.h"
 #include "experiment/results/description.h"
 #include "experiment/results/test_record.h"
 
@@ -56,6 +57,10 @@ class ResultsReader {
   ResultsReader(const ResultsReader&) = delete;
   ResultsReader& operator=(const ResultsReader&) = delete;
 
+  /// From now on reading fails, and tests that are run again are given up, as soon as that is true;
+  /// it is asked now and then.
+  void stop_when(std::function<bool()> stopped);
+
   [[nodiscard]] const std::string& path() const;
   [[nodiscard]] const ExperimentDescription& description() const;
   /// How many tests it has; those of its shard are tests_in_shard() x behaviours x agents.
@@ -64,9 +69,12 @@ class ResultsReader {
 
   /// In the order of their ids, which is that of the plan.
   [[nodiscard]] Result<std::vector<StoredTest>> tests(const TestFilter& filter = {}) const;
-  /// The same one by one. The error is what could not be read.
+  /// The same one by one, so that there may be millions, until the callback has enough. The error
+  /// is what could not be read.
   [[nodiscard]] std::optional<Diagnostics> for_each_test(
-      const TestFilter& filter, const std::function<void(const StoredTest&)>& callback) const;
+      const TestFilter& filter, const std::function<Proceed(const StoredTest&)>& callback) const;
+  /// How many of them there are.
+  [[nodiscard]] Result<std::uint64_t> count(const TestFilter& filter) const;
   /// Error: there is no such test.
   [[nodiscard]] Result<StoredTest> test(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
@@ -116,7 +124,8 @@ class ResultsReader {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Its tests one by one, as PerTestTable::csv has them.
-[[nodiscard]] Result<std::string> per_test_table(const ResultsReader& store);
+/// Its tests one by one, as PerTestTable::csv has them, piece by piece.
+[[nodiscard]] std::optional<Diagnostics> write_per_test_table(const ResultsReader& store,
+                                                              const TextSink& sink);
 
 }  // namespace jaywalk

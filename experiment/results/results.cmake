@@ -1,8 +1,10 @@
 # The results store. Included by CMakeLists.txt beside its folder.
 target_sources(jaywalk_experiment PRIVATE
+  results/assessment_spool.cpp
   results/assessment_writer.cpp
   results/database.cpp
   results/description.cpp
+  results/descriptor_vfs.cpp
   results/excerpt.cpp
   results/extend.cpp
   results/geometry.cpp

@@ -129,7 +129,8 @@ void read_scenes(Database& database, std::int64_t test_id, Recording& recording)
 }  // namespace
 
 void read_tests(Database& database, const ExperimentDescription& description,
-                const TestFilter& filter, const std::function<void(const StoredTest&)>& callback) {
+                const TestFilter& filter,
+                const std::function<Proceed(const StoredTest&)>& callback) {
   std::string sql(kTestColumns);
   sql +=
       "WHERE id >= ?1 AND id <= ?2 AND (?3 IS NULL OR agents = ?3) "
@@ -143,7 +144,8 @@ void read_tests(Database& database, const ExperimentDescription& description,
   Statement row(database, sql);
   row.bind(first, last, filter.agents, succeeded,
            filter.limit ? static_cast<std::int64_t>(*filter.limit) : std::int64_t{-1}, errored);
-  while (row.step()) callback(test_of(database, description, row));
+  while (row.step() && callback(test_of(database, description, row)) == Proceed::yes) {
+  }
 }
 
 std::optional<StoredTest> read_test(Database& database, const ExperimentDescription& description,

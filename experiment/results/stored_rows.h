@@ -14,7 +14,8 @@
 namespace jaywalk {
 
 void read_tests(Database& database, const ExperimentDescription& description,
-                const TestFilter& filter, const std::function<void(const StoredTest&)>& callback);
+                const TestFilter& filter,
+                const std::function<Proceed(const StoredTest&)>& callback);
 [[nodiscard]] std::optional<StoredTest> read_test(Database& database,
                                                   const ExperimentDescription& description,
                                                   std::int64_t id);

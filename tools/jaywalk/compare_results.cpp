@@ -55,15 +55,18 @@ std::string start_cells_csv(const Request& request) {
       start_cells(request.prepared->scenario(), agents, request.seed, request.plan.tests));
 }
 
-/// The single tests, of the store if there is one; nothing after reporting why not.
-std::optional<std::string> per_test_csv(const Request& request, const Collected& collected,
-                                        Console& console) {
-  if (collected.per_test != nullptr) return collected.per_test->csv();
+/// The single tests, of the store if there is one; false after reporting why not.
+bool write_per_test_csv(const Request& request, const Collected& collected, const TextSink& sink,
+                        Console& console) {
+  if (collected.per_test != nullptr) {
+    sink(collected.per_test->csv());
+    return true;
+  }
   const auto store = ResultsReader::open(request.store->path);
-  const auto table = store.ok() ? per_test_table(*store.value()) : store.diagnostics();
-  if (table.ok()) return table.value();
-  console.report(table.diagnostics());
-  return std::nullopt;
+  const auto failure =
+      store.ok() ? write_per_test_table(*store.value(), sink) : store.diagnostics();
+  if (failure) console.report(*failure);
+  return !failure;
 }
 
 std::optional<std::string> report_of(const Arguments& arguments, const Request& request,
@@ -113,7 +116,12 @@ bool write_files(const Arguments& arguments, const Request& request, const Colle
   const std::array files = {
       OutputFile{"csv", [&] { return to_csv(comparison); }},
       OutputFile{"kills", [&] { return to_kills_csv(comparison.kills); }},
-      OutputFile{"per-test", [&] { return per_test_csv(request, collected, console); }},
+      OutputFile{.option = "per-test",
+                 .text = nullptr,
+                 .pieces =
+                     [&](const TextSink& sink) {
+                       return write_per_test_csv(request, collected, sink, console);
+                     }},
       OutputFile{"json", [&] { return to_json(comparison); }},
       OutputFile{"junit", [&] { return to_junit(comparison); }},
       OutputFile{"starts", [&] { return start_cells_csv(request); }},

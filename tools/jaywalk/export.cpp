@@ -34,20 +34,21 @@ const Exporter* wanted_exporter(const Arguments& arguments, Console& console) {
   return nullptr;
 }
 
-Result<std::vector<StoredTest>> wanted_tests(const ResultsReader& store,
-                                             const Arguments& arguments) {
+/// Their ids.
+Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
+                                               const Arguments& arguments) {
   Diagnostics diagnostics;
   const auto number = arguments.number("test", 0, diagnostics);
   if (diagnostics.has_errors()) return diagnostics;
   TestFilter filter;
   if (!arguments.has("all") && !number) filter.succeeded = true;
-  Result<std::vector<StoredTest>> tests = store.tests(filter);
-  if (!tests.ok() || !number) return tests;
-  std::vector<StoredTest> chosen;
-  for (const StoredTest& each : tests.value()) {
-    if (each.test.number == *number) chosen.push_back(each);
-  }
-  if (!chosen.empty()) return chosen;
+  std::vector<std::int64_t> chosen;
+  auto failure = store.for_each_test(filter, [&](const StoredTest& each) {
+    if (number.value_or(each.test.number) == each.test.number) chosen.push_back(each.id);
+    return Proceed::yes;
+  });
+  if (failure) return std::move(*failure);
+  if (!chosen.empty() || !number) return chosen;
   diagnostics.error("--test", fmt::format("the store has no test {}", *number));
   return diagnostics;
 }

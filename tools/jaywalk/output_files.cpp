@@ -2,18 +2,25 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/write_file.h"
-
 namespace jaywalk {
 
 bool write_output(const std::string& path, std::string_view text, Console& console) {
+  return write_output(
+      path,
+      [text](const TextSink& sink) {
+        sink(text);
+        return true;
+      },
+      console);
+}
+
+bool write_output(const std::string& path, const TextSource& source, Console& console) {
   if (path == kStandardOutput) {
-    console.print(text);
-    return true;
+    return source([&](std::string_view piece) { console.print(piece); });
   }
   console.flush();
-  const auto why = write_file(path, text);
-  if (why) console.error(fmt::format("cannot write '{}': {}", path, *why));
+  const auto why = write_file(path, source);
+  if (why && !why->empty()) console.error(fmt::format("cannot write '{}': {}", path, *why));
   return !why;
 }
 
@@ -45,6 +52,10 @@ bool write_outputs(const Arguments& arguments, std::span<const OutputFile> files
   for (const OutputFile& file : files) {
     const auto path = arguments.text(file.option);
     if (!path) continue;
+    if (file.pieces) {
+      written = write_output(*path, file.pieces, console) && written;
+      continue;
+    }
     const std::optional<std::string> text = file.text();
     written = text && write_output(*path, *text, console) && written;
   }

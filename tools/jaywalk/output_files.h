@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "experiment/export/write_file.h"
 #include "tools/jaywalk/arguments.h"
 #include "tools/jaywalk/console.h"
 
@@ -28,10 +29,16 @@ inline constexpr std::string_view kStandardOutput = "-";
 /// so, if it cannot be written.
 [[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console);
 
+/// The same of a text that is too long for memory. The source reports why it gave up, if it does.
+[[nodiscard]] bool write_output(const std::string& path, const TextSource& source,
+                                Console& console);
+
 /// The option that asks for a file, and what goes into it; nothing: why not has been reported.
 struct OutputFile {
   std::string_view option;
   std::function<std::optional<std::string>()> text;
+  /// Of what is too long for memory, instead.
+  TextSource pieces = nullptr;
 };
 
 /// Writes those that are asked for; false if one of them could not be written.

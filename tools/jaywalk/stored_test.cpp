@@ -66,19 +66,21 @@ std::optional<StoredTest> find_stored_test(const ResultsReader& store, const Arg
     console.report(diagnostics);
     return std::nullopt;
   }
-  const auto tests = store.tests({.vehicle = vehicle});
-  if (!tests.ok()) {
-    console.report(tests.diagnostics());
-    return std::nullopt;
-  }
-  for (const StoredTest& each : tests.value()) {
+  std::optional<StoredTest> found;
+  const auto failure = store.for_each_test({.vehicle = vehicle}, [&](const StoredTest& each) {
     const std::string& name = store.description().behaviours[each.test.behaviour].name;
     if (number.value_or(each.test.number) == each.test.number &&
         agents.value_or(each.test.agents) == each.test.agents && behaviour.value_or(name) == name &&
         (number || is_worth_seeing(store, each))) {
-      return each;
+      found = each;
     }
+    return found ? Proceed::no : Proceed::yes;
+  });
+  if (failure) {
+    console.report(*failure);
+    return std::nullopt;
   }
+  if (found) return found;
   console.error("the store has no such test", vehicle == 0
                                                   ? "without --test, one that met the precondition"
                                                   : "without --test, one that kills the defect");

@@ -1,5 +1,8 @@
 #include "experiment/findings.h"
 
+#include <limits>
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,6 +65,32 @@ TEST(Findings, QuantilesLieBetweenNeighbours) {
   EXPECT_DOUBLE_EQ(four.upper_quartile, 3.25);
   EXPECT_DOUBLE_EQ(four.mean, 2.5);
   EXPECT_EQ(distribution({}).count, 0U);
+}
+
+TEST(Findings, AreSpreadAlikeInLittleMemory) {
+  constexpr std::size_t kColumns = 3;
+  for (const std::size_t count : {1, 7, 8, 9, 5000}) {
+    ValueColumns columns(kColumns, 8);
+    std::vector<std::vector<double>> kept(kColumns);
+    std::mt19937 random(static_cast<unsigned>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      // Many are equal, zeros of both signs and infinite ones among them.
+      const double value = i % 100 == 99 ? std::numeric_limits<double>::infinity()
+                                         : (static_cast<double>(random() % 41) - 20) * 0.1;
+      columns.add(i % 2, value * (i % 5 == 0 ? -1 : 1));
+      kept[i % 2].push_back(value * (i % 5 == 0 ? -1 : 1));
+    }
+    for (std::size_t column = 0; column < kColumns; ++column) {
+      const Distribution wanted = distribution(kept[column]);
+      const Distribution found = columns.distribution(column);
+      EXPECT_EQ(found.count, wanted.count);
+      for (const auto value :
+           {&Distribution::least, &Distribution::lower_quartile, &Distribution::median,
+            &Distribution::upper_quartile, &Distribution::greatest, &Distribution::mean}) {
+        EXPECT_THAT(found.*value, testing::NanSensitiveDoubleEq(wanted.*value));
+      }
+    }
+  }
 }
 
 TEST(Findings, BecomeColumnsOfTheCsv) {
