@@ -111,18 +111,24 @@ class TestDeadline {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// REQUIRES: the deadline outlives the run. A test that asks for more than its memory is at fault
-/// as a whole: an agent whose steps fail would go on and be measured as if it had chosen to.
-void set_limits(const TestLimits& limits, const TestDeadline& deadline, MasOptions& options) {
+/// REQUIRES: deadline and options outlive the run. A test that asks for more than its memory is at
+/// fault as a whole: an agent whose steps fail would go on and be measured as if it had chosen to.
+void set_limits(const TestLimits& limits, const TestDeadline& deadline, const TrialOptions& trial,
+                MasOptions& options) {
   constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
   options.max_run_inferences = limits.inferences;
   options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
   if (limits.memory_mb > 0) options.max_agent_bytes = limits.memory_mb * kMegabyte;
-  if (limits.time_s > 0) options.interrupted = [&deadline] { return deadline.passed(); };
+  if (limits.time_s <= 0 && !trial.interrupted) return;
+  options.interrupted = [&deadline, &asked = trial.interrupted] {
+    return deadline.passed() || (asked && asked());
+  };
 }
 
 std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
-  if (outcome.end == RunEnd::interrupted) return deadline.message();
+  if (outcome.end == RunEnd::interrupted) {
+    return deadline.passed() ? deadline.message() : "interrupted";
+  }
   if (!outcome.message.empty()) {
     const bool placed =
         outcome.where.empty() || outcome.message.find(outcome.where) != std::string::npos;
@@ -201,6 +207,7 @@ void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& opti
       return give_up(std::move(failure), result);
     }
     if (deadline.passed()) return give_up(deadline.message(), result);
+    if (options.interrupted && options.interrupted()) return give_up("interrupted", result);
   }
 }
 
@@ -305,7 +312,7 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   const TestDeadline deadline(limits.time_s);
   mas_options.max_cycles = options.max_cycles > 0 ? options.max_cycles : limits.cycles;
   mas_options.max_ticks = options.max_ticks;
-  set_limits(limits, deadline, mas_options);
+  set_limits(limits, deadline, options, mas_options);
   mas_options.print = options.print;
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;
@@ -327,6 +334,7 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
     *options.record = Recording(prepared_.scenario().world.tick_s, crossing.actors());
   }
   run_to_the_end(*mas_, crossing, options, deadline, result);
+  result.interrupted = !result.completed && options.interrupted && options.interrupted();
   if (result.completed) end_drive(crossing, result);
   result.note = crossing.note();
   if (options.record != nullptr) record_events(crossing, input, result, *options.record);

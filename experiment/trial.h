@@ -134,6 +134,9 @@ struct TrialOptions {
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
   bool measure_cpu = false;
+  /// Asked now and then, in the middle of whatever agents do: true gives the trial up. Not set:
+  /// never.
+  std::function<bool()> interrupted;
 };
 
 struct TrialResult {
@@ -143,6 +146,8 @@ struct TrialResult {
   /// The test came to an end of its own; otherwise it is errored and `message` says why and where:
   /// which agent ran away, reached a limit or stopped it, or what the AV's controller did.
   bool completed = true;
+  /// It was given up because TrialOptions::interrupted said so: that is no result.
+  bool interrupted = false;
   std::string message;
   std::uint64_t cycles = 0;
   TestTroubles troubles;

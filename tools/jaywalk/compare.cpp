@@ -93,6 +93,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const InterruptGuard interrupt;
   std::unique_ptr<ResultsWriter> store;
   if (request->store) {
+    const PromptEnd end(interrupt);
     store = open_store(*request->store, describe_experiment(*request, arguments), console);
     if (!store) return ExitCode::usage;
   }
@@ -105,7 +106,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const Listeners listeners{.collected = collected,
                             .store = store.get(),
                             .facts = wants_page(arguments) && !store ? &facts : nullptr,
-                            .trace = trace ? &*trace : nullptr};
+                            .trace = trace ? &*trace : nullptr,
+                            .interrupted = [&] { return interrupt.interrupted(); }};
   ExperimentOutcome outcome =
       run_selection(*request, selection, listeners, [&](const Progress& now) {
         line.show(now);
@@ -120,6 +122,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   if (!kept || !traced) return ExitCode::failed;
 
+  std::optional<PromptEnd> end;  // what takes long from here on is not asked
+  if (!interrupt.interrupted()) end.emplace(interrupt);
   const std::optional<Comparison> comparison = comparison_of(*request, collected, outcome, console);
   if (!comparison) return ExitCode::failed;
   bool written = write_files(arguments, *request, collected, *comparison, facts, console);

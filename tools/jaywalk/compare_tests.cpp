@@ -85,7 +85,11 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
     trace->begin(request.plan.behaviours[test.behaviour], input);
   }
   options.observer = observers.get();
+  options.interrupted = listeners.interrupted;
   TrialResult trial = trials.run(input, options);
+  if (trial.interrupted) {
+    return not_run(test, request.plan.behaviours[test.behaviour], trial.message);
+  }
   if (trace) {
     trace->end(trial);
     listeners.trace->add(number_of(request.plan, test), trace->lines());
@@ -101,7 +105,8 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
     listeners.collected.kills.add_errored(test);
   } else if (asks(request.inquiry)) {
     found = assess(request.inquiry, recording, request.ground);
-    if (test.vehicle == 0) listeners.collected.findings.add(test, found);
+    // What a store has is summed up from there.
+    if (test.vehicle == 0 && store == nullptr) listeners.collected.findings.add(test, found);
     listeners.collected.kills.add(test, blames_the_av(found));
     if (store != nullptr) assessments = to_assessments(request.inquiry, found);
   }
@@ -190,7 +195,7 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
     }
     auto result = run_test(request, test_case, trials, listeners);
     if (!result && feedback) feedback->give_up();
-    done.fetch_add(1, std::memory_order_relaxed);
+    if (result) done.fetch_add(1, std::memory_order_relaxed);
     return result;
   };
   const auto own_progress = [&](const Progress&) {
@@ -200,7 +205,9 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
     if (proceed == Proceed::no && feedback) feedback->give_up();
     return proceed;
   };
-  ExperimentOutcome outcome = run_experiment(request.plan, test, own_progress);
+  ExperimentPlan plan = request.plan;
+  plan.summed_up = listeners.store == nullptr;
+  ExperimentOutcome outcome = run_experiment(plan, test, own_progress);
   outcome.progress = {.done = done, .total = selection.size()};
   return outcome;
 }
@@ -213,25 +220,28 @@ bool add_earlier_tests(const Request& request, const ExperimentDescription& desc
   if (!std::filesystem::exists(request.store->path, ignored)) return true;
   const std::string& path = request.store->path;
   const auto store = ResultsReader::open(path, commands_for(path, description));
-  const auto tests =
-      store.ok() ? store.value()->tests() : Result<std::vector<StoredTest>>(store.diagnostics());
-  if (!tests.ok()) {
-    console.report(tests.diagnostics());
+  if (!store.ok()) {
+    console.report(store.diagnostics());
     return false;
   }
   Diagnostics trouble;
-  for (const StoredTest& stored : tests.value()) {
-    if (request.situations) add_situations(request, *store.value(), stored, collected, trouble);
+  std::optional<StoredTest> last;
+  const auto end_chain = [&] {
     // Only the last one of a chain is needed.
-    const bool has_next = &stored != &tests.value().back() && follows(stored, *(&stored + 1));
-    if (collected.carry_over && !has_next) {
-      add_left_over(*store.value(), stored, *collected.carry_over, trouble);
+    if (collected.carry_over && last) {
+      add_left_over(*store.value(), *last, *collected.carry_over, trouble);
     }
-    if (!trouble.has_errors()) continue;
-    console.report(trouble);
-    return false;
-  }
-  return true;
+  };
+  const auto failure = store.value()->for_each_test({}, [&](const StoredTest& stored) {
+    if (request.situations) add_situations(request, *store.value(), stored, collected, trouble);
+    if (last && !follows(*last, stored)) end_chain();
+    last = stored;
+    return trouble.has_errors() ? Proceed::no : Proceed::yes;
+  });
+  if (!failure && !trouble.has_errors()) end_chain();
+  if (failure) trouble.append(*failure);
+  if (trouble.has_errors()) console.report(trouble);
+  return !trouble.has_errors();
 }
 
 }  // namespace jaywalk::command::compare

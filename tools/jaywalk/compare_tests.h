@@ -3,6 +3,7 @@
 // The tests of `compare` as they are run: which ones, what is found out about each, and who is
 // told.
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -64,6 +65,8 @@ struct Listeners {
   ResultsWriter* store = nullptr;
   reporting::FactsTable* facts = nullptr;
   TraceFile* trace = nullptr;
+  /// Asked in the middle of tests; true gives them up.
+  std::function<bool()> interrupted;
 };
 
 /// What is to be run: everything, or what the store wants and does not have.

@@ -99,6 +99,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     line.show(now);
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;
   };
+  store->stop_when([&] { return interrupt.interrupted(); });
   const auto rows = stored_situations(*store, options->wanted, progress);
   line.clear();
   if (!rows.ok()) return report_failure(rows, interrupt, console);

@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stop_token>
+#include <utility>
+
+#include "tools/jaywalk/console.h"
 
 namespace jaywalk {
 namespace {
@@ -38,6 +41,26 @@ InterruptGuard::~InterruptGuard() {
 }
 
 bool InterruptGuard::interrupted() const { return interrupt_seen; }
+
+PromptEnd::PromptEnd(const InterruptGuard& interrupt, std::function<void()> clean) {
+  watcher_ = std::jthread([this, &interrupt, clean = std::move(clean)](std::stop_token stopped) {
+    constexpr std::chrono::milliseconds kBetweenLooks{50};
+    std::unique_lock lock(mutex_);
+    while (!interrupt.interrupted()) {
+      const bool over =
+          ended_.wait_for(lock, stopped, kBetweenLooks, [&] { return stopped.stop_requested(); });
+      if (over) return;
+    }
+    if (clean) clean();
+    std::fputs("interrupted\n", stderr);
+    std::_Exit(static_cast<int>(ExitCode::interrupted));
+  });
+}
+
+PromptEnd::~PromptEnd() {
+  watcher_.request_stop();
+  ended_.notify_all();
+}
 
 Deadline::Deadline(std::optional<double> seconds) {
   // More than a century is no limit, and would overflow the clock.

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -31,6 +32,23 @@ class InterruptGuard {
     Handler before;
   };
   std::vector<Noted> noted_;
+};
+
+/// For what takes long and is not asked whether it should end (a page of a large store, say): while
+/// one exists, the program ends at once when the first of those signals comes, with exit code 130.
+/// Whatever is being written then has no name yet.
+class PromptEnd {
+ public:
+  /// `clean`: what is to be removed then.
+  explicit PromptEnd(const InterruptGuard& interrupt, std::function<void()> clean = nullptr);
+  ~PromptEnd();
+  PromptEnd(const PromptEnd&) = delete;
+  PromptEnd& operator=(const PromptEnd&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any ended_;
+  std::jthread watcher_;
 };
 
 /// The time that a run may take. What does not look at it in time (a query that goes on for very

@@ -9,6 +9,7 @@
 #include "experiment/export/junit.h"
 #include "experiment/report/kill_table.h"
 #include "experiment/report/verdict_table.h"
+#include "experiment/results/assessment_spool.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/interrupt.h"
@@ -94,53 +95,63 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
   return ExitCode::success;
 }
 
-struct Outcome {
-  ExitCode code = ExitCode::success;
-  std::vector<std::pair<std::int64_t, std::vector<Assessment>>> assessments;
+/// What the tests come to. `spool`: where their assessments go, if they are to be kept.
+struct Judged {
+  FindingsTable& table;
+  KillTable& kills;
+  AssessmentSpool* spool = nullptr;
 };
 
-/// Looks at every test of the store.
-Outcome judge_all(const Request& request, bool keep, FindingsTable& table, KillTable& kills,
-                  Console& console) {
-  Outcome outcome;
-  const auto tests = request.store->tests({.vehicle = std::nullopt});
-  if (!tests) {
-    console.report(tests.diagnostics());
-    return {.code = ExitCode::failed};
+/// One test of many.
+void judge_test(const Request& request, const StoredTest& stored, const Ground& on, Judged& judged,
+                Diagnostics& trouble) {
+  TestCase test = stored.test;
+  test.number -= request.store->description().first_test;
+  if (stored.result.errored) return judged.kills.add_errored(test);
+  const auto recording = request.store->recording(stored.id);
+  if (!recording) {
+    trouble.append(recording.diagnostics());
+    return;
   }
+  const TestFindings findings = assess(request.inquiry, recording.value(), on);
+  if (test.vehicle == 0) judged.table.add(test, findings);
+  judged.kills.add(test, blames_the_av(findings));
+  if (judged.spool != nullptr) {
+    judged.spool->add(stored.id, to_assessments(request.inquiry, findings));
+  }
+}
+
+/// Looks at every test of the store.
+ExitCode judge_all(const Request& request, Judged judged, Console& console) {
   const Ground on = ground(request.prepared->scenario().world);
   const InterruptGuard interrupt;
   ProgressLine line(console);
-  Progress progress{.done = 0, .total = tests.value().size()};
-  for (const StoredTest& stored : tests.value()) {
-    constexpr std::uint64_t kBetweenLooks = 256;
-    if (progress.done % kBetweenLooks == 0) line.show(progress);
-    TestCase test = stored.test;
-    test.number -= request.store->description().first_test;
-    ++progress.done;
-    if (stored.result.errored) {
-      kills.add_errored(test);
-      continue;
-    }
-    const auto recording = request.store->recording(stored.id);
-    if (!recording || interrupt.interrupted()) {
-      line.clear();
-      if (!recording) console.report(recording.diagnostics());
-      return {.code = recording ? ExitCode::interrupted : ExitCode::failed};
-    }
-    const TestFindings findings = assess(request.inquiry, recording.value(), on);
-    if (test.vehicle == 0) table.add(test, findings);
-    kills.add(test, blames_the_av(findings));
-    if (keep) {
-      outcome.assessments.emplace_back(stored.id, to_assessments(request.inquiry, findings));
-    }
-  }
+  Progress progress{.done = 0, .total = request.store->count()};
+  Diagnostics trouble;
+  request.store->stop_when([&] { return interrupt.interrupted(); });
+  const auto failure =
+      request.store->for_each_test({.vehicle = std::nullopt}, [&](const StoredTest& stored) {
+        constexpr std::uint64_t kBetweenLooks = 256;
+        if (progress.done++ % kBetweenLooks == 0) line.show(progress);
+        judge_test(request, stored, on, judged, trouble);
+        return trouble.has_errors() || interrupt.interrupted() ? Proceed::no : Proceed::yes;
+      });
   line.clear();
-  return outcome;
+  request.store->stop_when(nullptr);
+  if (interrupt.interrupted()) return ExitCode::interrupted;
+  if (failure) trouble.append(*failure);
+  if (judged.spool != nullptr && judged.spool->failure()) {
+    trouble.error("--write", *judged.spool->failure());
+  }
+  if (trouble.has_errors()) {
+    console.report(trouble);
+    return ExitCode::failed;
+  }
+  return ExitCode::success;
 }
 
 /// Puts the findings into the store, which nobody reads any more.
-bool write_assessments(const std::string& path, const Inquiry& inquiry, const Outcome& outcome,
+bool write_assessments(const std::string& path, const Inquiry& inquiry, AssessmentSpool& spool,
                        Console& console) {
   auto writer = AssessmentWriter::open(path);
   if (!writer) {
@@ -148,7 +159,11 @@ bool write_assessments(const std::string& path, const Inquiry& inquiry, const Ou
     return false;
   }
   writer.value()->note_judging(inquiry.files, inquiry.metrics);
-  for (const auto& [id, rows] : outcome.assessments) writer.value()->replace(id, rows);
+  spool.for_each([&](std::int64_t id, const auto& rows) { writer.value()->replace(id, rows); });
+  if (spool.failure()) {
+    console.error(fmt::format("cannot write '{}': {}", path, *spool.failure()));
+    return false;
+  }
   if (const auto why = writer.value()->finish()) {
     console.error(fmt::format("cannot write '{}': {}", path, *why));
     return false;
@@ -214,9 +229,13 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const ExperimentPlan plan = plan_of(request->store->description());
   KillTable kills(plan, tests_in_shard(request->store->description()));
   FindingsTable table(request->inquiry, plan);
-  const bool keep = arguments.has("write");
-  const Outcome outcome = judge_all(*request, keep, table, kills, console);
-  if (outcome.code != ExitCode::success) return outcome.code;
+  std::optional<AssessmentSpool> spool;
+  if (arguments.has("write")) spool.emplace();
+  const Judged judged{.table = table, .kills = kills, .spool = spool ? &*spool : nullptr};
+  const ExitCode code = judge_all(*request, judged, console);
+  if (code != ExitCode::success) return code;
+  const InterruptGuard interrupt;
+  std::optional<PromptEnd> end(std::in_place, interrupt);
   auto comparison = request->store->comparison();
   if (!comparison) {
     console.report(comparison.diagnostics());
@@ -225,9 +244,10 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   add_findings(request->inquiry, table, plan.behaviours, comparison.value());
   comparison.value().kills = kills.matrix();
   request->store.reset();
+  end.reset();  // a store is written whole or not at all
 
   bool written =
-      !keep || write_assessments(arguments.operands().front(), request->inquiry, outcome, console);
+      !spool || write_assessments(arguments.operands().front(), request->inquiry, *spool, console);
   const std::array outputs = {
       OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
       OutputFile{"json", [&] { return to_json(comparison.value()); }},

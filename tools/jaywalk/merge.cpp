@@ -11,6 +11,7 @@
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/command.h"
 #include "tools/jaywalk/comparison_output.h"
+#include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/output_files.h"
 
 namespace jaywalk::command::merge {
@@ -71,6 +72,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.report(wrong);
     return ExitCode::usage;
   }
+  const InterruptGuard interrupt;
+  const PromptEnd end(interrupt);
   const std::string& path = arguments.operands().front();
   auto outcome = merge_stores(path, {arguments.operands().begin() + 1, arguments.operands().end()});
   if (!outcome) {

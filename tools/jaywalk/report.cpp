@@ -1,12 +1,14 @@
 // `jaywalk report`: a page of what a store has.
 
 #include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "experiment/export/temporary.h"
 #include "experiment/results/merge.h"
 #include "tools/jaywalk/command.h"
+#include "tools/jaywalk/interrupt.h"
 #include "tools/jaywalk/output_files.h"
 #include "tools/jaywalk/reporting.h"
 #include "tools/jaywalk/stored_test.h"
@@ -53,6 +55,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const std::string html = arguments.text("html").value_or(beside(stores.front()));
   const TemporaryFolder folder;  // for as long as the report is made
+  const InterruptGuard interrupt;
+  const PromptEnd end(interrupt, [&] {
+    std::error_code ignored;
+    fs::remove_all(folder.path(), ignored);
+  });
   const std::string together = folder.path() + "/together.gpkg";
   if (stores.size() > 1) {
     const auto merged = merge_stores(together, stores);

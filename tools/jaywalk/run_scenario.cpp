@@ -51,6 +51,13 @@ std::vector<std::string> behaviours_of(const Arguments& arguments) {
   return {};
 }
 
+/// What --max-inferences sets, as `--set` would: so it is kept with a stored test.
+std::vector<std::string> limits_of(const Arguments& arguments) {
+  const auto inferences = arguments.text("max-inferences");
+  if (!inferences) return {};
+  return {"experiment.limits.inferences=" + *inferences};
+}
+
 std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
                                     Console& console) {
   Diagnostics diagnostics;
@@ -59,6 +66,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   Request request;
   request.input.test = arguments.number("test", 0, diagnostics).value_or(0);
   request.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
+  (void)arguments.number("max-inferences", 0, diagnostics);
   request.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
   request.timeout_s = arguments.positive("timeout", diagnostics);
   request.speed = arguments.positive("speed", diagnostics).value_or(kDefaultSpeed);
@@ -71,7 +79,8 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
     console.report(diagnostics);
     return std::nullopt;
   }
-  request.prepared = prepare_scenario(path, arguments, behaviours_of(arguments), console);
+  request.prepared =
+      prepare_scenario(path, arguments, behaviours_of(arguments), console, limits_of(arguments));
   if (!request.prepared) return std::nullopt;
   const ExperimentSpec& defaults = request.prepared->scenario().experiment;
   request.input.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
@@ -100,7 +109,8 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
   const ExperimentPlan plan{
       .behaviours = {behaviour.name}, .agents = {request.input.agents}, .tests = 1};
   ExperimentDescription description =
-      describe(*request.prepared, scenario_options(arguments, behaviours_of(arguments)), plan,
+      describe(*request.prepared,
+               scenario_options(arguments, behaviours_of(arguments), limits_of(arguments)), plan,
                request.input.seed);
   add_judging(description, request.inquiry.files, request.inquiry.metrics);
   // The first behaviour is the one that runs; the others are no part of the plan.
@@ -211,6 +221,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     trace.begin(request->prepared->behaviours()[request->input.behaviour].name, request->input);
   }
   options.observer = observers.get();
+  options.interrupted = [&] { return interrupt.interrupted(); };
   const auto input = in_its_chain(*request->prepared, request->input, [&] {
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;
   });
