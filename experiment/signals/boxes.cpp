@@ -41,6 +41,17 @@ bool cut_by_edges(std::span<const Point> edges, std::span<const Point> fixed,
   return true;
 }
 
+/// Seen from the one, the way of the other.
+Vector relative(const Movement& its_step, const Movement& step) {
+  return displacement(step.from, step.to) - displacement(its_step.from, its_step.to);
+}
+
+/// From its middle to a corner.
+double radius_m(const Actor& actor) { return std::hypot(actor.length_m, actor.width_m) / 2; }
+
+/// What rounding can be off by where places are kilometres from the origin.
+constexpr double kRoundingM = 1e-6;
+
 }  // namespace
 
 Vector heading(const ActorState& state) {
@@ -73,8 +84,17 @@ double closest_m(const Actor& fixed, const Movement& its_step, const Actor& movi
     return each.from;
   };
   // Seen from the first box the other covers a convex polygon.
-  const Vector way = displacement(step.from, step.to) - displacement(its_step.from, its_step.to);
-  return distance_m(box(fixed, begin(its_step)), swept(box(moving, begin(step)), way));
+  return distance_m(box(fixed, begin(its_step)),
+                    swept(box(moving, begin(step)), relative(its_step, step)));
+}
+
+bool touch(const Actor& fixed, const Movement& its_step, const Actor& moving,
+           const Movement& step) {
+  const Vector way = relative(its_step, step);
+  const Vector apart = displacement(its_step.from, step.from);
+  const double reach = radius_m(fixed) + radius_m(moving) + std::hypot(way.x, way.y) + kRoundingM;
+  if (dot(apart, apart) > reach * reach) return false;
+  return closest_m(fixed, its_step, moving, step) <= 0;
 }
 
 std::vector<Point> convex_hull(std::vector<Point> points) {

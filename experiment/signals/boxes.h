@@ -47,6 +47,10 @@ struct Movement {
 [[nodiscard]] double closest_m(const Actor& fixed, const Movement& its_step, const Actor& moving,
                                const Movement& step);
 
+/// Whether they touch in that step: closest_m is 0. Quick where they are far apart.
+[[nodiscard]] bool touch(const Actor& fixed, const Movement& its_step, const Actor& moving,
+                         const Movement& step);
+
 /// The smallest convex polygon around the points, counter-clockwise.
 [[nodiscard]] std::vector<Point> convex_hull(std::vector<Point> points);
 

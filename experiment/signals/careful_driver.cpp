@@ -208,12 +208,12 @@ namespace signal {
 void avoidable(const TestView& view, ActorIndex actor, std::span<double> values) {
   const auto actors = view.recording().actors();
   const std::span<const ActorState> car = view.careful_drive();
-  double closest = view.values(SignalId::distance, actor)[0];
-  for (std::size_t tick = 1; tick < car.size() && closest > 0; ++tick) {
-    closest = closest_m(actors[kAv], {car[tick - 1], car[tick]}, actors[actor],
-                        {state_beyond(view, actor, tick - 1), state_beyond(view, actor, tick)});
+  bool met = distance_m(view.box_at(kAv, 0), view.box_at(actor, 0)) <= 0;
+  for (std::size_t tick = 1; tick < car.size() && !met; ++tick) {
+    met = touch(actors[kAv], {car[tick - 1], car[tick]}, actors[actor],
+                {state_beyond(view, actor, tick - 1), state_beyond(view, actor, tick)});
   }
-  std::ranges::fill(values, closest > 0 ? 1 : 0);
+  std::ranges::fill(values, met ? 0 : 1);
 }
 
 }  // namespace signal

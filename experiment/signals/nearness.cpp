@@ -14,17 +14,21 @@ Vector relative_way(const TestView& view, ActorIndex actor, std::size_t tick) {
          displacement(view.state(kAv, tick - 1), view.state(kAv, tick));
 }
 
+double distance_at(const TestView& view, ActorIndex actor, std::size_t tick) {
+  return distance_m(view.box_at(kAv, tick), view.box_at(actor, tick));
+}
+
 }  // namespace
 
 void distance(const TestView& view, ActorIndex actor, std::span<double> values) {
   for (std::size_t tick = 0; tick < view.ticks(); ++tick) {
-    values[tick] = distance_m(view.box_at(kAv, tick), view.box_at(actor, tick));
+    values[tick] = distance_at(view, actor, tick);
   }
 }
 
 void closest(const TestView& view, ActorIndex actor, std::span<double> values) {
   const auto actors = view.recording().actors();
-  values[0] = view.values(SignalId::distance, actor)[0];
+  values[0] = distance_at(view, actor, 0);
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
     values[tick] = closest_m(actors[kAv], {view.state(kAv, tick - 1), view.state(kAv, tick)},
                              actors[actor], {view.state(actor, tick - 1), view.state(actor, tick)});
@@ -32,16 +36,19 @@ void closest(const TestView& view, ActorIndex actor, std::span<double> values) {
 }
 
 void collision(const TestView& view, ActorIndex actor, std::span<double> values) {
-  const auto distances = view.values(SignalId::closest, actor);
-  for (std::size_t tick = 0; tick < view.ticks(); ++tick) values[tick] = distances[tick] <= 0;
+  const auto actors = view.recording().actors();
+  values[0] = distance_at(view, actor, 0) <= 0;
+  for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
+    values[tick] = touch(actors[kAv], {view.state(kAv, tick - 1), view.state(kAv, tick)},
+                         actors[actor], {view.state(actor, tick - 1), view.state(actor, tick)});
+  }
 }
 
 void impact_speed(const TestView& view, ActorIndex actor, std::span<double> values) {
   const auto touched = view.values(SignalId::collision, actor);
-  const auto distances = view.values(SignalId::distance, actor);
   for (std::size_t tick = 0; tick < view.ticks(); ++tick) {
     values[tick] = 0;
-    if (touched[tick] == 0 || (tick > 0 && distances[tick - 1] <= 0)) continue;
+    if (touched[tick] == 0 || (tick > 0 && distance_at(view, actor, tick - 1) <= 0)) continue;
     const double after = view.state(kAv, tick).speed_mps;
     if (tick == 0) {
       values[tick] = after;
