@@ -116,8 +116,8 @@ slack(M) :-
 
 // Who steps out in so many seconds can be avoided, and is met if nobody brakes.
 can_be_avoided_in(S) :-
-  side(Side) & enters_lane(Side, In) & avoids(S + In) & enters_path(Side, From) &
-  leaves_path(Side, To) & comes_by(S + From, S + To).
+  side(Side) & enters_path(Side, From) & leaves_path(Side, To) & comes_by(S + From, S + To) &
+  enters_lane(Side, In) & avoids(S + In).
 
 // The last moment at which that is so.
 on_the_brink :- can_be_avoided_in(0) & tick_length(L) & not can_be_avoided_in(L).
