@@ -55,4 +55,7 @@ ROWS = [
     sut("negative time", always('{"max_oob":0,"sim_time":-1}'), 1, "sim_time"),
     sut("a system that says why it cannot", always('{"error":"no road"}'), 1, "no road"),
     sut("an answer that is no UTF-8", always("\\377"), 1, "sut.sh", "--json", "out.json", "--report", "page.html"),
+    controller("an absurd acceleration", always('{"acceleration":1e308}'), 1, "av.sh"),
+    controller("an absurd braking", always('{"acceleration":-1e308}'), 1, "av.sh"),
+    controller("an answer with control characters", always("\\033[2J"), 1, "av.sh", never="\x1b"),
 ]

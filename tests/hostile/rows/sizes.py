@@ -25,4 +25,8 @@ ROWS = [
     program("a random number of no range", "!go. +!go <- .random([],X). -!go <- .print(failed).\n", 0, "failed"),
     program("the billionth element", "!go. +!go <- .nth(1000000000,[a],X). -!go <- .print(failed).\n", 0, "failed"),
     program("a part of a text behind its end", "!go. +!go <- .substring(\"abc\",S,5,-1). -!go <- .print(failed).\n", 0, "failed"),
+    checked("a structure of 70,000 arguments", "b(" + "1," * (MANY - 1) + "1).\n", 2, "65"),
+    checked("a goal of 70,000 arguments", "!b(" + "1," * (MANY - 1) + "1).\n", 2, "65"),
+    checked("a body of 70,000 variables", "+!a <- " + "; ".join(f"?b(_X{i})" for i in range(MANY)) + ".\n", 2, "65"),
+    program("structures from lists of 70,000", "!go. +!go <- .findall(X,.range(X,1,70000),L); T =.. [f,L,[]]; .print(T). -!go[error(E)] <- .print(failed,E).\n", 0, "failed"),
 ]

@@ -47,4 +47,15 @@ ROWS = [
     store("a store that is there already", ":", "compare s.yaml --tests 1 --agents 1 --store s.gpkg", 2, "s.gpkg"),
     store("a store of tests for a search", ":", "search roads.yaml --store s.gpkg --resume", 2, "s.gpkg"),
     Row("a store of searches for replay", "jaywalk search roads.yaml --threads 1 --quiet --store r.gpkg; jaywalk replay r.gpkg", 2, "r.gpkg", FILES),
+    sql("a store with a column of another name", "ALTER TABLE actors RENAME COLUMN kind TO sort", "replay s.gpkg --test 0"),
+    sql("a view for a table", "ALTER TABLE tests RENAME TO t; CREATE VIEW tests AS SELECT * FROM t", "report s.gpkg"),
+    sql("a view without end", "ALTER TABLE tests RENAME TO t; CREATE VIEW tests AS WITH RECURSIVE n(i) AS"
+        " (SELECT 1 UNION ALL SELECT i+1 FROM n) SELECT t.* FROM t,n", "report s.gpkg"),
+    sql("a trigger", "CREATE TRIGGER x AFTER INSERT ON assessments BEGIN INSERT INTO assessments SELECT NULL,test_id,"
+        "name||'x',verdict,value,tick,actor,robustness FROM assessments; END", "judge s.gpkg --metrics --write"),
+    sql("a scenario with another text", "UPDATE inputs SET text=text||'# x' WHERE path LIKE '%.yaml'", "replay s.gpkg --test 0"),
+    sql("a program with another text", "UPDATE inputs SET text=text||'// x' WHERE path LIKE '%.asl'", "replay s.gpkg --test 0"),
+    sql("a test of 2,000,000,000 agents", "UPDATE tests SET agents=2000000000", "replay s.gpkg --test 0"),
+    sql("verdicts of tests that there are not", "UPDATE assessments SET test_id=999999", "report s.gpkg"),
+    sql("verdicts of no test", "UPDATE assessments SET test_id=zeroblob(9)", "report s.gpkg"),
 ]

@@ -37,4 +37,9 @@ ROWS = [
     Row("a folder without programs", ["check", "."], 2, "no file .asl"),
     Row("fmt of a text with errors", ["fmt", "-"], 2, "error:", stdin="+!a <- b(\n"),
     Row("fmt of a zero byte", ["fmt", "-"], 2, "error:", stdin="\0"),
+    program("variables in a label's annotations", "!greet.\n@l[x(Y)] +!greet. \n"
+            "!m. +!m <- .relevant_plans({+!greet},L); .print(done).\n", 0, "done"),
+    program("a tail in a label's annotations", "!m. @l[x|T] +!m <- .current_intention(I); .print(done).\n", 0, "done"),
+    program("variables in an added label", "!m. +!m <- .add_plan({@l[z(Q)] +!k <- true});"
+            " .relevant_plans({+!k},L); !k; .print(done).\n", 0, "done"),
 ]
