@@ -73,7 +73,8 @@ struct TestLimits {
   std::uint64_t cycles = 0;
   /// Steps of queries, of all agents together; 0: no limit.
   std::uint64_t inferences = kUsualInferences;
-  /// MB (2^20 bytes) of one agent's terms; 0: the interpreter's own limit, 1 GB.
+  /// MB (2^20 bytes) that one agent, and all of them together, may own; 0: the interpreter's own
+  /// limits, 1 GB and half of the machine's memory.
   std::uint64_t memory_mb = 0;
   /// By the wall clock; 0: no limit.
   double time_s = 0;

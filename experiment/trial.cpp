@@ -118,7 +118,10 @@ void set_limits(const TestLimits& limits, const TestDeadline& deadline, const Tr
   constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
   options.max_run_inferences = limits.inferences;
   options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
-  if (limits.memory_mb > 0) options.max_agent_bytes = limits.memory_mb * kMegabyte;
+  if (limits.memory_mb > 0) {
+    options.max_agent_bytes = limits.memory_mb * kMegabyte;
+    options.max_system_bytes = limits.memory_mb * kMegabyte;
+  }
   if (limits.time_s <= 0 && !trial.interrupted) return;
   options.interrupted = [&deadline, &asked = trial.interrupted] {
     return deadline.passed() || (asked && asked());
@@ -134,7 +137,9 @@ std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
         outcome.where.empty() || outcome.message.find(outcome.where) != std::string::npos;
     return placed ? outcome.message : fmt::format("{} ({})", outcome.message, outcome.where);
   }
-  return outcome.end == RunEnd::stopped ? "an agent stopped the system" : "the run was cut short";
+  if (outcome.end != RunEnd::stopped) return "the run was cut short";
+  return fmt::format("{} stopped the system",
+                     outcome.agent.empty() ? "an agent" : "agent " + outcome.agent);
 }
 
 void record_events(const Crossing& crossing, const TrialInput& input, const TrialResult& result,

@@ -54,6 +54,7 @@ jaywalk_add_library(engine
     agent/for_loops.cpp
     agent/goals.cpp
     agent/intention.cpp
+    agent/memory.cpp
     agent/messages.cpp
     agent/observer.cpp
     agent/options.cpp
@@ -81,6 +82,7 @@ jaywalk_add_library(engine
     mas/lanes.cpp
     mas/mail.cpp
     mas/mas.cpp
+    mas/memory.cpp
     mas/parallel.cpp
     mas/percepts.cpp
     mas/reach.cpp

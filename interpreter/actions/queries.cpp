@@ -1,5 +1,6 @@
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/support/grown_bytes.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk::actions {
@@ -9,6 +10,12 @@ std::vector<Value> collect(ActionCall& call) {
   std::vector<Value> found;
   call.solve(1, [&] {
     found.push_back(call.unifier().fresh_copy(call.applied(0)));
+    constexpr std::size_t kBetweenChecks = 1024;
+    if (found.size() % kBetweenChecks == 0) {
+      // Beside the results there will be the list of them.
+      call.machine().check_memory(grown_bytes(found.size(), sizeof(Value)) +
+                                  2 * found.size() * sizeof(Pair));
+    }
     return true;
   });
   return found;

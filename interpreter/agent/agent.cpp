@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_set>
 
+#include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -56,6 +58,10 @@ void Agent::give_back_workspace() {
 }
 
 void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {
+  // Of a program that can start later there is so little that it is had whatever the limit is:
+  // nobody could handle a failure.
+  std::optional<UnlimitedMemory> unlimited;
+  if (program_->can_start_later()) unlimited.emplace(heap_);
   begin(*program_, replaced, given);
 }
 
@@ -139,7 +145,7 @@ bool Agent::remove_belief(Value literal, Intention* focus) {
 }
 
 bool Agent::believe(Value literal, Place place, Intention* focus) {
-  const std::optional<Value> added = beliefs_.add(with_own_source(literal), place);
+  const std::optional<Value> added = add_fact(with_own_source(literal), place);
   if (!added) return false;
   add_event({TriggerOperator::add, TriggerKind::belief, *added, focus});
   return true;
@@ -155,6 +161,7 @@ bool Agent::disbelieve(Value literal, Intention* focus) {
 
 void Agent::add_event(Event event) {
   changed_ = true;
+  heap_.note_beside(sizeof(Event));
   if (observer_ != nullptr) observer_->event_posted(*this, event);
   if (!circumstance_.waits.empty()) check_waits(event);
   if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
@@ -191,6 +198,7 @@ Intention& Agent::new_intention() {
     made->start_again(next_intention_);
   }
   ++next_intention_;
+  heap_.note_beside(sizeof(Intention) + sizeof(IntendedMeans));
   circumstance_.intentions.push_back(std::move(made));
   return *circumstance_.intentions.back();
 }

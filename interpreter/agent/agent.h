@@ -119,6 +119,9 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
   [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
   [[nodiscard]] Heap& heap() { return heap_; }
+  /// Collects garbage and counts what it owns, as far as its heap wants that. REQUIRES: it is
+  /// between two cycles.
+  void clean_up();
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
   [[nodiscard]] const SymbolTable& symbols() const { return symbols_; }
   [[nodiscard]] Circumstance& circumstance() { return circumstance_; }
@@ -271,6 +274,12 @@ class Agent final : public MachineSurroundings {
 
   // Changes of belief as they are without belief revision.
   bool believe(Value literal, Place place, Intention* focus);
+  [[nodiscard]] std::optional<Value> add_fact(Value literal, Place place = Place::front) {
+    heap_.require_room();
+    std::optional<Value> added = beliefs_.add(literal, place);
+    if (added) heap_.note_beside(sizeof(Row));
+    return added;
+  }
   bool disbelieve(Value literal, Intention* focus);
   [[nodiscard]] Value with_own_source(Value literal);
   void prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
@@ -456,6 +465,12 @@ class Agent final : public MachineSurroundings {
   }
   [[nodiscard]] PlanLibrary& own_library();
 
+  // Memory (memory.cpp).
+  [[nodiscard]] std::size_t bytes_beside_terms();
+  void let_go_of_memory();
+  [[nodiscard]] bool tells_of_memory();
+  [[nodiscard]] static bool handles_failure(const Intention& intention);
+
   void tidy_up();
   [[nodiscard]] Workspace& work() {
     if (workspace_ == nullptr) borrow_workspace();
@@ -499,6 +514,7 @@ class Agent final : public MachineSurroundings {
   std::uint32_t last_message_ = 0;
   std::uint64_t cycles_ = 0;
   std::uint32_t finished_ = 0;  // intentions that are finished but not forgotten
+  std::uint32_t memory_failures_ = 0;
   Intention* executing_ = nullptr;
   const Event* selected_event_ = nullptr;  // for which a plan is being looked for
   bool starts_later_ = false;

@@ -121,6 +121,7 @@ Intention& Agent::copy_for_branch(Intention& intention) {
   }
   copy.fork = intention.fork;
   copy.values = intention.values;
+  heap_.note_beside(intention.bytes());
   // All terms are renamed together, so that what was shared stays shared.
   std::vector<Value> terms;
   const auto note = [&](Value value) { terms.push_back(value.is_slot() ? Value() : value); };
@@ -148,6 +149,7 @@ Intention& Agent::copy_for_branch(Intention& intention) {
 }
 
 void Agent::execute_fork(Intention& intention, const Step& step) {
+  heap_.require_bytes(step.branches.size() * intention.bytes());
   auto fork = std::make_shared<Fork>();
   fork->is_or = step.kind == Step::Kind::fork_or;
   fork->depth = intention.stack.size();

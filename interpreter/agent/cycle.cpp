@@ -37,7 +37,11 @@ void Agent::abandon_cycle(const ActionError& error) {
   log(error.message);
   report_limit(error, executing_ == nullptr ? std::string() : formula_place(*executing_));
   if (executing_ != nullptr && executing_->state != Intention::State::finished) {
-    (void)note_drop(executing_, error, Value());
+    ActionError ignored;  // a goal may be nested too deeply to be told
+    (void)guarded(ignored, [&] {
+      (void)note_drop(executing_, error, Value());
+      return true;
+    });
     drop(*executing_);
   }
   executing_ = nullptr;
@@ -66,7 +70,7 @@ void Agent::tidy_up() {
   machine().forget_temporary_code();
   if (finished_ > 0) forget_finished();
   beliefs_.compact();
-  if (heap_.wants_collection()) collect_garbage();
+  if (heap_.wants_collection() || heap_.wants_count()) clean_up();
   rest();
 }
 
@@ -281,6 +285,7 @@ void Agent::add_intended_means(const Plan& plan, const Event& event,
 
 void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
                        const std::shared_ptr<Scope>& scope) {
+  heap_.note_beside(sizeof(IntendedMeans));
   IntendedMeans& means = intention.push(plan, work().frame);
   means.op = event.op;
   means.kind = event.kind;
@@ -301,8 +306,13 @@ void Agent::push_means(Intention& intention, const Plan& plan, const Event& even
 Value Agent::trigger_of_means(const Event& event) {
   if (!work().binds_event) return event.literal;
   work().binds_event = false;
-  const MemoryReserve reserve(heap_);
-  const Value settled = machine().unifier().apply(event.literal);
+  Value settled;
+  try {
+    settled = machine().unifier().apply(event.literal);
+  } catch (const HeapExhausted&) {
+    const MemoryReserve reserve(heap_);
+    settled = machine().unifier().apply(event.literal);
+  }
   for (GoalDeadline& deadline : circumstance_.deadlines) {
     if (deadline.goal.same_as(event.literal)) deadline.goal = settled;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/goal_stack.h"
@@ -63,6 +64,8 @@ void Agent::execute(Intention& intention) {
   const bool completed = guarded(error, [&] {
     machine().unifier().set_slot_names(means.plan->slot_names);
     if (observer_ != nullptr) observer_->formula_executes(*this, intention, step);
+    std::optional<MemoryReserve> reserve;
+    if (heap_.is_short() && handles_failure(intention)) reserve.emplace(heap_);
     execute_step(intention, step);
     return true;
   });
@@ -225,6 +228,7 @@ Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
 }
 
 void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
+  heap_.require_room();
   const bool new_focus = kind == Step::Kind::achieve_new_focus;
   Value goal = prepare_for_event(intention, term, !new_focus);
   if (!is_literal(goal)) {
@@ -259,6 +263,7 @@ void Agent::fail_test(Intention& intention, const Step& step) {
     const TriggerKey key = trigger_key(TriggerOperator::add, TriggerKind::test,
                                        literal_parts(term).predicate, symbols_);
     if (!library_->candidates(key).empty()) {
+      heap_.require_room();
       const Value goal = prepare_for_event(intention, step.term, true);
       add_event({TriggerOperator::add, TriggerKind::test, goal, &intention, 0});
       return;

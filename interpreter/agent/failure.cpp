@@ -127,9 +127,12 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
     const Event event{TriggerOperator::remove, means.kind,
                       failure_literal(means.trigger, settled, code, line, &intention), &intention,
                       goal};
-    // What failed before is not kept, so that a goal may be tried again without end.
+    // What failed before is not kept, so that a goal may be tried again without end; nor is what
+    // has filled the memory, which is needed to go on.
+    const bool is_kept = !is_failure && error.limit != ReachedLimit::memory;
     const std::size_t kept = std::max({i, std::size_t{1}, intention.shared});
-    while (is_failure && intention.stack.size() > kept) pop_means(intention);
+    while (!is_kept && intention.stack.size() > kept) pop_means(intention);
+    if (!is_kept) intention.shrink();
     add_event(event);
     return true;
   }
@@ -138,7 +141,7 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
 
 void Agent::lose(Intention& intention, const ActionError& error, Value code) {
   const DropCause& cause = note_drop(&intention, error, code);
-  if (host_.keeps_log()) {
+  if (host_.keeps_log() && (error.limit != ReachedLimit::memory || tells_of_memory())) {
     log(fmt::format(
         "{}no failure event was generated: {}{}{}{}{}",
         cause.line == 0 ? "" : fmt::format("{}:{}:{}: ", cause.file, cause.line, cause.column),

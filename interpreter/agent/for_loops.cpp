@@ -129,8 +129,11 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
       level.solutions.push_back(unifier.instantiate(*cell, first));
     }
     level.ends.push_back(level.solutions.size());
+    constexpr std::size_t kBetweenChecks = 1024;
+    if (level.ends.size() % kBetweenChecks == 0) machine().check_memory(bytes_of(level));
     return true;
   });
+  heap_.note_beside(bytes_of(level));
   return level;
 }
 
@@ -195,6 +198,7 @@ bool Agent::begin_round(Intention& intention, Loop& loop) {
 void Agent::execute_for(Intention& intention, const Step& step) {
   IntendedMeans& means = intention.top();
   if (means.loops.empty() || means.loops.back().step != &step) {
+    heap_.require_room();
     means.loops.emplace_back().step = &step;
     open_level(intention, means.loops.back());
   }

@@ -35,13 +35,9 @@ void Intention::forget_bottom(std::size_t count) {
 }
 
 void Intention::finish() {
-  constexpr std::size_t kMostKept = 1024;  // values; a deep stack's memory is not worth keeping
   stack.clear();
   values.clear();
-  if (values.capacity() > kMostKept) {
-    stack.shrink_to_fit();
-    values.release();
-  }
+  shrink();
   reason.clear();
   also_suspended = false;
   has_event = false;
@@ -50,6 +46,13 @@ void Intention::finish() {
   atomic_means = 0;
   fork.reset();
   state = State::finished;
+}
+
+void Intention::shrink() {
+  constexpr std::size_t kMostMeans = 32;  // as many are kept for what comes
+  constexpr std::size_t kMostValues = 128;
+  if (stack.capacity() > kMostMeans + 4 * stack.size()) stack.shrink_to_fit();
+  if (values.capacity() > kMostValues + 4 * values.size()) values = ValueStack(values);
 }
 
 void Intention::leave_finished_bodies(IntendedMeans& means) {

@@ -158,6 +158,14 @@ class Intention {
   ValueStack values;
   std::uint32_t atomic_means = 0;
   std::shared_ptr<Fork> fork;
+
+  /// Its memory, without terms (memory.cpp).
+  [[nodiscard]] std::size_t bytes() const;
+  /// Gives back memory that a stack much deeper than this one has needed.
+  void shrink();
 };
+
+/// Memory of the solutions that a loop has found, without terms.
+[[nodiscard]] std::size_t bytes_of(const Loop::Level& level);
 
 }  // namespace jaywalk

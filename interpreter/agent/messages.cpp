@@ -53,13 +53,16 @@ void Agent::process_message() {
     return true;
   });
   if (handled) return;
-  log(fmt::format("a message of {} is lost: {}", message.sender, error->message));
+  if (error->limit != ReachedLimit::memory || tells_of_memory()) {
+    log(fmt::format("a message of {} is lost: {}", message.sender, error->message));
+  }
   report_limit(*error, fmt::format("a message of {}", message.sender));
 }
 
 void Agent::handle_message(const Message& message) {
   const Value sender = Value::atom(message.sender_atom);
   // The usual performatives are done at once unless the agent has its own plans for messages.
+  heap_.require_room();
   if (is_literal(message.content) && !settings_.messages_by_plans &&
       !library_->has_own_message_plans()) {
     if (message.performative == names::achieve_text) {
@@ -117,6 +120,7 @@ void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeou
   if (library_->has_goal_state_plans()) {
     signal_top_state(intention, "waiting", wait_reason(intention));
   }
+  heap_.note_beside(sizeof(PendingAsk));
   circumstance_.asks.push_back(std::move(ask));
 }
 

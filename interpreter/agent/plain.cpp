@@ -365,6 +365,13 @@ void Agent::push_plain_means(Intention& intention, const Plan& plan, const Event
     }
     if (is_last) replace_finished_caller(intention, event);
   }
+  heap_.note_beside(sizeof(IntendedMeans));
+  if (heap_.wants_count()) {
+    // So that the intention is not alone (is_alone), and what it asks for next is refused at the
+    // limit.
+    heap_.look_again();
+    if (heap_.bytes() == 0) (void)heap_.variable();
+  }
   IntendedMeans& means = intention.push(plan, frame);
   means.op = event.op;
   means.kind = event.kind;

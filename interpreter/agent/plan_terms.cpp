@@ -70,6 +70,8 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
     problem = term_text(term, symbols_) + " is not a plan";
     return false;
   }
+  heap_.require_room();
+  heap_.note_beside(kPlanBytes);
   std::vector<Symbol> names;
   const Value made = as_template(term, names);
   if (names.size() > kMostParts) {
@@ -221,6 +223,8 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
 
 // A rule that was data.
 void Agent::add_rule(Value rule, Place place) {
+  heap_.require_room();
+  heap_.note_beside(kPlanBytes);
   std::vector<Symbol> names;
   const Value made = as_template(rule, names);
   Value head = made.structure()->arg(0);
@@ -236,6 +240,7 @@ void Agent::add_rule(Value rule, Place place) {
 }
 
 bool Agent::include(std::shared_ptr<const Program> program, std::string& problem) {
+  heap_.require_room();
   std::vector<std::shared_ptr<const Plan>> added;
   for (const auto& plan : program->library().plans()) {
     const Plan* const known = plan->is_standard ? plan.get() : plan_with_label(plan->label);

@@ -14,8 +14,9 @@ ActionError error_of_limit() {
   } catch (const QueryLimit& limit) {
     error.message = limit.message;
     error.limit = limit.limit;
-  } catch (const HeapExhausted&) {
-    error.message = "the agent's memory limit is reached";
+  } catch (const HeapExhausted& exhausted) {
+    error.message = exhausted.of_all ? "the memory limit of all agents together is reached"
+                                     : "the agent's memory limit is reached";
     error.limit = ReachedLimit::memory;
   } catch (const TermTooDeep&) {
     error.message = fmt::format("a term is nested more than {} deep", kMaxTermDepth);

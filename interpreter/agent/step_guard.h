@@ -2,6 +2,7 @@
 
 // Turns the limits that a query or a term may hit into a failure of the step that hit them.
 
+#include <algorithm>
 #include <memory>
 
 #include "interpreter/logic/machine.h"
@@ -41,11 +42,27 @@ class MemoryReserve {
  public:
   explicit MemoryReserve(Heap& heap) : heap_(heap), limit_(heap.limit()) {
     constexpr std::size_t kBytes = std::size_t{1} << 20U;
-    heap_.set_limit(limit_ + kBytes);
+    heap_.set_limit(std::max(limit_, heap.all_bytes()) + kBytes);
   }
   ~MemoryReserve() { heap_.set_limit(limit_); }
   MemoryReserve(const MemoryReserve&) = delete;
   MemoryReserve& operator=(const MemoryReserve&) = delete;
+
+ private:
+  Heap& heap_;
+  std::size_t limit_;
+};
+
+/// No limit while it lives, for what somebody else answers for.
+class UnlimitedMemory {
+ public:
+  static constexpr std::size_t kBytes = std::size_t{1} << 62U;
+  explicit UnlimitedMemory(Heap& heap) : heap_(heap), limit_(heap.limit()) {
+    heap_.set_limit(kBytes);
+  }
+  ~UnlimitedMemory() { heap_.set_limit(limit_); }
+  UnlimitedMemory(const UnlimitedMemory&) = delete;
+  UnlimitedMemory& operator=(const UnlimitedMemory&) = delete;
 
  private:
   Heap& heap_;

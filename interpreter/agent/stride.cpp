@@ -45,7 +45,7 @@ bool Agent::reasons_plainly() const {
   if (c.atomic != nullptr || c.atomic_suspended || c.atomic_event || !c.feedback.empty() ||
       !c.tasks.empty() || !c.waits.empty() || unseen_ != nullptr || uses_subplans_ ||
       goal_conditions_ > 0 || customisation_ != nullptr || observer_ != nullptr ||
-      !settings_.is_plain() || library_->has_goal_state_plans()) {
+      heap_.is_short() || !settings_.is_plain() || library_->has_goal_state_plans()) {
     return false;
   }
   const Relation* const selecting = beliefs_.find(predicates::select_option);
@@ -74,7 +74,7 @@ void Agent::stride(std::uint64_t last) {
     machine().forget_temporary_code();
     if (finished_ > 0) forget_finished();
     beliefs_.compact();
-    if (heap_.wants_collection()) collect_garbage();
+    if (heap_.wants_collection() || heap_.wants_count()) clean_up();
   } while (cycles_ < last && !host_.has_business() && is_active() && reasons_plainly());
 }
 
@@ -265,7 +265,7 @@ Agent::Executed Agent::change_belief(Intention& intention, const Step& step) {
     }
     if (removes) {
       changed = beliefs_.remove(literal, machine().unifier());
-    } else if (const std::optional<Value> added = beliefs_.add(literal)) {
+    } else if (const std::optional<Value> added = add_fact(literal)) {
       literal = *added;
       changed = true;
     }

@@ -17,6 +17,7 @@ void Agent::start_wait(Intention& intention, Wait wait, double ms) {
   wait.start_ms = host_.now_ms();
   wait.ms = ms;
   if (wait.has_formula) ++formula_waits_;
+  heap_.note_beside(sizeof(Wait));
   circumstance_.waits.push_back(wait);
   if (ms >= 0) host_.set_timer(*this, wait.start_ms + ms, wait.id);
   suspend(intention, Intention::State::waiting, "wait");
@@ -58,6 +59,8 @@ Value Agent::wait_reason(const Intention& intention) {
 }
 
 void Agent::schedule(Event event, double ms) {
+  heap_.require_room();
+  heap_.note_beside(2 * sizeof(Event));
   const std::uint64_t token = new_token();
   circumstance_.scheduled.emplace_back(token, event);
   host_.set_timer(*this, host_.now_ms() + ms, token);

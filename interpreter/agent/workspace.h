@@ -77,11 +77,18 @@ class WorkspacePool {
     idle_.pop_back();
     return lent;
   }
-  void take_back(std::unique_ptr<Workspace> workspace) { idle_.push_back(std::move(workspace)); }
+  /// One that has grown large is not kept.
+  void take_back(std::unique_ptr<Workspace> workspace) {
+    if (workspace->machine.has_grown()) {
+      inferences_ += workspace->machine.inferences();
+    } else {
+      idle_.push_back(std::move(workspace));
+    }
+  }
 
   /// Inferences of all queries since the pool was made. REQUIRES: no workspace is lent.
   [[nodiscard]] std::uint64_t inferences() const {
-    std::uint64_t all = 0;
+    std::uint64_t all = inferences_;
     for (const auto& workspace : idle_) all += workspace->machine.inferences();
     return all;
   }
@@ -99,6 +106,7 @@ class WorkspacePool {
  private:
   SymbolTable& symbols_;
   std::vector<std::unique_ptr<Workspace>> idle_;
+  std::uint64_t inferences_ = 0;  // of workspaces that are gone
   std::vector<AgentRemains> remains_;
   std::size_t most_remains_ = 0;
   std::uint64_t inferences_left_ = UINT64_MAX;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "interpreter/support/grown_bytes.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
@@ -389,6 +390,23 @@ void BeliefBase::set_namespace_property(NamespaceProperty property) {
 void BeliefBase::compact() {
   for (Relation* const rel : with_holes_) rel->compact();
   with_holes_.clear();
+}
+
+std::size_t Relation::bytes() const {
+  constexpr std::size_t kRuleBytes = 1024;
+  std::size_t indexes = 0;
+  if (indexes_ != nullptr) {
+    indexes = indexes_->facts == nullptr ? 0 : 1;
+    indexes_->visit_arguments([&](const RowIndex&) { ++indexes; });
+  }
+  return sizeof(Relation) + grown_bytes(rows_.size(), sizeof(Row) + indexes * 24) +
+         rules_owned_.size() * kRuleBytes;
+}
+
+std::size_t BeliefBase::bytes() const {
+  std::size_t bytes = grown_bytes(namespace_properties_.size(), sizeof(NamespaceProperty));
+  for (const Relation* const relation : relations_) bytes += relation->bytes();
+  return bytes;
 }
 
 }  // namespace jaywalk

@@ -151,6 +151,8 @@ class Relation {
 
   /// It is among the belief base's relations; otherwise it only keeps its memory.
   bool exists = false;
+  /// Memory without terms, roughly.
+  [[nodiscard]] std::size_t bytes() const;
   /// Becomes as new, but keeps memory for a few rows.
   void reset();
 
@@ -315,6 +317,8 @@ class BeliefBase {
   /// Removes what was missed and not perceived, in the order in which end_percepts does it.
   void end_missed(std::vector<PerceptChange>& changes);
 
+  /// Memory without terms, roughly.
+  [[nodiscard]] std::size_t bytes() const;
   /// Closes the holes. REQUIRES: no cursor is in use.
   void compact();
   template <class Visit>

@@ -224,10 +224,33 @@ bool Machine::run(std::size_t base) {
   }
 }
 
-Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
-  if (choices_.size() * sizeof(ChoicePoint) > heap().limit()) {
+// What a query takes beside its terms. The trail doubles when it is full.
+std::size_t Machine::stack_bytes() const {
+  return frames_.words() * sizeof(std::uint64_t) + choices_.capacity() * sizeof(ChoicePoint) +
+         unifier_.mark() * sizeof(Value*) * 3;
+}
+
+bool Machine::has_memory(std::size_t bytes) {
+  constexpr std::size_t kMuch = std::size_t{16} << 20U;
+  const std::size_t all = stack_bytes() + bytes;
+  if (all > kMuch) has_grown_ = true;
+  return all + heap().all_bytes() <= heap().limit();
+}
+
+void Machine::check_memory(std::size_t bytes) {
+  if (!has_memory(bytes)) throw QueryLimit{"a query needs more memory than the agent may have"};
+}
+
+void Machine::grow_choices() {
+  const std::size_t most = std::max<std::size_t>(16, 2 * choices_.capacity());
+  if (!has_memory(most * sizeof(ChoicePoint))) {
     throw QueryLimit{"a query leaves too many choices open for the memory allowed"};
   }
+  choices_.reserve(most);
+}
+
+Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
+  if (choices_.size() == choices_.capacity()) grow_choices();
   unifier_.end_fresh_frame();
   unifier_.set_young(heap().first_young());
   ++choice_count_;
@@ -308,9 +331,7 @@ void Machine::check_limits() {
     throw QueryLimit{fmt::format("a query took more than {} inferences", max_inferences_),
                      ReachedLimit::inferences};
   }
-  if (unifier_.mark() * sizeof(Value*) > heap().limit()) {
-    throw QueryLimit{"a query binds too many variables for the memory allowed"};
-  }
+  check_memory(0);
   if (surroundings_ != nullptr && surroundings_->interrupted()) {
     throw QueryLimit{"the query was interrupted", ReachedLimit::interruption};
   }
@@ -347,7 +368,7 @@ void Machine::use_frame(const Environment& frame) {
 
 // Another block of frames is needed.
 void Machine::check_frames() {
-  if (frames_.words() * sizeof(std::uint64_t) > heap().limit()) {
+  if (!has_memory(0)) {
     throw QueryLimit{"rules nest too deeply for the memory allowed"};
   }
 }

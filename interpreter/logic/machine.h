@@ -109,6 +109,11 @@ class Machine : public FunctionCaller {
   void set_log(std::function<void(std::string_view)> log) { log_ = std::move(log); }
   /// Inferences made so far, of all queries.
   [[nodiscard]] std::uint64_t inferences() const { return inferences_; }
+  /// Its stacks have taken much memory, which they keep.
+  [[nodiscard]] bool has_grown() const { return has_grown_; }
+  /// Throws QueryLimit if what is being made, `bytes` beside the terms, is too much for the memory
+  /// allowed.
+  void check_memory(std::size_t bytes);
   /// To be called between queries now and then: drops code of formulas made at run time.
   void forget_temporary_code() { temporary_.clear(); }
 
@@ -248,6 +253,9 @@ class Machine : public FunctionCaller {
   // How many inferences come between two looks at the limits.
   static constexpr std::uint64_t kChecked = 4096;
   void check_limits();
+  void grow_choices();
+  [[nodiscard]] bool has_memory(std::size_t bytes);
+  [[nodiscard]] std::size_t stack_bytes() const;
   void start_query() {
     query_start_ = inferences_;
     next_check_ = inferences_ + std::min<std::uint64_t>(kChecked, max_inferences_ + 1);
@@ -280,6 +288,7 @@ class Machine : public FunctionCaller {
   std::uint64_t next_check_ = 0;  // when the limits are to be looked at again
   std::uint64_t max_inferences_ = 1'000'000'000;
   int nesting_ = 0;
+  bool has_grown_ = false;
 
   const std::vector<RuleFunction> own_functions_;  // none
   // Functions that this client has called lately, by the last bits of their predicates.

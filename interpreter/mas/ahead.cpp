@@ -49,6 +49,7 @@ std::uint64_t Mas::Implementation::run_ahead(std::uint64_t most) {
     }
   }
   residents_.end_round();
+  share_memory();
   if (!ahead_.lines.empty()) write_held_log();
   return ahead_.longest;
 }

@@ -3,11 +3,48 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/system.h"
 #include "interpreter/term/transfer.h"
 
 namespace jaywalk {
+
+namespace {
+
+// Into a heap whose owner has not asked for it. What it takes counts for the sender at first.
+Value copy_content(Value content, Heap& heap, std::size_t& sent_bytes) {
+  std::size_t before = heap.bytes();
+  Value copy;
+  try {
+    copy = transfer(content, heap);
+  } catch (const HeapExhausted&) {
+    const UnlimitedMemory unlimited(heap);
+    before = heap.bytes();
+    copy = transfer(content, heap);
+  }
+  sent_bytes += heap.bytes() - before;
+  return copy;
+}
+
+}  // namespace
+
+// What is sent in a round counts for its sender, as far as it can tell in this round; then for its
+// receiver. One that has no room left is sent no more: so much is known of it from one round to the
+// next, whoever reasons before whom and on whatever thread.
+void Mas::Implementation::require_room_for_message(Resident& sender, const Resident& receiver) {
+  if (receiver.is_full) {
+    throw QueryLimit{
+        fmt::format("agent {} has no memory left for messages", receiver.agent->name())};
+  }
+  if (sender.sent_before != deliveries_) {
+    sender.sent_before = deliveries_;
+    sender.sent_bytes = 0;
+  }
+  sender.sent_bytes += sizeof(Message);
+  sender.agent->heap().require_bytes(2 * sender.sent_bytes);
+}
 
 // Names become atoms when they are first needed: most agents of a large system send nothing.
 const Resident& Mas::Implementation::named(Resident& resident) {
@@ -16,6 +53,12 @@ const Resident& Mas::Implementation::named(Resident& resident) {
     resident.name_text = symbols_.text(symbols_.symbol(resident.agent->name()));
   }
   return resident;
+}
+
+// Where memory is scarce, nothing comes into the agent's before the round is over.
+bool Mas::Implementation::is_near_limit(const Resident& receiver) const {
+  return left_bytes_ < options_.max_agent_bytes ||
+         receiver.known_bytes > options_.max_agent_bytes / 2;
 }
 
 Resident* Mas::Implementation::receiver_of(const OutgoingMessage& message, const Agent& sender) {
@@ -34,12 +77,14 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   has_business_ = true;
   Resident* const receiver = receiver_of(message, sender);
   if (receiver == nullptr) return false;
+  Resident& from = residents_.of(sender);
+  require_room_for_message(from, *receiver);
   Message copy;
   if (receiver->agent.get() == &sender) {
     copy.sender = "self";
     copy.sender_atom = predicates::self;
   } else {
-    const Resident& own = named(residents_.of(sender));
+    const Resident& own = named(from);
     copy.sender = own.name_text;
     copy.sender_atom = *own.name;
   }
@@ -51,13 +96,15 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   const bool is_plain = message.content.is_closed() && !sender.heap().has_objects();
   if (beside_ != nullptr) {
     Outbox& outbox = beside_->outbox;
-    copy.content = transfer(message.content, outbox.heap);
+    copy.content = copy_content(message.content, outbox.heap, from.sent_bytes);
     outbox.add(Outbox::Letter{receiver->number, copy, is_plain});
-  } else if (is_plain) {
-    copy.content = transfer(message.content, receiver->agent->heap());
+  } else if (is_plain && !is_near_limit(*receiver)) {
+    copy.content = copy_content(message.content, receiver->agent->heap(), from.sent_bytes);
     post(*receiver, copy);
   } else {
+    const std::size_t before = mail_ ? mail_->bytes() : 0;
     post_later(*receiver, copy, message.content);
+    from.sent_bytes += mail_->bytes() - before;
   }
   return true;
 }
@@ -86,7 +133,10 @@ void Mas::Implementation::post(Resident& receiver, const Message& message) {
 }
 
 void Mas::Implementation::post_later(Resident& receiver, Message message, Value content) {
-  if (!mail_) mail_.emplace();
+  if (!mail_) {
+    mail_.emplace();
+    mail_->set_limit(UnlimitedMemory::kBytes);
+  }
   contents_.push_back(
       {receiver.number, receiver.agent->circumstance().arriving.size(), transfer(content, *mail_)});
   message.content = Value();
@@ -98,14 +148,25 @@ Value Mas::Implementation::hand_over(Value content, Agent& receiver) {
   Value copy = Value::atom(predicates::falsity);
   ActionError error;
   const bool arrived = guarded(error, [&] {
-    copy = transfer(content, receiver.heap());
+    std::size_t bytes = 0;
+    copy = copy_content(content, receiver.heap(), bytes);
     return true;
   });
   if (!arrived) receiver.log("a message was too large: " + error.message);
   return copy;
 }
 
+void Mas::Implementation::look_at_full() {
+  std::erase_if(full_, [this](std::uint32_t number) {
+    Resident& receiver = residents_[number];
+    if (!receiver.is_leaving) look_for_room(receiver);
+    return receiver.is_leaving || !receiver.is_full;
+  });
+}
+
 bool Mas::Implementation::deliver_messages() {
+  ++deliveries_;
+  if (!full_.empty()) look_at_full();
   if (receivers_.empty()) return false;
   for (const Content& each : contents_) {
     Resident& receiver = residents_[each.receiver];
@@ -121,7 +182,12 @@ bool Mas::Implementation::deliver_messages() {
     if (receiver.is_leaving) continue;
     auto& arriving = receiver.agent->circumstance().arriving;
     for (const Message& message : arriving) receiver.agent->receive(message);
+    receiver.agent->heap().note_beside(arriving.size() * sizeof(Message));
     arriving.clear();
+    if (!receiver.is_full) {
+      look_for_room(receiver);
+      if (receiver.is_full) full_.push_back(number);
+    }
     wake(receiver);
   }
   receivers_.clear();

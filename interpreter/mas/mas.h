@@ -69,9 +69,14 @@ struct MasOptions {
   std::uint32_t max_rounds = 10'000;
   /// Agents that live at the same time; beyond, `.create_agent` fails.
   std::size_t max_agents = 1'000'000;
-  /// Bytes of one agent's terms. A step that asks for more fails, unless `at_memory_limit` says
-  /// otherwise. Goals, intentions, events and messages are not counted.
+  /// What one agent may own, in bytes: terms (twice, since they are copied when garbage is
+  /// collected), beliefs, plans of its own, goals, intentions, events and messages. A step that
+  /// asks for more fails, unless `at_memory_limit` says otherwise.
   std::uint64_t max_agent_bytes = std::uint64_t{1} << 30U;
+  /// The same for all agents of the system together; 0: half of the machine's memory. It is summed
+  /// up between rounds: in one round each agent may take what was left before it. Where nothing is
+  /// left, an agent that asks for more fails unless it owns less than an eighth of an equal share.
+  std::uint64_t max_system_bytes = 0;
   enum class AtMemoryLimit : std::uint8_t { fail_step, end_run };
   AtMemoryLimit at_memory_limit = AtMemoryLimit::fail_step;
   /// Inferences that one query may take; beyond, the step that asks it fails.
@@ -132,7 +137,8 @@ struct RunOutcome {
   int exit_code = 0;    // given to .stopMAS
   std::string message;  // of limit and looping: which agent, doing what
   /// Of limit and looping: which limit it was, the agent that reached it (empty: all of them
-  /// together) and what it was doing: "x.asl:2:21", "the context of @p1"; may be empty.
+  /// together) and what it was doing: "x.asl:2:21", "the context of @p1"; may be empty. Of stopped:
+  /// the agent that asked for it at once (empty: it was to be later).
   RunLimit limit = RunLimit::none;
   std::string agent;
   std::string where;

@@ -55,6 +55,8 @@ class Outbox {
   /// Cycles and turns that agents have taken.
   std::uint64_t cycles = 0;
   std::uint64_t turns = 0;
+  /// By how much more, or less, agents own.
+  std::int64_t grown = 0;
   /// Somebody has ended the run; no agent reasons after that.
   std::optional<End> end;
 

@@ -56,6 +56,7 @@ bool Mas::Implementation::round(Turn turn) {
     }
   }
   residents_.end_round();
+  share_memory();
   return turns > 0;
 }
 
@@ -82,11 +83,12 @@ std::uint64_t Mas::Implementation::take_turns_beside(std::span<const std::uint32
 
 void Mas::Implementation::empty(Outbox& outbox) {
   outcome_.cycles += outbox.cycles;
+  owned_bytes_ += outbox.grown;
   outbox.empty([this](Outbox::Kind kind, const std::string& text) { put_out(kind, text); },
                [this](Outbox::Letter& letter) {
                  Resident& receiver = residents_[letter.receiver];
                  const Value content = letter.message.content;
-                 if (letter.is_plain) {
+                 if (letter.is_plain && !is_near_limit(receiver)) {
                    letter.message.content = hand_over(content, *receiver.agent);
                    post(receiver, letter.message);
                  } else {

@@ -34,6 +34,13 @@ struct Resident {
   bool is_listed = false;  // as awake, or to be from the next round on
   bool is_asleep = false;  // it has been told so (jag_sleeping)
   bool has_mail = false;
+  bool is_full = false;  // has no memory for more messages, until it is looked at again
+  std::uint32_t look_after =
+      0;                      // so many deliveries, twice as many each time that it still has none
+  std::uint64_t look_at = 0;  // at this delivery
+  std::uint64_t sent_before = 0;  // the delivery of the messages sent last, and their size
+  std::size_t sent_bytes = 0;
+  std::size_t known_bytes = 0;    // what the agent owned after it reasoned last
   bool is_leaving = false;        // reasons no more
   bool is_near = false;           // can reason beside others (reach.h), as judged when
   std::size_t reach_version = 0;  // there were so many programs

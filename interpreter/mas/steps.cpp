@@ -73,6 +73,7 @@ void Mas::Implementation::reason_alone(Resident& first) {
     const std::uint64_t start = outcome_.cycles;
     reason(*lone, std::min(end - start, kStepsPerMs - busy_steps_));
     if (ended_) return;
+    share_memory();
     deliver_messages();
     busy_steps_ += outcome_.cycles - start;
     steps_ += outcome_.cycles - start;
@@ -116,9 +117,13 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
   if (options_.interrupted || options_.max_run_inferences != 0) {
     most = std::min(most, kCyclesBetweenLooks);
   }
+  allow_memory(resident);
   has_business_ = false;
   const std::uint64_t taken = agent.reason(most);
-  (beside_ != nullptr ? beside_->outbox.cycles : outcome_.cycles) += taken;
+  Beside* const beside = beside_;
+  (beside != nullptr ? beside->outbox.cycles : outcome_.cycles) += taken;
+  note_memory(resident, beside != nullptr ? beside->outbox.grown : owned_bytes_);
+  if (beside != nullptr ? beside->outbox.end.has_value() : ended_) note_who_stopped(agent);
   const std::uint64_t in_period = agent.cycles() - resident.cycles_before;
   if (in_period > options_.max_cycles_per_tick) {
     end({.how = RunEnd::looping,
@@ -136,6 +141,15 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
   }
   if (options_.max_run_inferences != 0 && beside_ == nullptr) count_inferences(agent.name());
   if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
+}
+
+void Mas::Implementation::note_who_stopped(const Agent& agent) {
+  if (beside_ != nullptr) {
+    Outbox::End& end = *beside_->outbox.end;
+    if (end.how == RunEnd::stopped) end.agent = agent.name();
+  } else if (outcome_.end == RunEnd::stopped) {
+    outcome_.agent = agent.name();
+  }
 }
 
 // Inferences of the run's queries, without those of agents that are reasoning.
@@ -167,8 +181,10 @@ void Mas::Implementation::count_inferences(std::string agent) {
 void Mas::Implementation::limit_reached(Agent& agent, ReachedLimit limit, std::string where) {
   if (limit == ReachedLimit::memory &&
       options_.at_memory_limit == MasOptions::AtMemoryLimit::end_run) {
-    std::string message = fmt::format("agent {} needs more memory than it may have{}{}",
-                                      agent.name(), where.empty() ? "" : ", in ", where);
+    const bool of_all = agent.heap().limit() < options_.max_agent_bytes;
+    std::string message = fmt::format("agent {} needs more memory than {}{}{}", agent.name(),
+                                      of_all ? "all agents together may have" : "it may have",
+                                      where.empty() ? "" : ", in ", where);
     end({.how = RunEnd::limit,
          .message = std::move(message),
          .limit = RunLimit::memory,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/mas/machine_memory.h"
 
 namespace jaywalk {
 
@@ -17,6 +18,8 @@ Mas::Implementation::Implementation(std::unique_ptr<SystemStock> stock, MasOptio
       services_(
           [this](const std::string& subscriber, const std::string& provider,
                  const std::string& service) { tell_of_provider(subscriber, provider, service); }) {
+  if (options_.max_system_bytes == 0) options_.max_system_bytes = half_of_the_machines_memory();
+  share_memory();
   inferences_before_ = stock_->workspaces.inferences();
   count_inferences({});
   if (options_.threads < 2 || options_.observer != nullptr) return;
@@ -62,6 +65,8 @@ Resident& Mas::Implementation::settle(const std::string& name,
                               AgentLimits{options_.max_agent_bytes, options_.max_inferences});
   if (lanes_ != nullptr) reaches_.add(*program, symbols_);
   Resident& resident = residents_.add(std::move(agent), std::move(program));
+  resident.known_bytes = sizeof(Agent) + sizeof(Resident);
+  owned_bytes_ += static_cast<std::int64_t>(resident.known_bytes);
   residents_.wake(resident);
   has_business_ = true;
   return resident;
@@ -85,7 +90,10 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
     agent.start(replaced, given);
     return true;
   });
-  if (!started) agent.log("in its initial beliefs and goals: " + error.message);
+  if (!started) {
+    agent.log("in its initial beliefs and goals: " + error.message);
+    limit_reached(agent, error.limit, "its initial beliefs and goals");
+  }
   agent.rest();
   if (!agent.is_active()) put_to_sleep(residents_.of(agent));
 }
@@ -107,7 +115,16 @@ AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
   return AgentId{resident.number};
 }
 
-bool Mas::Implementation::is_full() const { return residents_.living() >= options_.max_agents; }
+// Why there can be no more agents; empty if there can.
+std::string Mas::Implementation::obstacle_to_agents() const {
+  if (residents_.living() >= options_.max_agents) {
+    return fmt::format("there are {} agents, the limit", options_.max_agents);
+  }
+  if (owned_bytes_ >= static_cast<std::int64_t>(options_.max_system_bytes)) {
+    return "the memory limit of all agents together is reached";
+  }
+  return {};
+}
 
 std::shared_ptr<const Program> Mas::Implementation::load(const ProgramRequest& request,
                                                          std::string& error) {
@@ -138,7 +155,7 @@ std::string Mas::Implementation::why_not_list(const std::string& folder) {
 }
 
 Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
-  if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
+  if (std::string obstacle = obstacle_to_agents(); !obstacle.empty()) return {{}, obstacle};
   AgentSpec spec;
   std::string error;
   spec.program = load({.file = file, .included = false, .ns = {}}, error);
@@ -149,7 +166,7 @@ Society::Creation Mas::Implementation::create(const std::string& name, const std
 }
 
 Society::Creation Mas::Implementation::clone(Agent& original, const std::string& name) {
-  if (is_full()) return {{}, fmt::format("there are {} agents, the limit", options_.max_agents)};
+  if (std::string obstacle = obstacle_to_agents(); !obstacle.empty()) return {{}, obstacle};
   Agent& agent = *settle(name, residents_.of(original).program).agent;
   agent.copy_from(original);
   agent.rest();
@@ -174,6 +191,7 @@ bool Mas::Implementation::kill(std::string_view name, double deadline_ms) {
 void Mas::Implementation::leave(Resident& resident) {
   has_business_ = true;
   services_.forget(resident.agent->name());
+  release_memory(resident);
   residents_.remove(resident);
 }
 

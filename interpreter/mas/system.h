@@ -87,7 +87,7 @@ class Mas::Implementation : public AgentHost, public Society {
  private:
   [[nodiscard]] std::unique_ptr<Percepts> percepts_for_body();
   Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
-  [[nodiscard]] bool is_full() const;
+  [[nodiscard]] std::string obstacle_to_agents() const;
   void start(Agent& agent, const AgentSpec& spec);
   void end(Outbox::End how);
   void go_on_after_idleness();
@@ -123,6 +123,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason_until_quiet();
   void execute_actions();
   void reason(Resident& resident, std::uint64_t most);
+  void note_who_stopped(const Agent& agent);
   [[nodiscard]] std::uint64_t inferences() const;
   void count_inferences(std::string agent);
   [[nodiscard]] bool has_ended() const {
@@ -165,6 +166,18 @@ class Mas::Implementation : public AgentHost, public Society {
   void post_later(Resident& receiver, Message message, Value content);
   [[nodiscard]] static Value hand_over(Value content, Agent& receiver);
   bool deliver_messages();
+  void require_room_for_message(Resident& sender, const Resident& receiver);
+
+  // Memory (memory.cpp).
+  void share_memory();
+  void sweep();
+  void allow_memory(Resident& resident) const;
+  /// Adds by how much more the agent owns to `sum`.
+  static void note_memory(Resident& resident, std::int64_t& sum);
+  void release_memory(Resident& resident);
+  void look_for_room(Resident& receiver);
+  void look_at_full();
+  [[nodiscard]] bool is_near_limit(const Resident& receiver) const;
   void tell_of_provider(const std::string& subscriber, const std::string& provider,
                         const std::string& service);
   [[nodiscard]] static std::string last_place(const Agent& agent);
@@ -188,6 +201,15 @@ class Mas::Implementation : public AgentHost, public Society {
   std::uint64_t busy_steps_ = 0;  // since time passed
   std::uint64_t steps_ = 0;       // ever; no agent has reasoned for more cycles
   std::vector<std::uint32_t> receivers_;  // of messages that are to be delivered
+  std::vector<std::uint32_t> full_;       // agents without memory for messages
+  std::uint64_t deliveries_ = 1;
+  // What all agents own, and what was left of their limit, in all and for one that has little, when
+  // a round last ended.
+  std::int64_t owned_bytes_ = 0;
+  std::size_t left_bytes_ = 0;
+  std::size_t least_bytes_ = 0;
+  std::uint32_t full_rounds_ = 0;  // at whose end nothing was left, since agents were last swept
+  std::uint32_t rounds_to_sweep_ = 1;
   /// Contents that get to their receivers' heaps only when they are delivered; they are in `mail_`.
   struct Content {
     std::uint32_t receiver = 0;

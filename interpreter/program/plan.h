@@ -92,6 +92,9 @@ struct BodyCode {
   }
 };
 
+/// What a plan or rule that was made at run time takes with its code, roughly.
+inline constexpr std::size_t kPlanBytes = 2048;
+
 struct Plan {
   /// A literal with the label's annotations; unset if the plan has no label.
   Value label;

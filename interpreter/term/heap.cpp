@@ -56,14 +56,61 @@ void Heap::grow(std::size_t words) {
   full_bytes_ += used_in_current();
   const std::size_t last =
       std::max(kFirstChunkWords / 2, chunks_.empty() ? 0 : chunks_.back().size);
-  const std::size_t size = std::max(words, std::min(last * 2, kLargestChunkWords));
-  if (full_bytes_ + size * sizeof(std::uint64_t) > limit_bytes_) {
+  const std::size_t most = most_bytes();
+  const std::size_t room = (most - std::min(most, full_bytes_)) / sizeof(std::uint64_t);
+  if (words > room) {
     full_bytes_ -= used_in_current();
-    throw HeapExhausted{};
+    give_up();
   }
+  const std::size_t size = std::max(words, std::min({last * 2, kLargestChunkWords, room}));
   chunks_.push_back({std::make_unique_for_overwrite<std::uint64_t[]>(size), size});
   start_ = top_ = chunks_.back().words.get();
   end_ = top_ + size;
+}
+
+// What is left to terms.
+std::size_t Heap::most_bytes() const {
+  return (limit_bytes_ - std::min(limit_bytes_, beside_)) / 2;
+}
+
+void Heap::require_bytes(std::size_t bytes) {
+  const std::size_t all = all_bytes();
+  if (all > limit_bytes_ || bytes > limit_bytes_ - all) give_up();
+}
+
+// Some of what there is may be garbage by now, or soon. But where next to nothing is, that is not
+// looked at for every step that fails.
+void Heap::give_up() {
+  if (full_at_ == 0) full_at_ = std::max<std::size_t>(1, all_bytes());
+  if (++failures_ >= patience_) look_again();
+  throw HeapExhausted{limit_is_of_all_};
+}
+
+// There is to be a count before the limit is reached.
+void Heap::look_sooner(std::size_t limit) {
+  const std::size_t all = all_bytes();
+  count_at_ = std::min(count_at_, beside_ + (limit - std::min(limit, all)));
+}
+
+void Heap::set_beside(std::size_t bytes) {
+  constexpr std::size_t kLeast = 256 * 1024;
+  constexpr std::uint32_t kMostPatience = 1024;
+  beside_ = bytes;
+  const std::size_t all = all_bytes();
+  if (full_at_ != 0) {
+    const bool was_worth_it = all + full_at_ / 16 < full_at_;
+    patience_ = was_worth_it ? 1 : std::min(2 * patience_, kMostPatience);
+    failures_ = 0;
+    full_at_ = 0;
+  }
+  // Counting, and a collection with it, costs little beside what has been got since, and comes
+  // before the limit is reached.
+  const std::size_t room = limit_bytes_ - std::min(limit_bytes_, all);
+  count_at_ = bytes + std::min(std::max(all, kLeast), std::max(room / 2, all / 16 + 256));
+  // Terms have less room than there was when they were collected.
+  const std::size_t before_limit = live_bytes_ / 2 + most_bytes() / 2;
+  collect_at_ = std::min(
+      collect_at_, std::max({kLeastCollection, live_bytes_ + live_bytes_ / 16, before_limit}));
 }
 
 Heap::Remains Heap::leave_remains() {
@@ -154,7 +201,10 @@ Value Heap::text(std::string_view bytes) {
 }
 
 Value Heap::object(std::unique_ptr<Object> object) {
+  const std::size_t bytes = object->bytes();
+  require_bytes(bytes);
   std::uint64_t* const cell = allocate(2);
+  note_beside(bytes);
   auto* const made = reinterpret_cast<ObjectCell*>(cell);
   made->info = kObjectInfo;
   object->serial = next_object_++;
@@ -176,10 +226,25 @@ std::vector<Heap::Chunk> Heap::start_collection() {
 void Heap::finish_collection() {
   erase_if(objects_, [](const auto& object) { return !object->reached; });
   // Before the limit is reached, however much is alive.
-  collect_at_ = std::max(kLeastCollection, std::min(2 * bytes(), bytes() / 2 + limit_bytes_ / 2));
+  live_bytes_ = bytes();
+  collect_at_ = std::max({kLeastCollection, bytes() + bytes() / 16,
+                          std::min(2 * bytes(), bytes() / 2 + most_bytes() / 2)});
 }
 
+std::size_t Heap::object_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& object : objects_) bytes += object->bytes();
+  return bytes;
+}
+
+// What roots reach is moved before there are very many of them, so that little is pending.
 void Heap::Relocator::operator()(Value& value) {
+  constexpr std::size_t kMostPending = 4096;
+  move(value);
+  if (pending_.size() > kMostPending) drain();
+}
+
+void Heap::Relocator::move(Value& value) {
   const Value::Kind kind = value.kind();
   if (kind == Value::Kind::number || kind == Value::Kind::atom || kind == Value::Kind::special ||
       value.is_static()) {
@@ -236,12 +301,13 @@ void Heap::Relocator::drain() {
     if (pending_.empty()) {
       Object* const object = pending_objects_.back();
       pending_objects_.pop_back();
-      object->visit([this](Value& value) { (*this)(value); });
+      object->visit([this](Value& value) { move(value); });
       continue;
     }
     const auto [first, count] = pending_.back();
     pending_.pop_back();
-    for (std::size_t i = 0; i < count; ++i) (*this)(first[i]);
+    // Of a list the tail first: it is pending below the head, which is soon done with.
+    for (std::size_t i = count; i > 0; --i) move(first[i - 1]);
   }
 }
 

@@ -109,7 +109,9 @@ struct ObjectCell {
 }
 
 /// Thrown when an agent's heap would exceed its limit; caught where the agent executes a step.
-struct HeapExhausted {};
+struct HeapExhausted {
+  bool of_all = false;  // it is what is left to the agent of a limit for all together
+};
 /// Thrown when a term is nested too deeply to be walked; caught where the agent executes a step.
 struct TermTooDeep {};
 
@@ -235,8 +237,37 @@ class Heap {
   [[nodiscard]] bool has_objects() const { return !objects_.empty(); }
 
   [[nodiscard]] std::size_t bytes() const { return full_bytes_ + used_in_current(); }
-  void set_limit(std::size_t bytes) { limit_bytes_ = bytes; }
+  /// Of all collections, without the terms in them.
+  [[nodiscard]] std::size_t object_bytes() const;
+
+  // The limit holds for all that the owner has: its terms, twice, since while they are collected
+  // both the old and the new ones are there, and what it has beside them, which the owner notes
+  // when it gets something and counts anew now and then.
+  void set_limit(std::size_t bytes) {
+    if (bytes < limit_bytes_) look_sooner(bytes);
+    limit_bytes_ = bytes;
+  }
+  /// The limit is what others leave of one for all together.
+  void set_limit_of_all(bool of_all) { limit_is_of_all_ = of_all; }
   [[nodiscard]] std::size_t limit() const { return limit_bytes_; }
+  [[nodiscard]] std::size_t beside() const { return beside_; }
+  [[nodiscard]] std::size_t all_bytes() const { return 2 * bytes() + beside_; }
+  /// The owner has got something that is no term.
+  void note_beside(std::size_t bytes) { beside_ += bytes; }
+  /// Before the owner gets something that is no term. Throws HeapExhausted at the limit.
+  void require_room() {
+    if (beside_ > count_at_) require_bytes(0);
+  }
+  /// The same for so many bytes.
+  void require_bytes(std::size_t bytes);
+  /// What the owner has beside terms, counted.
+  void set_beside(std::size_t bytes);
+  /// Something has failed for want of memory lately, and what there is has not been counted since.
+  [[nodiscard]] bool is_short() const { return full_at_ != 0; }
+  /// What there is is to be collected and counted, however little has come.
+  void look_again() { collect_at_ = count_at_ = 0; }
+  /// So much has been noted that it is to be counted.
+  [[nodiscard]] bool wants_count() const { return beside_ > count_at_; }
   /// Enough has been allocated since the last collection to make another worth while.
   [[nodiscard]] bool wants_collection() const { return bytes() > collect_at_; }
 
@@ -249,6 +280,7 @@ class Heap {
    private:
     friend class Heap;
     explicit Relocator(Heap& heap) : heap_(heap) {}
+    void move(Value& value);
     void drain();
     Heap& heap_;
     std::vector<std::pair<Value*, std::size_t>> pending_;
@@ -301,6 +333,9 @@ class Heap {
   }
   [[nodiscard]] std::vector<Chunk> start_collection();
   void finish_collection();
+  [[nodiscard]] std::size_t most_bytes() const;
+  [[noreturn]] void give_up();
+  void look_sooner(std::size_t limit);
 
   std::uint64_t* start_ = nullptr;  // of the current chunk, the last
   std::uint64_t* top_ = nullptr;
@@ -310,6 +345,14 @@ class Heap {
   Mark floor_;
   std::size_t limit_bytes_ = std::size_t{1} << 30U;
   std::size_t collect_at_ = 64 * 1024;
+  std::size_t live_bytes_ = 0;  // after the last collection
+  std::size_t beside_ = 0;
+  std::size_t count_at_ = 16 * 1024;
+  // After so many failures for want of memory it is looked what has become free meanwhile.
+  std::uint32_t failures_ = 0;
+  std::uint32_t patience_ = 1;
+  bool limit_is_of_all_ = false;
+  std::size_t full_at_ = 0;  // what there was then; 0: there was no failure
   std::uint64_t static_flag_ = 0;
   std::uint64_t next_serial_ = 1;
   std::uint64_t next_object_ = 1;

@@ -16,6 +16,9 @@
 
 namespace jaywalk {
 
+/// Of an empty collection, roughly.
+inline constexpr std::size_t kObjectBytes = 128;
+
 class Object {
  public:
   enum class Kind { set, map, queue };
@@ -24,6 +27,8 @@ class Object {
   [[nodiscard]] virtual Kind kind() const = 0;
   /// The number of elements, or of pairs.
   [[nodiscard]] virtual std::size_t size() const = 0;
+  /// Memory of the object itself, without the terms in it.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
   /// Another object with the same Values.
   [[nodiscard]] virtual std::unique_ptr<Object> copy() const = 0;
   /// Passes every Value that it holds to `visit`, which may move it: of a map, each key and then
@@ -40,6 +45,9 @@ class SetObject final : public Object {
  public:
   [[nodiscard]] Kind kind() const override { return Kind::set; }
   [[nodiscard]] std::size_t size() const override { return elements_.size(); }
+  [[nodiscard]] std::size_t bytes() const override {
+    return kObjectBytes + 2 * elements_.size() * sizeof(Value);
+  }
   [[nodiscard]] std::unique_ptr<Object> copy() const override;
   void visit(const std::function<void(Value&)>& visit) override;
 
@@ -62,6 +70,9 @@ class MapObject final : public Object {
 
   [[nodiscard]] Kind kind() const override { return Kind::map; }
   [[nodiscard]] std::size_t size() const override { return entries_.size(); }
+  [[nodiscard]] std::size_t bytes() const override {
+    return kObjectBytes + 2 * entries_.size() * sizeof(Entry);
+  }
   [[nodiscard]] std::unique_ptr<Object> copy() const override;
   void visit(const std::function<void(Value&)>& visit) override;
 
@@ -84,6 +95,9 @@ class QueueObject final : public Object {
 
   [[nodiscard]] Kind kind() const override { return Kind::queue; }
   [[nodiscard]] std::size_t size() const override { return elements_.size(); }
+  [[nodiscard]] std::size_t bytes() const override {
+    return kObjectBytes + 2 * elements_.size() * sizeof(Value);
+  }
   [[nodiscard]] std::unique_ptr<Object> copy() const override;
   void visit(const std::function<void(Value&)>& visit) override;
 

@@ -131,7 +131,7 @@ TEST_F(ProgramsTest, MayStopTheTest) {
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
   const TrialResult result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
-  EXPECT_EQ(result.message, "an agent stopped the system");
+  EXPECT_EQ(result.message, "agent p1 stopped the system");
   EXPECT_EQ(outcome_of(result).ended_by, kErrored);
 }
 

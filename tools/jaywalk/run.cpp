@@ -22,8 +22,8 @@ namespace {
 constexpr std::array<std::string_view, 13> kForScenarios = {
     "set",   "preset",     "behaviour", "agents", "test",    "watch", "speed",
     "store", "assertions", "metrics",   "junit",  "fail-on", "strict"};
-constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "threads", "ignore-java",
-                                                          "allow-write"};
+constexpr std::array<std::string_view, 5> kForPrograms = {"realtime", "threads", "ignore-java",
+                                                          "allow-write", "max-memory"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
             const Arguments& arguments, Console& console) {
@@ -54,6 +54,9 @@ CommandHelp help() {
               {"max-cycles", "N", "stop after so many reasoning cycles of one agent"},
               {"max-inferences", "N", "stop after so many inferences of all agents together"},
               {"max-ticks", "N", "stop after so many ticks"},
+              {"max-memory", "MB",
+               "what each agent, and all of them together, may own (default 1024,\n"
+               "and half of the machine's memory); what asks for more fails"},
               {"realtime", "", "timers follow the wall clock"},
               {"threads", "N",
                "so many agents reason at the same time (default 1); what they\n"

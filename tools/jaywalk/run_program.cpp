@@ -30,6 +30,7 @@ namespace {
 constexpr std::uint64_t kStepsBetweenLooks = 4;
 
 constexpr std::uint64_t kMostThreads = 256;
+constexpr std::uint64_t kMostMegabytes = 1'000'000'000;
 
 struct Limits {
   MasOptions mas;
@@ -43,6 +44,10 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   limits.mas.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
   limits.mas.max_run_inferences = arguments.number("max-inferences", 1, diagnostics).value_or(0);
   limits.mas.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
+  if (const auto megabytes = arguments.number("max-memory", 1, diagnostics)) {
+    limits.mas.max_agent_bytes = std::min(*megabytes, kMostMegabytes) << 20U;
+    limits.mas.max_system_bytes = limits.mas.max_agent_bytes;
+  }
   limits.mas.realtime = arguments.has("realtime");
   limits.mas.threads = static_cast<std::size_t>(
       std::min(arguments.number("threads", 1, diagnostics).value_or(1), kMostThreads));

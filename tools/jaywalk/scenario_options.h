@@ -32,7 +32,9 @@ inline constexpr std::array kLimitOptions = {
                "of one test, which ends errored beyond: reasoning cycles of one\n"
                "agent, as the next three"},
     OptionSpec{"max-inferences", "N", "inferences of all agents (default 200000000; 0: no limit)"},
-    OptionSpec{"max-memory", "MB", "memory of one agent's terms (default 1024)"},
+    OptionSpec{"max-memory", "MB",
+               "memory of one agent, and of all together (default 1024, and half\n"
+               "of the machine's)"},
     OptionSpec{"timeout", "S",
                "seconds by the wall clock (default: no limit): the one limit\n"
                "whose outcome depends on the machine"},

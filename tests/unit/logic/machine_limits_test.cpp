@@ -26,7 +26,7 @@ TEST(MachineLimits, RunTailRecursionInConstantSpace) {
   ASSERT_TRUE(terms.unifier().unify(terms.term("L"), terms.heap.list(elements)));
   terms.heap.protect();
   // The frames of a million levels would take a hundred times as much.
-  terms.heap.set_limit(terms.heap.bytes() + (2U << 20U));
+  terms.heap.set_limit(terms.heap.all_bytes() + (4U << 20U));
   EXPECT_TRUE(terms.holds("walk(L)"));
   EXPECT_FALSE(terms.holds("down(10000)"));
 }
@@ -36,7 +36,7 @@ TEST(MachineLimits, RememberNoBindingsOfFramesThatAreGivenUp) {
   terms.believe("down(N) :- N > 0 & M = N - 1 & down(M).");
   terms.believe("stays(X,N) :- N > 0 & stays(X,N - 1).");
   // A word for each level would be sixteen times as much.
-  terms.heap.set_limit(terms.heap.bytes() + (1U << 20U));
+  terms.heap.set_limit(terms.heap.all_bytes() + (2U << 20U));
   EXPECT_FALSE(terms.holds("down(2000000)"));
   EXPECT_FALSE(terms.holds("stays(a,2000000)"));
 }

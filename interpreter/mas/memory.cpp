@@ -1,0 +1,104 @@
+// What the agents of a system own together. What an agent owns is known after each of its turns;
+// the sum is looked at when a round is over, so that what is left to an agent in the next round
+// does not depend on threads. Terms count once here: not all agents collect theirs at the same
+// time. Where nothing is left, no agent gets more than it has, but for those that have less than an
+// eighth of an equal share: they have not filled the memory.
+
+#include <algorithm>
+#include <fstream>
+#include <unistd.h>
+
+#include "interpreter/mas/machine_memory.h"
+#include "interpreter/mas/system.h"
+
+namespace jaywalk {
+namespace {
+
+// What the group of processes may have; 0: no limit.
+std::uint64_t memory_of_group() {
+  std::uint64_t bytes = 0;
+  std::ifstream file("/sys/fs/cgroup/memory.max");
+  return file >> bytes ? bytes : 0;
+}
+
+}  // namespace
+
+std::uint64_t half_of_the_machines_memory() {
+  static const std::uint64_t half = [] {
+    const auto pages = static_cast<std::uint64_t>(std::max(1L, sysconf(_SC_PHYS_PAGES)));
+    const auto page = static_cast<std::uint64_t>(std::max(1L, sysconf(_SC_PAGESIZE)));
+    const std::uint64_t group = memory_of_group();
+    return (group == 0 ? pages * page : std::min(group, pages * page)) / 2;
+  }();
+  return half;
+}
+
+void Mas::Implementation::share_memory() {
+  constexpr std::size_t kPartOfShare = 8;
+  const std::size_t most = options_.max_system_bytes;
+  const auto owned = static_cast<std::size_t>(std::max<std::int64_t>(0, owned_bytes_));
+  if (owned > most && ++full_rounds_ >= rounds_to_sweep_) {
+    sweep();
+    return;
+  }
+  left_bytes_ = most - std::min(most, owned);
+  if (left_bytes_ >= options_.max_agent_bytes) return;
+  least_bytes_ = most / (kPartOfShare * std::max<std::size_t>(1, residents_.living()));
+}
+
+// Much of what agents own may be garbage. Where next to nothing is, that is found out ever less
+// often.
+void Mas::Implementation::sweep() {
+  constexpr std::uint32_t kMostRounds = 1024;
+  const std::int64_t before = owned_bytes_;
+  for (Resident& resident : residents_.all()) {
+    if (resident.is_leaving || resident.agent == nullptr) continue;
+    resident.agent->heap().look_again();
+    resident.agent->clean_up();
+    note_memory(resident, owned_bytes_);
+  }
+  const bool was_worth_it = owned_bytes_ < before - before / 16;
+  rounds_to_sweep_ = was_worth_it ? 1 : std::min(2 * rounds_to_sweep_ + 1, kMostRounds);
+  full_rounds_ = 0;
+  share_memory();
+}
+
+void Mas::Implementation::allow_memory(Resident& resident) const {
+  Heap& heap = resident.agent->heap();
+  if (left_bytes_ >= options_.max_agent_bytes && heap.limit() == options_.max_agent_bytes) return;
+  const std::size_t most = std::max(heap.all_bytes() + left_bytes_, least_bytes_);
+  heap.set_limit_of_all(most < options_.max_agent_bytes);
+  heap.set_limit(std::min<std::size_t>(most, options_.max_agent_bytes));
+}
+
+void Mas::Implementation::note_memory(Resident& resident, std::int64_t& sum) {
+  const Heap& heap = resident.agent->heap();
+  const std::size_t all = heap.bytes() + heap.beside() + sizeof(Agent) + sizeof(Resident);
+  sum += static_cast<std::int64_t>(all) - static_cast<std::int64_t>(resident.known_bytes);
+  resident.known_bytes = all;
+}
+
+void Mas::Implementation::release_memory(Resident& resident) {
+  owned_bytes_ -= static_cast<std::int64_t>(resident.known_bytes);
+  resident.known_bytes = 0;
+}
+
+// Whether the agent has room for messages. An eighth of what it may have is left to itself.
+void Mas::Implementation::look_for_room(Resident& receiver) {
+  constexpr std::uint32_t kMostDeliveries = 1024;
+  Heap& heap = receiver.agent->heap();
+  const std::size_t most = options_.max_agent_bytes - options_.max_agent_bytes / 8;
+  if (heap.all_bytes() <= most) {
+    receiver.is_full = false;
+    receiver.look_after = 0;
+    return;
+  }
+  if (deliveries_ < receiver.look_at) return;
+  heap.look_again();
+  receiver.agent->clean_up();
+  receiver.is_full = heap.all_bytes() > most;
+  receiver.look_after = std::min(2 * receiver.look_after + 1, kMostDeliveries);
+  receiver.look_at = deliveries_ + receiver.look_after;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,19 @@
+#pragma once
+
+// What a container takes, from the number of its elements alone.
+
+#include <bit>
+#include <cstddef>
+
+namespace jaywalk {
+
+/// What so many elements take in a container whose memory doubles when it is full; of many, the
+/// most of it that is in use: old and new memory while it grows.
+[[nodiscard]] constexpr std::size_t grown_bytes(std::size_t count, std::size_t each) {
+  constexpr std::size_t kMany = 4096;
+  if (count == 0) return 0;
+  if (count < kMany) return std::bit_ceil(count) * each;
+  return 2 * count * each;
+}
+
+}  // namespace jaywalk
