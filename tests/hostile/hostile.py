@@ -11,6 +11,7 @@ import resource
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 HERE = pathlib.Path(__file__).parent
@@ -31,6 +32,14 @@ def write(folder, files):
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
 
 
+def feed(pipe, content):
+    try:
+        pipe.write(content)
+        pipe.close()
+    except BrokenPipeError:
+        pass  # it has ended without reading
+
+
 class Runner:
     def __init__(self, jaywalk):
         self.jaywalk = os.path.abspath(jaywalk)
@@ -45,7 +54,7 @@ class Runner:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     def end_of(self, row, folder):
-        """The exit code (None: it had to be killed) and what was printed."""
+        """The exit code (None: it had to be killed), what was printed, and the most memory held, in MB."""
         write(folder, row.files)
         words = ["sh", "-c", row.words] if isinstance(row.words, str) else [self.jaywalk, *row.words]
         environment = dict(os.environ, NO_COLOR="1", HOME=str(folder), XDG_STATE_HOME=str(folder),
@@ -57,18 +66,23 @@ class Runner:
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                    preexec_fn=lambda: self.limit(seconds),
                                    start_new_session=True)
-        try:
-            printed, _ = process.communicate(stdin, timeout=CLOCK_SECONDS * patience)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, 9)
-            return None, process.communicate()[0].decode(errors="replace")
-        return process.returncode, printed.decode(errors="replace")
+        killed = threading.Event()
+        clock = threading.Timer(CLOCK_SECONDS * patience, lambda: (killed.set(), os.killpg(process.pid, 9)))
+        feeder = threading.Thread(target=feed, args=(process.stdin, stdin))
+        clock.start()
+        feeder.start()
+        printed = process.stdout.read().decode(errors="replace")
+        feeder.join()
+        _, status, usage = os.wait4(process.pid, 0)
+        clock.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return None if killed.is_set() else process.returncode, printed, usage.ru_maxrss / 1024
 
     def complaint(self, row):
         """What is wrong with how the row ended, and what was printed."""
         began = time.monotonic()
         with tempfile.TemporaryDirectory() as folder:
-            code, printed = self.end_of(row, pathlib.Path(folder))
+            code, printed, megabytes = self.end_of(row, pathlib.Path(folder))
         self.took[row.name] = time.monotonic() - began
         if code is None:
             return f"no end after {CLOCK_SECONDS} s", printed
@@ -76,6 +90,8 @@ class Runner:
             return f"more than {row.seconds} s of processor time", printed
         if code != row.code:
             return f"exit {code}, expected {row.code}", printed
+        if row.most_mb and megabytes > row.most_mb and not self.sanitized:
+            return f"held {megabytes:.0f} MB, more than {row.most_mb:.0f}", printed
         for piece in row.pieces():
             if piece not in printed:
                 return f"does not say '{piece}'", printed

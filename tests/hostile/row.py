@@ -16,6 +16,7 @@ class Row:
     never: str = ""  # what must not be printed
     most: int = 20_000  # characters that may be printed
     seconds: int = 20
+    most_mb: float = 0  # memory that the process may hold, all of it; 0: as much as any
 
     def pieces(self):
         return [self.says] if isinstance(self.says, str) else list(self.says)

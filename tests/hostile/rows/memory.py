@@ -1,0 +1,46 @@
+"""Programs that ask for all memory: what asks fails, the agent's other plans and other agents go on, and the process
+stays near the limit."""
+
+from row import program, project
+
+MB = 64
+BOUND = ("--max-memory", str(MB), "--timeout", "60")
+FULL = "memory limit is reached"
+HANDLED = "-!go[error(E),error_msg(M)] <- .print(E,\": \",M)."
+
+
+def held(name, text, says=FULL, *options, **more):
+    """It ends by itself."""
+    return program(name, text, 0, says, *BOUND, *options, most_mb=MB * 1.2, **more)
+
+
+def stormy(name, text, says=FULL, cycles=400_000):
+    """It never ends: a limit of cycles does that."""
+    return program(name, text + " !other. +!other <- .wait(5); .print(alive).\n", 1, [says, "alive"], *BOUND, "--max-cycles", str(cycles),
+                   most_mb=MB * 1.2)
+
+
+def society(name, files, says, code=0, *options):
+    return project(name, "MAS m { agents: " + " ".join(f"{file[:-4]};" for file in files) + " }", code, says, *BOUND, *options,
+                   files=files, most_mb=MB * 1.2)
+
+
+ROWS = [
+    held("beliefs without end", "!go(0). +!go(N) <- +b(N); !go(N+1).\n"),
+    held("goals without end", "!go. +!go <- !go; a.\n"),
+    held("goals without end, handled", f"!top. +!top <- !go. +!go <- !go; a. {HANDLED.replace('-!go', '-!top')}\n", "limit: the agent's " + FULL),
+    held("a term that doubles", "!go. +!go <- !d(x). +!d(T) <- !d(f(T,T)); a.\n", "2000 deep"),
+    held("a list without end", "!go. +!go <- !l([]). +!l(L) <- !l([x|L]); a.\n", most=1_000_000),
+    held("solutions without end", "!go. +!go <- .findall(f(X,Y,X), .range(X,1,1000) & .range(Y,1,1000), _).\n", "memory"),
+    held("plans without end", "!go(0). +!go(N) <- .concat(\"+!p\",N,\" <- true.\",S); .add_plan(S); !go(N+1).\n"),
+    stormy("intentions without end", "!go. +!go <- !!go; !!go."),
+    stormy("messages to itself without end", "!go. +!go <- .my_name(N); .send(N,achieve,go); .send(N,achieve,go).", "memory"),
+    stormy("a failure that makes a failure", "!go. +!go <- !go; a. -!go <- !go; a.", "alive"),
+    society("messages without end", {
+        "a.asl": "!go. +!go <- .send(b,achieve,x); .send(b,achieve,y); !go. " + HANDLED + "\n",
+        "b.asl": "!wait. @w[atomic] +!wait <- .wait(50000); .print(unharmed). +!x. +!y.\n",
+        "c.asl": "!see(20000). +!see(0) <- .print(unharmed). +!see(N) <- !see(N-1).\n"}, ["b has no memory left for messages", "[c] unharmed", "[b] unharmed"], 0, "--max-cycles", "1500000"),
+    society("four agents that are too much together", {
+        **{f"a{i}.asl": "!go(0). +!go(N) <- +b(N); !go(N+1).\n" for i in range(4)},
+        "c.asl": "!see(20000). +!see(0) <- .print(unharmed). +!see(N) <- !see(N-1).\n"}, ["all agents together", "[c] unharmed"]),
+]
