@@ -9,23 +9,13 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "experiment/experiment.h"
-#include "experiment/situations/situations.h"
-#include "experiment/trial.h"
+#include "experiment/covered_bins.h"
+#include "experiment/situations/situation_table.h"
 
 namespace jaywalk {
-
-/// As the event `feedback` has it: "entry_ttc 3 17; entry_side 1 40".
-[[nodiscard]] std::string feedback_text(const std::vector<CoveredBin>& feedback);
-/// Nothing if the text is not of that form.
-[[nodiscard]] std::optional<std::vector<CoveredBin>> parse_feedback(std::string_view text);
-
-/// The bins that are covered, as pedestrians are told them.
-[[nodiscard]] std::vector<CoveredBin> told(const SituationCoverage& coverage);
 
 /// Makes the tests of a generation wait for those of the generations before. Tests are handed out
 /// in the order of their numbers (run_experiment), so the first that is not finished never waits.

@@ -2,6 +2,7 @@
 target_sources(jaywalk_experiment PRIVATE
   carry_over.cpp
   code_lines.cpp
+  covered_bins.cpp
   feedback.cpp
   plan_coverage.cpp
   program_copies.cpp

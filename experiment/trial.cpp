@@ -10,7 +10,7 @@
 
 #include "env/crossing/spawn.h"
 #include "env/grid/random.h"
-#include "experiment/feedback.h"
+#include "experiment/covered_bins.h"
 #include "interpreter/agent/agent.h"
 
 namespace jaywalk {

@@ -16,9 +16,10 @@
 #include "env/vehicle/controller_processes.h"
 #include "experiment/recording.h"
 #include "experiment/scenario.h"
-#include "experiment/summary.h"
+#include "experiment/covered_bins.h"
+#include "experiment/test_result.h"
 #include "experiment/tested_vehicles.h"
-#include "experiment/troubles.h"
+#include "experiment/test_troubles.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
 
@@ -79,16 +80,6 @@ class PreparedScenario {
   std::vector<SourcePtr> inputs_;
   std::vector<std::string> vehicles_;
   std::vector<CrossingParameters> worlds_;
-};
-
-/// How often earlier tests have covered a bin of a situation item (situations/situations.h).
-struct CoveredBin {
-  std::string item;
-  /// From 1.
-  std::uint32_t bin = 0;
-  std::uint64_t times = 0;
-
-  friend bool operator==(const CoveredBin&, const CoveredBin&) = default;
 };
 
 struct TrialInput {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/feedback.h"
+#include "experiment/covered_bins.h"
 #include "experiment/kills/kills.h"
 #include "experiment/per_test.h"
 #include "experiment/results/schema.h"

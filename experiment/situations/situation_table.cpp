@@ -1,9 +1,7 @@
-// The situations of an experiment's tests, a byte for each item of each test.
+#include "experiment/situations/situation_table.h"
 
 #include <algorithm>
 #include <limits>
-
-#include "experiment/situations/situations.h"
 
 namespace jaywalk {
 namespace {

@@ -1,0 +1,44 @@
+#pragma once
+
+// How one test went: what the measures see of it, and what else is told of it.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace jaywalk {
+
+/// One test, as the measures see it.
+struct TestResult {
+  bool succeeded = false;
+  /// It came to no end of its own: an agent looped or stopped the system, a limit was reached, the
+  /// AV's controller failed (TestTroubles::error says why). Nothing else of it counts.
+  bool errored = false;
+  std::uint32_t ticks = 0;
+  /// The mean over the test's agents, of costs and rewards.
+  double score = 0;
+  /// Spent by the agents reasoning, in microseconds.
+  double cpu_us = 0;
+  /// Of the whole test, in microseconds.
+  double wall_us = 0;
+};
+
+/// How tests that came to no end of their own are said to have ended.
+inline constexpr std::string_view kErrored = "errored";
+
+/// How one test went, beside what the measures see.
+struct TestOutcome {
+  /// Of the whole test.
+  std::uint32_t ticks = 0;
+  /// Until the precondition was met, if it was.
+  std::optional<std::uint32_t> precondition_ticks;
+  /// Why the test ended: `precondition`, `collision`, `road_end`, `time_limit`, `errored`.
+  std::string ended_by;
+  /// Of the first collision, if there was one, in m/s.
+  std::optional<double> impact_mps;
+
+  friend bool operator==(const TestOutcome&, const TestOutcome&) = default;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,33 @@
+#pragma once
+
+// What went wrong with the agents of one test: intentions that they dropped, pedestrians that never
+// acted, and why the test ended errored. Read interpreter/agent/drops.h before.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "interpreter/agent/drops.h"
+
+namespace jaywalk {
+
+/// An agent of one test has dropped intentions for that reason.
+struct AgentDrop {
+  /// As in recordings: the agents are numbered from 1, the pedestrians first.
+  std::uint32_t actor = 0;
+  DropCause cause;
+};
+
+/// Of one test.
+struct TestTroubles {
+  std::uint64_t agents = 0;
+  std::uint64_t pedestrians = 0;
+  /// Pedestrians none of whose actions was carried out.
+  std::uint64_t idle = 0;
+  /// In the order of the agents.
+  std::vector<AgentDrop> drops;
+  /// Why, and where, the test ended errored; empty if it did not.
+  std::string error;
+};
+
+}  // namespace jaywalk
