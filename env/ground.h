@@ -13,8 +13,6 @@
 
 namespace jaywalk {
 
-struct CrossingParameters;
-
 enum class AreaKind { pavement, lane };
 
 /// A convex polygon, counter-clockwise.
@@ -49,13 +47,6 @@ struct Ground {
   /// Null if the AV drives outside all lanes.
   [[nodiscard]] const Area* av_lane() const;
 };
-
-/// The bands of the crossing world, as far as its road goes; of a map the stretches of its rows,
-/// and its AV's lane over them. REQUIRES: parameters without problems().
-[[nodiscard]] Ground ground(const CrossingParameters& parameters);
-
-/// The obstacles of the crossing world, in their order.
-[[nodiscard]] std::vector<Rectangle> obstacles(const CrossingParameters& parameters);
 
 /// The point is in the area or on its edge.
 [[nodiscard]] bool contains(const Area& area, Point point);

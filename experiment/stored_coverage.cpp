@@ -7,6 +7,7 @@
 #include <optional>
 #include <thread>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/plan_coverage.h"
 #include "interpreter/support/start_threads.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "env/ground.h"
+#include "env/crossing/crossing_ground.h"
 
 namespace jaywalk {
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/carry_over.h"
 #include "experiment/kills/kills.h"
 #include "experiment/metrics/metrics.h"

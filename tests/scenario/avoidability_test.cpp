@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/signals/signals.h"
 #include "scenarios.h"
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/situations/situations.h"
 #include "scenarios.h"
 

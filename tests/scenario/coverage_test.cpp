@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/feedback.h"
 #include "experiment/plan_coverage.h"
 #include "experiment/situations/situations.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/findings.h"
 #include "experiment/measures/measures.h"
 #include "experiment/results/placement.h"

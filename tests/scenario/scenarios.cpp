@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
+
 namespace jaywalk::testing_scenario {
 namespace {
 

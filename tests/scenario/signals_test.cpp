@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "scenarios.h"
 
 namespace jaywalk::testing_scenario {

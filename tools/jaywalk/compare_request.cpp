@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/carry_over.h"
 #include "experiment/number_list.h"
 #include "experiment/trial.h"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"

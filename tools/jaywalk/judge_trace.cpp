@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/export/junit.h"
 #include "experiment/report/verdict_table.h"
 #include "experiment/trace_file.h"

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/carry_over.h"
 #include "experiment/export/junit.h"
 #include "experiment/plan_coverage.h"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/report/axis.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
 #include "experiment/report/road.h"

@@ -1,7 +1,6 @@
-#include "env/ground.h"
-
 #include <gtest/gtest.h>
 
+#include "env/crossing/crossing_ground.h"
 #include "env/crossing/parameters.h"
 
 namespace jaywalk {
