@@ -37,7 +37,7 @@ struct GroundCrosswalk {
 
 struct Ground {
   std::vector<Area> areas;
-  /// What stands there and hides whoever is behind it.
+  /// What stands there and hides those behind it.
   std::vector<Rectangle> obstacles;
   std::vector<GroundCrosswalk> crosswalks;
   /// The speed at which the AV drives there while nothing is in its way; empty if that is not

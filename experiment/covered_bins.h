@@ -28,7 +28,7 @@ struct CoveredBin {
 /// Nothing if the text is not of that form.
 [[nodiscard]] std::optional<std::vector<CoveredBin>> parse_feedback(std::string_view text);
 
-/// The bins that are covered, as pedestrians are told them.
+/// The bins that are covered, as pedestrians believe them.
 [[nodiscard]] std::vector<CoveredBin> feedback_of(const SituationCoverage& coverage);
 
 }  // namespace jaywalk

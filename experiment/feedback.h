@@ -2,8 +2,8 @@
 
 // Coverage feedback: what earlier tests covered reaches the pedestrians of later ones as beliefs.
 // The tests of one behaviour with one number of agents are run in generations; all tests of a
-// generation are told the same, what all tests of the generations before have covered, so that the
-// outcome does not depend on threads. A stored test keeps what it was told, and can be run again.
+// generation receive the same, what all tests of the generations before have covered, so that the
+// outcome does not depend on threads. A stored test keeps what it received, and can be run again.
 
 #include <condition_variable>
 #include <cstdint>
@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "experiment/experiment.h"
 #include "experiment/covered_bins.h"
+#include "experiment/experiment.h"
 #include "experiment/situations/situation_table.h"
 
 namespace jaywalk {
@@ -25,7 +25,7 @@ class CoverageFeedback {
   CoverageFeedback(const ExperimentPlan& plan, std::uint64_t generation,
                    const SituationTable& table);
 
-  /// What a test is told. Nothing: waiting has been given up.
+  /// What a test receives. Nothing: waiting has been given up.
   [[nodiscard]] std::optional<std::vector<CoveredBin>> wait_for(const TestCase& test);
   /// The table has the test. Each test once, those that were finished long ago, too.
   void finished(const TestCase& test);

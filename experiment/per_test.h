@@ -1,6 +1,6 @@
 #pragma once
 
-// The tests of a comparison one by one, for whoever wants to reckon with them: how each ended, when
+// The tests of a comparison one by one, for calculations of your own: how each ended, when
 // its precondition was met, whether the AV hit somebody, the verdicts.
 
 #include <mutex>

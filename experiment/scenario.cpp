@@ -249,7 +249,7 @@ class ScenarioBuilder {
     }
   }
 
-  // Agents that are told an assertion, as a belief assertion(Id), are told one that is judged.
+  // The assertion that agents receive, as a belief assertion(Id), is one that is judged.
   void check_told_assertions() {
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
       for (const ParameterSetting& setting : behaviour.parameters) check_told(setting);

@@ -1,6 +1,6 @@
 #pragma once
 
-// How one test went: what the measures see of it, and what else is told of it.
+// How one test went: what the measures see of it, and what else is reported.
 
 #include <cstdint>
 #include <optional>

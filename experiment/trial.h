@@ -14,12 +14,12 @@
 
 #include "env/crossing/crossing.h"
 #include "env/vehicle/controller_processes.h"
+#include "experiment/covered_bins.h"
 #include "experiment/recording.h"
 #include "experiment/scenario.h"
-#include "experiment/covered_bins.h"
 #include "experiment/test_result.h"
-#include "experiment/tested_vehicles.h"
 #include "experiment/test_troubles.h"
+#include "experiment/tested_vehicles.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
 
@@ -109,7 +109,7 @@ using TrialObserver = std::function<void(const Crossing& crossing, const Mas& ma
 struct TrialOptions {
   TrialObserver observe;
   /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
-  /// the first in the zone, `collision`, of whoever the AV touched, `signal`, the colour that one
+  /// the first in the zone, `collision`, of the one the AV touched, `signal`, the colour that one
   /// begins to show, `errored`, why the test came to no end of its own, `feedback`, what the
   /// pedestrians believed of earlier tests, and `head_start`, the AV's if it has one. Null:
   /// nothing is recorded.

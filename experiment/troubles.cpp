@@ -10,7 +10,7 @@ auto place_of(const DropCause& cause) {
   return std::tie(cause.file, cause.line, cause.column, cause.error);
 }
 
-/// The same error from the same place; a goal that comes from no place is told by its text.
+/// The same error from the same place; a goal that comes from no place is identified by its text.
 bool is_same(const DropCause& left, const DropCause& right) {
   return place_of(left) == place_of(right) && (left.line > 0 || left.formula == right.formula);
 }

@@ -29,8 +29,8 @@ struct Outcome {
   double simulated_s = 0;
   /// In the order of the SUT's measures; empty if there is no result.
   std::vector<double> measures;
-  /// Numbers whose Euclidean distance tells how differently two tests went; empty: how different
-  /// their inputs are tells it (SearchSpace::signature).
+  /// Numbers whose Euclidean distance says how differently two tests went; empty: how different
+  /// their inputs are says it (SearchSpace::signature).
   std::vector<double> signature;
 
   [[nodiscard]] bool executed() const { return error.empty(); }

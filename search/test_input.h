@@ -61,7 +61,7 @@ class SearchSpace {
   [[nodiscard]] virtual std::size_t dimension() const = 0;
   /// None if the space has vectors alone.
   [[nodiscard]] virtual std::optional<SequenceBounds> sequences() const = 0;
-  /// How many values each dimension of a vector tells apart, in equal parts of its range; 0: any
+  /// How many values each dimension of a vector distinguishes, in equal parts of its range; 0: any
   /// two numbers may differ.
   [[nodiscard]] virtual std::vector<std::size_t> distinct_values() const {
     return std::vector<std::size_t>(dimension());
@@ -73,7 +73,7 @@ class SearchSpace {
   [[nodiscard]] virtual TestInput as_points(const TestInput& input) const = 0;
   /// The input in a line for people.
   [[nodiscard]] virtual std::string describe(const TestInput& input) const;
-  /// Numbers whose Euclidean distance tells how different two inputs are. REQUIRES: a valid input.
+  /// Numbers whose Euclidean distance says how different two inputs are. REQUIRES: a valid input.
   [[nodiscard]] virtual std::vector<double> signature(const TestInput& input) const = 0;
   /// The same where angles do not jump by a full turn.
   [[nodiscard]] virtual std::vector<double> unwrapped_signature(const TestInput& input) const {

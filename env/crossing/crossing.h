@@ -109,7 +109,7 @@ class Crossing final : public Environment {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
-  /// What the AV's controller is told before the test, as far as the caller knows it.
+  /// What the AV's controller receives before the test, as far as the caller knows it.
   void begin(DriveBriefing briefing) { av_.begin(std::move(briefing)); }
   /// Tells the AV's controller how the test ended. REQUIRES: it is finished.
   void end();

@@ -30,7 +30,7 @@ struct RoadUser {
   /// It has left at the end of the road, and goes on without its agent.
   bool gone = false;
 
-  /// Vehicles and cyclists leave where the grid ends; whoever walks turns round there.
+  /// Vehicles and cyclists leave where the grid ends; pedestrians turn round there.
   [[nodiscard]] bool may_leave() const {
     return kind == ActorKind::vehicle || kind == ActorKind::cyclist;
   }

@@ -59,7 +59,7 @@ void reset_signals() {
 
 [[noreturn]] void become_program(Plan plan, pid_t guard) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != guard) _exit(127);  // the guard ended before it could tell
+  if (getppid() != guard) _exit(127);  // the guard ended before prctl
   reset_signals();
   // Out of the way of the numbers 0 to 2, which are free if our own streams are closed.
   plan.trouble = fcntl(plan.trouble, F_DUPFD_CLOEXEC, 3);

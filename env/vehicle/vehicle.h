@@ -63,7 +63,7 @@ struct SeenObstacle {
   double right_m = 0;
 };
 
-/// What the controller is told, once every control period.
+/// What the controller receives, once every control period.
 struct VehicleView {
   double time_s = 0;
   double period_s = 0;

@@ -23,7 +23,7 @@ enum class AssertionSeverity { minor, major, critical };
 
 /// Immutable; shared by all threads.
 struct Assertion {
-  /// An atom, so that agents can be told it: `collision_avoidance`.
+  /// An atom, so that agents can believe it: `collision_avoidance`.
   std::string id;
   /// What it demands, in a sentence; may be empty.
   std::string summary;

@@ -218,7 +218,7 @@ struct Name : Terminal<Name> {
   }
 };
 
-/// Matches nothing, but tells the builder to go on.
+/// Matches nothing, but makes the builder go on.
 struct Step : x3::parser<Step> {
   using attribute_type = x3::unused_type;
   [[maybe_unused]] static constexpr bool has_attribute = false;

@@ -27,7 +27,7 @@
 namespace jaywalk::stl {
 
 /// Whether a condition holds, and how far it is from changing: positive if it holds, negative if
-/// not, 0 on the edge, where only `holds` tells. Ordered so that `and` is the lesser of two.
+/// not, 0 on the edge, where only `holds` decides. Ordered so that `and` is the lesser of two.
 struct Truth {
   double robustness = 0;
   bool holds = false;

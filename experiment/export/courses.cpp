@@ -169,7 +169,7 @@ class CourseFinder {
     return std::max(static_cast<double>(from) - timing.lead, 0.0) * tick_s_;
   }
 
-  /// By the AV's time to collision if that tells the moment, else by the time.
+  /// By the AV's time to collision if that determines the moment, else by the time.
   void set_start(std::size_t actor, double begin_s, Course& course) const {
     const Moving av{recording_.actors()[0], av_};
     const Moving stands{recording_.actors()[actor], std::span(course.points).first(1)};

@@ -1,7 +1,7 @@
 #pragma once
 
 // What was found out about one test, as stores keep it: the value of a metric or the verdict of an
-// assertion. Whoever computes it is of no matter here.
+// assertion, whatever computed it.
 
 #include <cstdint>
 #include <optional>

@@ -19,10 +19,10 @@ struct sqlite3_stmt;
 namespace jaywalk {
 
 /// `interrupted`: what another process was writing when it was killed has to be undone first, which
-/// whoever only reads cannot do. `read_only`: the file, or its folder, cannot be written to.
+/// a reader cannot do. `read_only`: the file, or its folder, cannot be written to.
 enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, read_only, other };
 
-/// A path as a URI, `file:/a/b?mode=ro`, by which SQLite is told how to open it.
+/// A path as a URI, `file:/a/b?mode=ro`, which says how SQLite opens it.
 [[nodiscard]] std::string file_uri(const std::string& path, std::string_view query);
 
 class Database {
@@ -32,7 +32,7 @@ class Database {
   /// exceeds a few MB is in a file without a name.
   enum class Mode { read, untouched, write, create, memory, temporary };
 
-  /// Opens the file; whether that succeeded, failure() tells.
+  /// Opens the file; failure() says whether that succeeded.
   Database(const std::string& path, Mode mode);
   /// Makes one in an empty file that is open already and stays so; what it has is good after the
   /// last COMMIT only.

@@ -29,7 +29,7 @@ void move_rows(Database& database, std::string_view table, std::int64_t first, s
 void extend_store(Database& database, const ExperimentDescription& before, std::uint64_t tests) {
   const std::uint64_t cells = jaywalk::cells(before);
   database.execute("BEGIN");
-  // It is complete no more; the index comes again when it is.
+  // It is no longer complete; the index comes again when it is.
   database.execute("DROP INDEX IF EXISTS observations_of_test");
   for (const std::string_view table : kTablesOfTests) {
     for (std::uint64_t cell = 1; cell < cells; ++cell) {

@@ -70,7 +70,7 @@ void copy_tests(Database& database, const Part& part) {
     database.fail(
         fmt::format("test {} of '{}' came out otherwise in another part", *test, part.path));
   }
-  // The tests themselves come last: until then they tell which rows are there already.
+  // The tests themselves come last: until then they show which rows are there already.
   const bool overlapping = database.number(
                                "SELECT EXISTS (SELECT 1 FROM part.tests WHERE id IN "
                                "(SELECT id FROM main.tests))") == 1;

@@ -44,7 +44,7 @@ struct TestFilter {
 };
 
 /// Whether tests that are run again may start the command that the stored scenario names (an AV of
-/// one's own): whoever made the store chose it.
+/// one's own): the store's author chose it.
 enum class Commands { refused, allowed };
 
 class ResultsReader {

@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kGeoPackageId = 0x47504B47;
 inline constexpr std::string_view kTimeOfTick0 = "2000-01-01T00:00:00.000Z";
 
 /// Rows that belong to a test are numbered test_id * 2^24 + n, so that their order is the plan's,
-/// whoever wrote them and when.
+/// independently of who wrote them and when.
 inline constexpr int kRowBits = 24;
 inline constexpr std::int64_t kMaxTestId = std::int64_t{1} << (62 - kRowBits);
 inline constexpr std::int64_t kMaxRows = std::int64_t{1} << kRowBits;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Opens a store only after it was seen to be one: a foreign or damaged file is told from a store
-// before SQLite, which could change it, is let near it.
+// Opens a store only after it was seen to be one: a foreign or damaged file is distinguished from a
+// store before SQLite, which could change it, is let near it.
 
 #include <memory>
 #include <optional>

@@ -252,7 +252,7 @@ void read_all_assessments(
   Statement row(database, fmt::format("SELECT {}, test_id, id FROM assessments ORDER BY id",
                                       kAssessmentColumns));
   while (row.step()) {
-    // Each test comes once: whoever sums up counts on it.
+    // Each test comes once: sums rely on it.
     if (row.number(7) >> kRowBits != row.number(6)) damaged(database, "a verdict", row.number(6));
     if (row.number(6) != test_id && !assessments.empty()) {
       callback(test_id, assessments);

@@ -215,7 +215,7 @@ class ResultsWriter::Impl {
     if (had_.count + written_ == planned) complete_tables(*database_);
     // One file without a log beside it, which can be read from anywhere.
     database_->execute("PRAGMA journal_mode = DELETE");
-    // Left by whoever looked at a store that was killed; nobody else has it open now.
+    // Left by a reader of a store that was killed; nobody else has it open now.
     std::error_code error;
     if (!database_->failure()) std::filesystem::remove(path_ + "-shm", error);
     if (database_->failure()) give_up(trouble_with(*database_));

@@ -86,7 +86,8 @@ Outcome rename_apart(ActionCall& call) {
 
 Outcome get_src_info(ActionCall& call) {
   if (!is_literal(call.arg(0))) return Outcome::failed;
-  // Terms do not remember where they were written: that is told of the formula which asks.
+  // Terms do not remember where they were written: the place reported is that of the formula that
+  // asks.
   std::string source = call.agent()->program().name() + ".asl";
   double number = 0;
   const Intention* const own = call.intention();

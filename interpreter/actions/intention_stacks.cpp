@@ -12,7 +12,7 @@ namespace jaywalk::actions {
 namespace {
 
 // What is left of a body, from the current formula of each level on. As in Jason it is as it was
-// written, with variables that have no values: these are told by the map of bindings.
+// written, with variables that have no values: the map of bindings names these.
 Value remaining_body(Agent& agent, const IntendedMeans& means) {
   Unifier& unifier = agent.machine().unifier();
   unifier.set_slot_names({});

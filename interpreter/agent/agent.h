@@ -179,7 +179,7 @@ class Agent final : public MachineSurroundings {
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
   /// The same for the goal on top of an intention, if there is one.
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
-  /// Why an intention waits, as `.suspended` tells it: suspend_ia, act, wait(Id)[time(Ms)], ...
+  /// Why an intention waits, as `.suspended` reports it: suspend_ia, act, wait(Id)[time(Ms)], ...
   [[nodiscard]] Value wait_reason(const Intention& intention);
   /// The action for the environment that an intention waits for; unset if it does not.
   [[nodiscard]] Value pending_action(const Intention& intention) const;

@@ -258,7 +258,7 @@ Decision Context::rule_query(const Goal& goal, Relation& relation) {
   return decision;
 }
 
-// The body is proved in a frame of its own, and then, in that of who asks, what follows the query.
+// The body is proved in a frame of its own, and then, in the caller's, what follows the query.
 Decision Context::rule(const Goal& goal, const RuleCode& rule) {
   if (rule.slot_count > kMostRuleSlots || ++entries_ > kMostEntries) return Decision::open;
   std::array<Value, kMostRuleSlots> slots;
@@ -272,7 +272,7 @@ Decision Context::rule(const Goal& goal, const RuleCode& rule) {
       if (Unifier::is_of_other_namespace(value)) return Decision::fails;
       if (step.kind == HeadStep::Kind::first) slots[step.slot] = value;
     } else if (step.kind == HeadStep::Kind::constant) {
-      if (is_free) continue;  // who asks gets it at the end
+      if (is_free) continue;  // the caller gets it at the end
       const Decision decision = unify_known(step.term, value);
       if (decision != Decision::holds) return decision;
     } else {
@@ -306,7 +306,7 @@ void Context::forget(std::size_t mark, std::span<const Value> slots) {
   count_ = static_cast<std::size_t>(kept - set_.data());
 }
 
-// The end of a rule's body: slots of who asks get the values that the rule has found for them.
+// The end of a rule's body: the rule's results are copied into the caller's slots.
 Decision Context::leave_rule() {
   const Call& done = *call_;
   Value* const slots = frame_;

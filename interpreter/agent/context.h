@@ -68,7 +68,7 @@ class Context {
   struct Call {
     const Goal* query;
     const std::vector<HeadStep>* head;
-    Value* frame;  // of who asks
+    Value* frame;  // the caller's
     const Call* outer;
   };
 

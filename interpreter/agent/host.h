@@ -70,9 +70,10 @@ class Society {
   [[nodiscard]] virtual Creation create(const std::string& name, const std::string& file) = 0;
   /// A new agent with the beliefs, plans and goals of another.
   [[nodiscard]] virtual Creation clone(Agent& original, const std::string& name) = 0;
-  /// The agent goes: at once, or after a time of which it is told. False: there is no such agent.
+  /// The agent goes: at once, or after a time that it is informed about. False: there is no such
+  /// agent.
   virtual bool kill(std::string_view name, double deadline_ms) = 0;
-  /// The run ends: at once, or after a time of which all agents are told.
+  /// The run ends: at once, or after a time that all agents are informed about.
   virtual void stop(double deadline_ms, int exit_code) = 0;
   /// The yellow pages.
   [[nodiscard]] virtual ServiceDirectory& services() = 0;

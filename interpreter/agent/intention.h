@@ -141,7 +141,7 @@ class Intention {
   /// Intentions that are made later have greater ones.
   std::uint32_t id;
   State state = State::running;
-  /// What it waits for, as `.suspended` tells it.
+  /// What it waits for, as `.suspended` reports it.
   std::string reason;
   /// It was suspended by name while it was waiting.
   bool also_suspended = false;

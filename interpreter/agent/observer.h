@@ -1,10 +1,10 @@
 #pragma once
 
-// Looks at agents as they reason: coverage and explanations are made of what an observer is told
+// Looks at agents as they reason: coverage and explanations are made from what observers receive
 // (interpreter/coverage). A run without one pays a comparison with null for each plan that is tried
 // and each formula that is executed.
 //
-// Observers are told things between the steps of the reasoning cycle, on the thread that runs the
+// Observers are called between the steps of the reasoning cycle, on the thread that runs the
 // system. They may read the agent; they must not change it. Values are good until they return.
 
 #include <cstddef>
@@ -27,7 +27,7 @@ class ReasoningObserver {
   [[nodiscard]] virtual bool interrupted() { return false; }
 
   /// What is solved in place of a plan's context or used in place of a rule: the same formula,
-  /// perhaps with goals between its parts that tell the observer how far the query comes. It must
+  /// perhaps with goals between its parts that report how far the query comes. It must
   /// outlive the run.
   [[nodiscard]] virtual const Goal* context_of(const Plan& plan) { return plan.context; }
   [[nodiscard]] virtual const RuleCode& rule_for(const RuleCode& rule) { return rule; }
@@ -64,12 +64,12 @@ class ReasoningObserver {
   virtual void event_posted(Agent& /*agent*/, const Event& /*event*/) {}
 };
 
-/// Several observers that stand where one is expected: each is told everything, in the order in
+/// Several observers that stand where one is expected: each receives every call, in the order in
 /// which they were added. REQUIRES: one at most gives contexts and rules of its own.
 class Observers final : public ReasoningObserver {
  public:
   void add(ReasoningObserver& observer) { all_.push_back(&observer); }
-  /// Whom agents are to tell: null if there is nobody, the only one if there is one.
+  /// The observer for agents: null if there is none, the only one if there is one.
   [[nodiscard]] ReasoningObserver* get() {
     if (all_.size() > 1) return this;
     return all_.empty() ? nullptr : all_.front();

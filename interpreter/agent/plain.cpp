@@ -25,7 +25,7 @@ bool replaces(const Event& event, const IntendedMeans& caller) {
          is_plain(*caller.plan);
 }
 
-// A constant and a value that cannot be unified with it, as can be told without unifying them.
+// A constant and a value that evidently cannot be unified with it.
 bool differ(Value constant, Value value) {
   if (constant.is_unset() || constant.same_as(value)) return false;
   if (constant.is_number() && value.is_number()) return constant.as_number() != value.as_number();

@@ -1,7 +1,7 @@
 #pragma once
 
 // The yellow pages, Jason's directory facilitator: which agent offers which service, and who wants
-// to be told (`.df_register` and its kin).
+// to be informed (`.df_register` and its kin).
 
 #include <functional>
 #include <string>
@@ -29,7 +29,7 @@ class ServiceDirectory {
   void remove(std::string_view agent, const Service& service);
   /// The providers, in the order in which they registered.
   [[nodiscard]] std::vector<std::string> search(const Service& service) const;
-  /// The agent is told of those who offer the service, now and later.
+  /// The agent is informed about the providers of the service, present and future.
   void subscribe(const std::string& agent, const Service& service);
   /// The agent has left.
   void forget(std::string_view agent);

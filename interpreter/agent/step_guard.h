@@ -36,7 +36,7 @@ template <class Body>
   return false;
 }
 
-/// Memory beyond an agent's limit while it lives: what it takes to tell of a failure when there is
+/// Memory beyond an agent's limit while it lives: what it takes to report a failure when there is
 /// none left. The next collection comes at the end of the cycle.
 class MemoryReserve {
  public:

@@ -68,7 +68,7 @@ struct CheckInfo {
 [[nodiscard]] std::span<const CheckInfo> checks();
 
 /// Adds warnings, by file and place. Of a program whose includes are not all there, or that adds
-/// plans or beliefs of unknown content, only that is told which these cannot change.
+/// plans or beliefs of unknown content, only what these cannot change is reported.
 void check_program(const SourceTree& program, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // What every check of checks.def is given: the program, what is known of its names, and where to
-// tell what was found.
+// report what was found.
 
 #include <cstdint>
 #include <set>
@@ -24,7 +24,7 @@ struct CheckedFile {
   bool is_main = false;
   /// Codes that a comment silences in the whole file.
   std::set<std::string, std::less<>> allowed;
-  /// What was told: by place and code, once each.
+  /// What was reported: by place and code, once each.
   std::set<std::pair<std::uint32_t, std::string_view>> told;
   Diagnostics found;
 };

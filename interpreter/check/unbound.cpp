@@ -126,7 +126,7 @@ class Flow {
     const auto before = bound_.mark();
     query(asked);
     if (node.args.size() == 3) term(*node.args[0]);
-    // `=` within .eval and .count is said to leak; nothing is told of that.
+    // `=` within .eval and .count is said to leak; that is not reported.
     bound_.lose(before, kCollector);
     for (const Node* argument : node.args) {
       const bool result = argument != &asked && (node.args.size() < 3 || argument != node.args[0]);

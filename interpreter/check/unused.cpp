@@ -61,7 +61,7 @@ struct PostedGoals {
     }
     return did_you_mean(plan, goals);
   }
-  /// Whether a goal without plans is a slip for that plan's: unknown_goals tells then.
+  /// Whether a goal without plans is a slip for that plan's: unknown_goals reports it then.
   [[nodiscard]] bool is_missed(std::string_view plan) const {
     const std::vector<std::string> only = {std::string(plan)};
     return std::ranges::any_of(
@@ -85,7 +85,7 @@ void test_goal(Checking& checking, CheckedFile& file, const Node& goal) {
   checking.warn(file, goal.span, fmt::format("nobody asks for '{}'", goal.text));
 }
 
-// Only a known environment tells what there is to perceive.
+// Only of a known environment is it known what there is to perceive.
 void belief(Checking& checking, CheckedFile& file, const std::set<std::string_view>& heads,
             const Node& literal) {
   if (!checking.told_everything() || !checking.asked_by_nobody() ||

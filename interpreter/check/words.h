@@ -12,8 +12,8 @@
 
 namespace jaywalk {
 
-/// Whether one name is likely a slip for the other: long enough, and not told apart on purpose as
-/// `left1` and `left2` are, `pos_x` and `pos_y`, `bid` and `bids`.
+/// Whether one name is likely a slip for the other: long enough, and not distinguished on purpose
+/// as `left1` and `left2` are, `pos_x` and `pos_y`, `bid` and `bids`.
 [[nodiscard]] bool is_misspelling(std::string_view name, std::string_view meant);
 
 /// Whether one word becomes the other by one letter more, less or changed, or by two neighbours

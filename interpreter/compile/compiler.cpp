@@ -84,7 +84,7 @@ class ProgramBuilder {
     return file == nullptr ? std::string() : file->source->name();
   }
 
-  // False, with an error, if a clause has more variables than their numbers tell apart.
+  // False, with an error, if a clause has more variables than there are numbers.
   bool has_few_variables(VariableScope& scope, Span clause) {
     if (scope.slot_names().size() <= kMostParts) return true;
     diagnostics_.error(where({clause.begin, clause.begin}),

@@ -51,7 +51,7 @@ std::size_t CoverageObserver::condition_asked(Agent&, std::size_t number, std::s
 }
 
 void CoverageObserver::condition_answered(Agent&, std::size_t number, std::size_t asking) {
-  // An asking of a query that a later one has interrupted cannot be told any more.
+  // An asking of a query that a later one has interrupted is no longer known.
   if (asking != 0 && asking < first_asking_) return;
   std::vector<bool>::reference held =
       asking == 0 ? latest_held_[number] : held_[asking - first_asking_];

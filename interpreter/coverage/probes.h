@@ -2,8 +2,8 @@
 
 // Where to look at a program as it runs: its plans, the conditions of which contexts and rules
 // consist, the formulas of bodies, each with a number. Contexts and rules are compiled anew with
-// goals around every condition that tell the observer (agent/observer.h) that it is asked and that
-// it holds; they mean what they meant. The programs themselves are left as they are.
+// goals around every condition that report to the observer (agent/observer.h) that it is asked and
+// that it holds; they mean what they meant. The programs themselves are left as they are.
 //
 //   Probes probes(symbols, Probes::Detail::counts);
 //   probes.add(program);
@@ -61,7 +61,7 @@ struct ProbedRule {
 class Probes {
  public:
   enum class Detail {
-    counts,    // the observer is told which condition
+    counts,    // the observer learns which condition
     bindings,  // and what its variables are bound to
   };
 

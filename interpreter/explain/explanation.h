@@ -3,7 +3,7 @@
 // Why an agent did something, or did not: each of its deliberations with the plans that were
 // relevant, those that were applicable, how far the contexts of the others came and with which
 // bindings, what was chosen, and where the beliefs came from that were asked for. Recorded while
-// the agents run (agent/observer.h), from probes that tell bindings.
+// the agents run (agent/observer.h), from probes that report bindings.
 
 #include <cstdint>
 #include <map>
@@ -32,7 +32,7 @@ struct AskedCondition {
   /// A condition of a rule, not of the context; and the rule's head.
   bool in_rule = false;
   std::string rule;
-  /// Why it has no answer, if that can be told: "nothing is believed about near/2".
+  /// Why it has no answer, if that is known: "nothing is believed about near/2".
   std::string hint;
 
   [[nodiscard]] bool is_fine() const { return held != negated; }

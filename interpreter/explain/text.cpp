@@ -44,7 +44,8 @@ std::string_view word_for(const TriedPlan& plan) {
   return {};
 }
 
-// The conditions of rules that were asked for the one at `first` - 1; the last ones tell most.
+// The conditions of rules that were asked for the one at `first` - 1; the last ones are the most
+// informative.
 void add_rules(std::string& out, const std::vector<AskedCondition>& asked, std::size_t first,
                std::size_t last) {
   const std::size_t shown = std::max(first, last - std::min(last, kShownOfRules));
@@ -57,7 +58,8 @@ void add_rules(std::string& out, const std::vector<AskedCondition>& asked, std::
   }
 }
 
-// A context that goes back asks the same conditions again and again: the last time tells most.
+// A context that goes back asks the same conditions again and again: the last time is the most
+// informative.
 void add_conditions(std::string& out, const TriedPlan& plan) {
   const std::vector<AskedCondition>& asked = plan.asked;
   std::map<std::size_t, std::vector<std::size_t>> places;  // by condition of the context

@@ -28,8 +28,8 @@ enum class Outcome : std::uint8_t {
   failed,  // false: the formula fails with ia_failed, the query has no solution
   succeeded,
   many,       // ActionCall::solutions yields them one by one
-  suspended,  // the intention waits; whoever resumes it goes on after the formula
-  error,      // ActionCall::error tells
+  suspended,  // the intention waits; once resumed it goes on after the formula
+  error,      // ActionCall::error says why
 };
 
 /// The solutions of an action with several. Lives as long as the query may come back to it; `next`

@@ -247,7 +247,7 @@ class BeliefBase {
  public:
   BeliefBase(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
 
-  /// Memory of a belief base that is no more, for one that has not been used yet: relations without
+  /// Memory of a destroyed belief base, for one that has not been used yet: relations without
   /// rows, which do not exist until something is believed.
   class Remains {
     friend class BeliefBase;

@@ -15,13 +15,13 @@
 // `known_pair`: both parts, or the tail alone, are first places of variables. The steps of the
 // parts follow all the same.
 //
-// A slot whose first place is a step of its own needs not be cleared beforehand. What lies deeper
+// A slot whose first place is a step of its own need not be cleared beforehand. What lies deeper
 // than the parts of a list, and what is neither list, constant nor variable, stays a template that
 // Unifier::match walks through (`term`): rare, and then most of the work is elsewhere.
 //
 // Which rules can match at all is asked before any of them is entered: the steps that tell kinds of
 // values apart are kept once more as `tests`. They bind nothing, so that a query which only one
-// rule is left for needs no choice point, whichever argument tells the rules apart.
+// rule is left for needs no choice point, whichever argument distinguishes the rules.
 
 #include <cstdint>
 #include <span>

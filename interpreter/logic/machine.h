@@ -132,7 +132,7 @@ class Machine : public FunctionCaller {
     std::uint32_t slots_recorded;  // by the unifier, then
     std::size_t trail;             // then
   };
-  /// Of the frame of who asks: choice points or not, its bindings are recorded.
+  /// Of the caller's frame: choice points or not, its bindings are recorded.
   static constexpr std::uint32_t kOutside = 0xFFFF'FFFFU;
   struct AnnotatedQuery {
     Relation* relation;

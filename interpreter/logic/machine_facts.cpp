@@ -17,7 +17,7 @@ namespace {
 
 bool is_in(std::uint32_t set, std::size_t argument) { return (set >> argument & 1U) != 0; }
 
-// Can be told to be different without a further look.
+// Evidently different.
 bool is_other(Value wanted, Value known) {
   if (wanted.same_as(known)) return false;
   if (wanted.is_number() && known.is_number()) return wanted.as_number() != known.as_number();

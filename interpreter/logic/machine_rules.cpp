@@ -181,7 +181,7 @@ bool Machine::choose_rule(Relation& relation, const RuleTable& table, const Goal
 }
 
 // The candidates of a cursor. The last of them needs no choice point: if it fails, so does the
-// query. A fact that matches not needs none either.
+// query. A fact that does not match needs none either.
 bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal,
                        std::span<const Value> args) {
   std::int64_t seq = 0;

@@ -48,7 +48,7 @@ void Percepts::add_behind(Predicate predicate, std::span<const Value> args) {
   entries_.push_back({predicate, static_cast<std::uint32_t>(args_.size())});
 }
 
-// What is left of the last look has to be told anew.
+// The rest of the last look has to be reported anew.
 void Percepts::drop_rest() {
   news_before_ = news_.size();
   gone_before_ = gone_.size();

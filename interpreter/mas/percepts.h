@@ -1,15 +1,15 @@
 #pragma once
 
-// What one agent perceives, look by look. An environment tells all of it in every look, but most of
-// it is as it was. So what is told is compared, literal by literal and in order, with what was told
+// What one agent perceives, look by look. An environment reports all of it in every look, but most
+// of it is as it was. So each report is compared, literal by literal and in order, with that of the
 // in the last look, two words for each argument:
 //
 //   last look:   tick(1)  at(2,5)  av(3)  grid(10,60)
 //   this look:   tick(2)  at(2,6)  av(3)  grid(10,60)       news: 0, 1    gone: tick(1), at(2,5)
 //
 // Where a predicate is another than in the last look, what is left of that is gone and what comes
-// is news, less the end that both have in common. So an environment does best to tell things in the
-// same order every time, those that come and go last.
+// is news, less the end that both have in common. So an environment does best to report things in
+// the same order every time, those that come and go last.
 
 #include <cstddef>
 #include <cstdint>
@@ -43,9 +43,9 @@ class Percepts {
     }
     add_behind(predicate, args);
   }
-  /// Instead of telling the rest: it is what was told in the last look from the literal of `first`
+  /// Instead of reporting the rest: it is as in the last look from the literal of `first`
   /// on, under the same number, which the environment gives anew when the rest changes. False: that
-  /// was not so, and it has to be told.
+  /// was not so, and it has to be reported.
   [[nodiscard]] bool keep_rest(Predicate first, std::uint64_t number) {
     if (next_ < told_before_ && entries_[next_].predicate == first && rest_number_ == number) {
       next_ = told_before_;
@@ -64,18 +64,18 @@ class Percepts {
     return args(entries_, args_, index);
   }
 
-  // Looks. Between begin_look and end_look the environment tells everything.
+  // Looks. Between begin_look and end_look the environment reports everything.
   void begin_look();
   void end_look();
   /// How many looks there have been.
   [[nodiscard]] std::uint64_t looks() const { return looks_; }
-  /// What was not told in the last look, in order, as indices; a literal may be among them that has
-  /// only changed its place.
+  /// What was not reported in the last look, in order, as indices; a literal may be among them that
+  /// has only changed its place.
   [[nodiscard]] std::span<const std::uint32_t> news() const { return news_; }
   /// The first of the news, so many, stand where the first of what is gone stood, with the same
   /// predicates.
   [[nodiscard]] std::size_t changed_size() const { return changed_; }
-  /// What was told in the last look and in its place is not any more.
+  /// What the last look reported and this one does not, in its place.
   [[nodiscard]] std::size_t gone_size() const { return gone_.size(); }
   [[nodiscard]] Predicate gone_predicate(std::size_t index) const { return gone_[index].predicate; }
   [[nodiscard]] std::span<const Value> gone_args(std::size_t index) const {
@@ -105,7 +105,8 @@ class Percepts {
   std::vector<Entry> gone_;
   std::vector<Value> gone_args_;
   std::uint64_t looks_ = 0;
-  // Within a look: the first entries are of the last one, and those before the next have been told.
+  // Within a look: the first entries are of the last one, and those before the next have been
+  // reported.
   std::size_t told_before_ = 0;
   std::size_t next_ = 0;
   std::size_t next_arg_ = 0;

@@ -16,7 +16,7 @@ struct FarAction {
 
 constexpr std::array kFar{
     FarAction{".create_agent"}, FarAction{".clone"},         FarAction{".kill_agent"},
-    FarAction{".stopMAS", 1},  // others are told of a deadline; an end at once can wait
+    FarAction{".stopMAS", 1},  // others are informed about a deadline; an immediate end can wait
     FarAction{".df_register"},  FarAction{".df_deregister"}, FarAction{".df_search"},
     FarAction{".df_subscribe"}, FarAction{".include"},       FarAction{".save_agent"},
     FarAction{".add_plan"},     FarAction{".list_files"}};

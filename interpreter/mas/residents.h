@@ -32,7 +32,7 @@ struct Resident {
   /// What it perceives of the environment, which knows it; null: it has no body there.
   std::unique_ptr<Percepts> percepts;
   bool is_listed = false;  // as awake, or to be from the next round on
-  bool is_asleep = false;  // it has been told so (jag_sleeping)
+  bool is_asleep = false;  // it was informed (jag_sleeping)
   bool has_mail = false;
   bool is_full = false;  // has no memory for more messages, until it is looked at again
   std::uint32_t look_after =
@@ -41,7 +41,7 @@ struct Resident {
   std::uint64_t sent_before = 0;  // the delivery of the messages sent last, and their size
   std::size_t sent_bytes = 0;
   std::size_t known_bytes = 0;    // what the agent owned after it reasoned last
-  bool is_leaving = false;        // reasons no more
+  bool is_leaving = false;        // has stopped reasoning
   bool is_near = false;           // can reason beside others (reach.h), as judged when
   std::size_t reach_version = 0;  // there were so many programs
   std::uint64_t period = 0;       // for which cycles_before holds
@@ -91,7 +91,7 @@ class Residents {
   /// One round: those who may have something to do, in the order of numbers. Whoever is woken until
   /// its end takes part in the next one.
   [[nodiscard]] std::span<const std::uint32_t> begin_round();
-  /// Those who have nothing left to do take part no more.
+  /// Those who have nothing left to do no longer take part.
   void end_round();
 
  private:

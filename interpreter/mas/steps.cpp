@@ -329,7 +329,7 @@ void Mas::Implementation::fire_timers() {
 }
 
 // Without an environment: one cycle of every active agent; time passes when all are idle. Agents of
-// which none can tell when another reasons do several steps at once, each all of its cycles in a
+// where none can observe when another reasons do several steps at once, each all of its cycles in a
 // row.
 void Mas::Implementation::free_step(std::uint64_t most) {
   if (options_.realtime) {

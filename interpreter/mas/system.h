@@ -25,7 +25,7 @@
 namespace jaywalk {
 
 /// What a system is made of that the next one can be made of, too: names above those of the
-/// programs, and memory. Nobody can tell from it what the system before has done.
+/// programs, and memory. It does not depend on what the previous system did.
 struct SystemStock {
   explicit SystemStock(std::shared_ptr<const SymbolTable> base) : symbols(std::move(base)) {}
 
@@ -224,7 +224,7 @@ class Mas::Implementation : public AgentHost, public Society {
   std::uint64_t inferences_before_ = 0;  // this run, by what it is made of
   std::string last_query_;               // that hit a limit: where it was asked
   double cpu_s_ = 0;
-  // Agents of which none can tell when another reasons (program/solitary.h).
+  // Agents of which none can observe when another reasons (program/solitary.h).
   bool all_keep_to_themselves_ = true;
   const Program* known_solitary_ = nullptr;  // the last program that was looked at
   Ahead ahead_;

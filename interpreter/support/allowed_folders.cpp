@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Without links, as far as it exists; empty if that cannot be told.
+/// Without links, as far as it exists; empty if that cannot be determined.
 fs::path without_links(const std::string& path) {
   // The system's own calls would read such a name only up to there.
   if (path.find('\0') != std::string::npos) return {};

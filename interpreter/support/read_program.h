@@ -9,7 +9,7 @@
 namespace jaywalk {
 
 /// As read_source(), but what is not UTF-8 is read as U+FFFD, which may stand in comments, strings
-/// and quoted atoms; a warning tells of the first such byte.
+/// and quoted atoms; a warning points at the first such byte.
 [[nodiscard]] Result<SourcePtr> read_any_encoding(const std::string& path,
                                                   Diagnostics& diagnostics);
 

@@ -86,7 +86,7 @@ struct Node {
 };
 
 /// The operators of body formulas: `!g !!g ?q +b ++b +<b +>b -b --b -+b`, and none for actions,
-/// internal actions, relational expressions and variables (the node tells which).
+/// internal actions, relational expressions and variables (the node says which).
 enum class BodyOperator : std::uint8_t {
   none,
   achieve,

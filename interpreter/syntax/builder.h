@@ -71,7 +71,7 @@ class Builder {
   /// Complains about a value (the last one) that cannot be true or false.
   void check_condition();
 
-  // Bodies. Between begin_body and its end stand formulas; `may_continue` tells whether there can
+  // Bodies. Between begin_body and its end stand formulas; `may_continue` says whether there can
   // be another one, after a semicolon or a statement.
   void begin_body();
   [[nodiscard]] bool may_continue() const;

@@ -242,7 +242,7 @@ class Followers {
     if (node.annots != nullptr) this->node(*node.annots);
   }
 
-  // Whatever stands before a formula, a semicolon or not: the token before it tells.
+  // Whatever stands before a formula, a semicolon or not, as the token before it shows.
   void formulas(std::span<const ast::Formula> formulas) {
     for (const ast::Formula& formula : formulas) {
       if (&formula != &formulas.front()) begins_.insert(text_.data() + formula.span.begin);

@@ -271,7 +271,7 @@ class Lexer {
         check_escape();
         ++at_;
       }
-      // A backslash may stand last in the line or text; the next turn tells so.
+      // A backslash may stand last in the line or text; the next turn reports it.
       if (at_ < text_.size() && peek() != '\n' && peek() != '\r') ++at_;
     }
     ++at_;
@@ -372,7 +372,7 @@ class Lexer {
     }
   }
 
-  // Keeps the brackets that are open, to tell a '(' around a body from one around a formula: there
+  // Keeps the open brackets, to distinguish a '(' around a body from one around a formula: there
   // is a token in it that only a body can have, directly or within further parentheses.
   void add(Token token) {
     switch (token.kind) {

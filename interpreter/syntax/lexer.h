@@ -13,7 +13,7 @@ namespace jaywalk {
 
 enum class TokenKind : std::uint8_t {
   end_of_text,
-  bad,  // not a token; a diagnostic has told so
+  bad,  // not a token; already diagnosed
   atom,
   variable,
   number,

@@ -62,7 +62,7 @@ inline constexpr int kMaxIncludeDepth = 64;
 inline constexpr int kMaxIncludedFiles = 1000;
 
 /// Reads and parses the program at `path`. Always returns a tree with at least one file; whether it
-/// can be used, the diagnostics tell. A missing include is a warning, as in Jason.
+/// can be used, the diagnostics say why. A missing include is a warning, as in Jason.
 [[nodiscard]] SourceTree load_agent(const std::string& path, const IncludePath& include_path,
                                     Diagnostics& diagnostics);
 

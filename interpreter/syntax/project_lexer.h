@@ -17,7 +17,7 @@ enum class ProjectTokenKind : std::uint8_t {
   string,  // with its quotes
   path,    // the folders of a path, up to and with the last slash
   symbol,
-  bad,  // an error has told of it
+  bad,  // already diagnosed
 };
 
 struct ProjectToken {

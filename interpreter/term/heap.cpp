@@ -8,7 +8,7 @@
 namespace jaywalk {
 namespace {
 
-// The upper 16 bits of a cell's first word tell a moved cell: no Value and no header has them.
+// The upper 16 bits of a cell's first word mark a moved cell: no Value and no header has them.
 constexpr std::uint64_t kMoved = std::uint64_t{0x7FF4} << 48U;
 constexpr std::uint64_t kMovedMask = std::uint64_t{0xFFFF} << 48U;
 constexpr std::uint64_t kAddressMask = 0x0000FFFFFFFFFFF8U;

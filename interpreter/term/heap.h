@@ -158,7 +158,7 @@ class Heap {
   [[nodiscard]] Value structure(Predicate predicate, std::span<const Value> args,
                                 Value annots = Value::empty_list(), Form form = Form::literal);
   /// A literal whose arguments the caller fills in at once; annotations are closed. `literal_of`
-  /// makes a Value of it, and is told whether all arguments are closed.
+  /// makes a Value of it, and passes whether all arguments are closed.
   [[nodiscard]] Structure* blank_literal(Predicate predicate, std::size_t arity, Value annots) {
     auto* const made = reinterpret_cast<Structure*>(allocate(2 + arity));
     made->predicate_id = static_cast<std::uint32_t>(predicate);
@@ -207,7 +207,7 @@ class Heap {
     made->serial = static_cast<std::uint32_t>(next_serial_++);
     return Value::reference(Value::Kind::variable, made, 0);
   }
-  /// A variable's number is given to none.
+  /// Skips one variable number.
   void skip_variable() { ++next_serial_; }
   [[nodiscard]] Value object(std::unique_ptr<Object> object);
   /// Variables with this serial or a greater one are made from now on; after four thousand million

@@ -60,7 +60,7 @@ struct WassersteinSettings {
   TestMaker::Normalisation normalisation = TestMaker::Normalisation::batch;
 };
 
-/// A generator and a critic that tells real tests from its own.
+/// A generator and a critic that distinguishes real tests from its own.
 class WassersteinPair {
  public:
   WassersteinPair(const WassersteinSettings& settings, Random& random);

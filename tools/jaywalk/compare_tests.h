@@ -19,11 +19,11 @@
 
 namespace jaywalk::command::compare {
 
-/// What controllers' authors should know; the first test's in the plan's order is told.
+/// What controllers' authors should know; that of the first test in the plan's order is reported.
 class ControllerNotes {
  public:
   void add(std::uint64_t place, const std::string& note);
-  /// With the number of tests that it is true of; empty if there is nothing to tell.
+  /// With the number of tests that it is true of; empty if there is nothing to say.
   [[nodiscard]] std::string text() const;
 
  private:
@@ -86,7 +86,7 @@ class Selection {
   std::uint64_t wanted_ = 0;
 };
 
-/// Runs what is selected; whoever looks at the progress sees nothing of the rest.
+/// Runs what is selected; progress reports leave the rest out.
 [[nodiscard]] ExperimentOutcome run_selection(const Request& request, const Selection& selection,
                                               const Listeners& listeners,
                                               const ProgressFunction& progress);

@@ -37,13 +37,13 @@ class Console {
   void control(std::string_view codes);
   /// Everything printed so far leaves the program.
   void flush();
-  /// What is printed still gets somewhere: whoever reads it has not gone.
+  /// What is printed still gets somewhere: the reader has not closed the pipe.
   [[nodiscard]] static bool can_print();
   /// Diagnostics of what the user wrote.
   void report(const Diagnostics& diagnostics);
   /// `error: message` and, on a line of its own, the hint.
   void error(std::string_view message, std::string_view hint = {});
-  /// A plain line to standard error: what a long run tells at its end.
+  /// A plain line to standard error: what a long run says at its end.
   void note(std::string_view line);
   /// A line of a run's log. `message` may have several lines.
   void log(LogLevel level, std::string_view message);

@@ -71,7 +71,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   return request;
 }
 
-/// One test, told in full.
+/// One test, reported in full.
 ExitCode judge_one(const Request& request, const Arguments& arguments, Console& console) {
   const auto id = static_cast<std::int64_t>(*request.test);
   const auto recording = request.store->recording(id);

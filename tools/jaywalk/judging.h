@@ -1,6 +1,7 @@
 #pragma once
 
-// `--assertions` and what belongs to it: what is to be found out about tests, and how it is told.
+// `--assertions` and what belongs to it: what is to be found out about tests, and how it is
+// reported.
 
 #include <array>
 #include <optional>

@@ -15,7 +15,7 @@
 namespace jaywalk::command::lsp {
 namespace {
 
-/// Standard input, of which can be told whether something waits to be read.
+/// Standard input that can be asked whether something waits to be read.
 class Input : public std::streambuf {
  public:
   [[nodiscard]] bool waits() const {

@@ -125,7 +125,7 @@ void Document::analyse_program(const IncludePath& include_path) {
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_) diagnostics_.push_back(diagnostic);
   }
-  // What is wrong elsewhere is told at the first include that is not in order.
+  // What is wrong elsewhere is reported at the first include that is not in order.
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_ || diagnostic.severity != Severity::error) continue;
     Diagnostic here = diagnostic;

@@ -38,8 +38,8 @@ struct Use {
   }
 };
 
-/// All uses in all files of a program, in the order of the texts. Terms that are mere data, to
-/// nobody's knowledge a goal or belief, are left out.
+/// All uses in all files of a program, in the order of the texts. Terms that are mere data, not
+/// known to be a goal or belief, are left out.
 [[nodiscard]] std::vector<Use> uses_of_names(const SourceTree& program);
 
 /// The use whose name covers an offset of a file; null if there is none.

@@ -29,8 +29,8 @@ struct ReplInput {
 [[nodiscard]] bool is_whole_input(std::string_view text);
 
 /// What a whole input consists of: each clause is read as it would be alone, also if several stand
-/// on a line. Kinds of clauses are told apart by parsing; what does not parse is a program, whose
-/// errors tell.
+/// on a line. Kinds of clauses are distinguished by parsing; what does not parse is a program,
+/// whose errors tell.
 [[nodiscard]] std::vector<ReplInput> read_inputs(const std::string& text);
 
 }  // namespace jaywalk

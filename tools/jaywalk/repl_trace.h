@@ -13,7 +13,7 @@ namespace jaywalk {
 
 class ReplTrace : public ReasoningObserver {
  public:
-  /// Lines are told to `tell` while a trace is on.
+  /// Lines go to `tell` while a trace is on.
   explicit ReplTrace(std::function<void(std::string_view line)> tell) : tell_(std::move(tell)) {}
 
   void set_on(bool on) { on_ = on; }

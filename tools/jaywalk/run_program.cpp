@@ -129,7 +129,7 @@ End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, 
 enum class ProgramCheck { off, alone, in_project };
 
 /// Loads and compiles each agent's program, once for all agents that share it. Those whose program
-/// is missing or wrong are left out; the diagnostics tell.
+/// is missing or wrong are left out and diagnosed.
 std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, ProgramCheck check,
                                    SymbolTable& symbols, Diagnostics& all) {
   std::vector<AgentSpec> agents;

@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The data's folder is found from the command's own, so that both may be moved together. Empty if
-/// that cannot be told.
+/// that is unknown.
 fs::path data_folder() {
   std::error_code error;
   const fs::path command = fs::read_symlink("/proc/self/exe", error);

@@ -114,7 +114,7 @@ jaywalk_test::numbers(L) :- not (.member(N, L) & not .number(N)).
 +!execute_test_plans.
 +!create_default_fail_plan.
 
-// Mock agents tell their owner when they have nothing to do.
+// Mock agents inform their owner when they have nothing to do.
 +!create_mock_agent(Name) : .my_name(Me)
     <- .create_agent(Name, "mock_agent.asl");
        .send(Name, tell, mock_owner(Me)).

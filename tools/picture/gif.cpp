@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kColours = 256;
 
-/// The colours that most pixels have, told apart by the upper five bits of each part: pictures of
-/// few flat colours lose nothing but shades at edges.
+/// The colours that most pixels have, distinguished by the upper five bits of each part: pictures
+/// of few flat colours lose nothing but shades at edges.
 class Palette {
  public:
   explicit Palette(const Movie& movie) {

@@ -1,4 +1,4 @@
-// Defects of perception: whoever is there is not seen, or seen late or elsewhere.
+// Defects of perception: somebody is not seen, or seen late or elsewhere.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Defects of prediction: whoever is seen is expected elsewhere.
+// Defects of prediction: somebody who is seen is expected elsewhere.
 
 #include <algorithm>
 #include <cmath>
