@@ -103,7 +103,7 @@ class TestDeadline {
     return taken.count() > limit_s_;
   }
   [[nodiscard]] std::string message() const {
-    return fmt::format("the test took longer than {:g} s, the limit", limit_s_);
+    return fmt::format("the test took longer than its limit of {:g} s", limit_s_);
   }
 
  private:

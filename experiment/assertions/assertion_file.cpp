@@ -127,7 +127,7 @@ class FileReader {
     if (!text) return;
     if (!is_name(*text)) {
       reader_.error(node.origin, fmt::format("'{}' cannot be the id of an assertion", *text),
-                    "ids are atoms, so that agents can be told them: a lower-case letter, then "
+                    "ids are atoms, so that agents can believe them: a lower-case letter, then "
                     "letters, digits and _");
     } else if (find_metric(*text) != nullptr) {
       reader_.error(node.origin, fmt::format("'{}' is the name of a metric", *text));

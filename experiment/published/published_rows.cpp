@@ -116,7 +116,7 @@ std::string why_not(const PreparedBehaviour& behaviour, const BehaviourSpec& pub
 
 /// What makes all of a scenario another experiment, its world apart.
 std::string why_none(const Scenario& scenario) {
-  if (scenario.experiment.feedback > 0) return "pedestrians are told what earlier tests covered";
+  if (scenario.experiment.feedback > 0) return "pedestrians know what earlier tests covered";
   if (scenario.start_cells) return "start cells are given";
   return {};
 }

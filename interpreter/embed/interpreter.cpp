@@ -198,7 +198,7 @@ bool Interpreter::step() {
 }
 
 std::string Interpreter::obstacle(AgentId agent) const {
-  if (is_at_work_) return "the interpreter is at work: it can be told and asked when it is done";
+  if (is_at_work_) return "the interpreter is at work: wait until it is done";
   if (mas_->is_alive(agent)) return {};
   const bool was_there = static_cast<std::uint32_t>(agent) < mas_->agent_count();
   return was_there ? "the agent is gone" : "there is no agent of that number";

@@ -133,7 +133,7 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
          .where = last_place(agent)});
   } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
     end({.how = RunEnd::limit,
-         .message = fmt::format("agent {} has reasoned for {} cycles, the limit", agent.name(),
+         .message = fmt::format("agent {} reached the limit of {} cycles", agent.name(),
                                 options_.max_cycles),
          .limit = RunLimit::cycles,
          .agent = agent.name(),
@@ -255,7 +255,7 @@ void Mas::Implementation::tick() {
     end({.how = RunEnd::finished});
   } else if (options_.max_ticks != 0 && outcome_.ticks >= options_.max_ticks) {
     end({.how = RunEnd::limit,
-         .message = fmt::format("{} ticks, the limit", options_.max_ticks),
+         .message = fmt::format("reached the limit of {} ticks", options_.max_ticks),
          .limit = RunLimit::ticks});
   }
 }

@@ -116,9 +116,9 @@ AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
 }
 
 // Why there can be no more agents; empty if there can.
-std::string Mas::Implementation::obstacle_to_agents() const {
+std::string Mas::Implementation::problem_with_more_agents() const {
   if (residents_.living() >= options_.max_agents) {
-    return fmt::format("there are {} agents, the limit", options_.max_agents);
+    return fmt::format("the limit of {} agents is reached", options_.max_agents);
   }
   if (owned_bytes_ >= static_cast<std::int64_t>(options_.max_system_bytes)) {
     return "the memory limit of all agents together is reached";
@@ -155,7 +155,7 @@ std::string Mas::Implementation::why_not_list(const std::string& folder) {
 }
 
 Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
-  if (std::string obstacle = obstacle_to_agents(); !obstacle.empty()) return {{}, obstacle};
+  if (std::string problem = problem_with_more_agents(); !problem.empty()) return {{}, problem};
   AgentSpec spec;
   std::string error;
   spec.program = load({.file = file, .included = false, .ns = {}}, error);
@@ -166,7 +166,7 @@ Society::Creation Mas::Implementation::create(const std::string& name, const std
 }
 
 Society::Creation Mas::Implementation::clone(Agent& original, const std::string& name) {
-  if (std::string obstacle = obstacle_to_agents(); !obstacle.empty()) return {{}, obstacle};
+  if (std::string problem = problem_with_more_agents(); !problem.empty()) return {{}, problem};
   Agent& agent = *settle(name, residents_.of(original).program).agent;
   agent.copy_from(original);
   agent.rest();

@@ -87,7 +87,7 @@ class Mas::Implementation : public AgentHost, public Society {
  private:
   [[nodiscard]] std::unique_ptr<Percepts> percepts_for_body();
   Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
-  [[nodiscard]] std::string obstacle_to_agents() const;
+  [[nodiscard]] std::string problem_with_more_agents() const;
   void start(Agent& agent, const AgentSpec& spec);
   void end(Outbox::End how);
   void go_on_after_idleness();

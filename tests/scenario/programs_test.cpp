@@ -176,7 +176,7 @@ TEST_F(ProgramsTest, EndTestsErroredThatTakeTooLong) {
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
   const TrialResult result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
-  EXPECT_EQ(result.message, "the test took longer than 0.2 s, the limit");
+  EXPECT_EQ(result.message, "the test took longer than its limit of 0.2 s");
 }
 
 TEST_F(ProgramsTest, FailWhenTheyLeaveTheGrid) {

@@ -60,7 +60,7 @@ void check_defects(const Request& request, Diagnostics& diagnostics) {
                       "set world.av.model to one that brakes (jaywalk list vehicles)");
   }
   if (request.prepared->scenario().experiment.feedback > 0) {
-    diagnostics.error("--defects", "what tests cover would be told to those with other AVs",
+    diagnostics.error("--defects", "what tests cover would reach those with other AVs",
                       "experiment.feedback=0 runs them without that");
   }
   if (request.plan.order == TestOrder::chained) {

@@ -85,7 +85,7 @@ void Deadline::watch(std::stop_token stopped) {
     return;
   }
   std::fflush(stdout);
-  std::fprintf(stderr, "error: stopped after %g s, as --timeout asks\n", seconds_);
+  std::fprintf(stderr, "error: stopped after %g s (--timeout)\n", seconds_);
   std::_Exit(EXIT_FAILURE);
 }
 

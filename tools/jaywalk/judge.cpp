@@ -197,7 +197,7 @@ CommandHelp help() {
               {"scenario", "FILE.yaml",
                "of a trace: the scenario whose lanes it is on, and whose\n"
                "assertions count (default: the paper's road)"},
-              {"test", "N", "tell all about the test of this number in the store"},
+              {"test", "N", "report everything about the test of this number in the store"},
               {"write", "", "keep the verdicts and metrics in the store, in place of old ones"},
               {"csv", "FILE", "write the results as CSV", Written::file},
               {"json", "FILE", "write the results as JSON", Written::file},

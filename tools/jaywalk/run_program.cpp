@@ -118,7 +118,7 @@ End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, 
     }
     // In real time a step may sleep.
     if ((limits.mas.realtime || steps % kStepsBetweenLooks == 0) && deadline.passed()) {
-      console.error(fmt::format("stopped after {:g} s, as --timeout asks", deadline.seconds()));
+      console.error(fmt::format("stopped after {:g} s (--timeout)", deadline.seconds()));
       return {ExitCode::failed, "timeout"};
     }
   }

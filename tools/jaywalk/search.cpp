@@ -130,7 +130,7 @@ CommandHelp help() {
       .usage = "EXPERIMENT.yaml [OPTIONS]",
       .description =
           "Looks for test inputs under which a system under test fails: generators are\n"
-          "asked for an input, the system executes it, the generator is told its fitness,\n"
+          "asked for an input, the system executes it, the generator receives its fitness,\n"
           "until the budget is spent. Prints a table of what each generator found, means\n"
           "over the repetitions. The results do not depend on --threads.\n",
       .options =

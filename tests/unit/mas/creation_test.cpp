@@ -52,7 +52,7 @@ TEST(Creation, HasALimit) {
              "!s. +!s <- while (true) { .create_agent(w, \"w.asl\") }. "
              "-!s[error_msg(M)] <- .print(M).");
   system.run();
-  EXPECT_THAT(system.printed, ElementsAre("[boss] there are 3 agents, the limit"));
+  EXPECT_THAT(system.printed, ElementsAre("[boss] the limit of 3 agents is reached"));
 }
 
 TEST(Creation, LeavesTheNewAgentWithoutABody) {

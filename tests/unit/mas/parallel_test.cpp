@@ -110,7 +110,7 @@ TEST(Threads, StopAtTheSameLimit) {
   Team team{.members = crowd(9, "!s(0). +!s(N) <- !s(N + 1).")};
   team.options.max_cycles = 100;
   expect_same_on_threads(team);
-  EXPECT_EQ(run(team, 4).message, "agent a0 has reasoned for 100 cycles, the limit");
+  EXPECT_EQ(run(team, 4).message, "agent a0 reached the limit of 100 cycles");
 }
 
 // Such agents take many steps in a row; their warnings come as if they took turns.

@@ -71,7 +71,7 @@ TEST(Run, StopsAtTheLimitOfCycles) {
   system.add("ann", "!s. +!s <- .wait(10); !s.");
   const RunOutcome outcome = system.run();
   EXPECT_EQ(outcome.end, RunEnd::limit);
-  EXPECT_EQ(outcome.message, "agent ann has reasoned for 20 cycles, the limit");
+  EXPECT_EQ(outcome.message, "agent ann reached the limit of 20 cycles");
 }
 
 TEST(Run, IsTheSameEveryTime) {

@@ -135,7 +135,7 @@ TEST(AssertionFile, ReportsEveryMistakeWithItsPlace) {
             "rules.yaml:2:9: error: 'Collision' cannot be the id of an assertion\n"
             "    - id: Collision\n"
             "          ^~~~~~~~~\n"
-            "  hint: ids are atoms, so that agents can be told them: a lower-case letter, then "
+            "  hint: ids are atoms, so that agents can believe them: a lower-case letter, then "
             "letters, digits and _\n"
             "rules.yaml:4:15: error: expected minor or major or critical, found 'sever'\n"
             "      severity: sever\n"
