@@ -8,6 +8,7 @@ target_sources(jaywalk_experiment PRIVATE
   assertions/grammar.cpp
   assertions/resolve.cpp
   assertions/robustness.cpp
+  assertions/words.cpp
   export/junit.cpp
   export/kills_csv.cpp
   findings.cpp
