@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "tools/jaywalk/output_files.h"
-#include "tools/jaywalk/shipped.h"
 
 namespace jaywalk {
 namespace {
@@ -52,13 +51,13 @@ std::string coverage_subject(const ExperimentDescription& experiment,
       experiment.first_test, experiment.first_test + experiment.tests - 1, experiment.seed);
 }
 
-SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts) {
+SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts,
+                               const SourceFiles& files) {
   std::set<std::string> names;
   for (const ProbedPlan& plan : probes.plans()) names.insert(plan.plan->file);
   for (const ProbedRule& rule : probes.rules()) {
     if (rule.where.source != nullptr) names.insert(rule.where.source->name());
   }
-  const SourceFiles files = files_on_disk();
   std::vector<SourcePtr> sources;
   for (const std::string& name : names) {
     auto source = files.read(name);

@@ -31,6 +31,7 @@ void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics
                                            const CoverageWanted& wanted);
 
 /// As `locate`, of programs whose files are read again.
-[[nodiscard]] SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts);
+[[nodiscard]] SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts,
+                                             const SourceFiles& files);
 
 }  // namespace jaywalk

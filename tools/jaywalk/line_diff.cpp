@@ -16,7 +16,7 @@ constexpr std::size_t kMostCells = 16'000'000;
 using Lines = std::vector<std::string_view>;
 
 /// With their line breaks, so that a missing last one is a difference.
-Lines lines_of(std::string_view text) {
+Lines with_breaks(std::string_view text) {
   Lines lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
@@ -86,7 +86,7 @@ std::string range(std::size_t first, std::size_t count) {
 std::string line_diff(std::string_view before, std::string_view after, std::string_view before_name,
                       std::string_view after_name) {
   if (before == after) return {};
-  const std::vector<Edit> edits = edits_between(lines_of(before), lines_of(after));
+  const std::vector<Edit> edits = edits_between(with_breaks(before), with_breaks(after));
   std::string text = fmt::format("--- {}\n+++ {}\n", before_name, after_name);
   std::size_t line_a = 0;
   std::size_t line_b = 0;

@@ -22,6 +22,7 @@
 #include "tools/jaywalk/program_loader.h"
 #include "tools/jaywalk/program_trace.h"
 #include "tools/jaywalk/project_agents.h"
+#include "tools/jaywalk/shipped.h"
 
 namespace jaywalk {
 namespace {
@@ -222,7 +223,8 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   }
   if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
   if (coverage &&
-      !write_coverage(arguments, locate_in_files(probes, coverage->counts()), subject, console)) {
+      !write_coverage(arguments, locate_in_files(probes, coverage->counts(), files_on_disk()),
+                      subject, console)) {
     return ExitCode::failed;
   }
   // As in Jason, the agents of a project whose programs are in order run without the others.

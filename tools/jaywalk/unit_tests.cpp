@@ -210,7 +210,8 @@ class TestRun {
         {.name = fs::path(test_.file).stem().string(), .program = program, .parameters = {}});
     const std::string problem = run_to_end(mas, agent);
     report_.seconds = mas.now_ms() / 1000;
-    if (observer) report_.coverage = locate_in_files(probes, observer->counts());
+    if (observer)
+      report_.coverage = locate_in_files(probes, observer->counts(), include_path_.files);
     const Places places(tree);
     if (mas.is_alive(agent)) judge(mas, agent, problem, places);
     if (!mas.is_alive(agent)) break_off("the test's agent has been ended", test_.where);
