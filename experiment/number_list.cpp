@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/trimmed.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {

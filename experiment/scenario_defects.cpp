@@ -6,7 +6,7 @@
 
 #include "env/vehicle/defects.h"
 #include "experiment/scenario_layer.h"
-#include "experiment/trimmed.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {

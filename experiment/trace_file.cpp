@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "env/crossing/road_user.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -50,13 +51,6 @@ constexpr std::array<ColumnName, kColumnCount> kColumns{{
 
 /// Times are evenly spaced if each step is as long as the first but for this share of it.
 constexpr double kUneven = 0.01;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return text.substr(0, 0);
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 /// A field without the quotes around it.
 std::string_view field_of(std::string_view text) {

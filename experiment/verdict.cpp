@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/trimmed.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {

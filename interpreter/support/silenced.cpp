@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view kMark = "jaywalk: allow";
 constexpr std::string_view kWholeFile = "-file";
-constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kBlanksInLine = " \t\r";
 
 // The codes from `at` to the line's end: words, each but the first behind a comma.
 void read_codes(const Source& source, std::size_t at, AllowedCode found,
@@ -15,14 +15,14 @@ void read_codes(const Source& source, std::size_t at, AllowedCode found,
   const std::string_view text = source.text();
   const std::size_t end = std::min(text.find('\n', at), text.size());
   while (at < end) {
-    at = std::min(text.find_first_not_of(kBlanks, at), end);
+    at = std::min(text.find_first_not_of(kBlanksInLine, at), end);
     const std::size_t word_end = std::min(text.find_first_of(", \t\r\n", at), end);
     if (word_end > at) {
       found.code = text.substr(at, word_end - at);
       found.span = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(word_end)};
       codes.push_back(found);
     }
-    at = std::min(text.find_first_not_of(kBlanks, word_end), end);
+    at = std::min(text.find_first_not_of(kBlanksInLine, word_end), end);
     if (at >= end || text[at] != ',') return;
     ++at;
   }
@@ -41,7 +41,7 @@ std::vector<AllowedCode> allowed_codes(const Source& source) {
     std::size_t next = at + kMark.size();
     const bool in_whole_file = text.substr(next).starts_with(kWholeFile);
     if (in_whole_file) next += kWholeFile.size();
-    if (next >= text.size() || kBlanks.find(text[next]) == kBlanks.npos) continue;
+    if (next >= text.size() || kBlanksInLine.find(text[next]) == kBlanksInLine.npos) continue;
     read_codes(source, next, {.code = {}, .span = {}, .line = line, .in_whole_file = in_whole_file},
                codes);
   }

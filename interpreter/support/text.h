@@ -19,6 +19,15 @@ namespace jaywalk {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 
+inline constexpr std::string_view kBlanks = " \t\r\n";
+
+/// Without blanks at its begin and end.
+[[nodiscard]] inline std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return text.substr(0, 0);
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
 /// At most `most` bytes of the text, in whole characters, and "..." if that is not all.
 [[nodiscard]] inline std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);

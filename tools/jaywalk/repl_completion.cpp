@@ -4,7 +4,7 @@
 #include <cctype>
 #include <span>
 
-#include "experiment/trimmed.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "experiment/trimmed.h"
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/lexer.h"
 #include "interpreter/syntax/parser.h"
 

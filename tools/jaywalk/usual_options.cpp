@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "experiment/trimmed.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 
