@@ -1,6 +1,6 @@
 # The engine: term ← logic ← program ← agent ← actions ← mas, and the compiler from syntax trees.
 # Internal actions are plug-ins: a new file in actions/ is found by itself.
-file(GLOB JAYWALK_ACTION_SOURCES CONFIGURE_DEPENDS actions/*.cpp)
+file(GLOB_RECURSE JAYWALK_ACTION_SOURCES CONFIGURE_DEPENDS actions/*.cpp)
 
 jaywalk_add_library(engine
   SOURCES
@@ -75,21 +75,26 @@ jaywalk_add_library(engine
     coverage/source_coverage.cpp
     coverage/text.cpp
     embed/interpreter.cpp
+    embed/program_loader.cpp
+    embed/project_agents.cpp
     explain/explanation.cpp
     explain/near_misses.cpp
     explain/text.cpp
     mas/ahead.cpp
-    mas/lanes.cpp
+    mas/workers.cpp
     mas/mail.cpp
     mas/mas.cpp
     mas/memory.cpp
     mas/parallel.cpp
-    mas/percepts.cpp
+    environment/percepts.cpp
     mas/reach.cpp
     mas/residents.cpp
     mas/steps.cpp
     mas/system.cpp
     term/transfer.cpp
+    unit_test/unit_test_goals.cpp
+    unit_test/unit_test_junit.cpp
+    unit_test/unit_tests.cpp
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support
   PRIVATE fmt::fmt)
@@ -107,7 +112,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
     agent/context.cpp agent/messages.cpp agent/perception.cpp agent/plain.cpp
     agent/stride.cpp
-    mas/mail.cpp mas/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
+    mas/mail.cpp environment/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
   set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)
   if(JAYWALK_UNITY)
     get_target_property(others jaywalk_engine SOURCES)

@@ -6,7 +6,7 @@
 
 #include "env/lane/path.h"
 #include "search/fitness.h"
-#include "search/statistics.h"
+#include "search/run_summary.h"
 #include "search/suts/road_space.h"
 
 namespace jaywalk::search {

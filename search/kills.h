@@ -1,7 +1,8 @@
 #pragma once
 
-// Searches for defects as rows of the kill matrix, beside behaviours (experiment/kills/kills.h): a
-// generator's tests with each defective AV. Read experiment.h before.
+// Searches for defects as rows of the kill matrix, beside behaviours
+// (experiment/compare/kills/kills.h): a generator's tests with each defective AV. Read experiment.h
+// before.
 
 #include <cstdint>
 #include <map>
@@ -9,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "experiment/kills/kills.h"
-#include "search/experiment.h"
+#include "experiment/compare/kills/kills.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 

@@ -24,7 +24,7 @@
 #include "env/crossing/road_user.h"
 #include "env/crossing/vocabulary.h"
 #include "env/scene.h"
-#include "interpreter/mas/environment.h"
+#include "interpreter/environment/environment.h"
 
 namespace jaywalk {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Whom a vehicle has to mind: what its models share. Here is the one definition of when a risk
-// begins: models brake by it, and tests are judged by it (experiment/signals).
+// begins: models brake by it, and tests are judged by it (experiment/judge/signals).
 
 #include <cstdint>
 #include <limits>

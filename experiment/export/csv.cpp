@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/csv_fields.h"
-#include "experiment/measures/measures.h"
+#include "experiment/compare/csv_fields.h"
+#include "experiment/compare/measures/measures.h"
 
 namespace jaywalk {
 namespace {

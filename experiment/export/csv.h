@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "experiment/comparison.h"
+#include "experiment/compare/comparison.h"
 
 namespace jaywalk {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "experiment/export/exporters.h"
-#include "experiment/export/write_file.h"
+#include "experiment/scenario/files/write_file.h"
 
 namespace jaywalk {
 

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiment/measures/measures.h"
-#include "experiment/published/published.h"
-#include "experiment/statistics.h"
+#include "experiment/compare/measures/measures.h"
+#include "experiment/compare/measures/statistics.h"
+#include "experiment/compare/published/published.h"
 
 namespace jaywalk {
 namespace {

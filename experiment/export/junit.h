@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "experiment/comparison.h"
+#include "experiment/compare/comparison.h"
 
 namespace jaywalk {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "experiment/export/courses.h"
+#include "experiment/export/openscenario/courses.h"
 
 namespace jaywalk {
 

@@ -10,8 +10,8 @@
 
 #include "experiment/export/exporters.h"
 #include "experiment/export/program.h"
-#include "experiment/export/temporary.h"
 #include "experiment/results/excerpt.h"
+#include "experiment/scenario/files/temporary.h"
 
 namespace jaywalk {
 namespace {

@@ -1,7 +1,7 @@
 // Each test as a table that `jaywalk judge --trace` reads.
 
 #include "experiment/export/exporters.h"
-#include "experiment/trace_file.h"
+#include "experiment/judge/trace_file.h"
 
 namespace jaywalk {
 

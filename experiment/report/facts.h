@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/experiment.h"
-#include "experiment/recording.h"
-#include "experiment/significance.h"
+#include "experiment/compare/experiment.h"
+#include "experiment/compare/measures/significance.h"
+#include "experiment/judge/recording.h"
 
 namespace jaywalk::reporting {
 

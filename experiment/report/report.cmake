@@ -1,18 +1,26 @@
-# The report's page becomes part of the program. Included by CMakeLists.txt above.
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS report/page.html)
+# Tables, charts and pages for people. Included by CMakeLists.txt above.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS report/page.html report/player/player.html)
 file(READ report/page.html JAYWALK_PAGE_HTML)
 configure_file(report/page.html.h.in ${generated}/experiment/report/page.html.h @ONLY)
+file(READ report/player/player.html JAYWALK_PLAYER_HTML)
+configure_file(report/player/player.html.h.in
+               ${generated}/experiment/report/player/player.html.h @ONLY)
+
 target_sources(jaywalk_experiment PRIVATE
-  report/axis.cpp
-  report/bars.cpp
+  report/charts/axis.cpp
+  report/charts/bars.cpp
+  report/charts/chart.cpp
+  report/charts/plot.cpp
+  report/charts/road.cpp
+  report/explanation_json.cpp
   report/facts.cpp
   report/html.cpp
   report/page.cpp
-  report/plot.cpp
-  report/replay_page.cpp
+  report/player/player.cpp
+  report/player/replay_page.cpp
+  report/player/side_by_side.cpp
   report/report.cpp
   report/report_data.cpp
-  report/road.cpp
   report/sections/agents.cpp
   report/sections/figures.cpp
   report/sections/kills.cpp
@@ -24,5 +32,10 @@ target_sources(jaywalk_experiment PRIVATE
   report/sections/significance.cpp
   report/sections/situations.cpp
   report/sections/verdicts.cpp
-  report/side_by_side.cpp
-  significance.cpp)
+  report/stored_coverage.cpp
+  report/tables/kill_table.cpp
+  report/tables/markdown.cpp
+  report/tables/situation_coverage.cpp
+  report/tables/table.cpp
+  report/tables/troubles_text.cpp
+  report/tables/verdict_table.cpp)

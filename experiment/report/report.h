@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/assertions/assertion.h"
-#include "experiment/comparison.h"
+#include "experiment/compare/comparison.h"
+#include "experiment/judge/assertions/assertion.h"
 #include "experiment/report/facts.h"
 #include "experiment/results/reader.h"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiment/results/row_writer.h"
-#include "experiment/results/schema.h"
-#include "experiment/results/store_file.h"
+#include "experiment/results/store/row_writer.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_file.h"
 #include "experiment/results/stored_rows.h"
 #include "experiment/results/writer.h"
 

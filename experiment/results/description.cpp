@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/results/sha256.h"
+#include "experiment/scenario/files/sha256.h"
 
 namespace jaywalk {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/experiment.h"
-#include "experiment/trial.h"
+#include "experiment/compare/experiment.h"
+#include "experiment/trial/trial.h"
 
 namespace jaywalk {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "experiment/results/database.h"
-#include "experiment/results/schema.h"
+#include "experiment/results/store/database.h"
+#include "experiment/results/store/schema.h"
 
 namespace jaywalk {
 

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "experiment/results/database.h"
 #include "experiment/results/description.h"
+#include "experiment/results/store/database.h"
 
 namespace jaywalk {
 

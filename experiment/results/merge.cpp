@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "experiment/results/new_file.h"
-#include "experiment/results/schema.h"
-#include "experiment/results/store_file.h"
+#include "experiment/results/store/new_file.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_file.h"
 
 namespace jaywalk {
 namespace {

@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/covered_bins.h"
-#include "experiment/kills/kills.h"
-#include "experiment/per_test.h"
-#include "experiment/results/schema.h"
-#include "experiment/results/store_file.h"
+#include "experiment/compare/kills/kills.h"
+#include "experiment/compare/per_test.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_file.h"
 #include "experiment/results/stored_rows.h"
-#include "experiment/scenario_reader.h"
-#include "experiment/tested_vehicles.h"
+#include "experiment/scenario/scenario_reader.h"
+#include "experiment/trial/covered_bins.h"
+#include "experiment/trial/tested_vehicles.h"
 
 namespace jaywalk {
 namespace {

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "experiment/comparison.h"
-#include "experiment/export/write_file.h"
+#include "experiment/compare/comparison.h"
 #include "experiment/results/description.h"
 #include "experiment/results/test_record.h"
+#include "experiment/scenario/files/write_file.h"
 
 namespace jaywalk {
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "experiment/results/schema.h"
-#include "experiment/results/sha256.h"
-#include "experiment/results/store_file.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_file.h"
+#include "experiment/scenario/files/sha256.h"
 
 namespace jaywalk {
 namespace {

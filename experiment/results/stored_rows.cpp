@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/results/schema.h"
+#include "experiment/results/store/schema.h"
 
 namespace jaywalk {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/results/database.h"
 #include "experiment/results/description.h"
 #include "experiment/results/reader.h"
+#include "experiment/results/store/database.h"
 
 namespace jaywalk {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "experiment/experiment.h"
-#include "experiment/recording.h"
-#include "experiment/results/assessment.h"
-#include "experiment/summary.h"
-#include "experiment/trial.h"
+#include "experiment/compare/assessment.h"
+#include "experiment/compare/experiment.h"
+#include "experiment/compare/summary.h"
+#include "experiment/judge/recording.h"
+#include "experiment/trial/trial.h"
 
 namespace jaywalk {
 

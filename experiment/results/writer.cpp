@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include "experiment/results/extend.h"
-#include "experiment/results/new_file.h"
-#include "experiment/results/row_writer.h"
-#include "experiment/results/schema.h"
-#include "experiment/results/store_file.h"
+#include "experiment/results/store/new_file.h"
+#include "experiment/results/store/row_writer.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_file.h"
 
 namespace jaywalk {
 namespace {

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "interpreter/actions/actions.h"
-#include "interpreter/actions/java_regex.h"
+#include "interpreter/actions/java/java_regex.h"
 #include "interpreter/agent/agent.h"
 
 namespace jaywalk::actions {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "interpreter/actions/actions.h"
-#include "interpreter/actions/java_text.h"
+#include "interpreter/actions/java/java_text.h"
 
 namespace jaywalk::functions {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "interpreter/actions/actions.h"
-#include "interpreter/actions/java_format.h"
-#include "interpreter/actions/java_text.h"
+#include "interpreter/actions/java/java_format.h"
+#include "interpreter/actions/java/java_text.h"
 #include "interpreter/agent/agent.h"
 #include "interpreter/compile/term_reader.h"
 #include "interpreter/term/print.h"

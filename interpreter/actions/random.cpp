@@ -1,5 +1,5 @@
 #include "interpreter/actions/actions.h"
-#include "interpreter/actions/java_text.h"
+#include "interpreter/actions/java/java_text.h"
 #include "interpreter/agent/agent.h"
 
 namespace jaywalk::actions {

@@ -22,11 +22,11 @@
 #include "interpreter/agent/operands.h"
 #include "interpreter/agent/settings.h"
 #include "interpreter/agent/workspace.h"
+#include "interpreter/environment/environment.h"
 #include "interpreter/logic/machine.h"
-#include "interpreter/mas/environment.h"
 #include "interpreter/program/program.h"
+#include "interpreter/support/containers/seldom.h"
 #include "interpreter/support/random.h"
-#include "interpreter/support/seldom.h"
 
 namespace jaywalk {
 

@@ -10,8 +10,8 @@
 
 #include "interpreter/agent/intention.h"
 #include "interpreter/agent/message.h"
-#include "interpreter/support/ring.h"
-#include "interpreter/support/seldom.h"
+#include "interpreter/support/containers/ring.h"
+#include "interpreter/support/containers/seldom.h"
 
 namespace jaywalk {
 

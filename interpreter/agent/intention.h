@@ -15,7 +15,7 @@
 
 #include "interpreter/agent/value_stack.h"
 #include "interpreter/program/plan.h"
-#include "interpreter/support/sparse_stack.h"
+#include "interpreter/support/containers/sparse_stack.h"
 
 namespace jaywalk {
 

@@ -1,6 +1,6 @@
 #include "interpreter/check/bindings.h"
 
-#include "interpreter/check/traversal.h"
+#include "interpreter/check/index/traversal.h"
 #include "interpreter/support/characters.h"
 
 namespace jaywalk {

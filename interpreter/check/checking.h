@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "interpreter/check/check.h"
-#include "interpreter/check/mentions.h"
-#include "interpreter/check/program_index.h"
-#include "interpreter/check/uses.h"
+#include "interpreter/check/index/mentions.h"
+#include "interpreter/check/index/program_index.h"
+#include "interpreter/check/index/uses.h"
 
 namespace jaywalk {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/check/checking.h"
-#include "interpreter/check/traversal.h"
+#include "interpreter/check/index/traversal.h"
 #include "interpreter/syntax/node.h"
 #include "interpreter/syntax/printer.h"
 

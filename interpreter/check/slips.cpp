@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/check/checking.h"
-#include "interpreter/check/traversal.h"
+#include "interpreter/check/index/traversal.h"
 #include "interpreter/check/words.h"
 #include "interpreter/support/characters.h"
 #include "interpreter/syntax/node.h"

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/check/atom_flow.h"
 #include "interpreter/check/checking.h"
-#include "interpreter/check/traversal.h"
+#include "interpreter/check/index/atom_flow.h"
+#include "interpreter/check/index/traversal.h"
 #include "interpreter/check/words.h"
 
 namespace jaywalk {

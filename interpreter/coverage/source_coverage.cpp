@@ -1,6 +1,8 @@
 #include "interpreter/coverage/source_coverage.h"
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace jaywalk {
 namespace {
@@ -129,6 +131,21 @@ SourceCoverage locate(const Probes& probes, const CoverageCounts& counts, const 
     coverage.add(one);
   }
   return coverage;
+}
+
+SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts,
+                               const SourceFiles& files) {
+  std::set<std::string> names;
+  for (const ProbedPlan& plan : probes.plans()) names.insert(plan.plan->file);
+  for (const ProbedRule& rule : probes.rules()) {
+    if (rule.where.source != nullptr) names.insert(rule.where.source->name());
+  }
+  std::vector<SourcePtr> sources;
+  for (const std::string& name : names) {
+    auto source = files.read(name);
+    if (source.ok()) sources.push_back(std::move(source).value());
+  }
+  return locate(probes, counts, find_texts(probes, sources));
 }
 
 }  // namespace jaywalk

@@ -11,6 +11,7 @@
 
 #include "interpreter/coverage/coverage.h"
 #include "interpreter/support/source.h"
+#include "interpreter/support/source_files.h"
 
 namespace jaywalk {
 
@@ -123,5 +124,9 @@ struct ProbeTexts {
 /// As a tracefile of LCOV (geninfo(1)): plans are functions, outcomes of conditions are branches,
 /// formulas are lines.
 [[nodiscard]] std::string coverage_lcov(const SourceCoverage& coverage);
+
+/// As `locate`, of programs whose files are read again.
+[[nodiscard]] SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts,
+                                             const SourceFiles& files);
 
 }  // namespace jaywalk

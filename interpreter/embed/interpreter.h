@@ -23,8 +23,8 @@
 
 #include "interpreter/agent/customisation.h"
 #include "interpreter/compile/compiler.h"
+#include "interpreter/environment/environment.h"
 #include "interpreter/logic/action.h"
-#include "interpreter/mas/environment.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"

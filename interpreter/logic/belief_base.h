@@ -24,7 +24,7 @@
 #include "interpreter/logic/row_index.h"
 #include "interpreter/logic/rule_table.h"
 #include "interpreter/logic/unifier.h"
-#include "interpreter/support/flat_index.h"
+#include "interpreter/support/containers/flat_index.h"
 
 namespace jaywalk {
 

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "interpreter/support/ring.h"
+#include "interpreter/support/containers/ring.h"
 
 namespace jaywalk {
 

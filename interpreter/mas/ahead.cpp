@@ -40,7 +40,7 @@ bool Mas::Implementation::can_run_ahead(std::uint64_t most) const {
 std::uint64_t Mas::Implementation::run_ahead(std::uint64_t most) {
   ahead_.longest = 0;
   const std::span<const std::uint32_t> active = residents_.begin_round();
-  if (lanes_ != nullptr && active.size() >= options_.fewest_beside) {
+  if (workers_ != nullptr && active.size() >= options_.fewest_beside) {
     run_ahead_beside(active, most);
   } else {
     for (const std::uint32_t number : active) {

@@ -14,13 +14,13 @@ template <class TakeTurn, class IsDone>
 void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn,
                                         IsDone is_done) {
   // So many blocks for each thread, so that none waits long for the last one.
-  constexpr std::size_t kBlocksPerLane = 8;
-  const std::size_t lanes = lanes_->count();
-  const std::size_t size = std::max<std::size_t>(1, numbers.size() / (lanes * kBlocksPerLane));
+  constexpr std::size_t kBlocksPerWorker = 8;
+  const std::size_t workers = workers_->count();
+  const std::size_t size = std::max<std::size_t>(1, numbers.size() / (workers * kBlocksPerWorker));
   const std::size_t blocks = (numbers.size() + size - 1) / size;
   std::vector<std::unique_ptr<Beside>> done(blocks);
-  lanes_->run(blocks, [&](std::size_t lane, std::size_t block) {
-    done[block] = std::make_unique<Beside>(*workspaces_of_lanes_[lane]);
+  workers_->run(blocks, [&](std::size_t worker, std::size_t block) {
+    done[block] = std::make_unique<Beside>(*workspaces_of_workers_[worker]);
     Beside& beside = *done[block];
     beside_ = &beside;
     const std::size_t first = block * size;

@@ -29,7 +29,7 @@
 
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/settings.h"
-#include "interpreter/mas/environment.h"
+#include "interpreter/environment/environment.h"
 #include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
 

@@ -43,7 +43,7 @@ bool Mas::Implementation::round(Turn turn) {
   std::size_t next = 0;
   while (next < active.size() && !ended_) {
     std::size_t end = next;
-    if (lanes_ != nullptr && active.size() - next >= options_.fewest_beside) {
+    if (workers_ != nullptr && active.size() - next >= options_.fewest_beside) {
       while (end < active.size() && can_reason_beside(residents_[active[end]])) ++end;
     }
     if (end - next >= options_.fewest_beside) {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/support/flat_index.h"
+#include "interpreter/support/containers/flat_index.h"
 
 namespace jaywalk {
 

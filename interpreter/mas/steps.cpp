@@ -155,7 +155,7 @@ void Mas::Implementation::note_who_stopped(const Agent& agent) {
 // Inferences of the run's queries, without those of agents that are reasoning.
 std::uint64_t Mas::Implementation::inferences() const {
   std::uint64_t all = stock_->workspaces.inferences();
-  for (const auto& pool : workspaces_of_lanes_) all += pool->inferences();
+  for (const auto& pool : workspaces_of_workers_) all += pool->inferences();
   return all - std::min(all, inferences_before_);
 }
 
@@ -166,7 +166,7 @@ void Mas::Implementation::count_inferences(std::string agent) {
   const std::uint64_t taken = most == 0 ? 0 : inferences();
   const std::uint64_t left = most == 0 ? UINT64_MAX : most - std::min(most, taken);
   stock_->workspaces.set_inferences_left(left);
-  for (const auto& pool : workspaces_of_lanes_) pool->set_inferences_left(left);
+  for (const auto& pool : workspaces_of_workers_) pool->set_inferences_left(left);
   if (left > 0) return;
   std::string message = fmt::format("{} inferences, the limit of the run{}{}{}", most,
                                     agent.empty() ? "" : fmt::format(": agent {}", agent),

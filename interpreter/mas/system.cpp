@@ -24,9 +24,9 @@ Mas::Implementation::Implementation(std::unique_ptr<SystemStock> stock, MasOptio
   count_inferences({});
   if (options_.threads < 2 || options_.observer != nullptr) return;
   symbols_.allow_threads();
-  lanes_ = std::make_unique<Lanes>(options_.threads);
-  for (std::size_t lane = 0; lane < options_.threads; ++lane) {
-    workspaces_of_lanes_.push_back(std::make_unique<WorkspacePool>(symbols_));
+  workers_ = std::make_unique<Workers>(options_.threads);
+  for (std::size_t worker = 0; worker < options_.threads; ++worker) {
+    workspaces_of_workers_.push_back(std::make_unique<WorkspacePool>(symbols_));
   }
   count_inferences({});
 }
@@ -63,7 +63,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
   auto agent =
       std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
                               AgentLimits{options_.max_agent_bytes, options_.max_inferences});
-  if (lanes_ != nullptr) reaches_.add(*program, symbols_);
+  if (workers_ != nullptr) reaches_.add(*program, symbols_);
   Resident& resident = residents_.add(std::move(agent), std::move(program));
   resident.known_bytes = sizeof(Agent) + sizeof(Resident);
   owned_bytes_ += static_cast<std::int64_t>(resident.known_bytes);
@@ -138,7 +138,7 @@ std::shared_ptr<const Program> Mas::Implementation::load(const ProgramRequest& r
     error.clear();
   }
   if (program != nullptr) loaded_.insert(program);
-  if (program != nullptr && lanes_ != nullptr) reaches_.add(*program, symbols_);
+  if (program != nullptr && workers_ != nullptr) reaches_.add(*program, symbols_);
   return program;
 }
 

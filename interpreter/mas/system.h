@@ -15,12 +15,12 @@
 
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/services.h"
-#include "interpreter/mas/lanes.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/mas/outbox.h"
 #include "interpreter/mas/reach.h"
 #include "interpreter/mas/residents.h"
 #include "interpreter/mas/timers.h"
+#include "interpreter/mas/workers.h"
 
 namespace jaywalk {
 
@@ -190,7 +190,7 @@ class Mas::Implementation : public AgentHost, public Society {
   std::unordered_set<std::shared_ptr<const Program>> loaded_;
   MasOptions options_;
   Environment* environment_;
-  std::vector<std::unique_ptr<WorkspacePool>> workspaces_of_lanes_;
+  std::vector<std::unique_ptr<WorkspacePool>> workspaces_of_workers_;
   Reaches reaches_;
   Residents residents_;
   Timers timers_;
@@ -218,7 +218,7 @@ class Mas::Implementation : public AgentHost, public Society {
   };
   std::vector<Content> contents_;
   std::optional<Heap> mail_;
-  std::unique_ptr<Lanes> lanes_;  // null: one thread
+  std::unique_ptr<Workers> workers_;  // null: one thread
   bool ended_ = false;
   RunOutcome outcome_;
   std::uint64_t inferences_before_ = 0;  // this run, by what it is made of

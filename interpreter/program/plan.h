@@ -16,7 +16,7 @@
 #include "interpreter/program/plain_code.h"
 #include "interpreter/program/step_place.h"
 #include "interpreter/program/trigger.h"
-#include "interpreter/support/flat_index.h"
+#include "interpreter/support/containers/flat_index.h"
 #include "interpreter/term/heap.h"
 
 namespace jaywalk {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/characters.h"
-#include "interpreter/syntax/typographic.h"
+#include "interpreter/syntax/format/typographic.h"
 
 namespace jaywalk {
 namespace {

@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/support/seldom.h"
+#include "interpreter/support/containers/seldom.h"
 #include "interpreter/term/object.h"
 #include "interpreter/term/value.h"
 

@@ -9,7 +9,7 @@
 
 #include "env/lane/drive.h"
 #include "env/lane/road.h"
-#include "search/experiment.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "env/lane/validity.h"
-#include "experiment/export/write_file.h"
+#include "experiment/scenario/files/write_file.h"
 #include "search/export/exports.h"
 #include "search/suts/road_space.h"
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
 #include "experiment/report/page.h"
-#include "experiment/report/plot.h"
 #include "interpreter/support/markup.h"
 #include "search/failing_stretch.h"
 #include "search/report/clusters.h"

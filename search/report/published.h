@@ -1,11 +1,11 @@
 #pragma once
 
 // The published results that a search of roads repeats, where it repeats them. Read
-// search/experiment.h before.
+// search/search_experiment.h before.
 
 #include <string>
 
-#include "search/experiment.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 

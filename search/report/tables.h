@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "search/experiment.h"
-#include "search/statistics.h"
+#include "search/run_summary.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "experiment/results/database.h"
-#include "experiment/results/store_file.h"
-#include "experiment/results/store_tables.h"
+#include "experiment/results/store/database.h"
+#include "experiment/results/store/store_file.h"
+#include "experiment/results/store/store_tables.h"
 
 namespace jaywalk::search {
 namespace {

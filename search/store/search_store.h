@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "search/experiment.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 

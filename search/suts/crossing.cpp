@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "experiment/scenario_schema.h"
-#include "experiment/tested_vehicles.h"
+#include "experiment/scenario/scenario_schema.h"
+#include "experiment/trial/tested_vehicles.h"
 #include "search/suts/crossing_run.h"
 #include "search/suts/suts.h"
 

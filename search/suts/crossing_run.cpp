@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "env/crossing/crossing_ground.h"
-#include "experiment/carry_over.h"
-#include "experiment/kills/kills.h"
-#include "experiment/metrics/metrics.h"
-#include "experiment/metrics/naturalness.h"
+#include "experiment/compare/carry_over.h"
+#include "experiment/compare/kills/kills.h"
+#include "experiment/judge/metrics/metrics.h"
+#include "experiment/judge/metrics/naturalness.h"
 
 namespace jaywalk::search {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "env/ground.h"
-#include "experiment/assertions/assertion.h"
-#include "experiment/trial.h"
+#include "experiment/judge/assertions/assertion.h"
+#include "experiment/trial/trial.h"
 #include "search/sut.h"
 #include "search/suts/crossing_space.h"
 

@@ -1,13 +1,13 @@
 #pragma once
 
 // The search space of the pedestrians' world: numbers and words of a scenario that a search may
-// choose, and the cells where the pedestrians start. Read experiment/scenario.h before.
+// choose, and the cells where the pedestrians start. Read experiment/scenario/scenario.h before.
 
 #include <string>
 #include <vector>
 
 #include "env/crossing/parameters.h"
-#include "experiment/scenario.h"
+#include "experiment/scenario/scenario.h"
 #include "search/test_input.h"
 
 namespace jaywalk::search {

@@ -1,7 +1,7 @@
 #pragma once
 
 // How the SUT of an experiment is read; what each SUT's file defines, from the table. Read
-// experiment/scenario_reader.h and search/sut.h before.
+// experiment/scenario/scenario_reader.h and search/sut.h before.
 
 #include <memory>
 #include <span>
@@ -9,8 +9,8 @@
 
 #include "env/number_parameter.h"
 #include "env/vehicle/vehicle.h"
-#include "experiment/scenario.h"
-#include "experiment/scenario_reader.h"
+#include "experiment/scenario/scenario.h"
+#include "experiment/scenario/scenario_reader.h"
 #include "search/sut.h"
 
 namespace jaywalk::search {

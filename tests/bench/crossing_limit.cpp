@@ -15,7 +15,7 @@
 
 #include "env/crossing/spawn.h"
 #include "env/grid/random.h"
-#include "experiment/trial.h"
+#include "experiment/trial/trial.h"
 #include "interpreter/support/random.h"
 
 namespace jaywalk {

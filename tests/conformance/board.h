@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "interpreter/mas/environment.h"
+#include "interpreter/environment/environment.h"
 #include "interpreter/term/symbol.h"
 
 namespace jaywalk::test {

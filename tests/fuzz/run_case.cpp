@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "tests/helpers/run_agents.h"
-#include "tools/jaywalk/command.h"
+#include "tools/jaywalk/commands/command.h"
 
 namespace jaywalk::fuzz {
 namespace {

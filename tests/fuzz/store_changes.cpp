@@ -7,7 +7,7 @@
 #include <sqlite3.h>
 #include <vector>
 
-#include "experiment/results/sha256.h"
+#include "experiment/scenario/files/sha256.h"
 #include "tests/fuzz/texts.h"
 
 namespace jaywalk::fuzz {

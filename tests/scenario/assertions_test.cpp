@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/findings.h"
+#include "experiment/compare/findings.h"
 #include "scenarios.h"
 
 namespace jaywalk::testing_scenario {

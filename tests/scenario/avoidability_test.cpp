@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "env/crossing/crossing_ground.h"
-#include "experiment/signals/signals.h"
+#include "experiment/judge/signals/signals.h"
 #include "scenarios.h"
 
 namespace jaywalk::testing_scenario {

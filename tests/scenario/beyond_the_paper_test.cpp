@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "env/crossing/crossing_ground.h"
-#include "experiment/situations/situations.h"
+#include "experiment/judge/situations/situations.h"
 #include "scenarios.h"
 
 namespace jaywalk {

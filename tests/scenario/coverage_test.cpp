@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "env/crossing/crossing_ground.h"
-#include "experiment/feedback.h"
-#include "experiment/plan_coverage.h"
-#include "experiment/situations/situations.h"
+#include "experiment/compare/feedback.h"
+#include "experiment/judge/situations/situations.h"
+#include "experiment/trial/plan_coverage.h"
 #include "scenarios.h"
 
 namespace jaywalk {

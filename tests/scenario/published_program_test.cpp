@@ -1,14 +1,15 @@
 // The preset `as-published-program` brings the paper's published figures out: accuracy, score and
 // ticks of all 48 rows lie within the 99.9 % interval of the difference of two runs
-// (experiment/published/agreement.h). Without any of the program's quirks some row lies outside.
+// (experiment/compare/published/agreement.h). Without any of the program's quirks some row lies
+// outside.
 
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/carry_over.h"
-#include "experiment/published/agreement.h"
+#include "experiment/compare/carry_over.h"
+#include "experiment/compare/published/agreement.h"
 #include "scenarios.h"
 
 namespace jaywalk {

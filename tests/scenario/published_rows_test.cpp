@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/published/published.h"
+#include "experiment/compare/published/published.h"
 #include "scenarios.h"
 
 namespace jaywalk {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "env/crossing/crossing_ground.h"
-#include "experiment/findings.h"
-#include "experiment/measures/measures.h"
-#include "experiment/results/placement.h"
+#include "experiment/compare/findings.h"
+#include "experiment/compare/measures/measures.h"
+#include "experiment/results/store/placement.h"
 #include "scenarios.h"
 
 namespace jaywalk {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/findings.h"
-#include "experiment/trial.h"
+#include "experiment/compare/findings.h"
+#include "experiment/trial/trial.h"
 
 namespace jaywalk::testing_scenario {
 

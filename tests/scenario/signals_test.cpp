@@ -1,6 +1,6 @@
 // The signals of recorded tests agree with what the world itself says of them.
 
-#include "experiment/signals/signals.h"
+#include "experiment/judge/signals/signals.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "search/experiment.h"
-#include "search/statistics.h"
+#include "search/run_summary.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 namespace {

@@ -10,7 +10,7 @@ set(pending
     interpreter/logic/solutions.h
     interpreter/syntax/parser.h
     interpreter/syntax/printer.h
-    interpreter/syntax/project.h
+    interpreter/syntax/project/project.h
     interpreter/term/compare.h
     interpreter/term/print.h
     interpreter/term/transfer.h)

@@ -15,8 +15,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/jaywalk/command.h"
-#include "tools/jaywalk/output_files.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/console/output_files.h"
 
 namespace jaywalk {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "env/crossing/parameters.h"
-#include "experiment/recording.h"
+#include "experiment/judge/recording.h"
 #include "tools/picture/canvas.h"
 
 namespace jaywalk::picture {

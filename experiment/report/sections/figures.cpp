@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "experiment/measures/measures.h"
-#include "experiment/published/agreement.h"
+#include "experiment/compare/measures/measures.h"
+#include "experiment/compare/published/agreement.h"
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
-#include "experiment/report/plot.h"
 #include "experiment/report/report.h"
 #include "interpreter/support/markup.h"
 

@@ -1,16 +1,16 @@
 // Which behaviours expose which defects of the AV.
 
-#include "experiment/kills/kills.h"
+#include "experiment/compare/kills/kills.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "experiment/kills/predictors.h"
+#include "experiment/compare/kills/predictors.h"
+#include "experiment/compare/measures/statistics.h"
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
-#include "experiment/report/plot.h"
 #include "experiment/report/report.h"
-#include "experiment/statistics.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
-#include "experiment/report/plot.h"
 #include "experiment/report/report.h"
 #include "interpreter/support/markup.h"
 

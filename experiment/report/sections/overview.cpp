@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/measures/measures.h"
+#include "experiment/compare/measures/measures.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
-#include "experiment/report/troubles_text.h"
+#include "experiment/report/tables/troubles_text.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {

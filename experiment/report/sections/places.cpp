@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "env/crossing/crossing_ground.h"
-#include "experiment/report/axis.h"
+#include "experiment/report/charts/axis.h"
+#include "experiment/report/charts/road.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
-#include "experiment/report/road.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {

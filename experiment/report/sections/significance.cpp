@@ -1,7 +1,7 @@
 // Which behaviours differ by more than chance, and by how much. Tests of the same number start
 // alike whatever the behaviour, so successes are compared test by test.
 
-#include "experiment/significance.h"
+#include "experiment/compare/measures/significance.h"
 
 #include <algorithm>
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
-#include "experiment/report/plot.h"
 #include "experiment/report/report.h"
-#include "experiment/stored_coverage.h"
+#include "experiment/report/stored_coverage.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {

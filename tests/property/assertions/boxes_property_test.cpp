@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/signals/boxes.h"
+#include "experiment/judge/signals/boxes.h"
 
 namespace jaywalk {
 namespace {

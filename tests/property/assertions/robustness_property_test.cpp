@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "experiment/assertions/robustness.h"
+#include "experiment/judge/assertions/robustness.h"
 #include "tests/unit/assertions/traces.h"
 
 namespace jaywalk::stl {

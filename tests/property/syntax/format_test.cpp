@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/syntax/formatter.h"
-#include "interpreter/syntax/formatter_items.h"
+#include "interpreter/syntax/format/formatter.h"
+#include "interpreter/syntax/format/formatter_items.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/syntax/printer.h"
 #include "tests/property/syntax/generator.h"

@@ -1,4 +1,4 @@
-#include "interpreter/actions/java_format.h"
+#include "interpreter/actions/java/java_format.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "interpreter/actions/java_regex.h"
+#include "interpreter/actions/java/java_regex.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "interpreter/actions/java_text.h"
+#include "interpreter/actions/java/java_text.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "experiment/assertions/expression.h"
+#include "experiment/judge/assertions/expression.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "experiment/assertions/robustness.h"
+#include "experiment/judge/assertions/robustness.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/assertions/robustness.h"
+#include "experiment/judge/assertions/robustness.h"
 
 namespace jaywalk::stl {
 

@@ -1,4 +1,4 @@
-#include "experiment/experiment.h"
+#include "experiment/compare/experiment.h"
 
 #include <atomic>
 #include <new>

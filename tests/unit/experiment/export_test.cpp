@@ -8,7 +8,7 @@
 
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
-#include "experiment/export/write_file.h"
+#include "experiment/scenario/files/write_file.h"
 
 namespace jaywalk {
 namespace {

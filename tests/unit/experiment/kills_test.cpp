@@ -1,15 +1,15 @@
-#include "experiment/kills/kills.h"
+#include "experiment/compare/kills/kills.h"
 
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/export/kills_csv.h"
-#include "experiment/kills/kills_file.h"
-#include "experiment/kills/predictors.h"
-#include "experiment/report/kill_table.h"
-#include "experiment/statistics.h"
+#include "experiment/compare/kills/kills_csv.h"
+#include "experiment/compare/kills/kills_file.h"
+#include "experiment/compare/kills/predictors.h"
+#include "experiment/compare/measures/statistics.h"
+#include "experiment/report/tables/kill_table.h"
 
 namespace jaywalk {
 namespace {

@@ -1,4 +1,4 @@
-#include "experiment/measures/measures.h"
+#include "experiment/compare/measures/measures.h"
 
 #include <array>
 #include <vector>

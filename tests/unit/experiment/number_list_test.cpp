@@ -1,4 +1,4 @@
-#include "experiment/number_list.h"
+#include "experiment/scenario/number_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

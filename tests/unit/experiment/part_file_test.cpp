@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/export/temporary.h"
+#include "experiment/scenario/files/temporary.h"
 
 namespace jaywalk {
 namespace {

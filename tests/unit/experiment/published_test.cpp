@@ -1,4 +1,4 @@
-#include "experiment/published/published.h"
+#include "experiment/compare/published/published.h"
 
 #include <array>
 

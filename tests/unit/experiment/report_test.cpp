@@ -7,10 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/axis.h"
-#include "experiment/report/chart.h"
-#include "experiment/report/plot.h"
-#include "experiment/report/table.h"
+#include "experiment/report/charts/axis.h"
+#include "experiment/report/charts/chart.h"
+#include "experiment/report/charts/plot.h"
+#include "experiment/report/tables/table.h"
 
 namespace jaywalk {
 namespace {

@@ -1,4 +1,4 @@
-#include "experiment/significance.h"
+#include "experiment/compare/measures/significance.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "experiment/statistics.h"
+#include "experiment/compare/measures/statistics.h"
 
 #include <array>
 

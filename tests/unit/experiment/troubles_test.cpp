@@ -1,6 +1,6 @@
 // What is summed up of agents that dropped intentions or never acted.
 
-#include "experiment/troubles.h"
+#include "experiment/compare/troubles.h"
 
 #include <algorithm>
 #include <string>
@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/troubles_text.h"
+#include "experiment/report/tables/troubles_text.h"
 
 namespace jaywalk {
 namespace {

@@ -1,4 +1,4 @@
-#include "experiment/verdict.h"
+#include "experiment/compare/verdict.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

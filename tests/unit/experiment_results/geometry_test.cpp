@@ -1,10 +1,10 @@
-#include "experiment/results/geometry.h"
+#include "experiment/results/store/geometry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/results/schema.h"
-#include "experiment/results/sha256.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/scenario/files/sha256.h"
 
 namespace jaywalk {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/results/placement.h"
 #include "experiment/results/reader.h"
+#include "experiment/results/store/placement.h"
 #include "tests/unit/experiment_results/experiment_runs.h"
 
 namespace jaywalk {

@@ -1,4 +1,4 @@
-#include "experiment/code_lines.h"
+#include "experiment/scenario/files/code_lines.h"
 
 #include <gtest/gtest.h>
 

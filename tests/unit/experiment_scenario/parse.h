@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/scenario.h"
+#include "experiment/scenario/scenario.h"
 
 namespace jaywalk::testing_scenario {
 

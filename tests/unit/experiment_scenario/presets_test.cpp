@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "experiment/scenario.h"
+#include "experiment/scenario/scenario.h"
 #include "parse.h"
 
 namespace jaywalk {

@@ -1,4 +1,4 @@
-#include "experiment/scenario.h"
+#include "experiment/scenario/scenario.h"
 
 #include <gtest/gtest.h>
 

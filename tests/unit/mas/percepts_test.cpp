@@ -1,7 +1,7 @@
 // What an agent perceives, look by look: what Percepts say of the last one, and that beliefs are
 // the same whether they are brought up to date by all percepts or by what has changed.
 
-#include "interpreter/mas/percepts.h"
+#include "interpreter/environment/percepts.h"
 
 #include <random>
 #include <string>

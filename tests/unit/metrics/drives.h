@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/signals/signals.h"
+#include "experiment/judge/signals/signals.h"
 
 namespace jaywalk {
 

@@ -1,4 +1,4 @@
-#include "experiment/findings.h"
+#include "experiment/compare/findings.h"
 
 #include <limits>
 #include <random>
@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/compare/verdict.h"
 #include "experiment/export/csv.h"
 #include "experiment/export/junit.h"
-#include "experiment/verdict.h"
 #include "tests/unit/metrics/drives.h"
 
 namespace jaywalk {

@@ -1,4 +1,4 @@
-#include "experiment/metrics/metrics.h"
+#include "experiment/judge/metrics/metrics.h"
 
 #include <gtest/gtest.h>
 

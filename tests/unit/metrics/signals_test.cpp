@@ -1,4 +1,4 @@
-#include "experiment/signals/signals.h"
+#include "experiment/judge/signals/signals.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "experiment/situations/situations.h"
+#include "experiment/judge/situations/situations.h"
 
 #include <algorithm>
 

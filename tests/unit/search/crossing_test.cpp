@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "search/experiment.h"
 #include "search/kills.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 namespace {

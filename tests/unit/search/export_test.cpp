@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "search/experiment.h"
 #include "search/export/exports.h"
 #include "search/report/page.h"
+#include "search/search_experiment.h"
 #include "tests/unit/search/toy.h"
 
 namespace jaywalk::search {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "search/experiment.h"
+#include "search/search_experiment.h"
 
 namespace jaywalk::search {
 namespace {

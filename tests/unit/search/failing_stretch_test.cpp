@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "search/statistics.h"
+#include "search/run_summary.h"
 #include "search/suts/lane_keeping.h"
 #include "tests/unit/search/toy.h"
 

@@ -1,4 +1,4 @@
-#include "interpreter/support/ring.h"
+#include "interpreter/support/containers/ring.h"
 
 #include <deque>
 #include <string>

@@ -1,11 +1,11 @@
-#include "interpreter/support/seldom.h"
+#include "interpreter/support/containers/seldom.h"
 
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/support/ring.h"
+#include "interpreter/support/containers/ring.h"
 
 namespace jaywalk {
 namespace {

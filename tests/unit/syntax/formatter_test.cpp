@@ -1,4 +1,4 @@
-#include "interpreter/syntax/formatter.h"
+#include "interpreter/syntax/format/formatter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

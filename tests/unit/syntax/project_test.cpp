@@ -1,4 +1,4 @@
-#include "interpreter/syntax/project.h"
+#include "interpreter/syntax/project/project.h"
 
 #include <memory>
 #include <string>

@@ -1,4 +1,4 @@
-#include "tools/jaywalk/arguments.h"
+#include "tools/jaywalk/options/arguments.h"
 
 #include <array>
 

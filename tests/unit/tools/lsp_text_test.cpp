@@ -1,10 +1,10 @@
-#include "tools/jaywalk/lsp_text.h"
+#include "tools/jaywalk/lsp/lsp_text.h"
 
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "tools/jaywalk/lsp_frames.h"
+#include "tools/jaywalk/lsp/lsp_frames.h"
 
 namespace jaywalk::lsp {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/jaywalk/progress_text.h"
+#include "tools/jaywalk/console/progress_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/jaywalk/repl_completion.h"
+#include "tools/jaywalk/repl/repl_completion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

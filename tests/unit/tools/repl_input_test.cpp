@@ -1,4 +1,4 @@
-#include "tools/jaywalk/repl_input.h"
+#include "tools/jaywalk/repl/repl_input.h"
 
 #include <utility>
 #include <vector>

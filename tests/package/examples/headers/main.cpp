@@ -1,7 +1,7 @@
 // Every header that is installed, and the libraries of worlds and experiments.
 #include <env/environments.h>
-#include <experiment/measures/measures.h>
-#include <experiment/scenario.h>
+#include <experiment/compare/measures/measures.h>
+#include <experiment/scenario/scenario.h>
 #include <iostream>
 
 #include "all_headers.h"

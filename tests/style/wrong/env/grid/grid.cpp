@@ -1,4 +1,4 @@
 #include <yaml-cpp/yaml.h>
 
-#include "experiment/trial.h"
+#include "experiment/trial/trial.h"
 #include "interpreter/mas/mas.h"

@@ -1,0 +1,39 @@
+#pragma once
+
+// The results of a comparison as they are shown and written: by report/ as a table or a picture, by
+// export/ as files.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiment/compare/findings.h"
+#include "experiment/compare/kills/kills.h"
+#include "experiment/compare/published/published.h"
+#include "experiment/compare/summary.h"
+#include "experiment/compare/troubles.h"
+
+namespace jaywalk {
+
+struct Comparison {
+  /// The scenario's file, as given by the user.
+  std::string scenario;
+  std::uint64_t seed = 0;
+  std::uint64_t tests = 0;
+  /// In the order of behaviours, then of the numbers of agents.
+  std::vector<Summary> summaries;
+  /// Which of them the paper's figures may stand beside.
+  PublishedRows published;
+  /// The assertions that were judged, and what assertions and metrics say of each of the summaries;
+  /// empty if none were asked for.
+  std::vector<std::string> assertions;
+  std::vector<FindingsSummary> findings;
+  /// What the tests with defective AVs came to; empty without such.
+  KillMatrix kills;
+  /// What went wrong with the agents of each of the summaries.
+  std::vector<Troubles> troubles;
+  /// False if the user ended it before all of its tests were run.
+  bool complete = true;
+};
+
+}  // namespace jaywalk

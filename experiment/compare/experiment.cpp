@@ -1,0 +1,177 @@
+#include "experiment/compare/experiment.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "interpreter/support/start_threads.h"
+
+namespace jaywalk {
+namespace {
+
+/// Tests are handed out in chunks: large enough that threads rarely meet, small enough that they
+/// end together and that Ctrl-C takes effect at once.
+constexpr std::uint64_t kChunk = 16;
+
+constexpr auto kProgressInterval = std::chrono::milliseconds(100);
+
+/// The tests of one behaviour with one number of agents. Memory is held only while they run.
+struct Cell {
+  std::once_flag started;
+  std::vector<TestResult> results;
+  std::atomic<std::uint64_t> remaining{0};
+  std::optional<Summary> summary;
+};
+
+/// Shared by the workers of one experiment. Chunks are numbered in the order of the plan and handed
+/// out in that order; a chunk that has been handed out is finished up to its first failure, unless
+/// the user cancels. Hence the first failing test of the plan is found for any number of threads.
+class Work {
+ public:
+  Work(const ExperimentPlan& plan, const TestFunction& test)
+      : plan_(plan),
+        test_(test),
+        chunk_(plan.order == TestOrder::chained ? std::max<std::uint64_t>(plan.tests, 1) : kChunk),
+        chunks_per_cell_((plan.tests + chunk_ - 1) / chunk_),
+        cells_(plan.cells()) {
+    for (Cell& cell : cells_) cell.remaining = plan.tests;
+  }
+
+  /// What a worker does. An exception is kept for the thread that waits.
+  void run_chunks() {
+    std::exception_ptr thrown;
+    try {
+      const std::uint64_t count = chunks_per_cell_ * cells_.size();
+      while (!failed_ && !cancelled_) {
+        const std::uint64_t chunk = next_chunk_.fetch_add(1);
+        if (chunk >= count || !run_chunk(chunk)) break;
+      }
+    } catch (...) {
+      thrown = std::current_exception();
+      cancelled_ = true;
+    }
+    const std::lock_guard lock(mutex_);
+    if (thrown) thrown_ = thrown;
+    ++workers_done_;
+    changed_.notify_one();
+  }
+
+  void wait(unsigned workers, const ProgressFunction& progress) {
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, kProgressInterval, [&] { return workers_done_ == workers; })) {
+      lock.unlock();
+      if (progress(this->progress()) == Proceed::no) cancelled_ = true;
+      lock.lock();
+    }
+  }
+
+  ExperimentOutcome outcome() {
+    if (thrown_) std::rethrow_exception(thrown_);
+    ExperimentOutcome outcome{.progress = progress()};
+    for (Cell& cell : cells_) {
+      if (cell.summary) outcome.summaries.push_back(std::move(*cell.summary));
+    }
+    if (failed_chunk_) {
+      outcome.failed_test = failed_test_;
+      outcome.failure = std::move(failure_);
+    }
+    return outcome;
+  }
+
+  [[nodiscard]] Progress progress() const {
+    return {.done = done_, .total = plan_.tests * cells_.size()};
+  }
+
+ private:
+  bool run_chunk(std::uint64_t chunk) {
+    const std::size_t index = chunk / chunks_per_cell_;
+    Cell& cell = cells_[index];
+    if (plan_.summed_up) {
+      std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
+    }
+    const std::uint64_t first = chunk % chunks_per_cell_ * chunk_;
+    const std::uint64_t last = std::min(first + chunk_, plan_.tests);
+    const std::size_t row = index % plan_.rows();
+    TestCase test_case{.behaviour = row / plan_.agents.size(),
+                       .agents = plan_.agents[row % plan_.agents.size()],
+                       .vehicle = index / plan_.rows()};
+    for (std::uint64_t number = first; number < last; ++number) {
+      if (cancelled_) return false;
+      test_case.number = number;
+      Result<TestResult> result = test_(test_case);
+      if (!result) {
+        fail(chunk, test_case, std::move(result.diagnostics()));
+        return false;
+      }
+      if (plan_.summed_up) cell.results[number] = result.value();
+      done_.fetch_add(1, std::memory_order_relaxed);
+    }
+    if (cell.remaining.fetch_sub(last - first) == last - first) finish(cell, test_case);
+    return true;
+  }
+
+  void finish(Cell& cell, const TestCase& test_case) {
+    if (plan_.summed_up && test_case.vehicle == 0) {
+      cell.summary = summarise(cell.results);
+      cell.summary->behaviour = plan_.behaviours[test_case.behaviour];
+      cell.summary->agents = test_case.agents;
+    }
+    std::vector<TestResult>().swap(cell.results);
+  }
+
+  void fail(std::uint64_t chunk, const TestCase& test_case, Diagnostics why) {
+    failed_ = true;
+    const std::lock_guard lock(mutex_);
+    if (failed_chunk_ && *failed_chunk_ < chunk) return;
+    failed_chunk_ = chunk;
+    failed_test_ = test_case;
+    failure_ = std::move(why);
+  }
+
+  const ExperimentPlan& plan_;
+  const TestFunction& test_;
+  std::uint64_t chunk_;
+  std::uint64_t chunks_per_cell_;
+  std::vector<Cell> cells_;
+  std::atomic<std::uint64_t> next_chunk_{0};
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<bool> failed_{false};
+  std::atomic<bool> cancelled_{false};
+
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  unsigned workers_done_ = 0;
+  std::exception_ptr thrown_;
+  std::optional<std::uint64_t> failed_chunk_;
+  TestCase failed_test_;
+  Diagnostics failure_;
+};
+
+}  // namespace
+
+std::size_t ExperimentPlan::cell_of(const TestCase& test) const {
+  const auto column = std::ranges::find(agents, test.agents) - agents.begin();
+  return (test.vehicle * behaviours.size() + test.behaviour) * agents.size() +
+         static_cast<std::size_t>(column);
+}
+
+ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction& test,
+                                 const ProgressFunction& progress) {
+  assert(plan.threads > 0 && plan.tests <= kMaxTests);
+  Work work(plan, test);
+  {
+    std::vector<std::jthread> workers;
+    const std::size_t count = start_threads(workers, plan.threads, [&work] { work.run_chunks(); });
+    work.wait(static_cast<unsigned>(count), progress);
+  }
+  progress(work.progress());
+  return work.outcome();
+}
+
+}  // namespace jaywalk

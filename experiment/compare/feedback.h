@@ -1,0 +1,53 @@
+#pragma once
+
+// Coverage feedback: what earlier tests covered reaches the pedestrians of later ones as beliefs.
+// The tests of one behaviour with one number of agents are run in generations; all tests of a
+// generation receive the same, what all tests of the generations before have covered, so that the
+// outcome does not depend on threads. A stored test keeps what it received, and can be run again.
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "experiment/compare/experiment.h"
+#include "experiment/compare/situation_table.h"
+#include "experiment/trial/covered_bins.h"
+
+namespace jaywalk {
+
+/// Makes the tests of a generation wait for those of the generations before. Tests are handed out
+/// in the order of their numbers (run_experiment), so the first that is not finished never waits.
+class CoverageFeedback {
+ public:
+  /// `table` has what the tests cover. REQUIRES: both outlive it; a generation has tests.
+  CoverageFeedback(const ExperimentPlan& plan, std::uint64_t generation,
+                   const SituationTable& table);
+
+  /// What a test receives. Nothing: waiting has been given up.
+  [[nodiscard]] std::optional<std::vector<CoveredBin>> wait_for(const TestCase& test);
+  /// The table has the test. Each test once, those that were finished long ago, too.
+  void finished(const TestCase& test);
+  /// Nobody waits any more: a test has failed, or the user wants to stop.
+  void give_up();
+
+ private:
+  struct Cell {
+    std::vector<std::uint64_t> missing;  // tests by generation
+    std::uint64_t complete = 0;          // generations
+    SituationCoverage coverage;          // of the complete ones
+    std::vector<std::vector<CoveredBin>> told;
+  };
+  [[nodiscard]] Cell& cell_of(const TestCase& test);
+
+  const ExperimentPlan& plan_;
+  std::uint64_t generation_;
+  const SituationTable& table_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Cell> cells_;
+  bool given_up_ = false;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,101 @@
+#pragma once
+
+// What the assertions and metrics say of an experiment's tests, and what that comes to for each
+// behaviour and number of agents. Read judge/assertions/assertion.h and judge/metrics/metrics.h
+// before.
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiment/compare/assessment.h"
+#include "experiment/compare/experiment.h"
+#include "experiment/compare/measures/distribution.h"
+#include "experiment/judge/assertions/assertion.h"
+#include "experiment/judge/metrics/metrics.h"
+
+namespace jaywalk {
+
+/// What is to be found out about each test.
+struct Inquiry {
+  std::vector<Assertion> assertions;
+  bool metrics = false;
+  /// The files that take the place of the scenario's own assertions.
+  std::vector<SourcePtr> files;
+};
+
+[[nodiscard]] std::vector<std::string> ids_of(const Inquiry& inquiry);
+
+struct TestFindings {
+  /// In the order of the assertions.
+  std::vector<Judgement> judgements;
+  /// In the order of metrics(); empty unless asked for.
+  std::vector<std::optional<MetricValue>> metrics;
+};
+
+[[nodiscard]] TestFindings assess(const Inquiry& inquiry, const Recording& recording,
+                                  const Ground& ground);
+
+/// As stores keep them: a row for each assertion and for each metric that has a value.
+[[nodiscard]] std::vector<Assessment> to_assessments(const Inquiry& inquiry,
+                                                     const TestFindings& findings);
+
+/// The inverse, as far as stores keep it: judgements in the order of those ids (vacuous if there is
+/// no row) and, if there is a value of any, metrics. Of the witnesses the first is kept.
+[[nodiscard]] TestFindings from_assessments(std::span<const Assessment> rows,
+                                            std::span<const std::string> assertions);
+
+struct VerdictCounts {
+  /// In the order of Verdict.
+  std::array<std::uint64_t, kVerdictCount> tests{};
+
+  [[nodiscard]] std::uint64_t of(Verdict verdict) const {
+    return tests[static_cast<std::size_t>(verdict)];
+  }
+  /// Those that met the precondition.
+  [[nodiscard]] std::uint64_t exercised() const;
+  [[nodiscard]] std::uint64_t all() const;
+};
+
+/// The share of tests that met the precondition; 0 if there are none.
+[[nodiscard]] double exercised_pct(const VerdictCounts& counts);
+
+/// Of one behaviour with one number of agents.
+struct FindingsSummary {
+  std::vector<VerdictCounts> verdicts;  // in the order of the assertions
+  std::vector<Distribution> metrics;    // in the order of metrics(), if asked for
+  /// Of the tests that met the precondition, in the order of the assertions.
+  std::vector<Distribution> robustness;
+};
+
+/// Collects findings from several threads; what it sums up depends on the tests alone.
+class FindingsTable {
+ public:
+  FindingsTable(const Inquiry& inquiry, const ExperimentPlan& plan);
+
+  /// REQUIRES: a test of the plan; each once.
+  void add(const TestCase& test, const TestFindings& findings);
+  /// Of the tests that were added. REQUIRES: nobody adds meanwhile.
+  [[nodiscard]] FindingsSummary summary(std::size_t behaviour, std::uint32_t agents) const;
+
+ private:
+  struct Cell {
+    std::vector<VerdictCounts> verdicts;
+    bool measured = false;
+  };
+  [[nodiscard]] std::size_t cell_index(std::size_t behaviour, std::uint32_t agents) const;
+  /// The number of the first of a cell's columns: robustness of each assertion, then each metric.
+  [[nodiscard]] std::size_t first_column(std::size_t cell) const;
+
+  std::size_t assertions_;
+  std::vector<std::uint32_t> agents_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::vector<Cell> cells_;
+  ValueColumns values_;
+};
+
+}  // namespace jaywalk

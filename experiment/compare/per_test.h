@@ -1,0 +1,62 @@
+#pragma once
+
+// The tests of a comparison one by one, for calculations of your own: how each ended, when
+// its precondition was met, whether the AV hit somebody, the verdicts.
+
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiment/compare/experiment.h"
+#include "experiment/compare/findings.h"
+#include "experiment/compare/summary.h"
+
+namespace jaywalk {
+
+/// How such a table is written. Columns: behaviour, agents, vehicle (only if there are several),
+/// test, ended_by, ticks, precondition_ticks (empty: not met), collision (0, 1), impact_mps (empty:
+/// none), and each assertion's verdict (empty of a test that ended errored).
+class PerTestLines {
+ public:
+  /// `assertions`: their ids, in the order of the verdicts.
+  PerTestLines(const ExperimentPlan& plan, std::vector<std::string> assertions);
+
+  [[nodiscard]] std::string header() const;
+  [[nodiscard]] std::string line(const TestCase& test, const TestOutcome& outcome,
+                                 std::span<const Verdict> verdicts) const;
+
+ private:
+  ExperimentPlan plan_;
+  std::vector<std::string> assertions_;
+};
+
+[[nodiscard]] std::vector<Verdict> verdicts_of(const TestFindings& findings);
+
+/// Collects from several threads; what it holds depends on the tests alone.
+class PerTestTable {
+ public:
+  /// `assertions`: their ids, in the order of the verdicts.
+  PerTestTable(const ExperimentPlan& plan, std::vector<std::string> assertions);
+
+  /// REQUIRES: a test of the plan, numbered from 0; each once.
+  void add(const TestCase& test, const TestOutcome& outcome, const TestFindings& findings);
+
+  /// A header line and a line for each test, in the order of the plan. REQUIRES: nobody adds
+  /// meanwhile.
+  [[nodiscard]] std::string csv() const;
+
+ private:
+  struct Row {
+    TestCase test;
+    TestOutcome outcome;
+    std::vector<Verdict> verdicts;
+  };
+
+  ExperimentPlan plan_;
+  PerTestLines lines_;
+  std::mutex mutex_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace jaywalk

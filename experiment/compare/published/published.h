@@ -1,0 +1,51 @@
+#pragma once
+
+// The figures of the paper that the case study repeats, to be shown beside ours. They are data
+// (paper_figures.csv, which names their source), built into the program. They belong to one world,
+// one set of parameters and the programs of agents/crossing: published_rows() says of which
+// behaviours they may be shown.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/compare/measures/measures.h"
+
+namespace jaywalk {
+
+class PreparedScenario;
+
+/// Whether a run repeats the quirks of the program that the published figures come from.
+enum class PublishedQuirks { left_out, repeated };
+
+/// Which rows of a comparison the published figures may stand beside.
+struct PublishedRows {
+  /// Behaviours whose world, program and parameters are those that were published.
+  std::vector<std::string> behaviours;
+  /// Why those of others are left out, in one line; empty if the paper has none of the others.
+  std::string left_out;
+  PublishedQuirks quirks = PublishedQuirks::left_out;
+};
+
+/// Compares the scenario with the presets whose results were published (Preset::results): the whole
+/// world, the behaviours' parameters, and the texts of their programs with those of
+/// agents/crossing.
+[[nodiscard]] PublishedRows published_rows(const PreparedScenario& prepared);
+
+/// What the paper gives for a measure; nothing if it has no figure for it, or none that may be
+/// shown.
+[[nodiscard]] std::optional<Estimate> published_figure(const PublishedRows& rows,
+                                                       const Measure& measure,
+                                                       std::string_view behaviour,
+                                                       std::uint32_t agents);
+
+/// Whether the paper has figures for behaviours of that name.
+[[nodiscard]] bool has_published_figures(std::string_view behaviour);
+
+/// What readers of published figures have to know, as lines without line breaks: where they come
+/// from and why ours differ, or why they are left out. Empty if neither is to be said.
+[[nodiscard]] std::vector<std::string> published_notes(const PublishedRows& rows);
+
+}  // namespace jaywalk

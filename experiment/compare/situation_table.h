@@ -1,0 +1,41 @@
+#pragma once
+
+// The situations that an experiment's tests have met. Read situations.h before.
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "experiment/compare/experiment.h"
+#include "experiment/judge/situations/situations.h"
+
+namespace jaywalk {
+
+/// Collects what tests cover from several threads; what it sums up depends on the tests alone.
+class SituationTable {
+ public:
+  /// REQUIRES: the plan outlives it.
+  explicit SituationTable(const ExperimentPlan& plan);
+
+  /// REQUIRES: a test of the plan.
+  void add(const TestCase& test, const SituationBins& bins);
+  /// Of the first `tests` tests of a behaviour with a number of agents; those that were not added
+  /// cover nothing. REQUIRES: nobody adds to those meanwhile.
+  [[nodiscard]] SituationCoverage coverage(std::size_t behaviour, std::uint32_t agents,
+                                           std::uint64_t tests) const;
+  /// Tests from `first` up to, not including, `last` are added to a coverage.
+  void add_to(SituationCoverage& coverage, std::size_t behaviour, std::uint32_t agents,
+              std::uint64_t first, std::uint64_t last) const;
+
+ private:
+  struct Cell {
+    std::once_flag started;
+    std::vector<std::uint8_t> bins;  // of test after test, by item
+  };
+  [[nodiscard]] std::size_t cell_index(std::size_t behaviour, std::uint32_t agents) const;
+
+  const ExperimentPlan& plan_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,53 @@
+#pragma once
+
+// What the tests of one behaviour with one number of agents came to; from it every measure (see
+// compare/measures/measures.h) is computed.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "experiment/compare/measures/statistics.h"
+#include "experiment/trial/test_result.h"
+
+namespace jaywalk {
+
+struct Summary {
+  std::string behaviour;
+  std::uint32_t agents = 0;
+  std::uint64_t tests = 0;
+  std::uint64_t successes = 0;
+  /// Those that ended errored; the samples, and shares of tests, are of the others.
+  std::uint64_t errored = 0;
+  Sample score;  // of the successful tests
+  Sample ticks_success;
+  Sample ticks_all;
+  Sample cpu_us;
+  Sample wall_us;
+  /// Lines of AgentSpeak of the behaviour, without blank ones and comments.
+  std::uint64_t code_lines = 0;
+
+  /// How many came to an end of their own.
+  [[nodiscard]] std::uint64_t judged() const { return tests - errored; }
+};
+
+/// Sums up tests that nobody keeps: all of them are added twice, in the order of their numbers.
+class SummaryMaker {
+ public:
+  static constexpr int kPasses = 2;
+
+  void add(const TestResult& test);
+  void end_pass();
+  /// The names are left to the caller. REQUIRES: both passes have ended.
+  [[nodiscard]] Summary summary() const;
+
+ private:
+  Summary counts_;
+  bool counted_ = false;
+  SampleMaker score_, ticks_success_, ticks_all_, cpu_us_, wall_us_;
+};
+
+/// Sums up tests, which are in the order of their numbers; the names are left to the caller.
+[[nodiscard]] Summary summarise(std::span<const TestResult> tests);
+
+}  // namespace jaywalk

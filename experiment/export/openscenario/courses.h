@@ -1,0 +1,58 @@
+#pragma once
+
+// What the actors of a recorded test do in a player of scenarios, which moves everybody at the same
+// time and without jumps. In a test all agents step at once at the beginning of a tick and then the
+// automated vehicle (AV) drives through it. Played back as the line through the recorded places, a
+// pedestrian who had just left the AV's way would still be in it, and one test in four would end
+// otherwise than it did. So steps are as slow as the outcome allows: most take their tick, and
+// those that decide about a collision a part of it. See env/scene.h for units and axes.
+
+#include <span>
+#include <vector>
+
+#include "experiment/judge/recording.h"
+
+namespace jaywalk {
+
+/// What sets a course in motion.
+enum class CourseStart { at_once, time_to_collision, at_time };
+
+struct Waypoint {
+  /// Since the course was set in motion.
+  double time_s = 0;
+  double x_m = 0;
+  double y_m = 0;
+  double heading_rad = 0;
+};
+
+/// The way of one actor through a test. Until it is set in motion it stands at its first waypoint.
+struct Course {
+  CourseStart start = CourseStart::at_once;
+  /// The AV's time to collision below which it begins, or the time since the test's beginning, in
+  /// s.
+  double value_s = 0;
+  /// At least two, in the order of time.
+  std::vector<Waypoint> points;
+  /// A player finds a collision of the AV with this actor if and only if there was one in the test.
+  bool keeps_outcome = true;
+};
+
+/// Of all actors, in their order.
+struct Courses {
+  std::vector<Course> courses;
+  /// When the test is over, in s. One tick later than it was if there was a collision, so that no
+  /// player misses it.
+  double stop_s = 0;
+};
+
+/// Everybody on a timetable: at the end of each tick all are where they were recorded.
+/// REQUIRES: at least two scenes, as for the next one.
+[[nodiscard]] Courses timed_courses(const Recording& recording);
+
+/// Each pedestrian waits where it stepped out, that is, made its first step across the road, until
+/// the AV's time to collision with it has fallen to what it was in the test, and then goes all the
+/// way that it went. Where a time to collision cannot say when (the AV stood, or had passed), its
+/// time does. Everybody else keeps to a timetable.
+[[nodiscard]] Courses reactive_courses(const Recording& recording);
+
+}  // namespace jaywalk

@@ -1,0 +1,31 @@
+# What a test recorded as signals, situations and metrics of it, and temporal logic over it. Included by CMakeLists.txt above.
+# The grammar's rules are named as what they make, so it is compiled by itself.
+set_source_files_properties(judge/assertions/grammar.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+target_sources(jaywalk_experiment PRIVATE
+  judge/assertions/assertion.cpp
+  judge/assertions/grammar.cpp
+  judge/assertions/resolve.cpp
+  judge/assertions/robustness.cpp
+  judge/assertions/words.cpp
+  judge/metrics/encroachment.cpp
+  judge/metrics/impact_speed.cpp
+  judge/metrics/max_btn.cpp
+  judge/metrics/max_drac.cpp
+  judge/metrics/metrics.cpp
+  judge/metrics/min_distance.cpp
+  judge/metrics/min_pret.cpp
+  judge/metrics/min_ttb.cpp
+  judge/metrics/min_ttc.cpp
+  judge/metrics/naturalness.cpp
+  judge/metrics/time_exposed.cpp
+  judge/metrics/time_in_road.cpp
+  judge/signals/boxes.cpp
+  judge/signals/careful_driver.cpp
+  judge/signals/collision_course.cpp
+  judge/signals/motion.cpp
+  judge/signals/nearness.cpp
+  judge/signals/places.cpp
+  judge/signals/signals.cpp
+  judge/situations/items.cpp
+  judge/situations/situations.cpp
+  judge/trace_file.cpp)

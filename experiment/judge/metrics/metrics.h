@@ -1,0 +1,57 @@
+#pragma once
+
+// What is measured of one test, the rows of metrics.def: each a value with its tick and the road
+// user that it is about. measures/ sums up the tests of a behaviour; distributions of metrics stand
+// beside its measures. Read judge/signals/signals.h before.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "experiment/judge/signals/signals.h"
+
+namespace jaywalk {
+
+/// Not NaN; infinite if nothing would help (a deceleration).
+struct MetricValue {
+  double value = 0;
+  /// When it was so; of a duration, when that began.
+  std::uint32_t tick = 0;
+  ActorIndex actor = 0;
+
+  friend bool operator==(const MetricValue&, const MetricValue&) = default;
+};
+
+/// Whose value is the test's: that of the road user with the least one, the greatest one, or of the
+/// one who comes nearest.
+enum class Worst { least, greatest, nearest };
+
+struct Metric {
+  std::string_view name;
+  Worst worst = Worst::least;
+  std::string_view unit;
+  std::string_view formula;
+  std::string_view source;
+  /// Of one road user. Nothing if it does not exist (no collision course, no conflict area).
+  std::optional<MetricValue> (*measure)(const TestView& view, ActorIndex actor);
+};
+
+[[nodiscard]] std::span<const Metric> metrics();
+/// Null if there is none of that name.
+[[nodiscard]] const Metric* find_metric(std::string_view name);
+
+/// The test's value: that of the road user for whom it is worst, the first of equals.
+[[nodiscard]] std::optional<MetricValue> measured(const Metric& metric, const TestView& view);
+/// All metrics in the order of metrics().
+[[nodiscard]] std::vector<std::optional<MetricValue>> measured_all(const TestView& view);
+
+namespace metric {
+#define JAYWALK_METRIC(name, worst, unit, formula, source) \
+  std::optional<MetricValue> name(const TestView& view, ActorIndex actor);
+#include "experiment/judge/metrics/metrics.def"
+#undef JAYWALK_METRIC
+}  // namespace metric
+
+}  // namespace jaywalk

@@ -1,0 +1,13 @@
+#pragma once
+
+// How natural a road user moves: what a person would hardly do is to turn straight back, or to
+// stand still in the road.
+
+#include "experiment/judge/signals/signals.h"
+
+namespace jaywalk {
+
+/// Whether a person might take the step that led to this tick's state. REQUIRES: tick > 0.
+[[nodiscard]] bool is_natural_step(const TestView& view, ActorIndex actor, std::size_t tick);
+
+}  // namespace jaywalk

@@ -1,0 +1,29 @@
+#pragma once
+
+// A test as a careful and competent driver would have driven it in the AV's place: what the signal
+// `avoidable` is made of. Read env/vehicle/careful_driver.h before.
+
+#include <vector>
+
+#include "env/vehicle/sight.h"
+#include "experiment/judge/signals/signals.h"
+
+namespace jaywalk {
+
+/// The AV's state at every tick of the record, and after its end until that driver stands or has
+/// nobody ahead. All others move as recorded, whatever the driver does, and after the record ends
+/// as they did last; as in the world, a tick's moves are made when it begins, and then the driver
+/// drives for as long as the tick lasts.
+///
+/// The driver begins as the AV does, with the ground's cruising speed. Where that is not known, it
+/// drives as the AV did until the first risk, and cruises at the speed that it has then.
+[[nodiscard]] std::vector<ActorState> careful_drive(const TestView& view);
+
+/// The lane in which somebody is a risk to the AV: its own, or where its body is if it drives in
+/// none.
+[[nodiscard]] Strip risk_strip(const TestView& view);
+
+/// A road user's state at a tick, which may be after the record's end.
+[[nodiscard]] ActorState state_beyond(const TestView& view, ActorIndex actor, std::size_t tick);
+
+}  // namespace jaywalk

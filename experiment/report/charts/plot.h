@@ -1,0 +1,75 @@
+#pragma once
+
+// Curves, box plots and stacked bars as SVG of one width, which fits a narrow screen unscaled.
+// Colours and fonts are the page's (page.html). Read html.h before.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/compare/findings.h"
+
+namespace jaywalk::reporting {
+
+enum class Scale { linear, logarithmic };
+
+struct PlotPoint {
+  double x = 0;
+  double y = 0;
+  std::optional<double> low;
+  std::optional<double> high;
+};
+
+struct PlotSeries {
+  std::string name;
+  /// Gives colour and mark.
+  std::size_t number = 0;
+  /// Of somebody else: dashed, without marks.
+  bool published = false;
+  /// Ascending in x. Those that are not finite, or not positive on a logarithmic scale, are left
+  /// out.
+  std::vector<PlotPoint> points;
+};
+
+struct PlotAxes {
+  std::string x_title;
+  std::string y_title;
+  Scale scale = Scale::linear;
+  /// What the vertical axis shows at least.
+  std::optional<double> least;
+  std::optional<double> most;
+  /// Where the horizontal axis begins, and how far it goes at least.
+  double x_least = 1;
+  double x_most = 2;
+};
+
+/// Curves over whole numbers.
+[[nodiscard]] std::string curves(const PlotAxes& axes, const std::vector<PlotSeries>& series);
+
+/// A box from quartile to quartile with the median, lines to the least and the greatest value.
+struct Box {
+  /// Short; may be empty, if the group has no other.
+  std::string label;
+  Distribution values;
+};
+struct BoxGroup {
+  std::string name;
+  std::size_t number = 0;
+  std::vector<Box> boxes;
+};
+
+/// Lying box plots, group below group, of values of which each belongs to one `noun`. What is
+/// infinite is drawn as an arrow at the edge.
+[[nodiscard]] std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& groups,
+                                    std::string_view noun = "test");
+
+struct Bar {
+  std::string name;
+  /// How many of each kind.
+  std::vector<double> parts;
+};
+/// Bars from 0 to 100 %; part i has the class `part-<classes[i]>`.
+[[nodiscard]] std::string stacked_bars(const std::vector<std::string>& classes,
+                                       const std::vector<Bar>& bars);
+
+}  // namespace jaywalk::reporting

@@ -1,0 +1,55 @@
+#pragma once
+
+// A test as a page to look at: a player that draws every tick and shows what an agent believes and
+// intends. The page needs nothing beside it and no network.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "env/crossing/crossing.h"
+#include "experiment/judge/recording.h"
+#include "interpreter/agent/observer.h"
+#include "interpreter/mas/mas.h"
+
+namespace jaywalk {
+
+/// What the agents had in mind, tick by tick, and which plans they took. Give it to a trial as
+/// observer, and its `observe`.
+class MindRecorder : public ReasoningObserver {
+ public:
+  struct Mind {
+    /// Indices into texts().
+    std::vector<std::size_t> intentions;
+    std::vector<std::size_t> beliefs;
+    /// The plans chosen in the tick, each with the event that it was chosen for.
+    std::vector<std::size_t> plans;
+  };
+
+  void observe(const Mas& mas);
+  void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
+                   const Intention& intention) override;
+
+  /// For each tick, each agent's.
+  [[nodiscard]] const std::vector<std::vector<Mind>>& minds() const { return minds_; }
+  [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
+
+ private:
+  std::vector<std::size_t> intern(const std::vector<std::string>& texts);
+
+  std::map<std::string, std::size_t> numbers_;
+  std::vector<std::string> texts_;
+  std::vector<std::vector<Mind>> minds_;
+  std::map<std::uint32_t, std::vector<std::string>>
+      chosen_;  // by the agents' numbers, in this tick
+};
+
+/// The page of one test. `title` is shown above it, `twin`, the same test with the healthy AV,
+/// behind it, faintly.
+[[nodiscard]] std::string render_player(const std::string& title,
+                                        const CrossingParameters& parameters,
+                                        const Recording& recording, const MindRecorder& minds,
+                                        const std::optional<Recording>& twin = {});
+
+}  // namespace jaywalk

@@ -1,0 +1,26 @@
+#pragma once
+
+// Situation coverage as text, CSV and JSON.
+
+#include <string>
+#include <vector>
+
+#include "experiment/judge/situations/situations.h"
+
+namespace jaywalk {
+
+/// Of one behaviour with one number of agents.
+struct SituationRow {
+  std::string behaviour;
+  std::uint32_t agents = 0;
+  SituationCoverage coverage;
+};
+
+/// For each row how many bins are covered and how that grew; for each item the bins and how often
+/// each was covered by all rows together, holes marked.
+[[nodiscard]] std::string situation_text(const std::vector<SituationRow>& rows);
+/// A line for each row, item and bin: behaviour,agents,tests,item,bin,name,times.
+[[nodiscard]] std::string situation_csv(const std::vector<SituationRow>& rows);
+[[nodiscard]] std::string situation_json(const std::vector<SituationRow>& rows);
+
+}  // namespace jaywalk

@@ -1,0 +1,112 @@
+#include "experiment/report/tables/table.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "experiment/compare/measures/measures.h"
+#include "experiment/compare/published/agreement.h"
+
+namespace jaywalk {
+namespace {
+
+enum class Interval95 { shown, hidden };
+/// The columns of the published values.
+enum class Paper { shown, hidden };
+/// The column of the tests that ended errored, which is there if some did.
+enum class Errored { shown, hidden };
+
+/// A measure in the table: its value, perhaps its interval, and the paper's value.
+struct Column {
+  std::string_view measure;
+  std::string_view title;
+  int width;
+  int decimals;
+  Interval95 interval;
+};
+
+constexpr std::array kColumns = {
+    Column{"accuracy", "accuracy %", 10, 1, Interval95::shown},
+    Column{"score", "score", 7, 2, Interval95::shown},
+    Column{"combined_normalised", "combined_normalised", 19, 3, Interval95::hidden},
+    Column{"ticks_all", "ticks", 6, 2, Interval95::hidden},
+    Column{"cpu", "CPU µs", 8, 1, Interval95::hidden},
+};
+
+constexpr int kAgentsWidth = 6;
+constexpr int kErroredWidth = 7;
+constexpr int kIntervalWidth = 16;
+constexpr int kPaperWidth = 7;
+
+std::string decimal(std::optional<double> value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "-";
+}
+
+std::string interval_text(const Estimate& estimate, int decimals) {
+  if (!estimate.low || !estimate.high) return {};
+  return fmt::format("{:.{}f} to {:.{}f}", *estimate.low, decimals, *estimate.high, decimals);
+}
+
+std::string heading(Paper paper, Errored errored) {
+  std::string line = fmt::format("{:>{}}", "agents", kAgentsWidth);
+  if (errored == Errored::shown) line += fmt::format("  {:>{}}", "errored", kErroredWidth);
+  for (const Column& column : kColumns) {
+    line += fmt::format("  {:>{}}", column.title, column.width);
+    if (column.interval == Interval95::shown) {
+      line += fmt::format("  {:>{}}", "95 % interval", kIntervalWidth);
+    }
+    if (paper == Paper::shown) line += fmt::format("{:>{}}", "paper", kPaperWidth);
+  }
+  return line + '\n';
+}
+
+std::string row(const Summary& summary, const PublishedRows& published, Errored errored) {
+  std::string line = fmt::format("{:>{}}", summary.agents, kAgentsWidth);
+  if (errored == Errored::shown) line += fmt::format("  {:>{}}", summary.errored, kErroredWidth);
+  for (const Column& column : kColumns) {
+    const Measure& measure = *find_measure(column.measure);
+    const Estimate ours = measure.estimate(summary);
+    line += fmt::format("  {:>{}}", decimal(ours.value, column.decimals), column.width);
+    if (column.interval == Interval95::shown) {
+      line += fmt::format("  {:>{}}", interval_text(ours, column.decimals), kIntervalWidth);
+    }
+    if (published.behaviours.empty()) continue;
+    const auto paper = published_figure(published, measure, summary.behaviour, summary.agents);
+    line += fmt::format("{:>{}}", decimal(paper ? paper->value : std::nullopt, column.decimals),
+                        kPaperWidth);
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string render_table(const Comparison& comparison) {
+  std::string table;
+  const PublishedRows& published = comparison.published;
+  const Paper paper = published.behaviours.empty() ? Paper::hidden : Paper::shown;
+  const bool some = std::ranges::any_of(comparison.summaries,
+                                        [](const Summary& each) { return each.errored > 0; });
+  const Errored errored = some ? Errored::shown : Errored::hidden;
+  const std::string* behaviour = nullptr;
+  for (const Summary& summary : comparison.summaries) {
+    if (behaviour == nullptr || *behaviour != summary.behaviour) {
+      behaviour = &summary.behaviour;
+      if (!table.empty()) table += '\n';
+      table += fmt::format("{} ({} lines of AgentSpeak)\n", *behaviour, summary.code_lines);
+      table += heading(paper, errored);
+    }
+    table += row(summary, published, errored);
+  }
+  if (table.empty()) return table;
+  std::string notes;
+  if (some)
+    notes += "errored: tests that came to no end of their own; the measures are of the others.\n";
+  for (const std::string& note : published_notes(published)) notes += note + '\n';
+  if (const std::string note = agreement_note(comparison); !note.empty()) notes += note + '\n';
+  return notes.empty() ? table : table + '\n' + notes;
+}
+
+}  // namespace jaywalk

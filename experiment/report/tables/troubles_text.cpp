@@ -1,0 +1,104 @@
+#include "experiment/report/tables/troubles_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+constexpr std::size_t kMostCausesShown = 5;
+
+std::string counted_agents(std::uint64_t count) {
+  return fmt::format("{} agent{}", count, count == 1 ? "" : "s");
+}
+
+std::string counted_tests(std::uint64_t count) {
+  return fmt::format("{} test{}", count, count == 1 ? "" : "s");
+}
+
+std::string error_lines(const std::vector<SharedError>& errors) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostCausesShown, errors.size()); ++i) {
+    text += fmt::format("    {}, the first is {}: {}\n", counted_tests(errors[i].tests),
+                        errors[i].first_test, errors[i].message);
+  }
+  if (errors.size() > kMostCausesShown) {
+    text += fmt::format("    and {} more errors\n", errors.size() - kMostCausesShown);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<BehaviourTroubles> troubles_of(const Comparison& comparison) {
+  std::vector<BehaviourTroubles> found;
+  for (std::size_t row = 0; row < comparison.troubles.size();) {
+    const std::string& behaviour = comparison.summaries[row].behaviour;
+    std::vector<Troubles> parts;
+    while (row < comparison.troubles.size() && comparison.summaries[row].behaviour == behaviour) {
+      parts.push_back(comparison.troubles[row++]);
+    }
+    Troubles all = together(parts);
+    if (all.dropping > 0 || all.idle > 0 || all.errored > 0)
+      found.push_back({behaviour, std::move(all)});
+  }
+  return found;
+}
+
+std::vector<std::string> trouble_sentences(const Troubles& troubles) {
+  std::vector<std::string> sentences;
+  if (troubles.errored > 0) {
+    sentences.push_back(fmt::format("{} ended errored; the measures are of the others",
+                                    counted_tests(troubles.errored)));
+  }
+  if (troubles.never_acted()) {
+    sentences.push_back(
+        fmt::format("its agents never acted: no action of {} pedestrian{} was carried out",
+                    troubles.pedestrians, troubles.pedestrians == 1 ? "" : "s"));
+  } else if (troubles.idle > 0) {
+    sentences.push_back(
+        fmt::format("{} of {} pedestrians never acted", troubles.idle, troubles.pedestrians));
+  }
+  if (troubles.dropping > 0) {
+    sentences.push_back(
+        fmt::format("{} of {} agents dropped an intention", troubles.dropping, troubles.agents));
+  }
+  return sentences;
+}
+
+std::string render_troubles(const std::vector<BehaviourTroubles>& behaviours) {
+  if (behaviours.empty()) return {};
+  std::string text = "What happened to agents (in all tests together)\n";
+  for (const auto& [behaviour, troubles] : behaviours) {
+    for (const std::string& sentence : trouble_sentences(troubles)) {
+      text += fmt::format("  {}: {}\n", behaviour, sentence);
+    }
+    text += error_lines(troubles.errors);
+    for (std::size_t i = 0; i < std::min(kMostCausesShown, troubles.causes.size()); ++i) {
+      const auto& [cause, agents] = troubles.causes[i];
+      text += fmt::format("    {}: {}\n", counted_agents(agents), describe(cause));
+      if (cause.goals.find(" > ") != std::string::npos) {
+        text += fmt::format("      goals: {}\n", cause.goals);
+      }
+    }
+    if (troubles.causes.size() > kMostCausesShown) {
+      text += fmt::format("    and {} more causes\n", troubles.causes.size() - kMostCausesShown);
+    }
+  }
+  return text;
+}
+
+std::uint64_t errored_tests(const Comparison& comparison) {
+  std::uint64_t count = 0;
+  for (const Summary& summary : comparison.summaries) count += summary.errored;
+  return count;
+}
+
+bool is_troubled(const std::vector<BehaviourTroubles>& behaviours) {
+  return std::ranges::any_of(behaviours, [](const BehaviourTroubles& each) {
+    return each.troubles.dropping > 0 || each.troubles.errored > 0 || each.troubles.never_acted();
+  });
+}
+
+}  // namespace jaywalk

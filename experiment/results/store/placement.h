@@ -1,0 +1,37 @@
+#pragma once
+
+// Where a store's points lie: on a plane of their own, or where the scenario's anchor puts them.
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "experiment/scenario/anchor.h"
+
+namespace jaywalk {
+
+class Placement {
+ public:
+  explicit Placement(const std::optional<Anchor>& anchor);
+
+  /// -1 (undefined Cartesian) or an EPSG code.
+  [[nodiscard]] int srs_id() const { return srs_id_; }
+  [[nodiscard]] std::pair<double, double> place(double x_m, double y_m) const {
+    return {easting_ + x_m * cosine_ + y_m * sine_, northing_ - x_m * sine_ + y_m * cosine_};
+  }
+  /// The same in SQL, of the columns x and y.
+  [[nodiscard]] std::string easting_sql() const;
+  [[nodiscard]] std::string northing_sql() const;
+  /// Well-known text (OGC 01-009) of the reference system if it is a UTM zone of WGS 84; otherwise
+  /// `undefined`, and readers look the EPSG code up.
+  [[nodiscard]] std::string definition() const;
+
+ private:
+  int srs_id_ = -1;
+  double easting_ = 0;
+  double northing_ = 0;
+  double cosine_ = 1;
+  double sine_ = 0;
+};
+
+}  // namespace jaywalk

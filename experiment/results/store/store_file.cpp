@@ -1,0 +1,182 @@
+#include "experiment/results/store/store_file.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_tables.h"
+
+namespace jaywalk {
+namespace {
+
+// Of the header of a SQLite file (https://sqlite.org/fileformat2.html#the_database_header).
+constexpr std::size_t kHeaderBytes = 100;
+constexpr std::string_view kMagic{"SQLite format 3\0", 16};
+constexpr std::size_t kPageSizeAt = 16;
+constexpr std::size_t kChangesAt = 24;
+constexpr std::size_t kPagesAt = 28;
+constexpr std::size_t kApplicationIdAt = 68;
+constexpr std::size_t kPagesValidForAt = 92;
+
+using Header = std::array<unsigned char, kHeaderBytes>;
+
+std::uint32_t number_at(const Header& header, std::size_t at) {
+  return (std::uint32_t{header[at]} << 24U) | (std::uint32_t{header[at + 1]} << 16U) |
+         (std::uint32_t{header[at + 2]} << 8U) | header[at + 3];
+}
+
+std::uint64_t page_size(const Header& header) {
+  const std::uint32_t size = number_at(header, kPageSizeAt) >> 16U;
+  return size == 1 ? 65536 : size;
+}
+
+/// What is missing from a file; nothing if it is as long as its header says. Pages that are still
+/// in the log beside it do not count.
+std::optional<std::string> cut_off(const std::string& path, const Header& header) {
+  std::error_code error;
+  const std::uint64_t bytes = std::filesystem::file_size(path, error);
+  const std::uint64_t log = std::filesystem::file_size(path + "-wal", error);
+  if (!error && log > 0) return std::nullopt;
+  if (number_at(header, kChangesAt) != number_at(header, kPagesValidForAt)) return std::nullopt;
+  const std::uint64_t wanted = page_size(header) * number_at(header, kPagesAt);
+  if (bytes >= wanted) return std::nullopt;
+  return fmt::format("it is cut off: {} of {} bytes are there", bytes, wanted);
+}
+
+}  // namespace
+
+std::optional<std::string> why_no_store_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return "no such file";
+  if (std::filesystem::is_directory(status))
+    return "this is a folder, a results store was expected";
+  if (!std::filesystem::is_regular_file(status)) return "this is no regular file";
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fmt::format("cannot be read: {}", std::strerror(errno));
+  Header header{};
+  file.read(reinterpret_cast<char*>(header.data()), kHeaderBytes);
+  const bool whole = file.gcount() == static_cast<std::streamsize>(kHeaderBytes);
+  if (!whole || std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0) {
+    return "not a results store: it is no SQLite file";
+  }
+  if (number_at(header, kApplicationIdAt) != kGeoPackageId) {
+    return "not a results store: a SQLite file, but no GeoPackage";
+  }
+  return cut_off(path, header);
+}
+
+namespace {
+
+/// Why its tables are not those of a store of our version.
+std::optional<std::string> objection(Database& database) {
+  const bool ours =
+      database.number("SELECT count(*) FROM sqlite_master WHERE name = 'versions'") == 1;
+  if (database.failure()) return std::nullopt;
+  if (!ours) return "not a results store: a GeoPackage that jaywalk did not write";
+  const auto create = [](Database& wanted) {
+    create_tables(wanted, Placement(std::nullopt));
+    complete_tables(wanted);
+  };
+  if (auto foreign = foreign_object(database, create)) return foreign;
+  const auto version = database.text("SELECT version FROM versions WHERE subject = 'store'");
+  if (database.failure()) return std::nullopt;
+  if (version != fmt::format("{}", kStoreVersion)) {
+    return fmt::format("its tables have version {}, this jaywalk knows version {}",
+                       version.value_or("unknown"), kStoreVersion);
+  }
+  return table_difference(database, create);
+}
+
+/// Why not all of its pages are sound.
+std::optional<std::string> damage(Database& database, Scrutiny scrutiny) {
+  if (scrutiny == Scrutiny::header) return std::nullopt;
+  const auto found = database.text("PRAGMA quick_check(1)");
+  if (database.failure() || found == "ok") return std::nullopt;
+  return fmt::format("the store is damaged: {}", found.value_or("it cannot be checked"));
+}
+
+/// Lets SQLite undo what a process was writing when it was killed, if the file is a store of ours.
+void undo_interrupted(const std::string& path) {
+  Database untouched(path, Database::Mode::untouched);
+  if (objection(untouched) || untouched.failure()) return;
+  Database database(path, Database::Mode::write);
+  (void)database.number("SELECT count(*) FROM versions");
+}
+
+std::unique_ptr<Database> readable(const std::string& path) {
+  auto database = std::make_unique<Database>(path, Database::Mode::read);
+  (void)database->number("SELECT count(*) FROM sqlite_master");
+  if (database->trouble() != DatabaseTrouble::interrupted) return database;
+  database.reset();
+  undo_interrupted(path);
+  return std::make_unique<Database>(path, Database::Mode::read);
+}
+
+Result<std::unique_ptr<Database>> checked(const std::string& path, Scrutiny scrutiny) {
+  if (auto why = why_no_store_file(path)) return store_error(path, std::move(*why));
+  auto database = readable(path);
+  auto why = objection(*database);
+  if (!why && !database->failure()) why = damage(*database, scrutiny);
+  if (database->failure()) return store_error(path, trouble_with(*database));
+  if (why) return store_error(path, std::move(*why));
+  return database;
+}
+
+}  // namespace
+
+Diagnostics store_error(const std::string& path, std::string message, std::string hint) {
+  Diagnostics diagnostics;
+  diagnostics.error(path, std::move(message), std::move(hint));
+  return diagnostics;
+}
+
+std::string trouble_with(const Database& database) {
+  switch (database.trouble()) {
+    case DatabaseTrouble::in_use:
+      return "another process is writing the store";
+    case DatabaseTrouble::damaged:
+      return fmt::format("the store is damaged: {}", *database.failure());
+    case DatabaseTrouble::no_space:
+      return "no space is left for the store";
+    case DatabaseTrouble::interrupted:
+      return "a process was killed while it wrote the file, and what it wrote cannot be undone";
+    case DatabaseTrouble::read_only:
+      return "the store can only be read: its file or its folder is write-protected";
+    case DatabaseTrouble::other:
+    case DatabaseTrouble::none:
+      break;
+  }
+  return database.failure().value_or("unknown failure");
+}
+
+Result<OpenStore> open_to_read(const std::string& path, Scrutiny scrutiny) {
+  auto database = checked(path, scrutiny);
+  if (!database) return std::move(database.diagnostics());
+  auto description = read_description(*database.value(), path);
+  if (!description) return std::move(description.diagnostics());
+  return OpenStore{std::move(database).value(), std::move(description).value()};
+}
+
+Result<std::unique_ptr<Database>> open_to_write(const std::string& path) {
+  auto database = std::make_unique<Database>(path, Database::Mode::write);
+  // Kept from the first transaction on, until it is closed.
+  database->execute("PRAGMA locking_mode = EXCLUSIVE");
+  database->execute("BEGIN IMMEDIATE; COMMIT");
+  database->execute("PRAGMA journal_mode = WAL");
+  database->execute("BEGIN IMMEDIATE; COMMIT");
+  database->execute("PRAGMA synchronous = NORMAL");
+  if (database->failure()) return store_error(path, trouble_with(*database));
+  return database;
+}
+
+}  // namespace jaywalk

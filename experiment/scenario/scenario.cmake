@@ -1,0 +1,21 @@
+# The scenario: what a comparison runs, read from YAML. Included by CMakeLists.txt above.
+target_sources(jaywalk_experiment PRIVATE
+  scenario/assertion_file.cpp
+  scenario/files/code_lines.cpp
+  scenario/files/program_copies.cpp
+  scenario/files/sha256.cpp
+  scenario/files/temporary.cpp
+  scenario/files/write_file.cpp
+  scenario/number_list.cpp
+  scenario/scenario.cpp
+  scenario/scenario_actors.cpp
+  scenario/scenario_av.cpp
+  scenario/scenario_defects.cpp
+  scenario/scenario_parameters.cpp
+  scenario/scenario_presets.cpp
+  scenario/scenario_reader.cpp
+  scenario/scenario_road.cpp
+  scenario/scenario_schema.cpp
+  scenario/scenario_world.cpp
+  scenario/scenario_yaml.cpp)
+target_link_libraries(jaywalk_experiment PRIVATE yaml-cpp PkgConfig::libmd)

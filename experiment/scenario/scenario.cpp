@@ -1,0 +1,348 @@
+#include "experiment/scenario/scenario.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario/files/program_copies.h"
+#include "experiment/scenario/scenario_schema.h"
+
+namespace jaywalk {
+namespace {
+
+bool is_behaviour_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+}
+
+const Preset* find_preset(std::string_view name) {
+  const std::span<const Preset> all = presets();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Preset& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+ConfigNode map_of(std::string key, ConfigNode value) {
+  ConfigNode map;
+  map.kind = ConfigNode::Kind::map;
+  map.entries.push_back({std::move(key), {}, std::move(value)});
+  return map;
+}
+
+/// Puts the layers of a scenario on top of each other and checks what has come of it.
+class ScenarioBuilder {
+ public:
+  ScenarioBuilder(SourcePtr source, const ScenarioOptions& options)
+      : source_(std::move(source)), options_(options) {}
+
+  Result<Scenario> build() {
+    if (!parse_layers()) return std::move(diagnostics_);
+    read_preset();
+    const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
+    read_layer(file_, folder, draft_, diagnostics_);
+    select_behaviours();
+    set_behaviours_of_preset();
+    for (const ConfigNode& setting : settings_) read_layer(setting, "", draft_, diagnostics_);
+    if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    finish();
+    if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    return std::move(draft_.scenario);
+  }
+
+ private:
+  bool parse_layers() {
+    draft_.scenario.name = source_->name();
+    draft_.scenario.sources.push_back(source_);
+    draft_.scenario.files = options_.files;
+    draft_.scenario.include = options_.include;
+    std::optional<ConfigNode> file = parse_config(source_, diagnostics_);
+    if (file && file->kind == ConfigNode::Kind::null) {
+      diagnostics_.error(source_->name(), "the scenario is empty",
+                         "scenarios/README.md describes what to write");
+    } else if (file) {
+      file_ = std::move(*file);
+    }
+    for (const std::string& text : options_.sets) {
+      const auto given = options_.given_by.find(text);
+      const SourcePtr source = given == options_.given_by.end() ? nullptr : given->second;
+      if (std::optional<ConfigNode> setting = parse_setting(text, diagnostics_, source)) {
+        settings_.push_back(std::move(*setting));
+      }
+    }
+    return !diagnostics_.has_errors();
+  }
+
+  // The preset's name is in any layer; the option --preset counts before the file's.
+  void read_preset() {
+    ConfigNode named;
+    named.text = "paper";
+    if (const ConfigNode* value = file_.find("preset")) named = *value;
+    if (options_.preset) {
+      named = {ConfigNode::Kind::scalar, *options_.preset, {{}, "--preset"}, {}, {}};
+    }
+    for (const ConfigNode& setting : settings_) {
+      if (const ConfigNode* value = setting.find("preset")) named = *value;
+    }
+    const Preset* preset = find_preset(named.text);
+    if (preset == nullptr) {
+      std::vector<std::string> names;
+      for (const Preset& each : presets()) names.emplace_back(each.name);
+      std::string hint = did_you_mean(named.text, names);
+      if (hint.empty()) hint = "`jaywalk list presets` shows them";
+      report(diagnostics_, named.origin, fmt::format("unknown preset '{}'", named.text),
+             std::move(hint));
+      return;
+    }
+    draft_.scenario.preset = preset->name;
+    const auto source = std::make_shared<const Source>(fmt::format("preset {}", preset->name),
+                                                       std::string(preset->text));
+    std::optional<ConfigNode> layer = parse_config(source, diagnostics_);
+    if (!layer || layer->kind != ConfigNode::Kind::map) return;
+    const auto behaviours = std::ranges::find(layer->entries, "behaviours", &ConfigEntry::key);
+    if (behaviours != layer->entries.end()) {
+      preset_behaviours_ = std::move(behaviours->value);
+      layer->entries.erase(behaviours);
+    }
+    read_layer(*layer, "", draft_, diagnostics_);
+  }
+
+  // Which behaviours there are, the file says. What it says of them takes the preset's place.
+  void set_behaviours_of_preset() {
+    for (BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      const ConfigNode* const value = preset_behaviours_.find(behaviour.name);
+      if (value == nullptr) continue;
+      ScenarioDraft preset;
+      preset.scenario.behaviours.emplace_back().name = behaviour.name;
+      read_layer(map_of("behaviours", map_of(behaviour.name, *value)), "", preset, diagnostics_);
+      for (ParameterSetting& setting : preset.scenario.behaviours.front().parameters) {
+        const bool given = std::ranges::any_of(
+            behaviour.parameters, [&](const auto& own) { return own.name == setting.name; });
+        if (!given) behaviour.parameters.push_back(std::move(setting));
+      }
+    }
+  }
+
+  void select_behaviours() {
+    if (options_.behaviours.empty()) return;
+    std::vector<BehaviourSpec> selected;
+    for (const std::string& wanted : options_.behaviours) {
+      if (std::optional<BehaviourSpec> behaviour = find_behaviour(wanted)) {
+        selected.push_back(std::move(*behaviour));
+      }
+    }
+    draft_.scenario.behaviours = std::move(selected);
+  }
+
+  std::optional<BehaviourSpec> find_behaviour(const std::string& wanted) {
+    const std::string path = program_path("", wanted);
+    std::vector<std::string> names;
+    for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      if (behaviour.name == wanted || behaviour.program == path) return behaviour;
+      names.push_back(behaviour.name);
+    }
+    const std::string option = fmt::format("behaviour {}", wanted);
+    if (wanted.ends_with(".asl") || options_.files.has(path)) {
+      BehaviourSpec behaviour;
+      behaviour.name = behaviour_name(wanted);
+      behaviour.program = path;
+      behaviour.origin.option = option;
+      return behaviour;
+    }
+    const std::string folder(kInstalledBehaviours);
+    for (const std::string& installed : options_.files.installed_in(folder)) {
+      names.push_back(behaviour_name(installed));
+    }
+    std::string hint = did_you_mean(wanted, names);
+    if (hint.empty()) hint = "`jaywalk list behaviours` names the installed ones";
+    diagnostics_.error(option,
+                       "neither a behaviour of the scenario, an installed one nor an .asl file",
+                       std::move(hint));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] ValueOrigin origin_of(std::string path) const {
+    while (true) {
+      const auto found = draft_.origins.find(path);
+      if (found != draft_.origins.end()) return found->second;
+      const std::size_t dot = path.rfind('.');
+      if (dot == std::string::npos) return {{}, source_->name()};
+      path.resize(dot);
+    }
+  }
+
+  void finish() {
+    Scenario& scenario = draft_.scenario;
+    CrossingParameters& world = scenario.world;
+    const double mps_to_cells = world.tick_s / world.cell_m;
+    if (draft_.speed_mps) world.av.speed = *draft_.speed_mps * mps_to_cells;
+    if (draft_.pedestrian_mps) world.pedestrians.speed = *draft_.pedestrian_mps * mps_to_cells;
+    for (std::size_t i = 0; i < draft_.actor_mps.size(); ++i) {
+      if (draft_.actor_mps[i]) world.actors[i].speed = *draft_.actor_mps[i] * mps_to_cells;
+    }
+    for (ParameterProblem& problem : problems(world)) {
+      report(diagnostics_, origin_of(problem.path), std::move(problem.message),
+             fmt::format("the key is {}", problem.path));
+    }
+    if (world.av.vehicle.model == "external") check_external();
+    check_command(world.av.vehicle, "world.av");
+    if (world.av.twin) check_command(*world.av.twin, "world.av.twin");
+    check_behaviours();
+    if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
+    if (!diagnostics_.has_errors()) read_programs();
+    if (draft_.assertions_file) {
+      read_assertions();
+    } else if (!draft_.judged.empty()) {
+      report(diagnostics_, draft_.judged.front().second, "assertions to judge, but no file of them",
+             "name it under 'assertions.file'");
+    }
+  }
+
+  void read_programs() {
+    Scenario& scenario = draft_.scenario;
+    std::vector<std::vector<std::string>*> commands{&scenario.world.av.vehicle.command};
+    if (auto& twin = scenario.world.av.twin) commands.push_back(&twin->command);
+    auto programs = keep_programs(commands, options_.files, scenario.sources);
+    if (programs.ok()) {
+      scenario.programs = std::move(programs).value();
+    } else {
+      diagnostics_.append(std::move(programs.diagnostics()));
+    }
+  }
+
+  void read_assertions() {
+    Result<SourcePtr> source = options_.files.read(*draft_.assertions_file, kMaxScenarioBytes);
+    if (!source.ok()) {
+      report(diagnostics_, origin_of("assertions"),
+             fmt::format("no assertions are at '{}'", *draft_.assertions_file));
+      return;
+    }
+    draft_.scenario.sources.push_back(source.value());
+    Result<std::vector<Assertion>> all = parse_assertions(source.value());
+    if (!all.ok()) {
+      diagnostics_.append(std::move(all.diagnostics()));
+      return;
+    }
+    if (draft_.judged.empty()) {
+      draft_.scenario.assertions = std::move(all.value());
+    } else {
+      select_assertions(all.value());
+    }
+    check_told_assertions();
+  }
+
+  void select_assertions(const std::vector<Assertion>& all) {
+    std::vector<std::string> ids;
+    for (const Assertion& assertion : all) ids.push_back(assertion.id);
+    for (const auto& [id, origin] : draft_.judged) {
+      const auto found = std::find(ids.begin(), ids.end(), id);
+      if (found != ids.end()) {
+        draft_.scenario.assertions.push_back(all[static_cast<std::size_t>(found - ids.begin())]);
+        continue;
+      }
+      report(diagnostics_, origin,
+             fmt::format("no assertion '{}' in '{}'", id, *draft_.assertions_file),
+             did_you_mean(id, ids));
+    }
+  }
+
+  // The assertion that agents receive, as a belief assertion(Id), is one that is judged.
+  void check_told_assertions() {
+    for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      for (const ParameterSetting& setting : behaviour.parameters) check_told(setting);
+      for (const AgentSettings& agents : behaviour.agents) {
+        for (const ParameterSetting& setting : agents.parameters) check_told(setting);
+      }
+    }
+  }
+
+  void check_told(const ParameterSetting& setting) {
+    if (setting.name != "assertion") return;
+    std::vector<std::string> ids;
+    for (const Assertion& assertion : draft_.scenario.assertions) ids.push_back(assertion.id);
+    for (const ParameterValue& value : setting.values) {
+      const auto* const id = std::get_if<std::string>(&value);
+      if (id == nullptr || std::find(ids.begin(), ids.end(), *id) != ids.end()) continue;
+      report(diagnostics_, setting.origin,
+             fmt::format("no assertion '{}' is judged by this scenario", *id),
+             did_you_mean(*id, ids));
+    }
+  }
+
+  // A controller of one's own has its own reaction and brakes as it likes.
+  void check_external() {
+    for (const char* key : {"reaction", "deceleration", "acceleration", "standoff"}) {
+      const auto given = draft_.origins.find(fmt::format("world.av.{}", key));
+      if (given == draft_.origins.end()) continue;
+      report(diagnostics_, given->second,
+             fmt::format("'{}' has no meaning for the model external", key),
+             "it is for the program to decide; what a vehicle can do limits its answers");
+    }
+  }
+
+  void check_command(const VehicleParameters& vehicle, const std::string& path) {
+    if (vehicle.model != "external" || !vehicle.command.empty()) return;
+    if (draft_.origins.contains(path + ".command")) return;  // already diagnosed
+    report(diagnostics_, origin_of(path + ".model"), "no 'command' to start the controller with",
+           "for example command: [python3, controller.py]");
+  }
+
+  void check_behaviours() {
+    if (draft_.scenario.behaviours.empty()) {
+      diagnostics_.error(source_->name(), "no behaviour to run",
+                         "list AgentSpeak programs under 'behaviours'");
+    }
+    std::set<std::string_view> names;
+    for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
+      if (!is_behaviour_name(behaviour.name)) {
+        report(diagnostics_, behaviour.origin,
+               fmt::format("'{}' cannot be the name of a behaviour", behaviour.name),
+               "names consist of letters, digits, _ and -; give another one as 'name'");
+      } else if (!names.insert(behaviour.name).second) {
+        report(diagnostics_, behaviour.origin,
+               fmt::format("a second behaviour with the name '{}'", behaviour.name),
+               "give one of them a 'name' of its own");
+      }
+    }
+  }
+
+  void read_start_cells() {
+    Result<SourcePtr> source = options_.files.read(*draft_.start_cells_file);
+    if (!source.ok()) {
+      diagnostics_.append(std::move(source.diagnostics()));
+      return;
+    }
+    Result<StartCells> cells = parse_start_cells(source.value(), grid(draft_.scenario.world));
+    if (!cells.ok()) {
+      diagnostics_.append(std::move(cells.diagnostics()));
+      return;
+    }
+    draft_.scenario.sources.push_back(source.value());
+    draft_.scenario.start_cells = std::move(cells).value();
+  }
+
+  SourcePtr source_;
+  const ScenarioOptions& options_;
+  Diagnostics diagnostics_;
+  ConfigNode file_;
+  std::vector<ConfigNode> settings_;
+  ScenarioDraft draft_;
+  ConfigNode preset_behaviours_;
+};
+
+}  // namespace
+
+Result<Scenario> read_scenario(const std::string& path, const ScenarioOptions& options) {
+  Result<SourcePtr> source = options.files.read(path, kMaxScenarioBytes);
+  if (!source.ok()) return std::move(source.diagnostics());
+  return parse_scenario(source.value(), options);
+}
+
+Result<Scenario> parse_scenario(const SourcePtr& source, const ScenarioOptions& options) {
+  return ScenarioBuilder(source, options).build();
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,171 @@
+#pragma once
+
+// A scenario: the world, the behaviours and the defaults of an experiment, as a YAML file says it
+// (scenarios/README.md is the reference of its keys). Values are layered: the preset's, the file's,
+// then each `--set`; the last one counts. Trials run a scenario that was prepared; see trial.h.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "env/crossing/parameters.h"
+#include "env/crossing/start_cells.h"
+#include "experiment/judge/assertions/assertion.h"
+#include "experiment/scenario/anchor.h"
+#include "interpreter/support/diagnostics.h"
+#include "interpreter/support/source_files.h"
+
+namespace jaywalk {
+
+class ProgramCopies;
+
+/// Where a value was given: a place in a file, or an option (`--set world.length=80`).
+struct ValueOrigin {
+  SourceSpan where;
+  std::string option;
+};
+
+/// A number or the name of an atom.
+using ParameterValue = std::variant<double, std::string>;
+
+/// What takes the place of a program's initial beliefs of that name: `radius: 15` is radius(15).
+struct ParameterSetting {
+  std::string name;
+  std::vector<ParameterValue> values;
+  ValueOrigin origin;
+};
+
+/// Parameters of some agents only, by their numbers, from 1.
+struct AgentSettings {
+  std::vector<std::uint32_t> agents;
+  std::vector<ParameterSetting> parameters;
+};
+
+/// Agents of a behaviour that run a program of their own.
+struct TeamMember {
+  std::vector<std::uint32_t> agents;
+  std::string program;
+  ValueOrigin origin;
+};
+
+struct BehaviourSpec {
+  /// Unique in the scenario; the program's file name without `.asl` unless given.
+  std::string name;
+  /// The program's file, found from the current folder.
+  std::string program;
+  /// Programs of some agents by their numbers; the others run `program`.
+  std::vector<TeamMember> team;
+  std::vector<ParameterSetting> parameters;
+  std::vector<AgentSettings> agents;
+  ValueOrigin origin;
+};
+
+/// When a test is given up, which is then errored. All but the time give the same on any machine.
+struct TestLimits {
+  /// Reasoning cycles of one agent; 0: no limit but that of a tick.
+  std::uint64_t cycles = 0;
+  /// Steps of queries, of all agents together; 0: no limit.
+  std::uint64_t inferences = kUsualInferences;
+  /// MB (2^20 bytes) that one agent, and all of them together, may own; 0: the interpreter's own
+  /// limits, 1 GB and half of the machine's memory.
+  std::uint64_t memory_mb = 0;
+  /// By the wall clock; 0: no limit.
+  double time_s = 0;
+
+  /// Seconds of reasoning; tests of the shipped scenarios take less than a hundredth.
+  static constexpr std::uint64_t kUsualInferences = 200'000'000;
+};
+
+/// The defaults of an experiment; options of the command line take their place.
+struct ExperimentSpec {
+  std::uint64_t tests = 1000;
+  /// The numbers of agents to compare, in this order.
+  std::vector<std::uint32_t> agents{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20};
+  std::uint64_t seed = 0;
+  /// Defects that each test is run with beside the healthy AV (compare/kills/kills.h).
+  std::vector<VehicleDefect> defects;
+  /// Tests in a generation: those of later ones believe what earlier ones covered; 0: none do.
+  std::uint64_t feedback = 0;
+  TestLimits limits;
+};
+
+/// Where programs look for what they include, after their own folder (IncludePath).
+struct IncludeFolders {
+  std::vector<std::string> folders;
+  std::vector<std::pair<std::string, std::string>> mapped;
+};
+
+struct Scenario {
+  /// The file's name.
+  std::string name;
+  std::string preset = "paper";
+  CrossingParameters world;
+  std::vector<BehaviourSpec> behaviours;
+  /// The programs of world.actors, in the same order.
+  std::vector<BehaviourSpec> actors;
+  ExperimentSpec experiment;
+  /// Where the world is on the Earth, for stores.
+  std::optional<Anchor> anchor;
+  /// Start cells that take the place of spawning.
+  std::optional<StartCells> start_cells;
+  /// What tests are judged by.
+  std::vector<Assertion> assertions;
+  /// The texts that it was read from (programs are read when it is prepared), and where they and
+  /// the programs are.
+  std::vector<SourcePtr> sources;
+  SourceFiles files;
+  IncludeFolders include;
+  /// Copies of the AV's external controller and its twin that their commands name; null if there
+  /// are none.
+  std::shared_ptr<const ProgramCopies> programs;
+};
+
+struct ScenarioOptions {
+  /// Takes the place of the file's `preset`.
+  std::optional<std::string> preset;
+  /// `dotted.path=value`, in order, as given to `--set`.
+  std::vector<std::string> sets;
+  /// Of those of `sets` whose value another option gave: that value, as a source with the option's
+  /// name, so that mistakes are shown there.
+  std::map<std::string, SourcePtr> given_by;
+  /// Names of the scenario's behaviours, or paths of programs: these and no others, in this order.
+  std::vector<std::string> behaviours;
+  /// Where the scenario and all that it names are read: the disk, unless copies are given.
+  SourceFiles files;
+  IncludeFolders include;
+};
+
+/// Where the installed behaviours are, among the installed programs (source_files.h).
+inline constexpr std::string_view kInstalledBehaviours = "$jaywalk/crossing";
+
+/// A scenario larger than this is refused.
+inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;
+
+[[nodiscard]] Result<Scenario> read_scenario(const std::string& path,
+                                             const ScenarioOptions& options = {});
+/// The same for a text in memory; programs are found relative to the folder in the source's name.
+[[nodiscard]] Result<Scenario> parse_scenario(const SourcePtr& source,
+                                              const ScenarioOptions& options = {});
+
+/// Whether the published results are of the world and the parameters that a preset describes.
+enum class PresetResults { published, other };
+
+/// Values that a scenario begins with, by name. `text` is what a scenario would say; what it says
+/// of behaviours goes to those of these names that the scenario has.
+struct Preset {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view text;
+  PresetResults results = PresetResults::other;
+};
+
+[[nodiscard]] std::span<const Preset> presets();
+
+}  // namespace jaywalk

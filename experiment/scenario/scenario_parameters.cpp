@@ -1,0 +1,77 @@
+// The parameters of a program: initial beliefs that a scenario sets.
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario/scenario_layer.h"
+
+namespace jaywalk {
+namespace {
+
+// `1/11` is a number, too.
+std::optional<double> parse_fraction(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return parse_number(text);
+  const std::optional<double> above = parse_number(text.substr(0, slash));
+  const std::optional<double> below = parse_number(text.substr(slash + 1));
+  if (!above || !below || *below == 0) return std::nullopt;
+  return *above / *below;
+}
+
+bool read_value(const ConfigNode& node, const ConfigReader& reader,
+                std::vector<ParameterValue>& values) {
+  const bool scalar = node.kind == ConfigNode::Kind::scalar;
+  if (scalar && (node.text == "true" || node.text == "false")) {
+    reader.unexpected(node, "a number or an atom", "true and false are no terms in AgentSpeak");
+    return false;
+  }
+  if (const auto value = scalar ? parse_fraction(node.text) : std::nullopt) {
+    values.emplace_back(*value);
+  } else if (scalar && is_atom(node.text)) {
+    values.emplace_back(node.text);
+  } else {
+    reader.unexpected(node, "a number (15, 0.5, 1/11) or an atom (back)");
+    return false;
+  }
+  return true;
+}
+
+bool read_values(const ConfigNode& node, const ConfigReader& reader,
+                 std::vector<ParameterValue>& values) {
+  if (node.kind == ConfigNode::Kind::list) {
+    return std::all_of(node.items.begin(), node.items.end(),
+                       [&](const ConfigNode& item) { return read_value(item, reader, values); });
+  }
+  return read_value(node, reader, values);
+}
+
+}  // namespace
+
+bool is_atom(std::string_view text) {
+  if (text.empty() || std::islower(static_cast<unsigned char>(text[0])) == 0) return false;
+  return std::all_of(text.begin(), text.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+void read_parameters(const ConfigNode& node, const ConfigReader& reader,
+                     std::vector<ParameterSetting>& settings) {
+  if (node.kind != ConfigNode::Kind::map) {
+    reader.unexpected(node, "names of beliefs and their values, {radius: 15}");
+    return;
+  }
+  for (const ConfigEntry& entry : node.entries) {
+    ParameterSetting setting{entry.key, {}, entry.origin};
+    if (!is_atom(entry.key)) {
+      reader.error(entry.origin,
+                   fmt::format("expected the name of a belief, found '{}'", entry.key));
+      continue;
+    }
+    if (!read_values(entry.value, reader, setting.values)) continue;
+    std::erase_if(settings, [&](const ParameterSetting& old) { return old.name == entry.key; });
+    settings.push_back(std::move(setting));
+  }
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,16 @@
+// What a scenario may ask for, where several of its keys ask alike; generous, but safe to multiply.
+#pragma once
+
+#include "experiment/scenario/scenario_layer.h"
+
+namespace jaywalk {
+
+inline constexpr IntegerRange kCells{1, 100'000};
+inline constexpr IntegerRange kCellsFromAnywhere{-100'000, 100'000};
+inline constexpr IntegerRange kRows{0, 999};
+/// In the unit of its key, cells or metres a second.
+inline constexpr NumberRange kSpeed{0.01, 10'000};
+/// In seconds.
+inline constexpr NumberRange kWindow{0, 3600};
+
+}  // namespace jaywalk

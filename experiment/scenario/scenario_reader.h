@@ -1,0 +1,92 @@
+#pragma once
+
+// Typed values out of a scenario's nodes: each function reports what it found and what it expected.
+// Read scenario_yaml.h before.
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "env/grid/grid.h"
+#include "experiment/scenario/scenario_yaml.h"
+
+namespace jaywalk {
+
+struct NumberRange {
+  double least = 0;
+  double most = 0;
+};
+
+struct IntegerRange {
+  std::int64_t least = 0;
+  std::int64_t most = 0;
+};
+
+/// A word and what it stands for.
+template <class T>
+struct Choice {
+  std::string_view word;
+  T value;
+};
+
+/// A key of a map and what to do with its value; `path` is the key's, with dots.
+struct ConfigKey {
+  std::string_view name;
+  std::function<void(const ConfigNode& value, const std::string& path)> read;
+};
+
+/// Whether the first number of a pair may be the greater one.
+enum class PairOrder { rising, any };
+
+class ConfigReader {
+ public:
+  explicit ConfigReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// Reads the keys of a map in the order of `keys`, so that the order of the file does not matter;
+  /// others are errors.
+  void read_map(const ConfigNode& node, const std::string& path,
+                std::span<const ConfigKey> keys) const;
+
+  [[nodiscard]] std::optional<double> number(const ConfigNode& node, NumberRange range) const;
+  [[nodiscard]] std::optional<std::int64_t> integer(const ConfigNode& node,
+                                                    IntegerRange range) const;
+  [[nodiscard]] std::optional<std::string> text(const ConfigNode& node,
+                                                std::string_view expected) const;
+  /// Two whole numbers, `[first, last]`, the first not the greater one.
+  [[nodiscard]] std::optional<Interval> interval(const ConfigNode& node, IntegerRange range) const;
+  [[nodiscard]] std::optional<std::array<double, 2>> number_pair(
+      const ConfigNode& node, NumberRange range, PairOrder order = PairOrder::rising) const;
+  /// One of some words.
+  template <class T>
+  [[nodiscard]] std::optional<T> choice(const ConfigNode& node,
+                                        std::span<const Choice<T>> choices) const {
+    std::vector<std::string> words;
+    for (const Choice<T>& each : choices) {
+      if (node.kind == ConfigNode::Kind::scalar && node.text == each.word) return each.value;
+      words.emplace_back(each.word);
+    }
+    report_choice(node, words);
+    return std::nullopt;
+  }
+
+  void error(const ValueOrigin& origin, std::string message, std::string hint = {}) const;
+  /// What is wrong with another file, which `origin` names: where that file has it, if it says so.
+  void error_in(const ValueOrigin& origin, const Diagnostics& found) const;
+  /// `expected X, found Y`.
+  void unexpected(const ConfigNode& node, std::string_view expected, std::string hint = {}) const;
+
+ private:
+  void report_choice(const ConfigNode& node, std::span<const std::string> words) const;
+
+  Diagnostics& diagnostics_;
+};
+
+/// A number if the whole text is one.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+[[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
+
+}  // namespace jaywalk

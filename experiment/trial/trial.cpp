@@ -1,0 +1,383 @@
+#include "experiment/trial/trial.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <new>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "env/crossing/spawn.h"
+#include "env/grid/random.h"
+#include "experiment/trial/covered_bins.h"
+#include "interpreter/agent/agent.h"
+
+namespace jaywalk {
+namespace {
+
+// What a test's seed is used for, so that where agents start does not depend on what they draw.
+enum class Purpose : std::uint64_t { start_cells = 0, agents = 1 };
+
+std::uint64_t seed_for(const TrialInput& input, Purpose purpose) {
+  return mix(mix(input.seed, input.test), static_cast<std::uint64_t>(purpose));
+}
+
+// What single agents are given takes the place of what all of a behaviour have.
+void set_own_parameters(const PreparedBehaviour& behaviour, std::uint32_t number, AgentSpec& spec) {
+  const auto own = behaviour.agent_parameters.find(number);
+  if (own == behaviour.agent_parameters.end()) return;
+  for (const Parameter& parameter : own->second) {
+    std::erase_if(spec.parameters,
+                  [&](const Parameter& common) { return common.predicate == parameter.predicate; });
+    spec.parameters.push_back(parameter);
+  }
+}
+
+std::vector<Parameter> beliefs(const std::vector<CoveredBin>& feedback, SymbolTable& symbols) {
+  std::vector<Parameter> parameters;
+  for (const CoveredBin& each : feedback) {
+    parameters.push_back({symbols.predicate("covered", 3),
+                          {Value::atom(symbols.predicate(each.item, 0)), Value::number(each.bin),
+                           Value::number(static_cast<double>(each.times))}});
+  }
+  return parameters;
+}
+
+std::vector<Parameter> beliefs(const std::vector<ParameterSetting>& settings,
+                               SymbolTable& symbols) {
+  std::vector<Parameter> parameters;
+  for (const ParameterSetting& each : settings) {
+    Parameter& parameter = parameters.emplace_back(Parameter{
+        symbols.predicate(each.name, static_cast<std::uint16_t>(each.values.size())), {}});
+    for (const ParameterValue& value : each.values) {
+      const auto* const number = std::get_if<double>(&value);
+      parameter.args.push_back(
+          number != nullptr ? Value::number(*number)
+                            : Value::atom(symbols.predicate(std::get<std::string>(value), 0)));
+    }
+  }
+  return parameters;
+}
+
+/// What a test sets for all agents of its behaviour, but not what the scenario says of single ones.
+void set_common_parameters(const PreparedBehaviour& behaviour, std::uint32_t number,
+                           const std::vector<Parameter>& given, AgentSpec& spec) {
+  const auto own = behaviour.agent_parameters.find(number);
+  for (const Parameter& parameter : given) {
+    const auto same = [&](const Parameter& other) {
+      return other.predicate == parameter.predicate;
+    };
+    if (own != behaviour.agent_parameters.end() && std::ranges::any_of(own->second, same)) continue;
+    std::erase_if(spec.parameters, same);
+    spec.parameters.push_back(parameter);
+  }
+}
+
+std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TrialInput& input) {
+  std::vector<AgentSpec> specs;
+  const PreparedBehaviour& behaviour = prepared.behaviours()[input.behaviour];
+  for (std::uint32_t number = 1; number <= input.agents; ++number) {
+    const auto own = behaviour.team.find(number);
+    AgentSpec& spec = specs.emplace_back(AgentSpec{
+        fmt::format("p{}", number), own == behaviour.team.end() ? behaviour.program : own->second,
+        behaviour.parameters});
+    set_own_parameters(behaviour, number, spec);
+  }
+  for (const PreparedBehaviour& actor : prepared.actors()) {
+    specs.push_back({actor.name, actor.program, actor.parameters});
+  }
+  return specs;
+}
+
+/// The one limit of a test that depends on the machine.
+class TestDeadline {
+ public:
+  /// Seconds from now; 0: never.
+  explicit TestDeadline(double limit_s)
+      : limit_s_(limit_s), start_(std::chrono::steady_clock::now()) {}
+
+  [[nodiscard]] bool passed() const {
+    if (limit_s_ <= 0) return false;
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+    return taken.count() > limit_s_;
+  }
+  [[nodiscard]] std::string message() const {
+    return fmt::format("the test took longer than its limit of {:g} s", limit_s_);
+  }
+
+ private:
+  double limit_s_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+/// REQUIRES: deadline and options outlive the run. A test that asks for more than its memory is at
+/// fault as a whole: an agent whose steps fail would go on and be measured as if it had chosen to.
+void set_limits(const TestLimits& limits, const TestDeadline& deadline, const TrialOptions& trial,
+                MasOptions& options) {
+  constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
+  options.max_run_inferences = limits.inferences;
+  options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
+  if (limits.memory_mb > 0) {
+    options.max_agent_bytes = limits.memory_mb * kMegabyte;
+    options.max_system_bytes = limits.memory_mb * kMegabyte;
+  }
+  if (limits.time_s <= 0 && !trial.interrupted) return;
+  options.interrupted = [&deadline, &asked = trial.interrupted] {
+    return deadline.passed() || (asked && asked());
+  };
+}
+
+std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
+  if (outcome.end == RunEnd::interrupted) {
+    return deadline.passed() ? deadline.message() : "interrupted";
+  }
+  if (!outcome.message.empty()) {
+    const bool placed =
+        outcome.where.empty() || outcome.message.find(outcome.where) != std::string::npos;
+    return placed ? outcome.message : fmt::format("{} ({})", outcome.message, outcome.where);
+  }
+  if (outcome.end != RunEnd::stopped) return "the run was cut short";
+  return fmt::format("{} stopped the system",
+                     outcome.agent.empty() ? "an agent" : "agent " + outcome.agent);
+}
+
+void record_events(const Crossing& crossing, const TrialInput& input, const TrialResult& result,
+                   Recording& recording) {
+  if (!input.feedback.empty()) {
+    recording.add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(input.feedback)});
+  }
+  if (input.head_start > 0) {
+    recording.add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = "head_start", .text = fmt::format("{}", input.head_start)});
+  }
+  for (const SignalChange& each : crossing.result().signals) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
+                                .actor = static_cast<std::uint32_t>(each.body + 1),
+                                .kind = "signal",
+                                .text = std::string(name(each.colour))});
+  }
+  for (const std::size_t pedestrian : crossing.result().hit_by) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(crossing.result().ticks),
+                                .actor = static_cast<std::uint32_t>(pedestrian + 1),
+                                .kind = "precondition",
+                                .text = {}});
+  }
+  for (const Collision& each : crossing.result().collisions) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
+                                .actor = static_cast<std::uint32_t>(each.body + 1),
+                                .kind = "collision",
+                                .text = fmt::format("impact at {:.3f} m/s", each.impact_mps)});
+  }
+  if (!result.completed) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(recording.scenes() - 1),
+                                .actor = {},
+                                .kind = std::string(kErrored),
+                                .text = result.message});
+  }
+}
+
+/// REQUIRES: the agents are those of the crossing, then perhaps others that they have created.
+TestTroubles troubles_of(const Mas& mas, const CrossingResult& outcome) {
+  TestTroubles troubles{.agents = mas.agent_count(), .pedestrians = outcome.pedestrians.size()};
+  for (const PedestrianOutcome& each : outcome.pedestrians) troubles.idle += each.actions == 0;
+  for (std::uint32_t number = 0; number < mas.agent_count(); ++number) {
+    if (!mas.is_alive(AgentId{number})) continue;
+    for (const DropCause& cause : mas.agent(AgentId{number}).drops()) {
+      troubles.drops.push_back({.actor = number + 1, .cause = cause});
+    }
+  }
+  return troubles;
+}
+
+void give_up(std::string why, TrialResult& result) {
+  result.completed = false;
+  result.message = std::move(why);
+}
+
+void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& options,
+                    const TestDeadline& deadline, TrialResult& result) {
+  const auto observe = [&] {
+    if (options.observe) options.observe(crossing, mas);
+    if (options.record != nullptr) options.record->add(crossing.scene());
+  };
+  observe();
+  while (!crossing.finished()) {
+    if (!mas.step() && !crossing.finished()) {
+      return give_up(describe(mas.outcome(), deadline), result);
+    }
+    observe();
+    if (std::string failure = crossing.failure(); !failure.empty()) {
+      return give_up(std::move(failure), result);
+    }
+    if (deadline.passed()) return give_up(deadline.message(), result);
+    if (options.interrupted && options.interrupted()) return give_up("interrupted", result);
+  }
+}
+
+/// Of a trial that ended in the middle of anything.
+TrialResult without_memory(const TrialOptions& options) {
+  TrialResult failed;
+  give_up("the machine has no memory left for the test", failed);
+  failed.troubles.error = failed.message;
+  if (options.record != nullptr) {
+    *options.record = Recording();
+    options.record->add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = std::string(kErrored), .text = failed.message});
+  }
+  return failed;
+}
+
+/// What the controller makes of the end may be wrong, too.
+void end_drive(Crossing& crossing, TrialResult& result) {
+  crossing.end();
+  if (std::string failure = crossing.failure(); !failure.empty()) {
+    give_up(std::move(failure), result);
+  }
+}
+
+}  // namespace
+
+std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input) {
+  if (!input.starts.empty()) return input.starts;
+  if (!scenario.start_cells) {
+    return spawn(scenario.world, input.agents, seed_for(input, Purpose::start_cells));
+  }
+  const auto test = scenario.start_cells->find(input.test);
+  if (test == scenario.start_cells->end() || test->second.size() < input.agents) return {};
+  return {test->second.begin(), test->second.begin() + input.agents};
+}
+
+StartCells start_cells(const Scenario& scenario, std::uint32_t agents, std::uint64_t seed,
+                       std::uint64_t tests) {
+  StartCells cells;
+  for (std::uint64_t test = 0; test < tests; ++test) {
+    cells[test] = start_cells(scenario, {.agents = agents, .seed = seed, .test = test});
+  }
+  return cells;
+}
+
+std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) {
+  if (input.behaviour >= prepared.behaviours().size()) {
+    return fmt::format("there is no behaviour {}, only {}", input.behaviour,
+                       prepared.behaviours().size());
+  }
+  if (input.agents == 0) return "a test needs at least one agent";
+  if (start_cells(prepared.scenario(), input).empty()) {
+    return fmt::format("test {} has fewer than {} start cells in the scenario's file", input.test,
+                       input.agents);
+  }
+  return {};
+}
+
+TestOutcome outcome_of(const TrialResult& trial) {
+  const CrossingResult& of = trial.outcome;
+  TestOutcome outcome{.ticks = static_cast<std::uint32_t>(of.all_ticks)};
+  if (!trial.completed) {
+    outcome.ended_by = kErrored;
+    return outcome;
+  }
+  if (of.success) outcome.precondition_ticks = static_cast<std::uint32_t>(of.ticks);
+  if (of.end) outcome.ended_by = name(*of.end);
+  if (!of.collisions.empty()) outcome.impact_mps = of.collisions.front().impact_mps;
+  return outcome;
+}
+
+void TrialRunner::add_agents(const TrialInput& input) {
+  if (specs_.empty() || behaviour_ != input.behaviour || agents_ != input.agents) {
+    specs_ = agents_of(prepared_, input);
+    behaviour_ = input.behaviour;
+    agents_ = input.agents;
+  }
+  // What is of this test alone is in the system's own names.
+  const std::vector<Parameter> feedback = beliefs(input.feedback, mas_->symbols());
+  const std::vector<Parameter> given = beliefs(input.parameters, mas_->symbols());
+  for (std::size_t i = 0; i < specs_.size(); ++i) {
+    if ((feedback.empty() && given.empty()) || i >= agents_) {
+      mas_->add_agent(specs_[i]);
+      continue;
+    }
+    AgentSpec spec = specs_[i];
+    set_common_parameters(prepared_.behaviours()[input.behaviour],
+                          static_cast<std::uint32_t>(i + 1), given, spec);
+    spec.parameters.insert(spec.parameters.end(), feedback.begin(), feedback.end());
+    mas_->add_agent(spec);
+  }
+}
+
+TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& options) {
+  assert(obstacle(prepared_, input).empty() && "the caller has asked for obstacles");
+  Crossing crossing(prepared_.world(input.vehicle), prepared_.vocabulary(),
+                    start_cells(prepared_.scenario(), input), input.head_start);
+  MasOptions mas_options;
+  mas_options.seed = seed_for(input, Purpose::agents);
+  mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
+  const TestLimits& limits = prepared_.scenario().experiment.limits;
+  const TestDeadline deadline(limits.time_s);
+  mas_options.max_cycles = options.max_cycles > 0 ? options.max_cycles : limits.cycles;
+  mas_options.max_ticks = options.max_ticks;
+  set_limits(limits, deadline, options, mas_options);
+  mas_options.print = options.print;
+  mas_options.log = options.log;
+  mas_options.measure_cpu = options.measure_cpu;
+  mas_options.observer = options.observer;
+  if (mas_ == nullptr) {
+    mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), &crossing);
+  } else {
+    mas_->restart(std::move(mas_options), &crossing);
+  }
+  add_agents(input);
+  crossing.begin({.test = input.test,
+                  .seed = input.seed,
+                  .behaviour = prepared_.behaviours()[input.behaviour].name,
+                  .agents = input.agents,
+                  .processes = &processes_});
+
+  TrialResult result;
+  if (options.record != nullptr) {
+    *options.record = Recording(prepared_.scenario().world.tick_s, crossing.actors());
+  }
+  run_to_the_end(*mas_, crossing, options, deadline, result);
+  result.interrupted = !result.completed && options.interrupted && options.interrupted();
+  if (result.completed) end_drive(crossing, result);
+  result.note = crossing.note();
+  if (options.record != nullptr) record_events(crossing, input, result, *options.record);
+  result.outcome = crossing.result();
+  // A chain goes on as if a new one began.
+  result.left_over = result.completed ? crossing.left_over() : 0;
+  result.cycles = mas_->outcome().cycles;
+  result.troubles = troubles_of(*mas_, result.outcome);
+  if (!result.completed) result.troubles.error = result.message;
+  result.cpu_s = mas_->reasoning_cpu_s();
+  return result;
+}
+
+TrialResult TrialRunners::run(const TrialInput& input, const TrialOptions& options) {
+  std::unique_ptr<TrialRunner> runner;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      runner = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  TrialResult result;
+  try {
+    if (runner == nullptr) runner = std::make_unique<TrialRunner>(prepared_);
+    result = runner->run(input, options);
+  } catch (const std::bad_alloc&) {
+    // Of the runner nothing is used again.
+    return without_memory(options);
+  }
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(runner));
+  return result;
+}
+
+TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
+                      const TrialOptions& options) {
+  return TrialRunner(prepared).run(input, options);
+}
+
+}  // namespace jaywalk

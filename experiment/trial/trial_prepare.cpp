@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiment/scenario/files/code_lines.h"
+#include "experiment/scenario/scenario_yaml.h"
+#include "experiment/trial/trial.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/support/excerpt.h"
+#include "interpreter/syntax/load.h"
+
+namespace jaywalk {
+namespace {
+
+// `radius/1` and `odds/2` as written by parameter_names().
+struct Indicator {
+  std::string name;
+  std::size_t arity = 0;
+};
+
+Indicator parse_indicator(const std::string& text) {
+  const std::size_t slash = text.rfind('/');
+  return {text.substr(0, slash), static_cast<std::size_t>(std::stoul(text.substr(slash + 1)))};
+}
+
+/// Loads and compiles behaviours into one symbol table.
+class Preparation {
+ public:
+  Preparation(const Scenario& scenario, SymbolTable& symbols, std::vector<SourcePtr>& inputs,
+              Diagnostics& diagnostics)
+      : symbols_(symbols),
+        inputs_(inputs),
+        diagnostics_(diagnostics),
+        include_path_(include_path(scenario)) {}
+
+  PreparedBehaviour prepare(const BehaviourSpec& spec) {
+    PreparedBehaviour result;
+    result.name = spec.name;
+    result.program_path = spec.program;
+    result.program = load(spec.program, spec.origin, result);
+    for (const TeamMember& member : spec.team) {
+      const std::shared_ptr<const Program> program = load(member.program, member.origin, result);
+      for (const std::uint32_t agent : member.agents) result.team[agent] = program;
+    }
+    if (!result.program || diagnostics_.has_errors()) return result;
+    result.parameters = convert(spec.parameters);
+    for (const AgentSettings& settings : spec.agents) {
+      const std::vector<Parameter> parameters = convert(settings.parameters);
+      for (const std::uint32_t agent : settings.agents) {
+        std::vector<Parameter>& own = result.agent_parameters[agent];
+        own.insert(own.end(), parameters.begin(), parameters.end());
+      }
+    }
+    return result;
+  }
+
+ private:
+  void add_input(const SourcePtr& source) {
+    const auto same = [&](const SourcePtr& input) { return input->name() == source->name(); };
+    if (std::none_of(inputs_.begin(), inputs_.end(), same)) inputs_.push_back(source);
+  }
+
+  // A program that several members of a team run counts once, and is compiled once.
+  std::shared_ptr<const Program> load(const std::string& path, const ValueOrigin& origin,
+                                      PreparedBehaviour& result) {
+    if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
+    // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
+    if (!include_path_.files.has(path)) {
+      const std::string folder(kInstalledBehaviours);
+      report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path),
+             did_you_mean(path, include_path_.files.installed_in(folder)));
+      return nullptr;
+    }
+    const SourceTree tree = load_agent(path, include_path_, diagnostics_);
+    diagnostics_ = with_errors(diagnostics_, kMissingInclude, kMissingIncludeHint);
+    for (const auto& file : tree.files) {
+      add_input(file->source);
+      result.sources.push_back(file->source);
+    }
+    if (diagnostics_.has_errors()) return nullptr;
+    std::shared_ptr<const Program> program = compile(tree, symbols_, diagnostics_);
+    if (!program) return nullptr;
+    result.code_lines += code_lines(tree);
+    for (const std::string& name : parameter_names(*program, symbols_)) {
+      settable_.push_back(parse_indicator(name));
+    }
+    return loaded_[path] = program;
+  }
+
+  std::vector<Parameter> convert(const std::vector<ParameterSetting>& settings) {
+    std::vector<Parameter> result;
+    for (const ParameterSetting& setting : settings) {
+      if (!check(setting)) continue;
+      Parameter parameter;
+      parameter.predicate =
+          symbols_.predicate(setting.name, static_cast<std::uint16_t>(setting.values.size()));
+      for (const ParameterValue& value : setting.values) parameter.args.push_back(term(value));
+      result.push_back(std::move(parameter));
+    }
+    return result;
+  }
+
+  Value term(const ParameterValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return Value::number(*number);
+    return Value::atom(symbols_.predicate(std::get<std::string>(value), 0));
+  }
+
+  bool check(const ParameterSetting& setting) {
+    std::vector<std::string> names;
+    std::vector<std::string> arities;
+    for (const Indicator& each : settable_) {
+      names.push_back(each.name);
+      if (each.name != setting.name) continue;
+      if (each.arity == setting.values.size()) return true;
+      arities.push_back(fmt::format("{}", each.arity));
+    }
+    if (!arities.empty()) {
+      report(diagnostics_, setting.origin,
+             fmt::format("'{}' takes {} values, {} given", setting.name, fmt::join(arities, " or "),
+                         setting.values.size()));
+      return false;
+    }
+    std::string hint = did_you_mean(setting.name, names);
+    if (hint.empty()) {
+      hint = names.empty() ? "the program has no initial beliefs"
+                           : fmt::format("its initial beliefs are {}", fmt::join(names, ", "));
+    }
+    report(diagnostics_, setting.origin,
+           fmt::format("the program has no initial belief '{}' to set", setting.name),
+           std::move(hint));
+    return false;
+  }
+
+  SymbolTable& symbols_;
+  std::vector<SourcePtr>& inputs_;
+  Diagnostics& diagnostics_;
+  IncludePath include_path_;
+  std::vector<Indicator> settable_;
+  std::map<std::string, std::shared_ptr<const Program>> loaded_;
+};
+
+}  // namespace
+
+IncludePath include_path(const Scenario& scenario) {
+  IncludePath path;
+  path.folders = scenario.include.folders;
+  path.mapped = scenario.include.mapped;
+  path.files = scenario.files;
+  // The scenario is the project of its programs, wherever it has them from.
+  path.files.allow_reading(std::filesystem::path(scenario.name).parent_path().string());
+  return path;
+}
+
+PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
+                                   CrossingVocabulary vocabulary,
+                                   std::vector<PreparedBehaviour> behaviours,
+                                   std::vector<PreparedBehaviour> actors,
+                                   std::vector<SourcePtr> inputs)
+    : scenario_(std::move(scenario)),
+      symbols_(std::move(symbols)),
+      vocabulary_(vocabulary),
+      behaviours_(std::move(behaviours)),
+      actors_(std::move(actors)),
+      inputs_(std::move(inputs)) {
+  for (TestedVehicle& vehicle : tested_vehicles(scenario_)) {
+    vehicles_.push_back(std::move(vehicle.name));
+    worlds_.push_back(scenario_.world);
+    worlds_.back().av.vehicle = std::move(vehicle.parameters);
+  }
+}
+
+Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenario scenario,
+                                                                          Diagnostics& warnings) {
+  const auto symbols = std::make_shared<SymbolTable>();
+  const CrossingVocabulary vocabulary(*symbols);
+  Diagnostics errors;
+  std::vector<SourcePtr> inputs = scenario.sources;
+  const auto prepare_all = [&](const std::vector<BehaviourSpec>& specs) {
+    std::vector<PreparedBehaviour> prepared;
+    for (const BehaviourSpec& spec : specs) {
+      Diagnostics found;
+      prepared.push_back(Preparation(scenario, *symbols, inputs, found).prepare(spec));
+      (found.has_errors() ? errors : warnings).append(std::move(found));
+    }
+    return prepared;
+  };
+  std::vector<PreparedBehaviour> behaviours = prepare_all(scenario.behaviours);
+  std::vector<PreparedBehaviour> actors = prepare_all(scenario.actors);
+  if (errors.has_errors()) return errors;
+  return std::shared_ptr<const PreparedScenario>(
+      new PreparedScenario(std::move(scenario), symbols, vocabulary, std::move(behaviours),
+                           std::move(actors), std::move(inputs)));
+}
+
+}  // namespace jaywalk

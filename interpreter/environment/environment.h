@@ -1,0 +1,50 @@
+#pragma once
+
+// The world as the interpreter sees it. An environment is asked what each agent perceives, is given
+// all the actions chosen in one tick at once, and then moves on by itself. See mas.h for the order.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "interpreter/environment/percepts.h"
+#include "interpreter/term/value.h"
+
+namespace jaywalk {
+
+/// The number of an agent in its multi-agent system, from 0 in the order of creation.
+enum class AgentId : std::uint32_t {};
+
+/// An action that an agent has chosen. Arguments are valid during `execute` only.
+struct ActionRequest {
+  AgentId agent{};
+  Predicate predicate{};
+  std::span<const Value> args;
+};
+
+/// What came of it. A failed action fails the plan that asked for it (`error(action_failed)`);
+/// `reason` becomes the text of the failure's `error_msg`.
+struct ActionResult {
+  bool succeeded = true;
+  std::string reason;
+};
+
+class Environment {
+ public:
+  virtual ~Environment() = default;
+
+  /// Adds all that `agent` perceives now. Agents perceive one after another, the world between two
+  /// ticks being the same for all of them.
+  virtual void perceive(AgentId agent, Percepts& percepts) const = 0;
+  /// The actions of one tick, at most one for each agent, in the agents' order. All take effect at
+  /// once. `results` has the same length, prefilled with success.
+  virtual void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) = 0;
+  /// Everything in the world that is not an agent moves on by one tick.
+  virtual void advance() = 0;
+  /// Nothing more can happen that matters; the run ends.
+  [[nodiscard]] virtual bool finished() const = 0;
+  /// The length of a tick in milliseconds of virtual time.
+  [[nodiscard]] virtual double tick_ms() const = 0;
+};
+
+}  // namespace jaywalk

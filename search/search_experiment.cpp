@@ -1,0 +1,352 @@
+#include "search/search_experiment.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario/scenario_layer.h"
+#include "experiment/scenario/scenario_reader.h"
+#include "search/suts/suts.h"
+
+namespace jaywalk::search {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+constexpr double kMostSeconds = 1e9;
+constexpr std::int64_t kMostTests = 10'000'000;
+
+/// Replaces or adds the values of `layer` in `base`, map by map; an empty map takes the place of
+/// all.
+void overlay(ConfigNode& base, const ConfigNode& layer) {
+  const bool both_maps = base.kind == ConfigNode::Kind::map && layer.kind == ConfigNode::Kind::map;
+  if (!both_maps || layer.entries.empty()) {
+    base = layer;
+    return;
+  }
+  for (const ConfigEntry& entry : layer.entries) {
+    const auto found = std::ranges::find(base.entries, entry.key, &ConfigEntry::key);
+    if (found == base.entries.end()) {
+      base.entries.push_back(entry);
+    } else {
+      overlay(found->value, entry.value);
+    }
+  }
+}
+
+std::vector<std::string> generator_names() {
+  std::vector<std::string> names;
+  for (const GeneratorKind& kind : generators()) names.emplace_back(kind.name);
+  return names;
+}
+
+std::vector<double> defaults(const GeneratorKind& kind) {
+  std::vector<double> values;
+  for (const NumberParameter& parameter : kind.parameters) values.push_back(parameter.value);
+  return values;
+}
+
+class ExperimentReader {
+ public:
+  ExperimentReader(SourcePtr source, const SearchOptions& options)
+      : source_(std::move(source)), options_(options), reader_(diagnostics_) {}
+
+  Result<SearchExperiment> read() {
+    experiment_.name = source_->name();
+    experiment_.origin = source_->text();
+    experiment_.text = source_->text();
+    experiment_.options = options_;
+    const std::optional<ConfigNode> root = layers();
+    if (!root) return std::move(diagnostics_);
+    const std::vector<ConfigKey> keys{
+        {"defects",
+         [&](const ConfigNode& node, const std::string&) {
+           experiment_.defects = read_defect_list(node, reader_);
+         }},
+        {"sut", [&](const ConfigNode& node, const std::string& path) { read_sut(node, path); }},
+        {"fitness",
+         [&](const ConfigNode& node, const std::string& path) { read_fitness(node, path); }},
+        {"budget",
+         [&](const ConfigNode& node, const std::string& path) { read_budget(node, path); }},
+        {"generators", [&](const ConfigNode& node, const std::string&) { read_generators(node); }},
+        {"repetitions",
+         [&](const ConfigNode& node, const std::string&) {
+           if (const auto count = reader_.integer(node, {1, kMostRepetitions})) {
+             experiment_.plan.repetitions = static_cast<std::uint32_t>(*count);
+           }
+         }},
+        {"seed",
+         [&](const ConfigNode& node, const std::string&) {
+           if (const auto seed = reader_.integer(node, {0, INT64_MAX})) {
+             experiment_.plan.seed = static_cast<std::uint64_t>(*seed);
+           }
+         }},
+    };
+    reader_.read_map(*root, "", keys);
+    if (root->find("sut") == nullptr && root->kind == ConfigNode::Kind::map) {
+      diagnostics_.error(source_->name(), "no 'sut' to search",
+                         "search/README.md describes what to write");
+    }
+    select_generators();
+    if (const ConfigNode* defects = root->find("defects")) take_defects(*defects);
+    if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    return std::move(experiment_);
+  }
+
+ private:
+  std::optional<ConfigNode> layers() {
+    std::optional<ConfigNode> root = parse_config(source_, diagnostics_);
+    if (root && root->kind == ConfigNode::Kind::null) {
+      diagnostics_.error(source_->name(), "the experiment is empty",
+                         "search/README.md describes what to write");
+    }
+    for (const std::string& text : options_.sets) {
+      const std::optional<ConfigNode> setting = parse_setting(text, diagnostics_);
+      if (setting && root) overlay(*root, *setting);
+      experiment_.origin += fmt::format("\n--set {}", text);
+    }
+    if (options_.defects) {
+      const std::string text = "defects=" + *options_.defects;
+      const auto given = std::make_shared<const Source>("--defects", *options_.defects);
+      const std::optional<ConfigNode> setting = parse_setting(text, diagnostics_, given);
+      if (setting && root) overlay(*root, *setting);
+      experiment_.origin += fmt::format("\n--set {}", text);
+    }
+    if (diagnostics_.has_errors()) return std::nullopt;
+    return root;
+  }
+
+  std::shared_ptr<const SutModel> make_sut(const ConfigNode& node, const std::string& path) {
+    const ConfigNode* kind = node.find("kind");
+    if (kind == nullptr) {
+      reader_.error(node.origin, "no 'kind' of the system under test",
+                    "`jaywalk list suts` shows them");
+      return nullptr;
+    }
+    std::vector<Choice<const SutKind*>> choices;
+    for (const SutKind& each : sut_kinds()) choices.push_back({each.name, &each});
+    const auto chosen = reader_.choice<const SutKind*>(*kind, choices);
+    if (!chosen) return nullptr;
+    if (experiment_.sut.empty()) experiment_.sut = (*chosen)->name;
+    const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
+    return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include,
+                            experiment_.defects, options_.trials == Trials::none});
+  }
+
+  void read_sut(const ConfigNode& node, const std::string& path) {
+    sut_ = node;
+    experiment_.plan.model = make_sut(node, path);
+    if (!experiment_.plan.model || experiment_.plan.model->measures().empty()) return;
+    experiment_.measure = experiment_.plan.model->measures().front().name;
+  }
+
+  void read_fitness(const ConfigNode& node, const std::string& path) {
+    Fitness& fitness = experiment_.plan.fitness;
+    const auto number = [&](double& target, NumberRange range) {
+      return [this, &target, range](const ConfigNode& value, const std::string&) {
+        if (const auto read = reader_.number(value, range)) target = *read;
+      };
+    };
+    const std::vector<ConfigKey> keys{
+        {"measure", [&](const ConfigNode& value, const std::string&) { read_measure(value); }},
+        {"harmless", number(fitness.harmless, {-1e9, 1e9})},
+        {"worst", number(fitness.worst, {-1e9, 1e9})},
+        {"fails_at", number(fitness.fails_at, {0, 1})},
+    };
+    reader_.read_map(node, path, keys);
+    if (fitness.harmless == fitness.worst) {
+      reader_.error(node.origin, "'harmless' and 'worst' are the same value");
+    }
+  }
+
+  void read_measure(const ConfigNode& value) {
+    if (!experiment_.plan.model) return;  // reported
+    std::vector<Choice<std::size_t>> choices;
+    const std::span<const MeasureKind> measures = experiment_.plan.model->measures();
+    for (std::size_t i = 0; i < measures.size(); ++i) choices.push_back({measures[i].name, i});
+    const auto chosen = reader_.choice<std::size_t>(value, choices);
+    if (!chosen) return;
+    experiment_.plan.fitness.measure = *chosen;
+    experiment_.measure = measures[*chosen].name;
+  }
+
+  void read_budget(const ConfigNode& node, const std::string& path) {
+    Budget& budget = experiment_.plan.budget;
+    const auto seconds = [&](double& target) {
+      return [this, &target](const ConfigNode& value, const std::string&) {
+        if (const auto read = reader_.number(value, {0, kMostSeconds})) target = *read;
+      };
+    };
+    const auto count = [&](std::uint64_t& target) {
+      return [this, &target](const ConfigNode& value, const std::string&) {
+        if (const auto read = reader_.integer(value, {0, kMostTests})) {
+          target = static_cast<std::uint64_t>(*read);
+        }
+      };
+    };
+    const std::vector<ConfigKey> keys{
+        {"tests", count(budget.tests)},
+        {"failures", count(budget.failures)},
+        {"virtual_s", seconds(budget.virtual_s)},
+        {"overhead_s", seconds(budget.overhead_s)},
+        {"generation_s", seconds(budget.generation_s)},
+    };
+    reader_.read_map(node, path, keys);
+    if (budget.tests == 0 && budget.virtual_s <= 0) {
+      reader_.error(node.origin, "nothing bounds the number of tests",
+                    "give 'tests' or 'virtual_s' above 0");
+    }
+  }
+
+  void read_generators(const ConfigNode& node) {
+    if (node.kind != ConfigNode::Kind::list || node.items.empty()) {
+      reader_.unexpected(node, "a list of generators");
+      return;
+    }
+    for (const ConfigNode& item : node.items) read_generator(item);
+  }
+
+  /// A name, or a map with `generator`, perhaps a `name`, other common keys, and the generator's
+  /// parameters.
+  void read_generator(const ConfigNode& node) {
+    const ConfigNode* kind_node = &node;
+    if (node.kind == ConfigNode::Kind::map) kind_node = node.find("generator");
+    if (kind_node == nullptr) {
+      reader_.error(node.origin, "no 'generator' that says which one it is");
+      return;
+    }
+    std::vector<Choice<const GeneratorKind*>> choices;
+    for (const GeneratorKind& each : generators()) choices.push_back({each.name, &each});
+    const auto kind = reader_.choice<const GeneratorKind*>(*kind_node, choices);
+    if (!kind) return;
+    GeneratorSpec spec{std::string((*kind)->name), *kind, defaults(**kind)};
+    if (node.kind == ConfigNode::Kind::map) read_settings(node, spec);
+    const auto& known = experiment_.plan.generators;
+    if (std::ranges::find(known, spec.name, &GeneratorSpec::name) != known.end()) {
+      reader_.error(node.origin, fmt::format("a second generator with the name '{}'", spec.name),
+                    "give one of them a 'name' of its own");
+      return;
+    }
+    experiment_.plan.generators.push_back(std::move(spec));
+  }
+
+  void read_settings(const ConfigNode& node, GeneratorSpec& spec) {
+    std::vector<ConfigKey> keys{
+        {"generator", [](const ConfigNode&, const std::string&) {}},
+        {"name",
+         [&](const ConfigNode& value, const std::string&) {
+           if (auto name = reader_.text(value, "a name")) spec.name = std::move(*name);
+         }},
+        {"generation_s",
+         [&](const ConfigNode& value, const std::string&) {
+           spec.generation_s = reader_.number(value, {0, kMostSeconds});
+         }},
+        {"sut",
+         [&](const ConfigNode& value, const std::string& path) {
+           ConfigNode changed = sut_;
+           overlay(changed, value);
+           spec.model = make_sut(changed, path);
+           if (spec.model) check_measures(value, *spec.model);
+         }},
+    };
+    const std::span<const NumberParameter> parameters = spec.kind->parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      keys.push_back({parameters[i].name, [&, i](const ConfigNode& value, const std::string&) {
+                        const NumberRange range{parameters[i].least, parameters[i].most};
+                        if (const auto number = reader_.number(value, range)) {
+                          spec.values[i] = *number;
+                        }
+                      }});
+    }
+    reader_.read_map(node, "generators", keys);
+  }
+
+  /// All SUTs of an experiment measure the same, so that one fitness fits all.
+  void check_measures(const ConfigNode& node, const SutModel& model) {
+    if (!experiment_.plan.model) return;  // reported
+    if (std::ranges::equal(model.measures(), experiment_.plan.model->measures(), {},
+                           &MeasureKind::name, &MeasureKind::name)) {
+      return;
+    }
+    reader_.error(node.origin, "this system under test measures other things than 'sut'");
+  }
+
+  /// Those that the options name; all of the table if neither file nor options name any.
+  void select_generators() {
+    std::vector<GeneratorSpec>& known = experiment_.plan.generators;
+    if (options_.generators.empty()) {
+      if (!known.empty() || diagnostics_.has_errors()) return;
+      for (const GeneratorKind& kind : generators()) {
+        known.push_back({std::string(kind.name), &kind, defaults(kind)});
+      }
+      return;
+    }
+    std::vector<GeneratorSpec> selected;
+    for (const std::string& wanted : options_.generators) {
+      experiment_.origin += fmt::format("\n--generators {}", wanted);
+      const auto spec = std::ranges::find(known, wanted, &GeneratorSpec::name);
+      const GeneratorKind* kind = find_generator(wanted);
+      if (spec != known.end()) {
+        selected.push_back(*spec);
+      } else if (kind != nullptr) {
+        selected.push_back({wanted, kind, defaults(*kind)});
+      } else {
+        diagnostics_.error(fmt::format("generator {}", wanted), "there is no such generator",
+                           did_you_mean(wanted, generator_names()));
+      }
+    }
+    known = std::move(selected);
+  }
+
+  /// Each generator becomes as many as there are defects.
+  void take_defects(const ConfigNode& node) {
+    if (diagnostics_.has_errors() || experiment_.defects.empty()) return;
+    std::vector<GeneratorSpec> all;
+    for (const GeneratorSpec& spec : experiment_.plan.generators) {
+      const SutModel& model = experiment_.plan.model_of(spec);
+      const std::vector<std::string> names = model.defects();
+      if (names.empty()) {
+        reader_.error(
+            node.origin,
+            fmt::format("the system under test '{}' has no AV with defects", experiment_.sut),
+            "that of the kind crossing has");
+        return;
+      }
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        GeneratorSpec& each = all.emplace_back(spec);
+        each.name = fmt::format("{} {}", spec.name, names[i]);
+        each.model = model.with_defect(i);
+        each.family = spec.name;
+        each.defect = i;
+      }
+    }
+    experiment_.plan.generators = std::move(all);
+  }
+
+  SourcePtr source_;
+  const SearchOptions& options_;
+  Diagnostics diagnostics_;
+  ConfigReader reader_;
+  SearchExperiment experiment_;
+  ConfigNode sut_;  // the keys of the experiment's own
+};
+
+}  // namespace
+
+Result<SearchExperiment> parse_search(const SourcePtr& source, const SearchOptions& options) {
+  return ExperimentReader(source, options).read();
+}
+
+Result<SearchExperiment> read_search(const std::string& path, const SearchOptions& options) {
+  Result<SourcePtr> source = read_source(path, kMostBytes);
+  if (!source.ok()) return std::move(source.diagnostics());
+  return parse_search(source.value(), options);
+}
+
+bool is_search(const SourcePtr& source) {
+  Diagnostics ignored;
+  const std::optional<ConfigNode> root = parse_config(source, ignored);
+  return root && root->find("sut") != nullptr;
+}
+
+}  // namespace jaywalk::search

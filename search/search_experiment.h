@@ -1,0 +1,57 @@
+#pragma once
+
+// A search as a YAML file describes it (search/README.md is the reference of its keys).
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/scenario/scenario.h"
+#include "search/search.h"
+
+namespace jaywalk::search {
+
+inline constexpr std::int64_t kMostRepetitions = 100'000;
+
+/// Whether an experiment's SUT is tried with the least and the greatest values as it is read.
+enum class Trials { some, none };
+
+struct SearchOptions {
+  /// `dotted.path=value`, in order, as given to `--set`.
+  std::vector<std::string> sets;
+  /// Defects of the AV as the key `defects` has them; takes the file's place. From `--defects`.
+  std::optional<std::string> defects;
+  /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
+  std::vector<std::string> generators;
+  /// Where the programs of agents are looked for.
+  SourceFiles files;
+  IncludeFolders include;
+  Trials trials = Trials::some;
+};
+
+struct SearchExperiment {
+  /// The file's name.
+  std::string name;
+  std::string sut;
+  std::string measure;
+  SearchPlan plan;
+  /// Each of the generators searches the AV with each of these.
+  std::vector<VehicleDefect> defects;
+  /// From which it was read.
+  std::string text;
+  SearchOptions options;
+  /// Text and options in one: what a store compares before it goes on.
+  std::string origin;
+};
+
+[[nodiscard]] Result<SearchExperiment> read_search(const std::string& path,
+                                                   const SearchOptions& options = {});
+/// The same for a text in memory; paths in it are relative to the folder in the source's name.
+[[nodiscard]] Result<SearchExperiment> parse_search(const SourcePtr& source,
+                                                    const SearchOptions& options = {});
+
+/// Whether a file is a search rather than a scenario: it has the key `sut`.
+[[nodiscard]] bool is_search(const SourcePtr& source);
+
+}  // namespace jaywalk::search

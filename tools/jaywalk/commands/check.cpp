@@ -1,0 +1,219 @@
+// `jaywalk check`: what is wrong with programs, projects and scenarios, without running them.
+
+#include "interpreter/check/check.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "env/environments.h"
+#include "experiment/trial/trial.h"
+#include "interpreter/embed/project_agents.h"
+#include "interpreter/syntax/load.h"
+#include "search/search_experiment.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/programs/program_check.h"
+#include "tools/jaywalk/programs/program_files.h"
+#include "tools/jaywalk/programs/vocabulary.h"
+
+namespace jaywalk::command::check {
+namespace {
+
+/// What of a folder is checked: its programs and projects. A file .yaml may be anything.
+constexpr std::array<std::string_view, 2> kEndings{".asl", ".mas2j"};
+
+/// Checks files, each program once however many scenarios and projects name it.
+class Checker {
+ public:
+  explicit Checker(IncludePath include_path) : include_path_(std::move(include_path)) {}
+
+  /// False: files of that kind cannot be checked.
+  bool check_file(const std::string& path) {
+    if (is_scenario_file(path)) {
+      const auto source = read_source(path, kMaxScenarioBytes);
+      if (source.ok() && jaywalk::search::is_search(source.value())) {
+        check_search(source.value());
+      } else {
+        check_scenario(path);
+      }
+    } else if (path.ends_with(".asl")) {
+      check_alone(path);
+    } else if (path.ends_with(".mas2j")) {
+      check_project(path);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  struct LoadedProgram {
+    SourceTree tree;
+    Diagnostics found;
+  };
+
+  static LoadedProgram load(const ProgramSource& program) {
+    LoadedProgram loaded;
+    loaded.tree = program.text ? load_agent(program.text, program.include_path, loaded.found)
+                               : load_agent(program.path, program.include_path, loaded.found);
+    return loaded;
+  }
+
+  bool is_new(const std::string& path) {
+    return checked_.programs.insert(std::filesystem::path(path).lexically_normal().string()).second;
+  }
+
+  void check_program(LoadedProgram program, const EnvironmentKind* environment,
+                     const std::function<void(Vocabulary&)>& complete) {
+    check_loaded(program.tree, environment, complete, program.found);
+    add_news(program.found, checked_, diagnostics_);
+  }
+
+  /// A program by itself, for the environment that it seems to be written for.
+  void check_alone(const std::string& path) {
+    if (!is_new(path)) return;
+    LoadedProgram program = load({.path = path, .text = {}, .include_path = include_path_});
+    jaywalk::check_alone(program.tree, path, program.found);
+    add_news(program.found, checked_, diagnostics_);
+  }
+
+  void check_project(const std::string& path) {
+    const std::size_t known_warnings = diagnostics_.warning_count();
+    const auto programs =
+        read_project_agents(path, include_path_, JavaParts::ignored, diagnostics_);
+    if (!programs) return;
+    const bool has_java = diagnostics_.warning_count() > known_warnings;
+    std::vector<LoadedProgram> loaded;
+    std::set<std::string, std::less<>> named;
+    bool all_known = !has_java;
+    for (const ProgramSource& program : *programs) {
+      loaded.push_back(load(program));
+      all_known &= loaded.back().found.empty();
+      named.merge(names_in(loaded.back().tree));
+    }
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+      if (!(*programs)[i].text && !is_new((*programs)[i].path)) continue;
+      const EnvironmentKind* const environment = environment_of(loaded[i].tree);
+      check_program(std::move(loaded[i]), environment, [&](Vocabulary& vocabulary) {
+        vocabulary.others_known = all_known;
+        vocabulary.may_be_alone = false;
+        vocabulary.named_by_others = named;
+      });
+    }
+  }
+
+  void check_search(const SourcePtr& source) {
+    auto experiment = jaywalk::search::parse_search(
+        source,
+        {.files = include_path_.files, .include = {include_path_.folders, include_path_.mapped}});
+    if (!experiment) diagnostics_.append(std::move(experiment.diagnostics()));
+  }
+
+  void check_scenario(const std::string& path) {
+    auto scenario = read_scenario(path, {.files = include_path_.files,
+                                         .include = {include_path_.folders, include_path_.mapped}});
+    if (!scenario) {
+      diagnostics_.append(std::move(scenario.diagnostics()));
+      return;
+    }
+    const std::size_t errors = diagnostics_.error_count();
+    check_programs(scenario.value(), checked_, diagnostics_);
+    if (diagnostics_.error_count() > errors) return;
+    // What remains is how parameters and programs fit together.
+    Diagnostics known_warnings;
+    auto prepared = PreparedScenario::prepare(std::move(scenario).value(), known_warnings);
+    if (!prepared) diagnostics_.append(std::move(prepared.diagnostics()));
+  }
+
+  IncludePath include_path_;
+  Checked checked_;
+  Diagnostics diagnostics_;
+};
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string names_of_checks() {
+  std::size_t width = 0;
+  for (const CheckInfo& each : checks()) width = std::max(width, each.name.size());
+  std::string text;
+  for (const CheckInfo& each : checks()) {
+    text += fmt::format("{:<{}}  {}\n", each.name, width, each.summary);
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  CommandHelp help{
+      .usage = "FILE|FOLDER... [OPTIONS]",
+      .description =
+          "Diagnoses agents (.asl), Jason projects (.mas2j) and scenarios (.yaml), with the\n"
+          "programs that they name, and the agents and projects of folders, without running\n"
+          "them: mistakes of syntax, misspelt goals, percepts, actions, atoms and keys,\n"
+          "variables without a value, plans that are never reached ... `jaywalk check\n"
+          "--list` names the warnings; a comment `// jaywalk: allow CODE` silences one in\n"
+          "its line and the next, `allow-file CODE` in the file. Exits with 2 if there are\n"
+          "errors.\n",
+      .options = {{"werror", "", "treat warnings as errors"},
+                  {"list", "", "name the warnings that there are, and check nothing"}},
+      .examples =
+          "  jaywalk check agents/crossing/proximity.asl\n"
+          "  jaywalk check agents scenarios/*.yaml --werror\n"};
+  help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
+  return help;
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  if (arguments.has("list")) {
+    console.print(names_of_checks());
+    return ExitCode::success;
+  }
+  if (arguments.operands().empty()) {
+    console.error("expected at least one file", "jaywalk check --help shows how to write it");
+    return ExitCode::usage;
+  }
+  const auto include_path = read_include_path(arguments, console);
+  if (!include_path) return ExitCode::usage;
+  std::vector<std::string> operands;
+  for (const std::string& operand : arguments.operands()) operands.push_back(located(operand));
+  std::vector<std::string> files;
+  const bool all_found = expand_folders(operands, kEndings, console, files);
+  // Projects know more about their agents than these show by themselves.
+  std::stable_partition(files.begin(), files.end(),
+                        [](const std::string& path) { return path.ends_with(kEndings[1]); });
+  Checker checker(*include_path);
+  std::size_t checked = 0;
+  for (const std::string& path : files) {
+    if (checker.check_file(path)) {
+      ++checked;
+    } else {
+      console.error(fmt::format("expected a file .asl, .mas2j or .yaml, found '{}'", path));
+    }
+  }
+  const bool all_checked = all_found && checked == files.size();
+  const Diagnostics& found = checker.diagnostics();
+  console.report(found);
+  console.print(fmt::format("{} checked: {}, {}\n", counted(checked, "file"),
+                            counted(found.error_count(), "error"),
+                            counted(found.warning_count(), "warning")));
+  const bool failed = found.has_errors() || (arguments.has("werror") && found.warning_count() > 0);
+  return failed || !all_checked ? ExitCode::usage : ExitCode::success;
+}
+
+}  // namespace jaywalk::command::check

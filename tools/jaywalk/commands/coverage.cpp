@@ -1,0 +1,124 @@
+// `jaywalk coverage`: what a store's tests have covered.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "experiment/report/stored_coverage.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/console/interrupt.h"
+#include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/console/progress_line.h"
+#include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/stored_test.h"
+#include "tools/jaywalk/options/usual_options.h"
+
+namespace jaywalk::command::coverage {
+namespace {
+
+struct Options {
+  CoverageWanted wanted;
+  unsigned threads = 1;
+};
+
+std::optional<Options> read_options(const Arguments& arguments, const ResultsReader& store,
+                                    Console& console) {
+  Diagnostics diagnostics;
+  Options options;
+  options.threads = read_threads(arguments, diagnostics);
+  options.wanted.behaviour = arguments.text("behaviour");
+  const auto agents = arguments.number("agents", 1, diagnostics);
+  if (agents) {
+    const auto& known = store.description().agents;
+    if (std::ranges::find(known, *agents) == known.end()) {
+      diagnostics.error("--agents", fmt::format("the store has no tests with {} agents", *agents));
+    }
+    options.wanted.agents = static_cast<std::uint32_t>(*agents);
+  }
+  std::vector<std::string> names;
+  for (const auto& behaviour : store.description().behaviours) names.push_back(behaviour.name);
+  if (options.wanted.behaviour &&
+      std::ranges::find(names, *options.wanted.behaviour) == names.end()) {
+    diagnostics.error("--behaviour",
+                      fmt::format("the store has no behaviour '{}'", *options.wanted.behaviour),
+                      did_you_mean(*options.wanted.behaviour, names));
+  }
+  check_coverage_options(arguments, diagnostics);
+  if (!diagnostics.has_errors()) return options;
+  console.report(diagnostics);
+  return std::nullopt;
+}
+
+template <class Value>
+ExitCode report_failure(const Result<Value>& result, const InterruptGuard& interrupt,
+                        Console& console) {
+  if (interrupt.interrupted()) {
+    console.note("interrupted");
+    return ExitCode::interrupted;
+  }
+  console.report(result.diagnostics());
+  return ExitCode::failed;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {
+      .usage = "STORE [OPTIONS]",
+      .description =
+          "Tells which situations the tests of a store have covered: in bins of where the\n"
+          "pedestrian who met the precondition first started, where and when it did, how\n"
+          "long before a collision, and so on, with the holes and how coverage grew from\n"
+          "test to test. With --coverage the tests are run again to see which plans,\n"
+          "conditions and formulas of the agents' programs they used.\n",
+      .options =
+          {
+              {"behaviour", "NAME", "of this behaviour's tests"},
+              {"agents", "N", "of the tests with this number of agents"},
+              {"csv", "FILE", "write the situations as CSV", Written::file},
+              {"json", "FILE", "write the situations as JSON, with their growth", Written::file},
+              kCoverageOption,
+              kAllowCommandsOption,
+              {"threads", "N", "threads for --coverage (default: as many as cores)"},
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk coverage runs.gpkg\n"
+          "  jaywalk coverage runs.gpkg --behaviour election --coverage election.html\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto store = open_results(arguments, "coverage", console);
+  if (!store) return ExitCode::usage;
+  const auto options = read_options(arguments, *store, console);
+  if (!options) return ExitCode::usage;
+  const InterruptGuard interrupt;
+  ProgressLine line(console);
+  const auto progress = [&](const Progress& now) {
+    line.show(now);
+    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
+  };
+  store->stop_when([&] { return interrupt.interrupted(); });
+  const auto rows = stored_situations(*store, options->wanted, progress);
+  line.clear();
+  if (!rows.ok()) return report_failure(rows, interrupt, console);
+  if (prints_table(arguments)) console.print(situation_text(rows.value()));
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return situation_csv(rows.value()); }},
+      OutputFile{"json", [&] { return situation_json(rows.value()); }},
+  };
+  bool written = write_outputs(arguments, outputs, console);
+  if (arguments.has("coverage")) {
+    const auto plans = stored_plan_coverage(*store, options->wanted, options->threads, progress);
+    line.clear();
+    if (!plans.ok()) return report_failure(plans, interrupt, console);
+    const std::string subject =
+        fmt::format("{}, {}", arguments.operands().front(),
+                    coverage_subject(store->description(), options->wanted));
+    written = write_coverage(arguments, plans.value(), subject, console) && written;
+  }
+  return written ? ExitCode::success : ExitCode::failed;
+}
+
+}  // namespace jaywalk::command::coverage

@@ -1,0 +1,154 @@
+// `jaywalk export`: stored tests as files for other programs.
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "experiment/export/exporter.h"
+#include "experiment/export/openscenario/validate.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/options/stored_test.h"
+
+namespace jaywalk::command::export_ {
+namespace {
+
+ExitCode list_exporters(Console& console) {
+  std::size_t width = 0;
+  for (const Exporter& each : exporters()) width = std::max(width, each.name.size());
+  for (const Exporter& each : exporters()) {
+    console.print(fmt::format("{:<{}}  {}\n", each.name, width, each.summary));
+  }
+  return ExitCode::success;
+}
+
+const Exporter* wanted_exporter(const Arguments& arguments, Console& console) {
+  const std::string name = arguments.text("format").value_or("openscenario");
+  if (const Exporter* found = find_exporter(name)) return found;
+  std::vector<std::string> names;
+  for (const Exporter& each : exporters()) names.emplace_back(each.name);
+  std::string hint = did_you_mean(name, names);
+  if (hint.empty()) hint = "jaywalk export --list names the formats";
+  console.error(fmt::format("unknown format '{}'", name), hint);
+  return nullptr;
+}
+
+/// Their ids.
+Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
+                                               const Arguments& arguments) {
+  Diagnostics diagnostics;
+  const auto number = arguments.number("test", 0, diagnostics);
+  if (diagnostics.has_errors()) return diagnostics;
+  TestFilter filter;
+  if (!arguments.has("all") && !number) filter.succeeded = true;
+  std::vector<std::int64_t> chosen;
+  auto failure = store.for_each_test(filter, [&](const StoredTest& each) {
+    if (number.value_or(each.test.number) == each.test.number) chosen.push_back(each.id);
+    return Proceed::yes;
+  });
+  if (failure) return std::move(*failure);
+  if (!chosen.empty() || !number) return chosen;
+  diagnostics.error("--test", fmt::format("the store has no test {}", *number));
+  return diagnostics;
+}
+
+ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDialect dialect,
+             const Arguments& arguments, Console& console) {
+  const auto tests = wanted_tests(store, arguments);
+  if (!tests.ok()) {
+    console.report(tests.diagnostics());
+    return ExitCode::usage;
+  }
+  const ExportRequest request{.store = store,
+                              .tests = tests.value(),
+                              .folder = arguments.text("out").value_or("."),
+                              .dialect = dialect,
+                              .connection = arguments.text("connection").value_or(""),
+                              .schema = arguments.text("schema").value_or(""),
+                              .overwrite = arguments.has("overwrite")};
+  std::error_code error;
+  std::filesystem::create_directories(request.folder, error);
+  if (error) {
+    console.error(fmt::format("cannot make '{}': {}", request.folder, error.message()));
+    return ExitCode::failed;
+  }
+  const ExportedFiles files = exporter.run(request);
+  if (!files.ok()) {
+    console.report(files.diagnostics());
+    return ExitCode::failed;
+  }
+  console.report(files.value().warnings);
+  console.note(fmt::format("{} tests exported", request.tests.size()));
+  for (const std::string& file : files.value().files) console.print(file + '\n');
+  Diagnostics invalid;
+  if (const auto schemas = arguments.text("validate"))
+    validate(files.value().files, *schemas, invalid);
+  console.report(invalid);
+  return invalid.has_errors() ? ExitCode::failed : ExitCode::success;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {
+      .usage = "STORE [OPTIONS]",
+      .description =
+          "Writes the tests of a store as files for other programs: those that met the\n"
+          "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
+      .options =
+          {
+              {"format", "NAME",
+               "what to write: openscenario (default), csv, trace, json,\n"
+               "postgis"},
+              {"out", "DIR", "where to; made if it is not there (default: here)", Written::folder},
+              {"test", "N", "the tests of this number alone"},
+              {"all", "", "all tests"},
+              {"dialect", "NAME", "of openscenario: standard (default) or carla"},
+              {"validate", "DIR",
+               "check the files against ASAM's .xsd files in DIR, each against\n"
+               "the schema of its own version, by xmllint"},
+              {"connection", "TEXT",
+               "of postgis: the database, as ogr2ogr wants it, with or without\n"
+               "PG: before it"},
+              {"schema", "NAME",
+               "of postgis: the schema for the tables (default: the store's\n"
+               "name); it must be new"},
+              {"overwrite", "", "of postgis: replace the store's tables in an existing schema"},
+              kAllowCommandsOption,
+              {"list", "", "name the formats"},
+          },
+      .examples =
+          "  jaywalk export runs.gpkg --out found\n"
+          "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
+          "  jaywalk export runs.gpkg --format csv --all --out tables\n"
+          "  jaywalk export runs.gpkg --format postgis --connection 'PG:dbname=tests'\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  if (arguments.has("list")) return list_exporters(console);
+  const auto& operands = arguments.operands();
+  if (operands.size() != 1) {
+    console.error(fmt::format("expected one store, found {}", operands.size()),
+                  "jaywalk export --help shows how to write it");
+    return ExitCode::usage;
+  }
+  const std::array<std::string, 2> dialects{"standard", "carla"};
+  Diagnostics diagnostics;
+  const auto dialect =
+      static_cast<ScenarioDialect>(arguments.choice("dialect", dialects, diagnostics));
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return ExitCode::usage;
+  }
+  const Exporter* exporter = wanted_exporter(arguments, console);
+  if (exporter == nullptr) return ExitCode::usage;
+  const auto store = ResultsReader::open(operands[0], commands_of(arguments));
+  if (!store.ok()) {
+    console.report(store.diagnostics());
+    return ExitCode::usage;
+  }
+  return run(*exporter, *store.value(), dialect, arguments, console);
+}
+
+}  // namespace jaywalk::command::export_

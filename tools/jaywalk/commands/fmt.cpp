@@ -1,0 +1,101 @@
+// `jaywalk fmt`: programs in their canonical layout.
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario/files/write_file.h"
+#include "interpreter/support/line_diff.h"
+#include "interpreter/syntax/format/formatter.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/programs/program_files.h"
+
+namespace jaywalk::command::fmt_ {
+namespace {
+
+enum class Found { same, different, wrong };
+
+struct Mode {
+  bool check = false;
+  bool diff = false;
+};
+
+constexpr std::array<std::string_view, 1> kEndings{".asl"};
+
+Found format_file(const std::string& path, const Mode& mode, Console& console) {
+  const bool is_input = path == kStandardInput;
+  auto source = read_source(is_input ? "/dev/stdin" : path);
+  if (!source) {
+    console.report(source.diagnostics());
+    return Found::wrong;
+  }
+  const auto formatted = format_agent(source.value());
+  if (!formatted) {
+    console.report(formatted.diagnostics());
+    return Found::wrong;
+  }
+  const std::string_view before = source.value()->text();
+  const std::string& after = formatted.value();
+  const bool writes = !mode.check && !mode.diff;
+  if (is_input && writes) {
+    console.print(after);
+    return Found::same;
+  }
+  if (before == after) return Found::same;
+  if (mode.diff) console.print(line_diff(before, after, path, path + " (formatted)"));
+  if (mode.check && !mode.diff) console.print(::fmt::format("{}\n", path));
+  if (!writes) return Found::different;
+  if (const auto problem = write_file(path, after)) {
+    console.error(*problem);
+    return Found::wrong;
+  }
+  console.print(::fmt::format("{}\n", path));
+  return Found::different;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {.usage = "FILE|FOLDER|-... [OPTIONS]",
+          .description =
+              "Lays out programs (.asl) in place, those in a folder too, and names those that\n"
+              "have changed; - lays out standard input on standard output. Nothing but blanks\n"
+              "is added or taken away; comments stay. A plan written on one line stays on one\n"
+              "if it fits, others get a line for each formula. A file with mistakes is left as\n"
+              "it is.\n",
+          .options = {{"check", "",
+                       "write nothing; name the files that would change,\nand exit with 1"},
+                      {"diff", "", "write nothing; show what would change"}},
+          .examples =
+              "  jaywalk fmt agent.asl\n"
+              "  jaywalk fmt agents --check --diff\n"
+              "  jaywalk fmt - <agent.asl\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  if (arguments.operands().empty()) {
+    console.error("expected at least one file", "jaywalk fmt --help shows how to write it");
+    return ExitCode::usage;
+  }
+  const Mode mode{.check = arguments.has("check"), .diff = arguments.has("diff")};
+  std::vector<std::string> files;
+  bool any_wrong = !expand_folders(arguments.operands(), kEndings, console, files);
+  bool any_different = false;
+  for (const std::string& path : files) {
+    if (!path.ends_with(kEndings[0]) && path != kStandardInput) {
+      console.error(::fmt::format("expected a file .asl, found '{}'", path));
+      any_wrong = true;
+      continue;
+    }
+    const Found found = format_file(path, mode, console);
+    any_wrong = any_wrong || found == Found::wrong;
+    any_different = any_different || found == Found::different;
+  }
+  if (any_wrong) return ExitCode::usage;
+  return mode.check && any_different ? ExitCode::failed : ExitCode::success;
+}
+
+}  // namespace jaywalk::command::fmt_

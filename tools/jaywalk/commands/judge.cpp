@@ -1,0 +1,266 @@
+// `jaywalk judge`: assertions and metrics over the tests of a store, after the fact.
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "env/crossing/crossing_ground.h"
+#include "experiment/export/csv.h"
+#include "experiment/export/json.h"
+#include "experiment/export/junit.h"
+#include "experiment/report/tables/kill_table.h"
+#include "experiment/report/tables/verdict_table.h"
+#include "experiment/results/store/assessment_spool.h"
+#include "experiment/results/writer.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/comparison/judging.h"
+#include "tools/jaywalk/console/interrupt.h"
+#include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/console/progress_line.h"
+#include "tools/jaywalk/options/stored_test.h"
+#include "tools/jaywalk/run/judge_trace.h"
+
+namespace jaywalk::command::judge {
+namespace {
+
+/// Everything that the command line says, and the store.
+struct Request {
+  std::unique_ptr<ResultsReader> store;
+  std::shared_ptr<const PreparedScenario> prepared;
+  Inquiry inquiry;
+  std::vector<FailureCondition> conditions;
+  std::optional<std::uint64_t> test;
+};
+
+std::optional<Request> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("judge",
+                      fmt::format("expected one store, found {}", arguments.operands().size()),
+                      "jaywalk judge --help shows how to write it");
+  }
+  Request request{.conditions = read_conditions(arguments, diagnostics),
+                  .test = arguments.number("test", 1, diagnostics)};
+  console.report(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  auto store = ResultsReader::open(arguments.operands().front(), commands_of(arguments));
+  if (!store) {
+    console.report(store.diagnostics());
+    return std::nullopt;
+  }
+  request.store = std::move(store).value();
+  auto prepared = request.store->prepared();
+  if (!prepared) {
+    console.report(prepared.diagnostics());
+    return std::nullopt;
+  }
+  request.prepared = std::move(prepared).value();
+  const auto stored = request.store->assertions();
+  if (!stored) {
+    console.report(stored.diagnostics());
+    return std::nullopt;
+  }
+  auto inquiry = read_inquiry(arguments, stored.value(), console);
+  if (!inquiry) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
+  if (!asks(request.inquiry)) {
+    console.error("there is nothing to judge", "--assertions names a file of assertions");
+    return std::nullopt;
+  }
+  if (!check_conditions(request.conditions, request.inquiry, console)) return std::nullopt;
+  return request;
+}
+
+/// One test, reported in full.
+ExitCode judge_one(const Request& request, const Arguments& arguments, Console& console) {
+  const auto id = static_cast<std::int64_t>(*request.test);
+  const auto recording = request.store->recording(id);
+  if (!recording) {
+    console.report(recording.diagnostics());
+    return ExitCode::usage;
+  }
+  const auto stored = request.store->test(id);
+  if (stored.ok() && stored.value().result.errored) {
+    console.error(fmt::format("test {} ended errored: it is not judged", id));
+    return ExitCode::failed;
+  }
+  const TestFindings findings =
+      assess(request.inquiry, recording.value(), ground(request.prepared->scenario().world));
+  console.print(render_findings(request.inquiry, findings, recording.value().actors()));
+  if (const auto path = arguments.text("junit")) {
+    const std::string name = fmt::format("test {}", id);
+    if (!write_output(*path, to_junit(name, request.inquiry, findings), console)) {
+      return ExitCode::failed;
+    }
+  }
+  return ExitCode::success;
+}
+
+/// What the tests come to. `spool`: where their assessments go, if they are to be kept.
+struct Judged {
+  FindingsTable& table;
+  KillTable& kills;
+  AssessmentSpool* spool = nullptr;
+};
+
+/// One test of many.
+void judge_test(const Request& request, const StoredTest& stored, const Ground& on, Judged& judged,
+                Diagnostics& trouble) {
+  TestCase test = stored.test;
+  test.number -= request.store->description().first_test;
+  if (stored.result.errored) return judged.kills.add_errored(test);
+  const auto recording = request.store->recording(stored.id);
+  if (!recording) {
+    trouble.append(recording.diagnostics());
+    return;
+  }
+  const TestFindings findings = assess(request.inquiry, recording.value(), on);
+  if (test.vehicle == 0) judged.table.add(test, findings);
+  judged.kills.add(test, blames_the_av(findings));
+  if (judged.spool != nullptr) {
+    judged.spool->add(stored.id, to_assessments(request.inquiry, findings));
+  }
+}
+
+/// Looks at every test of the store.
+ExitCode judge_all(const Request& request, Judged judged, Console& console) {
+  const Ground on = ground(request.prepared->scenario().world);
+  const InterruptGuard interrupt;
+  ProgressLine line(console);
+  Progress progress{.done = 0, .total = request.store->count()};
+  Diagnostics trouble;
+  request.store->stop_when([&] { return interrupt.interrupted(); });
+  const auto failure =
+      request.store->for_each_test({.vehicle = std::nullopt}, [&](const StoredTest& stored) {
+        constexpr std::uint64_t kBetweenLooks = 256;
+        if (progress.done++ % kBetweenLooks == 0) line.show(progress);
+        judge_test(request, stored, on, judged, trouble);
+        return trouble.has_errors() || interrupt.interrupted() ? Proceed::no : Proceed::yes;
+      });
+  line.clear();
+  request.store->stop_when(nullptr);
+  if (interrupt.interrupted()) return ExitCode::interrupted;
+  if (failure) trouble.append(*failure);
+  if (judged.spool != nullptr && judged.spool->failure()) {
+    trouble.error("--write", *judged.spool->failure());
+  }
+  if (trouble.has_errors()) {
+    console.report(trouble);
+    return ExitCode::failed;
+  }
+  return ExitCode::success;
+}
+
+/// Puts the findings into the store, which nobody reads any more.
+bool write_assessments(const std::string& path, const Inquiry& inquiry, AssessmentSpool& spool,
+                       Console& console) {
+  auto writer = AssessmentWriter::open(path);
+  if (!writer) {
+    console.report(writer.diagnostics());
+    return false;
+  }
+  writer.value()->note_judging(inquiry.files, inquiry.metrics);
+  spool.for_each([&](std::int64_t id, const auto& rows) { writer.value()->replace(id, rows); });
+  if (spool.failure()) {
+    console.error(fmt::format("cannot write '{}': {}", path, *spool.failure()));
+    return false;
+  }
+  if (const auto why = writer.value()->finish()) {
+    console.error(fmt::format("cannot write '{}': {}", path, *why));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  CommandHelp help{
+      .usage = "STORE.gpkg [OPTIONS] | --trace FILE.csv [OPTIONS]",
+      .description =
+          "Judges the tests of a store by assertions, after the fact, with the verdicts that\n"
+          "compare --assertions gives. Tests whose positions the store does not have are run\n"
+          "again from their seeds. Without --assertions those count by which the store's tests\n"
+          "were judged, as they were then, or else the stored scenario's.\n"
+          "\n"
+          "With --trace it judges a drive that was recorded or simulated elsewhere: a table with "
+          "a\n"
+          "row for each actor at each time, times evenly spaced. Its columns are time (s), actor\n"
+          "(`av`, or else the first vehicle, is the automated one), kind (vehicle, pedestrian,\n"
+          "cyclist, signal), x and y (m, of the middle; y along the way), and if they are there\n"
+          "heading (rad from +x), speed (m/s), length and width (m) and event (`collision`; "
+          "several\n"
+          "with semicolons). jaywalk export --format trace writes such tables.\n",
+      .options =
+          {
+              {"trace", "FILE.csv", "judge this drive instead of a store's tests"},
+              {"scenario", "FILE.yaml",
+               "of a trace: the scenario whose lanes it is on, and whose\n"
+               "assertions count (default: the paper's road)"},
+              {"test", "N", "report everything about the test of this number in the store"},
+              {"write", "", "keep the verdicts and metrics in the store, in place of old ones"},
+              {"csv", "FILE", "write the results as CSV", Written::file},
+              {"json", "FILE", "write the results as JSON", Written::file},
+              {"fail-on", "EXPR",
+               "exit with 1 if a row meets it: ASSERTION.VERDICT>NUMBER, as\n"
+               "collision_avoidance.fail>0, or MEASURE<NUMBER; repeatable"},
+              kAllowCommandsOption,
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk judge paper.gpkg --assertions scenarios/assertions/crossing.yaml\n"
+          "  jaywalk judge paper.gpkg --metrics --write\n"
+          "  jaywalk judge paper.gpkg --test 17 --metrics\n"
+          "  jaywalk judge --trace drive.csv --metrics --scenario scenarios/first.yaml\n"
+          "  jaywalk judge paper.gpkg --fail-on 'collision_avoidance.fail>0' --junit out.xml\n"};
+  help.options.insert(help.options.begin(), kJudgingOptions.begin(), kJudgingOptions.end());
+  return help;
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  if (const auto trace = arguments.text("trace")) return judge_trace(*trace, arguments, console);
+  if (arguments.has("scenario")) {
+    console.error("--scenario is about a trace", "a store has its own");
+    return ExitCode::usage;
+  }
+  auto request = read_request(arguments, console);
+  if (!request) return ExitCode::usage;
+  if (request->test) return judge_one(*request, arguments, console);
+
+  const ExperimentPlan plan = plan_of(request->store->description());
+  KillTable kills(plan, tests_in_shard(request->store->description()));
+  FindingsTable table(request->inquiry, plan);
+  std::optional<AssessmentSpool> spool;
+  if (arguments.has("write")) spool.emplace();
+  const Judged judged{.table = table, .kills = kills, .spool = spool ? &*spool : nullptr};
+  const ExitCode code = judge_all(*request, judged, console);
+  if (code != ExitCode::success) return code;
+  const InterruptGuard interrupt;
+  std::optional<PromptEnd> end(std::in_place, interrupt);
+  auto comparison = request->store->comparison();
+  if (!comparison) {
+    console.report(comparison.diagnostics());
+    return ExitCode::failed;
+  }
+  add_findings(request->inquiry, table, plan.behaviours, comparison.value());
+  comparison.value().kills = kills.matrix();
+  request->store.reset();
+  end.reset();  // a store is written whole or not at all
+
+  bool written =
+      !spool || write_assessments(arguments.operands().front(), request->inquiry, *spool, console);
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
+      OutputFile{"json", [&] { return to_json(comparison.value()); }},
+      OutputFile{"junit", [&] { return to_junit(comparison.value()); }},
+  };
+  written = write_outputs(arguments, outputs, console) && written;
+  if (prints_table(arguments)) {
+    console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()) +
+                  render_kills(comparison.value()));
+  }
+  const bool failed = report_failures(request->conditions, comparison.value(), console);
+  return failed || !written ? ExitCode::failed : ExitCode::success;
+}
+
+}  // namespace jaywalk::command::judge

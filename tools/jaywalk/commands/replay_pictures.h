@@ -1,0 +1,27 @@
+#pragma once
+
+// Pictures of a stored test. The libraries that draw take longer to load than most commands to run,
+// so `jaywalk` does without them: it becomes the program `jaywalk-draw` beside it, which is the
+// same command but for these pictures.
+
+#include <cstdint>
+#include <optional>
+
+#include "experiment/results/reader.h"
+#include "tools/jaywalk/commands/command.h"
+
+namespace jaywalk {
+
+struct ReplayWishes {
+  /// Of the picture; by default that of the first event, or the last.
+  std::optional<std::uint64_t> tick;
+  /// Ticks per second.
+  double speed = 2;
+};
+
+/// Writes what --png and --gif name. In `jaywalk` it returns only if `jaywalk-draw` cannot be run.
+[[nodiscard]] ExitCode write_pictures(const ResultsReader& store, const StoredTest& test,
+                                      const ReplayWishes& wanted, const Arguments& arguments,
+                                      Console& console);
+
+}  // namespace jaywalk

@@ -1,0 +1,81 @@
+// `jaywalk report`: a page of what a store has.
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "experiment/results/merge.h"
+#include "experiment/scenario/files/temporary.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/comparison/reporting.h"
+#include "tools/jaywalk/console/interrupt.h"
+#include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/stored_test.h"
+
+namespace jaywalk::command::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `runs.gpkg` becomes `runs.html`.
+std::string beside(const std::string& store) {
+  return fs::path(store).replace_extension(".html").string();
+}
+
+}  // namespace
+
+CommandHelp help() {
+  return {.usage = "STORE.gpkg... [OPTIONS]",
+          .description =
+              "Writes a page of what a store has: the paper's figures beside the published ones,\n"
+              "significance, where preconditions were met, verdicts, metrics, how to reproduce.\n"
+              "The page needs nothing beside it and no network; nothing is run. The stores of an\n"
+              "experiment's shards make one page. Of a store of searches, the searches' page.\n",
+          .options =
+              {
+                  {"html", "FILE", "the page's name (default: the store's, ending in .html)",
+                   Written::file},
+                  {"replays", "",
+                   "run the tests that the page names again and link pages that\n"
+                   "play them, in a folder beside it"},
+                  kAllowCommandsOption,
+              },
+          .examples =
+              "  jaywalk report paper.gpkg\n"
+              "  jaywalk report 1.gpkg 2.gpkg 3.gpkg 4.gpkg --html paper.html\n"
+              "  jaywalk report paper.gpkg --html paper.html --replays\n"};
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const auto& stores = arguments.operands();
+  if (stores.empty()) {
+    console.error("expected a store, found none", "jaywalk report --help shows how to write it");
+    return ExitCode::usage;
+  }
+  const std::string html = arguments.text("html").value_or(beside(stores.front()));
+  const TemporaryFolder folder;  // for as long as the report is made
+  const InterruptGuard interrupt;
+  const PromptEnd end(interrupt, [&] {
+    std::error_code ignored;
+    fs::remove_all(folder.path(), ignored);
+  });
+  const std::string together = folder.path() + "/together.gpkg";
+  if (stores.size() > 1) {
+    const auto merged = merge_stores(together, stores);
+    if (!merged) {
+      console.report(merged.diagnostics());
+      return ExitCode::usage;
+    }
+  }
+  const auto page =
+      stored_report(stores.size() > 1 ? together : stores.front(), html,
+                    arguments.has("replays") ? ReplayPages::beside : ReplayPages::none,
+                    commands_of(arguments), console);
+  if (!page) return ExitCode::usage;
+  if (!write_output(html, *page, console)) return ExitCode::failed;
+  if (!arguments.has("html")) console.print(html + '\n');
+  return ExitCode::success;
+}
+
+}  // namespace jaywalk::command::report

@@ -1,0 +1,296 @@
+// `jaywalk search`: generators look for inputs under which a system under test fails.
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "experiment/compare/kills/kills_csv.h"
+#include "experiment/report/tables/kill_table.h"
+#include "search/export/exports.h"
+#include "search/kills.h"
+#include "search/report/page.h"
+#include "search/search_experiment.h"
+#include "search/store/search_store.h"
+#include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/console/interrupt.h"
+#include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/console/progress_line.h"
+#include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/options/usual_options.h"
+
+namespace jaywalk::command::search {
+namespace {
+
+namespace js = jaywalk::search;
+
+/// Whether what is asked for fits to what is searched; false after reporting why not.
+bool outputs_make_sense(const Arguments& arguments, const js::SearchExperiment& experiment,
+                        Console& console) {
+  Diagnostics diagnostics;
+  if (experiment.defects.empty()) {
+    if (arguments.has("kills")) {
+      diagnostics.error("--kills", "has no meaning without defects",
+                        "--defects names them, or all; jaywalk list defects shows them");
+    }
+  } else {
+    for (const char* option : {"report", "export"}) {
+      if (!arguments.has(option)) continue;
+      diagnostics.error(fmt::format("--{}", option), "shows searches of one AV, not of its defects",
+                        "--kills FILE keeps what they kill; `compare --with-kills FILE --report` "
+                        "shows it beside what behaviours do");
+    }
+  }
+  console.report(diagnostics);
+  return !diagnostics.has_errors();
+}
+
+std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("search",
+                      fmt::format("expected one experiment, found {}", arguments.operands().size()),
+                      "jaywalk search --help shows how to write it");
+  }
+  const auto seed = arguments.number("seed", 0, diagnostics);
+  const auto repetitions = arguments.number("repetitions", 1, diagnostics);
+  const unsigned threads = read_threads(arguments, diagnostics);
+  std::vector<std::string> sets = arguments.texts("set");
+  std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
+  if (arguments.has("resume") && !arguments.has("store")) {
+    diagnostics.error("--resume", "there is no --store to go on with");
+  }
+  if (repetitions && *repetitions > 100'000) {
+    diagnostics.error("--repetitions", fmt::format("at most 100000, found {}", *repetitions));
+  }
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  auto include_path = read_include_path(arguments, console);
+  if (!include_path) return std::nullopt;
+  Result<js::SearchExperiment> experiment = js::read_search(
+      located(arguments.operands().front()),
+      {.sets = std::move(sets),
+       .defects = arguments.text("defects"),
+       .generators = listed(arguments, "generators"),
+       .files = std::move(include_path->files),
+       .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
+  if (!experiment.ok()) {
+    console.report(experiment.diagnostics());
+    return std::nullopt;
+  }
+  if (!outputs_make_sense(arguments, experiment.value(), console)) return std::nullopt;
+  js::SearchPlan& plan = experiment.value().plan;
+  if (seed) plan.seed = *seed;
+  if (repetitions) plan.repetitions = static_cast<std::uint32_t>(*repetitions);
+  plan.threads = threads;
+  return std::move(experiment).value();
+}
+
+/// The kill matrix needs no tests once they are counted.
+enum class Keep { tests, counts };
+
+js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, Console& console,
+                      bool& interrupted, js::SearchKills* kills, Keep keep) {
+  constexpr int kShownErrors = 20;
+  const InterruptGuard interrupt;
+  ProgressLine line(console);
+  int errors = 0;
+  js::SearchObserver observer;
+  observer.progress = [&](const js::SearchProgress& now) {
+    line.show(now);
+    return interrupt.interrupted() ? js::Continue::no : js::Continue::yes;
+  };
+  observer.error = [&](const std::string& generator, std::uint32_t repetition,
+                       const std::string& error) {
+    if (++errors > kShownErrors) return;
+    line.clear();
+    console.note(fmt::format("{}, repetition {}: no result: {}", generator, repetition, error));
+    if (errors == kShownErrors) console.note("further tests without a result are only counted");
+  };
+  observer.finished = [&](std::size_t search, js::SearchRun& finished) {
+    if (kills == nullptr) return;
+    kills->add(search, finished);
+    if (keep == Keep::counts) finished.tests = {};
+  };
+  js::SearchResults results = js::run_searches(experiment.plan, log, observer);
+  interrupted = interrupt.interrupted();
+  return results;
+}
+
+}  // namespace
+
+CommandHelp help() {
+  CommandHelp help{
+      .usage = "EXPERIMENT.yaml [OPTIONS]",
+      .description =
+          "Looks for test inputs under which a system under test fails: generators are\n"
+          "asked for an input, the system executes it, the generator receives its fitness,\n"
+          "until the budget is spent. Prints a table of what each generator found, means\n"
+          "over the repetitions. The results do not depend on --threads.\n",
+      .options =
+          {
+              {"generators", "LIST",
+               "these generators: names of the experiment's or of the table,\n"
+               "separated by commas; repeatable"},
+              {"repetitions", "N", "searches of each generator"},
+              {"threads", "N", "threads (default: as many as cores)"},
+              {"set", "KEY=VALUE",
+               "another value for a key of the experiment, as a dotted path\n"
+               "(budget.tests=100); repeatable"},
+              {"seed", "N", "the seed from which all chance derives"},
+              {"defects", "LIST",
+               "search the AV with each of these defects (jaywalk list defects),\n"
+               "as latency,short-range=12, or all: which generator kills which?"},
+              {"kills", "FILE",
+               "write that as CSV, which compare --with-kills puts beside what\n"
+               "behaviours kill",
+               Written::file},
+              {"csv", "FILE", "write a row for each search as CSV", Written::file},
+              {"json", "FILE", "write everything, each test with it, as JSON", Written::file},
+              {"store", "FILE.gpkg", "keep every finished test in a GeoPackage", Written::file},
+              {"resume", "", "go on with the store where an earlier process ended"},
+              {"report", "FILE.html", "write a page with tables and pictures", Written::file},
+              {"export", "FOLDER",
+               "write the failing roads as OpenDRIVE with OpenSCENARIO and as\n"
+               "the SBST competition's JSON",
+               Written::folder},
+              {"quiet", "", "print no table"},
+          },
+      .examples =
+          "  jaywalk search scenarios/lane-keeping.yaml\n"
+          "  jaywalk search scenarios/lane-keeping.yaml --generators random,graft --repetitions 5\n"
+          "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"
+          "  jaywalk search scenarios/defects-search.yaml --defects latency --kills kills.csv\n"};
+  help.options.insert(help.options.end(), kLimitOptions.begin(), kLimitOptions.end());
+  help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
+  return help;
+}
+
+namespace {
+
+/// Null if no store is asked for; nothing if it cannot be opened.
+std::optional<std::unique_ptr<js::SearchStore>> open_store(const Arguments& arguments,
+                                                           const js::SearchExperiment& experiment,
+                                                           Console& console) {
+  const auto path = arguments.text("store");
+  if (!path) return std::unique_ptr<js::SearchStore>();
+  const auto mode =
+      arguments.has("resume") ? js::SearchStore::Mode::resume : js::SearchStore::Mode::create;
+  auto store = js::SearchStore::open(*path, mode, experiment);
+  if (!store.ok()) {
+    console.report(store.diagnostics());
+    return std::nullopt;
+  }
+  if (store.value()->had() > 0) {
+    console.note(fmt::format("going on after {} finished tests", store.value()->had()));
+  }
+  return std::move(store).value();
+}
+
+}  // namespace
+
+/// Says which generators have no test with a result; false if there is one.
+bool have_results(const js::SearchResults& results, Console& console) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> tests;  // all, executed
+  for (const js::SearchRun& run : results.runs) {
+    for (const js::TestRow& row : run.tests) {
+      ++tests[run.generator].first;
+      if (row.test.outcome.executed()) ++tests[run.generator].second;
+    }
+  }
+  bool all_have = true;
+  for (const auto& [generator, counts] : tests) {
+    if (counts.second > 0) continue;
+    console.error(fmt::format("{}: none of {} tests has a result", generator, counts.first));
+    all_have = false;
+  }
+  return all_have;
+}
+
+/// Which single tests kill most.
+std::string best_tests(const js::SearchExperiment& experiment, const js::SearchKills& kills,
+                       const KillMatrix& matrix) {
+  std::string text;
+  for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
+    const js::GeneratorSpec& spec = experiment.plan.generators[row * matrix.defects.size()];
+    const js::SearchSpace& space = experiment.plan.model_of(spec).space();
+    for (const js::SearchKills::Team& team : kills.best_tests(row)) {
+      text += fmt::format("{}: {} of {} defects are killed by {}\n", matrix.rows[row].behaviour,
+                          team.killed, matrix.defects.size(),
+                          team.tests.size() == 1 ? "the test" : "the two tests");
+      for (const js::TestInput& test : team.tests) {
+        text += fmt::format("  {}\n", space.describe(test));
+      }
+    }
+  }
+  return text.empty() ? text : '\n' + text;
+}
+
+/// The same of searches for defects.
+bool have_results(const KillMatrix& matrix, const js::SearchResults& results, Console& console) {
+  if (!results.complete) return true;
+  bool all_have = true;
+  for (const KillRow& row : matrix.rows) {
+    if (row.tests() > 0) continue;
+    console.error(fmt::format("{}: no test has a result", row.behaviour));
+    all_have = false;
+  }
+  return all_have;
+}
+
+ExitCode execute(const Arguments& arguments, Console& console) {
+  const std::optional<js::SearchExperiment> experiment = read_request(arguments, console);
+  if (!experiment) return ExitCode::usage;
+  const auto store = open_store(arguments, *experiment, console);
+  if (!store) return ExitCode::usage;
+  bool interrupted = false;
+  std::optional<js::SearchKills> kills;
+  if (!experiment->defects.empty()) kills.emplace(*experiment);
+  const bool needs_tests = !kills || arguments.has("csv") || arguments.has("json");
+  const js::SearchResults results =
+      run(*experiment, store->get(), console, interrupted, kills ? &*kills : nullptr,
+          needs_tests ? Keep::tests : Keep::counts);
+  std::vector<js::GeneratorResults> generators;
+  if (needs_tests) generators = js::group(*experiment, results);
+  const KillMatrix matrix = kills ? kills->matrix() : KillMatrix{};
+  bool well = !results.trouble.has_errors();
+  if (!well) console.report(results.trouble);
+  const auto check = [&](std::string_view what, const std::string& why) {
+    if (why.empty()) return;
+    console.error(fmt::format("cannot write {}: {}", what, why));
+    well = false;
+  };
+  if (*store) check("the store", (*store)->finish(results));
+  if (const auto folder = arguments.text("export")) {
+    check("the failing roads", js::export_failures(*folder, *experiment, results).value_or(""));
+  }
+  const std::array outputs = {
+      OutputFile{"csv", [&] { return js::to_csv(generators); }},
+      OutputFile{"kills", [&] { return to_kills_csv(matrix); }},
+      OutputFile{"json", [&] { return js::to_json(*experiment, generators); }},
+      OutputFile{"report", [&] { return js::to_html(*experiment, generators); }},
+  };
+  if (!write_outputs(arguments, outputs, console)) well = false;
+  if (prints_table(arguments)) {
+    console.print(kills ? render_kills(matrix) + best_tests(*experiment, *kills, matrix)
+                        : js::render_table(generators));
+  }
+  if (!(kills ? have_results(matrix, results, console) : have_results(results, console)))
+    well = false;
+  if (!well) return ExitCode::failed;
+  if (results.complete || !interrupted) return ExitCode::success;
+  console.note(arguments.has("store")
+                   ? "interrupted; the table has the finished searches. The same command with "
+                     "--resume goes on"
+                   : "interrupted; the table has the finished searches. With --store, --resume "
+                     "goes on after an interruption");
+  return ExitCode::interrupted;
+}
+
+}  // namespace jaywalk::command::search

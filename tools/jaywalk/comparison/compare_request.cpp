@@ -1,0 +1,217 @@
+#include "tools/jaywalk/comparison/compare_request.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "env/crossing/crossing_ground.h"
+#include "experiment/compare/carry_over.h"
+#include "experiment/scenario/number_list.h"
+#include "experiment/trial/trial.h"
+#include "tools/jaywalk/comparison/comparison_output.h"
+#include "tools/jaywalk/comparison/judging.h"
+#include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/options/usual_options.h"
+
+namespace jaywalk::command::compare {
+namespace {
+
+/// What can be read without the scenario, so that all its mistakes are reported at once.
+struct Options {
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> tests;
+  unsigned threads = 1;
+  std::optional<std::vector<std::uint32_t>> agents;
+  std::vector<FailureCondition> conditions;
+  std::optional<StoreOptions> store;
+  std::vector<std::string> limits;
+};
+
+Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
+  Options options;
+  options.seed = arguments.number("seed", 0, diagnostics);
+  options.tests = arguments.number("tests", 1, diagnostics);
+  options.threads = read_threads(arguments, diagnostics);
+  if (const auto text = arguments.text("agents")) {
+    auto list = parse_number_list(*text, "--agents");
+    if (list) {
+      options.agents = std::move(list).value();
+    } else {
+      diagnostics.append(std::move(list.diagnostics()));
+    }
+  }
+  options.conditions = read_conditions(arguments, diagnostics);
+  options.limits = limit_sets(arguments, diagnostics);
+  options.store = read_store_options(arguments, diagnostics);
+  check_coverage_options(arguments, diagnostics);
+  check_format(arguments, diagnostics);
+  return options;
+}
+
+/// What keeps defects from being looked for.
+void check_defects(const Request& request, Diagnostics& diagnostics) {
+  if (request.inquiry.assertions.empty()) {
+    diagnostics.error("--defects", "without assertions nothing blames an AV",
+                      "--assertions names a file of them, as scenarios/assertions/crossing.yaml");
+  }
+  if (request.prepared->world(0).av.vehicle.model == "constant") {
+    diagnostics.error("--defects", "the AV is of the model constant: no defect shows in it",
+                      "set world.av.model to one that brakes (jaywalk list vehicles)");
+  }
+  if (request.prepared->scenario().experiment.feedback > 0) {
+    diagnostics.error("--defects", "what tests cover would reach those with other AVs",
+                      "experiment.feedback=0 runs them without that");
+  }
+  if (request.plan.order == TestOrder::chained) {
+    diagnostics.error("--defects", "each test of this scenario needs the one before it",
+                      "set world.av.carry_over=false");
+  }
+}
+
+/// What is too large to be carried out.
+Diagnostics excesses(const Request& request) {
+  Diagnostics diagnostics;
+  if (request.plan.tests > kMaxTests) {
+    diagnostics.error("--tests",
+                      fmt::format("at most {}, found {}", kMaxTests, request.plan.tests));
+  }
+  for (const std::uint32_t agents : request.plan.agents) {
+    if (agents > kMaxAgents) {
+      diagnostics.error("--agents", fmt::format("at most {}, found {}", kMaxAgents, agents));
+    }
+  }
+  const bool is_part = request.store && request.store->shard.count > 1;
+  if (is_part && request.prepared->scenario().experiment.feedback > 0) {
+    diagnostics.error("--shard", "the tests of a part need what the other parts' tests cover",
+                      "experiment.feedback=0 runs them without that");
+  }
+  if (is_part && request.plan.order == TestOrder::chained) {
+    diagnostics.error("--shard", "each test of this scenario needs the one before it",
+                      "share out behaviours and numbers of agents instead (--behaviours, "
+                      "--agents), or set world.av.carry_over=false");
+  }
+  if (request.plan.vehicles.size() > 1) {
+    check_defects(request, diagnostics);
+  } else {
+    for (const std::string_view option : request.pointless) {
+      diagnostics.error(fmt::format("--{}", option), "has no meaning without defects",
+                        "--defects names them, or all; jaywalk list defects shows them");
+    }
+  }
+  return diagnostics;
+}
+
+/// Why some test cannot be run (there are no start cells for it, say); empty if all can.
+std::string first_obstacle(const Request& request) {
+  for (const std::uint32_t agents : request.plan.agents) {
+    for (std::uint64_t test = 0; test < request.plan.tests; ++test) {
+      // Obstacles are the same for all behaviours, and only given start cells can be too few.
+      std::string why =
+          obstacle(*request.prepared, {.agents = agents, .seed = request.seed, .test = test});
+      if (!why.empty() || !request.prepared->scenario().start_cells) return why;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+namespace {
+
+/// The kills of other files; false after reporting what is wrong with them.
+bool read_other_kills(const Arguments& arguments, Request& request, Console& console) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 26U;
+  Diagnostics diagnostics;
+  for (const std::string& path : arguments.texts("with-kills")) {
+    const auto source = read_source(path, kMostBytes);
+    auto lines = source.ok() ? parse_kills(source.value())
+                             : Result<std::vector<KillLine>>(source.diagnostics());
+    if (!lines.ok()) {
+      diagnostics.append(lines.diagnostics());
+      continue;
+    }
+    diagnostics.append(mistakes_of(lines.value(), request.plan, request.other_kills));
+    request.other_kills.insert(request.other_kills.end(), lines.value().begin(),
+                               lines.value().end());
+  }
+  console.report(diagnostics);
+  if (diagnostics.has_errors()) return false;
+  const auto others = other_defects(request.other_kills, request.plan);
+  if (!others.empty() && request.plan.vehicles.size() > 1) {
+    console.note(fmt::format("--with-kills: left out are defects that are not looked for here: {}",
+                             fmt::join(others, ", ")));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Request> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  if (arguments.operands().size() != 1) {
+    diagnostics.error("compare",
+                      fmt::format("expected one scenario, found {}", arguments.operands().size()),
+                      "jaywalk compare --help shows how to write it");
+  }
+  const Options options = read_options(arguments, diagnostics);
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  Request request{
+      .prepared = prepare_scenario(located(arguments.operands().front()), arguments,
+                                   listed(arguments, "behaviours"), console, options.limits),
+      .limits = options.limits,
+      .conditions = options.conditions,
+      .store = options.store};
+  if (!request.prepared) return std::nullopt;
+  const ExperimentSpec& defaults = request.prepared->scenario().experiment;
+  request.seed = options.seed.value_or(defaults.seed);
+  request.plan.agents = options.agents.value_or(defaults.agents);
+  request.plan.tests = options.tests.value_or(defaults.tests);
+  request.plan.threads = options.threads;
+  request.plan.order = test_order(request.prepared->scenario());
+  request.plan.vehicles = request.prepared->vehicles();
+  for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
+    request.plan.behaviours.push_back(behaviour.name);
+  }
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
+  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
+  request.ground = ground(request.prepared->scenario().world);
+  if (arguments.has("coverage")) {
+    const std::uint32_t most = std::ranges::max(request.plan.agents);
+    request.coverage =
+        std::make_unique<PlanCoverage>(*request.prepared, all_behaviours(*request.prepared, most));
+  }
+  const bool has_defects = request.plan.vehicles.size() > 1;
+  if (has_defects && !read_other_kills(arguments, request, console)) return std::nullopt;
+  for (const char* option : {"kills", "with-kills"}) {
+    if (!has_defects && arguments.has(option)) request.pointless.emplace_back(option);
+  }
+  request.per_test = arguments.has("per-test");
+  request.situations = arguments.has("situations") || defaults.feedback > 0;
+  return request;
+}
+
+bool can_be_run(const Request& request, Console& console) {
+  if (const Diagnostics wrong = excesses(request); wrong.has_errors()) {
+    console.report(wrong);
+    return false;
+  }
+  const std::string why = first_obstacle(request);
+  if (!why.empty()) console.error(why);
+  return why.empty();
+}
+
+ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
+  ExperimentDescription description =
+      describe(*request.prepared,
+               scenario_options(arguments, listed(arguments, "behaviours"), request.limits),
+               request.plan, request.seed);
+  add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  return description;
+}
+
+}  // namespace jaywalk::command::compare

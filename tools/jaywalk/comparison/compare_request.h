@@ -1,0 +1,55 @@
+#pragma once
+
+// What a command line of `compare` asks for.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/compare/experiment.h"
+#include "experiment/compare/findings.h"
+#include "experiment/compare/kills/kills_file.h"
+#include "experiment/compare/verdict.h"
+#include "experiment/results/writer.h"
+#include "experiment/trial/plan_coverage.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/store_options.h"
+
+namespace jaywalk::command::compare {
+
+/// Everything that the command line says, once it is known to be right.
+struct Request {
+  std::shared_ptr<const PreparedScenario> prepared;
+  /// What the options that limit tests set in it.
+  std::vector<std::string> limits;
+  std::uint64_t seed = 0;
+  ExperimentPlan plan;
+  std::vector<FailureCondition> conditions;
+  std::optional<StoreOptions> store;
+  Inquiry inquiry;
+  Ground ground;
+  /// Null: nobody asks for it.
+  std::unique_ptr<PlanCoverage> coverage;
+  bool situations = false;
+  /// Options that are given and need defects, if there are none.
+  std::vector<std::string> pointless;
+  /// Kills that were counted elsewhere and stand beside.
+  std::vector<KillLine> other_kills;
+  /// So are the single tests.
+  bool per_test = false;
+};
+
+/// Nothing after reporting what is wrong.
+[[nodiscard]] std::optional<Request> read_request(const Arguments& arguments, Console& console);
+
+/// Whether that can be carried out; false after reporting why not: it is too large, or some test
+/// cannot be run (there are no start cells for it, say).
+[[nodiscard]] bool can_be_run(const Request& request, Console& console);
+
+/// What a store and a report keep of it.
+[[nodiscard]] ExperimentDescription describe_experiment(const Request& request,
+                                                        const Arguments& arguments);
+
+}  // namespace jaywalk::command::compare

@@ -1,0 +1,35 @@
+#pragma once
+
+// What comes of `compare`: its tables and files.
+
+#include <optional>
+#include <string>
+
+#include "experiment/compare/comparison.h"
+#include "tools/jaywalk/comparison/compare_tests.h"
+
+namespace jaywalk::command::compare {
+
+/// What the outcome comes to; with a store, what the store does, which may have had tests before.
+/// Nothing after reporting why not.
+[[nodiscard]] std::optional<Comparison> comparison_of(const Request& request,
+                                                      const Collected& collected,
+                                                      ExperimentOutcome& outcome, Console& console);
+
+/// Whether the report is a page, and not a picture.
+[[nodiscard]] bool wants_page(const Arguments& arguments);
+
+/// The files that options ask for; false after reporting what could not be written.
+[[nodiscard]] bool write_files(const Arguments& arguments, const Request& request,
+                               const Collected& collected, const Comparison& comparison,
+                               const reporting::FactsTable& facts, Console& console);
+
+/// Which situations the tests covered, as a table.
+[[nodiscard]] std::string situations_of(const Request& request, const Comparison& comparison,
+                                        const SituationTable& table);
+
+/// Of a run that was interrupted: what is there, and how to get the rest.
+[[nodiscard]] std::string interruption(const Request& request, const ExperimentOutcome& outcome,
+                                       const Comparison& comparison);
+
+}  // namespace jaywalk::command::compare

@@ -1,0 +1,35 @@
+#pragma once
+
+// How a comparison is shown: as a table, or in the format that --format names; and what is said of
+// its agents.
+
+#include <string>
+#include <vector>
+
+#include "experiment/compare/comparison.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+inline constexpr OptionSpec kFormatOption{
+    "format", "NAME", "print the results as csv, json or markdown instead of a table"};
+inline constexpr OptionSpec kStrictOption{
+    "strict", "", "exit with 1 if agents dropped intentions or never acted"};
+
+/// Adds an error for an unknown format.
+void check_format(const Arguments& arguments, Diagnostics& diagnostics);
+
+/// Prints it: in the format asked for, or as tables, or not at all with --quiet and where another
+/// option takes standard output. What went wrong with agents goes to standard error where there are
+/// no tables.
+void show_comparison(const Arguments& arguments, const Comparison& comparison, Console& console);
+
+/// A warning that counts the tests that ended errored, if some did.
+void warn_of_errored(const Comparison& comparison, Console& console);
+
+/// Says so if --strict objects to what happened to the agents.
+[[nodiscard]] bool fails_strictly(const Arguments& arguments, const Comparison& comparison,
+                                  Console& console);
+
+}  // namespace jaywalk

@@ -1,0 +1,87 @@
+#include "tools/jaywalk/comparison/judging.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+
+std::optional<Inquiry> read_inquiry(const Arguments& arguments,
+                                    const std::vector<Assertion>& otherwise, Console& console) {
+  Inquiry inquiry{.metrics = arguments.has("metrics")};
+  Diagnostics diagnostics;
+  auto named = read_assertion_files(arguments.texts("assertions"));
+  if (!named) {
+    diagnostics.append(std::move(named.diagnostics()));
+  } else {
+    inquiry.assertions = std::move(named.value().assertions);
+    inquiry.files = std::move(named.value().sources);
+  }
+  if (!arguments.has("assertions")) inquiry.assertions = otherwise;
+  if (arguments.has("junit") && inquiry.assertions.empty() && !diagnostics.has_errors()) {
+    diagnostics.error("--junit", "there are no assertions to judge",
+                      "--assertions names a file of them");
+  }
+  console.report(diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return inquiry;
+}
+
+std::vector<FailureCondition> read_conditions(const Arguments& arguments,
+                                              Diagnostics& diagnostics) {
+  std::vector<FailureCondition> conditions;
+  for (const std::string& text : arguments.texts("fail-on")) {
+    auto condition = parse_failure_condition(text);
+    if (condition) {
+      conditions.push_back(std::move(condition).value());
+    } else {
+      diagnostics.append(std::move(condition.diagnostics()));
+    }
+  }
+  return conditions;
+}
+
+bool check_conditions(const std::vector<FailureCondition>& conditions, const Inquiry& inquiry,
+                      Console& console) {
+  Diagnostics wrong;
+  for (const FailureCondition& condition : conditions) {
+    wrong.append(problems(condition, inquiry.assertions));
+  }
+  console.report(wrong);
+  return !wrong.has_errors();
+}
+
+bool report_failures(const std::vector<FailureCondition>& conditions, const Comparison& comparison,
+                     Console& console) {
+  bool any = false;
+  for (const FailureCondition& condition : conditions) {
+    for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
+      if (!fails(condition, comparison, row)) continue;
+      any = true;
+      const Summary& summary = comparison.summaries[row];
+      console.note(fmt::format("failed: {} with {} agents: {} is {:.6g} ({})", summary.behaviour,
+                               summary.agents, subject_of(condition),
+                               *value_of(condition, comparison, row), condition.text));
+    }
+  }
+  return any;
+}
+
+void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
+                  const std::vector<std::string>& behaviours, Comparison& comparison) {
+  comparison.assertions.clear();
+  comparison.findings.clear();
+  if (!asks(inquiry)) return;
+  for (const Assertion& assertion : inquiry.assertions) {
+    comparison.assertions.push_back(assertion.id);
+  }
+  for (const Summary& summary : comparison.summaries) {
+    const auto behaviour = std::ranges::find(behaviours, summary.behaviour) - behaviours.begin();
+    comparison.findings.push_back(
+        findings.summary(static_cast<std::size_t>(behaviour), summary.agents));
+  }
+}
+
+}  // namespace jaywalk

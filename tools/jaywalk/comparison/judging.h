@@ -1,0 +1,56 @@
+#pragma once
+
+// `--assertions` and what belongs to it: what is to be found out about tests, and how it is
+// reported.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/compare/comparison.h"
+#include "experiment/compare/verdict.h"
+#include "experiment/results/reader.h"
+#include "experiment/scenario/scenario.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+inline constexpr std::array kJudgingOptions = {
+    OptionSpec{"assertions", "FILE",
+               "judge the tests by these assertions (.yaml) instead of the\n"
+               "scenario's; repeatable"},
+    OptionSpec{"metrics", "",
+               "measure the tests: minimum distance, time to collision, ...\n"
+               "(jaywalk list metrics)"},
+    OptionSpec{"junit", "FILE", "write the verdicts as JUnit XML", Written::file},
+};
+
+/// The assertions of the options, or else those others (the scenario's); nothing after reporting
+/// what is wrong.
+[[nodiscard]] std::optional<Inquiry> read_inquiry(const Arguments& arguments,
+                                                  const std::vector<Assertion>& otherwise,
+                                                  Console& console);
+
+[[nodiscard]] inline bool asks(const Inquiry& inquiry) {
+  return inquiry.metrics || !inquiry.assertions.empty();
+}
+
+/// The conditions of --fail-on; errors are added. Those about assertions can be checked only when
+/// these are known: reports what is wrong with them.
+[[nodiscard]] std::vector<FailureCondition> read_conditions(const Arguments& arguments,
+                                                            Diagnostics& diagnostics);
+[[nodiscard]] bool check_conditions(const std::vector<FailureCondition>& conditions,
+                                    const Inquiry& inquiry, Console& console);
+
+/// Says which rows meet a condition; whether any does.
+[[nodiscard]] bool report_failures(const std::vector<FailureCondition>& conditions,
+                                   const Comparison& comparison, Console& console);
+
+/// Puts what was found out beside the summaries, in place of what was there. `behaviours` are those
+/// of the table's plan.
+void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
+                  const std::vector<std::string>& behaviours, Comparison& comparison);
+
+}  // namespace jaywalk

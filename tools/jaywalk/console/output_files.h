@@ -1,0 +1,48 @@
+#pragma once
+
+// Files that options like --csv ask for.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "experiment/scenario/files/write_file.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+/// The name that means standard output.
+inline constexpr std::string_view kStandardOutput = "-";
+
+/// Whether a command prints its table: not with --quiet, nor where an option takes standard output.
+[[nodiscard]] bool prints_table(const Arguments& arguments);
+
+/// Tries the places that options name before anything is done; false after reporting those that
+/// cannot be written.
+[[nodiscard]] bool can_write_outputs(const Arguments& arguments,
+                                     std::span<const OptionSpec> options, Console& console);
+
+/// Writes a whole file, after what was printed so far, for it may be /dev/stdout. False, and said
+/// so, if it cannot be written.
+[[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console);
+
+/// The same of a text that is too long for memory. The source reports why it gave up, if it does.
+[[nodiscard]] bool write_output(const std::string& path, const TextSource& source,
+                                Console& console);
+
+/// The option that asks for a file, and what goes into it; nothing: why not has been reported.
+struct OutputFile {
+  std::string_view option;
+  std::function<std::optional<std::string>()> text;
+  /// Of what is too long for memory, instead.
+  TextSource pieces = nullptr;
+};
+
+/// Writes those that are asked for; false if one of them could not be written.
+[[nodiscard]] bool write_outputs(const Arguments& arguments, std::span<const OutputFile> files,
+                                 Console& console);
+
+}  // namespace jaywalk

@@ -1,0 +1,27 @@
+#pragma once
+
+// What is answered about one document, as the protocol has it.
+
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/jaywalk/lsp/lsp_document.h"
+#include "tools/jaywalk/lsp/lsp_text.h"
+
+namespace jaywalk::lsp {
+
+/// A Diagnostic of the protocol.
+[[nodiscard]] nlohmann::json json_of(const Diagnostic& diagnostic, const Document& document);
+
+/// CompletionItems.
+[[nodiscard]] nlohmann::json completion_items(const Document& document, Position at);
+
+/// DocumentSymbols: plans with their sub-plans, beliefs, rules, goals, namespaces.
+[[nodiscard]] nlohmann::json symbols(const Document& document,
+                                     std::span<const ast::Component> components);
+
+/// TextEdits; none if the layout is fine, or the document has errors or is a project.
+[[nodiscard]] nlohmann::json formatting(const Document& document);
+
+}  // namespace jaywalk::lsp

@@ -1,0 +1,78 @@
+#pragma once
+
+// An open document: its text, what is wrong with it, and what an editor may ask about it.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/check/check.h"
+#include "interpreter/check/index/lsp_names.h"
+#include "interpreter/support/diagnostics.h"
+#include "tools/jaywalk/lsp/lsp_text.h"
+
+namespace jaywalk::lsp {
+
+struct Completion {
+  std::string label;
+  std::string detail;
+  Use::What what = Use::What::belief;
+};
+
+/// A place in a file of the program, perhaps another than the document.
+struct Place {
+  std::string path;
+  Range range;
+};
+
+enum class Definitions : std::uint8_t { left_out, included };
+
+class Document {
+ public:
+  Document(std::string uri, SourcePtr source, const IncludePath& include_path);
+
+  [[nodiscard]] const std::string& uri() const { return uri_; }
+  [[nodiscard]] const SourcePtr& source() const { return source_; }
+  [[nodiscard]] const TextPlaces& places() const { return places_; }
+  [[nodiscard]] bool is_program() const { return !is_project_; }
+  /// Those about the document itself; those about what it includes stand where it does so.
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] std::span<const ast::Component> components() const;
+
+  /// Markdown, with the place that it is about; nothing if there is nothing to say.
+  [[nodiscard]] std::optional<std::pair<std::string, Range>> hover(Position at) const;
+  /// What may stand where a name is being written, and the range of what is there of it.
+  [[nodiscard]] std::vector<Completion> completions(Position at, Range& written) const;
+  [[nodiscard]] std::vector<Place> definitions(Position at) const;
+  /// What is named at a place; null if there is nothing.
+  [[nodiscard]] const Use* use_there(Position at) const;
+  /// The name at a place, if it can be renamed: a goal's or a belief's.
+  [[nodiscard]] std::optional<Place> renamable(Position at) const;
+  /// A word of the environment that the program seems to be written for, which is not its to
+  /// rename.
+  [[nodiscard]] bool is_of_environment(const Use& use) const;
+  /// Whether the text of that file is part of the program, or may be what an include misses.
+  [[nodiscard]] bool depends_on(std::string_view path) const;
+
+ private:
+  void analyse_program(const IncludePath& include_path);
+  [[nodiscard]] Place place_of(const Use& use) const;
+  [[nodiscard]] std::string goal_text(const Use& goal) const;
+
+  std::string uri_;
+  bool is_project_;
+  SourcePtr source_;
+  TextPlaces places_;
+  std::vector<Diagnostic> diagnostics_;
+  SourceTree program_;
+  bool misses_include_ = false;
+  std::vector<Use> uses_;
+};
+
+/// Whether a goal or belief can have this name.
+[[nodiscard]] bool is_good_name(std::string_view name);
+
+}  // namespace jaywalk::lsp

@@ -1,0 +1,153 @@
+#include "tools/jaywalk/options/arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <boost/program_options.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace jaywalk {
+namespace {
+
+namespace po = boost::program_options;
+
+std::string unknown_hint(std::string_view name, std::span<const OptionSpec> options) {
+  const auto dashes = std::min(name.find_first_not_of('-'), name.size());
+  std::vector<std::string> known;
+  for (const OptionSpec& option : options) known.emplace_back(option.name);
+  const auto meant = closest(name.substr(dashes), known);
+  return meant ? fmt::format("did you mean '--{}'?", *meant) : "--help names the options";
+}
+
+template <class Number>
+std::optional<Number> parse(const std::string& text) {
+  Number value{};
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc{} || end != last) return std::nullopt;
+  return value;
+}
+
+std::string dashed(std::string_view option) { return fmt::format("--{}", option); }
+
+po::options_description description_of(std::span<const OptionSpec> options) {
+  po::options_description description;
+  for (const OptionSpec& option : options) {
+    const std::string name(option.name);
+    if (option.value.empty()) {
+      description.add_options()(name.c_str(), "");
+    } else {
+      description.add_options()(name.c_str(), po::value<std::string>());
+    }
+  }
+  return description;
+}
+
+}  // namespace
+
+std::span<const OptionSpec> common_options() {
+  static constexpr std::array kOptions = {
+      OptionSpec{"color", "WHEN", "colours: auto (default), always or never"},
+      OptionSpec{"log-level", "LEVEL", "what is logged: error, warning (default), info or debug"},
+      OptionSpec{"help", "", "show this help"},
+  };
+  return kOptions;
+}
+
+bool Arguments::has(std::string_view option) const { return text(option).has_value(); }
+
+bool Arguments::has_value(std::string_view value) const {
+  return std::ranges::any_of(options_, [&](const auto& option) { return option.second == value; });
+}
+
+std::optional<std::string> Arguments::text(std::string_view option) const {
+  std::vector<std::string> all = texts(option);
+  if (all.empty()) return std::nullopt;
+  return std::move(all.back());
+}
+
+std::vector<std::string> Arguments::texts(std::string_view option) const {
+  std::vector<std::string> values;
+  for (const auto& [name, value] : options_) {
+    if (name == option) values.push_back(value);
+  }
+  return values;
+}
+
+std::optional<std::uint64_t> Arguments::number(std::string_view option, std::uint64_t low,
+                                               Diagnostics& diagnostics) const {
+  const auto given = text(option);
+  if (!given) return std::nullopt;
+  const auto value = parse<std::uint64_t>(*given);
+  if (value && *value >= low) return value;
+  diagnostics.error(dashed(option),
+                    fmt::format("expected a whole number from {}, found '{}'", low, *given));
+  return std::nullopt;
+}
+
+std::optional<double> Arguments::positive(std::string_view option, Diagnostics& diagnostics) const {
+  const auto given = text(option);
+  if (!given) return std::nullopt;
+  const auto value = parse<double>(*given);
+  if (value && *value > 0 && std::isfinite(*value)) return value;
+  diagnostics.error(dashed(option),
+                    fmt::format("expected a number greater than 0, found '{}'", *given));
+  return std::nullopt;
+}
+
+std::size_t Arguments::choice(std::string_view option, std::span<const std::string> words,
+                              Diagnostics& diagnostics) const {
+  const auto given = text(option);
+  if (!given) return 0;
+  const auto found = std::ranges::find(words, *given);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  diagnostics.error(dashed(option),
+                    fmt::format("expected one of {}, found '{}'", fmt::join(words, ", "), *given),
+                    did_you_mean(*given, words));
+  return 0;
+}
+
+Result<Arguments> parse_arguments(std::span<const std::string> words,
+                                  std::span<const OptionSpec> options) {
+  using po::command_line_style::style_t;
+  constexpr int kStyle = style_t::allow_long | style_t::long_allow_next |
+                         style_t::long_allow_adjacent | style_t::allow_short |
+                         style_t::short_allow_next | style_t::allow_dash_for_short;
+  Diagnostics diagnostics;
+  try {
+    const po::options_description description = description_of(options);
+    const auto parsed =
+        po::command_line_parser(std::vector<std::string>(words.begin(), words.end()))
+            .options(description)
+            .style(kStyle)
+            .run();
+    Arguments arguments;
+    for (const auto& option : parsed.options) {
+      if (option.string_key.empty()) {
+        arguments.operands_.insert(arguments.operands_.end(), option.value.begin(),
+                                   option.value.end());
+      } else {
+        arguments.options_.emplace_back(option.string_key,
+                                        option.value.empty() ? "" : option.value.front());
+      }
+    }
+    return arguments;
+  } catch (const po::unknown_option& error) {
+    const std::string name = error.get_option_name();
+    diagnostics.error(name, "unknown option", unknown_hint(name, options));
+  } catch (const po::error_with_option_name& error) {
+    const std::string name = error.get_option_name();
+    const auto spec = std::ranges::find(
+        options, name, [](const OptionSpec& option) { return dashed(option.name); });
+    const bool flag = spec != options.end() && spec->value.empty();
+    diagnostics.error(name, flag ? "takes no value" : "needs a value");
+  } catch (const po::error& error) {
+    diagnostics.error("arguments", error.what());
+  }
+  return diagnostics;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,45 @@
+#include "tools/jaywalk/options/include_path.h"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "tools/jaywalk/options/shipped.h"
+
+namespace jaywalk {
+
+IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics) {
+  IncludePath path;
+  path.files = files_on_disk();
+  path.folders = arguments.texts("include");
+  for (const std::string& folder : arguments.texts("allow-read")) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) {
+      path.files.allow_reading(folder);
+    } else {
+      diagnostics.error("--allow-read", fmt::format("there is no folder '{}'", folder));
+    }
+  }
+  for (const std::string& mapping : arguments.texts("map")) {
+    const auto equals = mapping.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      diagnostics.error("--map", fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
+                        "write it as --map '$jasonJar=FOLDER'");
+    } else {
+      path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
+    }
+  }
+  return path;
+}
+
+std::optional<IncludePath> read_include_path(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  IncludePath path = parse_include_path(arguments, diagnostics);
+  if (!diagnostics.has_errors()) return path;
+  console.report(diagnostics);
+  return std::nullopt;
+}
+
+}  // namespace jaywalk

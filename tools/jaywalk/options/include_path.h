@@ -1,0 +1,32 @@
+#pragma once
+
+// Where included files are looked for, as the options --include and --map say.
+
+#include <array>
+#include <optional>
+
+#include "interpreter/syntax/load.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+inline constexpr std::array kIncludeOptions = {
+    OptionSpec{"include", "FOLDER",
+               "look for included files here, too; repeatable (the installed\n"
+               "agents are in $jaywalk/crossing)"},
+    OptionSpec{"map", "PREFIX=FOLDER",
+               "what stands for a prefix of included files: '$jasonJar=DIR';\n"
+               "repeatable"},
+    OptionSpec{"allow-read", "FOLDER",
+               "programs may read files in this folder, too; repeatable (else those\n"
+               "of their own and their project's folder, of --include and --map)"},
+};
+
+/// What is wrong with the options is added to the diagnostics.
+[[nodiscard]] IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics);
+/// Nothing after reporting what is wrong with the options.
+[[nodiscard]] std::optional<IncludePath> read_include_path(const Arguments& arguments,
+                                                           Console& console);
+
+}  // namespace jaywalk

@@ -1,0 +1,99 @@
+#include "tools/jaywalk/options/scenario_options.h"
+
+#include <array>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/programs/program_check.h"
+
+namespace jaywalk {
+
+namespace {
+
+/// The options of kLimitOptions, and their keys in experiment.limits.
+constexpr std::array<std::pair<const char*, std::string_view>, 4> kLimitKeys = {{
+    {"max-cycles", "cycles"},
+    {"max-inferences", "inferences"},
+    {"max-memory", "memory_mb"},
+    {"timeout", "time_s"},
+}};
+
+}  // namespace
+
+bool is_scenario_file(const std::string& path) {
+  return path.ends_with(".yaml") || path.ends_with(".yml");
+}
+
+std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& diagnostics,
+                                    std::string_view within) {
+  for (const char* whole : {"max-cycles", "max-inferences", "max-memory"}) {
+    (void)arguments.number(whole, 0, diagnostics);
+  }
+  (void)arguments.positive("timeout", diagnostics);
+  std::vector<std::string> sets;
+  for (const auto& [option, key] : kLimitKeys) {
+    const auto value = arguments.text(option);
+    if (value) sets.push_back(fmt::format("{}.{}={}", within, key, *value));
+  }
+  return sets;
+}
+
+ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours,
+                                 const std::vector<std::string>& more_sets) {
+  Diagnostics ignored;  // prepare_scenario() reports them
+  IncludePath include_path = parse_include_path(arguments, ignored);
+  // Programs may be installed ones, as scenarios may.
+  for (std::string& behaviour : behaviours) {
+    if (behaviour.ends_with(".asl") && !behaviour.starts_with(kLibraryPrefix)) {
+      behaviour = located(behaviour);
+    }
+  }
+  std::vector<std::string> sets = arguments.texts("set");
+  std::map<std::string, SourcePtr> given_by;
+  if (const auto defects = arguments.text("defects")) {
+    sets.push_back("experiment.defects=" + *defects);
+    given_by[sets.back()] = std::make_shared<const Source>("--defects", *defects);
+  }
+  sets.insert(sets.end(), more_sets.begin(), more_sets.end());
+  return {.preset = arguments.text("preset"),
+          .sets = std::move(sets),
+          .given_by = std::move(given_by),
+          .behaviours = std::move(behaviours),
+          .files = std::move(include_path.files),
+          .include = {std::move(include_path.folders), std::move(include_path.mapped)}};
+}
+
+std::shared_ptr<const PreparedScenario> prepare_scenario(
+    const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
+    Console& console, const std::vector<std::string>& more_sets) {
+  if (!read_include_path(arguments, console)) return nullptr;
+  const ScenarioOptions options = scenario_options(arguments, std::move(behaviours), more_sets);
+  Result<Scenario> scenario = read_scenario(path, options);
+  if (!scenario) {
+    console.report(scenario.diagnostics());
+    return nullptr;
+  }
+  Diagnostics warnings;
+  auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
+  if (!prepared) {
+    console.report(warnings);
+    console.report(prepared.diagnostics());
+    return nullptr;
+  }
+  if (!arguments.has("no-check")) {
+    // They are among what the checker says.
+    warnings = {};
+    Checked checked;
+    const Scenario& own = prepared.value()->scenario();
+    check_programs(own, checked, warnings);
+  }
+  console.report(warnings);
+  return std::move(prepared).value();
+}
+
+}  // namespace jaywalk

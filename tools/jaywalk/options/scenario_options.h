@@ -1,0 +1,68 @@
+#pragma once
+
+// The options that `run` and `compare` share: how a scenario is changed from the command line, and
+// how it is made ready.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/trial/trial.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+inline constexpr std::array kScenarioOptions = {
+    OptionSpec{"set", "KEY=VALUE",
+               "another value for a key of the scenario, as a dotted path\n"
+               "(world.length=80); repeatable"},
+    OptionSpec{"preset", "NAME", "begin with these values instead of the scenario's preset"},
+    OptionSpec{"seed", "N", "the seed from which all chance derives"},
+    OptionSpec{"no-check", "", "leave out the warnings of `jaywalk check`"},
+};
+
+/// The limits of one test: the scenario's `experiment.limits`.
+inline constexpr std::array kLimitOptions = {
+    OptionSpec{"max-cycles", "N",
+               "of one test, which ends errored beyond: reasoning cycles of one\n"
+               "agent, as the next three"},
+    OptionSpec{"max-inferences", "N", "inferences of all agents (default 200000000; 0: no limit)"},
+    OptionSpec{"max-memory", "MB",
+               "memory of one agent, and of all together (default 1024, and half\n"
+               "of the machine's)"},
+    OptionSpec{"timeout", "S",
+               "seconds by the wall clock (default: no limit): the one limit\n"
+               "whose outcome depends on the machine"},
+};
+
+/// More pedestrians than this are a slip.
+inline constexpr std::uint64_t kMaxAgents = 10'000;
+
+/// The file names a scenario.
+[[nodiscard]] bool is_scenario_file(const std::string& path);
+
+/// What kLimitOptions set, as `--set` would, within that key: so it is kept with stored tests. Adds
+/// errors for what is wrong.
+[[nodiscard]] std::vector<std::string> limit_sets(const Arguments& arguments,
+                                                  Diagnostics& diagnostics,
+                                                  std::string_view within = "experiment.limits");
+
+/// How the options of `arguments`, and then `more_sets`, change a scenario, with `behaviours` in
+/// place of its own if there are any.
+[[nodiscard]] ScenarioOptions scenario_options(const Arguments& arguments,
+                                               std::vector<std::string> behaviours,
+                                               const std::vector<std::string>& more_sets = {});
+
+/// Reads the scenario with the options of `arguments`, `behaviours` in place of its own if there
+/// are any, and compiles its programs; reports what is wrong and returns null if that fails. Says
+/// what `check` warns of, unless --no-check is given.
+[[nodiscard]] std::shared_ptr<const PreparedScenario> prepare_scenario(
+    const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
+    Console& console, const std::vector<std::string>& more_sets = {});
+
+}  // namespace jaywalk

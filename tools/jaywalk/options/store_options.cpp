@@ -1,0 +1,81 @@
+#include "tools/jaywalk/options/store_options.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiment/results/reader.h"
+
+namespace jaywalk {
+
+std::optional<StoreOptions> read_store_options(const Arguments& arguments,
+                                               Diagnostics& diagnostics) {
+  StoreOptions options;
+  options.resume = arguments.has("resume");
+  options.retry_errors = arguments.has("retry-errors");
+  if (options.retry_errors && !options.resume && arguments.has("store")) {
+    diagnostics.error("--retry-errors", "has no meaning without --resume");
+  }
+  if (const auto text = arguments.text("store-level")) {
+    options.level = parse_store_level(*text);
+    if (!options.level) {
+      diagnostics.error("--store-level",
+                        fmt::format("expected summary, found or all, found '{}'", *text));
+    }
+  }
+  if (const auto text = arguments.text("shard")) {
+    const auto shard = parse_shard(*text);
+    options.shard = shard.value_or(Shard{});
+    if (!shard) {
+      diagnostics.error("--shard",
+                        fmt::format("expected I/N with I from 1 to N, found '{}'", *text),
+                        "the second of four parts is 2/4");
+    }
+  }
+  const auto path = arguments.text("store");
+  if (path) {
+    options.path = *path;
+    return options;
+  }
+  for (const char* option : {"store-level", "shard", "resume", "retry-errors"}) {
+    if (arguments.has(option)) {
+      diagnostics.error(fmt::format("--{}", option), "has no meaning without --store");
+    }
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
+                                          ExperimentDescription description, Console& console) {
+  description.shard = options.shard;
+  description.level = options.level.value_or(StoreLevel::found);
+  std::error_code error;
+  if (options.resume && !options.level && std::filesystem::exists(options.path, error)) {
+    auto there = ResultsReader::open(options.path);
+    if (!there) {
+      console.report(there.diagnostics());
+      return nullptr;
+    }
+    description.level = there.value()->description().level;
+  }
+  const auto errored = options.retry_errors ? ResultsWriter::ErroredTests::taken_out
+                                            : ResultsWriter::ErroredTests::kept;
+  auto store = options.resume ? ResultsWriter::resume(options.path, description, errored)
+                              : ResultsWriter::create(options.path, description);
+  if (store) return std::move(store).value();
+  console.report(store.diagnostics());
+  return nullptr;
+}
+
+bool finish_store(ResultsWriter& store, const std::string& path, Console& console) {
+  const auto failure = store.finish();
+  if (!failure) return true;
+  console.error(
+      fmt::format("cannot write '{}': {}", path, *failure),
+      "the tests written before are kept; the same command with --resume runs the others");
+  return false;
+}
+
+}  // namespace jaywalk

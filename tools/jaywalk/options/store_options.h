@@ -1,0 +1,54 @@
+#pragma once
+
+// `--store` and what belongs to it: where tests are kept, which of them, and how a store is opened
+// for a run.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "experiment/results/writer.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+inline constexpr OptionSpec kStoreOption{
+    "store", "FILE", "keep every test in this GeoPackage (.gpkg), which is new", Written::file};
+
+inline constexpr std::array kStoreOptions = {
+    kStoreOption,
+    OptionSpec{"store-level", "LEVEL",
+               "whose positions are kept at every tick: summary (no\n"
+               "test's), found (default: of tests that met the\n"
+               "precondition), all"},
+    OptionSpec{"resume", "", "run only what the store does not have yet"},
+    OptionSpec{"retry-errors", "", "with --resume: run tests that ended errored again"},
+    OptionSpec{"shard", "I/N",
+               "run the I-th of N parts of the tests; needs --store.\n"
+               "`jaywalk merge` puts the parts together"},
+};
+
+struct StoreOptions {
+  std::string path;
+  /// Empty: that of the store that is continued, or `found`.
+  std::optional<StoreLevel> level;
+  Shard shard;
+  bool resume = false;
+  bool retry_errors = false;
+};
+
+/// Nothing without --store. Adds errors for what is wrong.
+[[nodiscard]] std::optional<StoreOptions> read_store_options(const Arguments& arguments,
+                                                             Diagnostics& diagnostics);
+
+/// A new store, or the one to continue; null after reporting why there is none.
+[[nodiscard]] std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
+                                                        ExperimentDescription description,
+                                                        Console& console);
+
+/// Closes it; false after reporting that not everything could be written.
+[[nodiscard]] bool finish_store(ResultsWriter& store, const std::string& path, Console& console);
+
+}  // namespace jaywalk

@@ -1,0 +1,31 @@
+#include "tools/jaywalk/options/usual_options.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "interpreter/support/text.h"
+
+namespace jaywalk {
+
+std::vector<std::string> listed(const Arguments& arguments, std::string_view option) {
+  std::vector<std::string> items;
+  for (const std::string& text : arguments.texts(option)) {
+    std::string_view rest = text;
+    while (true) {
+      const std::size_t comma = rest.find(',');
+      items.emplace_back(trimmed(rest.substr(0, comma)));
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+  }
+  return items;
+}
+
+unsigned read_threads(const Arguments& arguments, Diagnostics& diagnostics) {
+  constexpr std::uint64_t kMost = 1024;
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const auto wanted = arguments.number("threads", 1, diagnostics);
+  return static_cast<unsigned>(std::min(kMost, wanted.value_or(cores)));
+}
+
+}  // namespace jaywalk

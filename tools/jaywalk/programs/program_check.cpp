@@ -1,0 +1,93 @@
+#include "tools/jaywalk/programs/program_check.h"
+
+#include <filesystem>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiment/trial/trial.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/support/excerpt.h"
+#include "interpreter/support/source_files.h"
+#include "interpreter/term/symbol.h"
+#include "tools/jaywalk/programs/vocabulary.h"
+
+namespace jaywalk {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a project lies in the program's folder or above it.
+bool lies_in_project(const std::string& path) {
+  return find_project_folder(fs::path(path).parent_path().string()).has_value();
+}
+
+/// The world of all scenarios.
+constexpr std::string_view kScenarioWorld = "crossing";
+
+/// Each once, in the order of the scenario.
+std::vector<std::string> programs_of(const Scenario& scenario) {
+  std::vector<std::string> programs;
+  std::set<std::string> known;
+  const auto add = [&](const std::string& program) {
+    if (known.insert(fs::path(program).lexically_normal().string()).second) {
+      programs.push_back(program);
+    }
+  };
+  for (const BehaviourSpec& behaviour : scenario.behaviours) {
+    add(behaviour.program);
+    for (const TeamMember& member : behaviour.team) add(member.program);
+  }
+  for (const BehaviourSpec& actor : scenario.actors) add(actor.program);
+  return programs;
+}
+
+}  // namespace
+
+void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
+                  const std::function<void(Vocabulary&)>& complete, Diagnostics& found) {
+  if (!found.has_errors()) {
+    SymbolTable symbols;
+    (void)compile(program, symbols, found);
+  }
+  if (found.has_errors()) return;
+  Vocabulary vocabulary = vocabulary_for(environment);
+  complete(vocabulary);
+  check_program(program, vocabulary, found);
+}
+
+void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found) {
+  for (const Diagnostic& each : news.items()) {
+    if (checked.said.insert(render(each)).second) found.add(each);
+  }
+}
+
+void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& found) {
+  for (const std::string& program : programs_of(scenario)) {
+    checked.programs.insert(fs::path(program).lexically_normal().string());
+    Diagnostics of_program;
+    const SourceTree tree = load_agent(program, include_path(scenario), of_program);
+    of_program = with_errors(of_program, kMissingInclude, kMissingIncludeHint);
+    const auto complete = [&](Vocabulary& vocabulary) {
+      vocabulary.settings = settings_of(scenario, program);
+      mark_absent_percepts(scenario, vocabulary);
+    };
+    check_loaded(tree, find_environment(kScenarioWorld), complete, of_program);
+    add_news(of_program, checked, found);
+  }
+}
+
+void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
+                    Diagnostics& found) {
+  Vocabulary vocabulary = vocabulary_for(environment_of(program));
+  vocabulary.may_be_alone = started == StartedAs::alone && !lies_in_project(path);
+  check_program(program, vocabulary, found);
+}
+
+void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found) {
+  check_loaded(
+      program, environment_of(program),
+      [&path](Vocabulary& vocabulary) { vocabulary.may_be_alone = !lies_in_project(path); }, found);
+}
+
+}  // namespace jaywalk

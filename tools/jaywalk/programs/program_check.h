@@ -1,0 +1,50 @@
+#pragma once
+
+// What `check` says of one program, for those who have it already: `jaywalk check` and the language
+// server.
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include "env/environments.h"
+#include "experiment/scenario/scenario.h"
+#include "interpreter/check/check.h"
+#include "interpreter/syntax/load.h"
+
+namespace jaywalk {
+
+/// Compiles and checks a program that was loaded with the diagnostics `found`, which are added to;
+/// what is wrong already is not looked at further. `complete` turns what is known of the
+/// environment (null: nothing) into what is known of the agent.
+void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
+                  const std::function<void(Vocabulary&)>& complete, Diagnostics& found);
+
+/// What was checked already, so that nothing is said twice.
+struct Checked {
+  /// Programs, by their normal paths.
+  std::set<std::string> programs;
+  /// Diagnostics, as text.
+  std::set<std::string> said;
+};
+
+/// Adds what was not said before.
+void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found);
+
+/// What `check` says of the programs that a scenario names: its behaviours', with their teams, and
+/// its actors'. Of a program that another scenario names, too, only that is said which is new. A
+/// missing include is an error.
+void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& found);
+
+/// Whether a program was started by itself or as one of a project.
+enum class StartedAs { alone, part };
+
+/// What the checker alone says of a program that compiles, for the environment that it seems to be
+/// written for.
+void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
+                    Diagnostics& found);
+
+/// The same for a program by itself, for the environment that it seems to be written for.
+void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found);
+
+}  // namespace jaywalk

@@ -1,0 +1,204 @@
+#include "tools/jaywalk/programs/vocabulary.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "env/crossing/vocabulary.h"
+#include "interpreter/check/index/program_index.h"
+#include "interpreter/check/index/uses.h"
+#include "interpreter/check/words.h"
+#include "interpreter/compile/kqml_plans.h"
+#include "interpreter/logic/action.h"
+#include "interpreter/syntax/parser.h"
+
+namespace jaywalk {
+namespace {
+
+Vocabulary::Entry entry_for(const EnvironmentWord& word) {
+  return {.name = std::string(functor(word)),
+          .least_args = arity(word),
+          .most_args = arity(word),
+          .summary = description(word),
+          .values = argument_values(word)};
+}
+
+// What speaks for and against a program being written for an environment.
+class Evidence {
+ public:
+  explicit Evidence(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {}
+
+  void add(const SourceTree& program) {
+    const ProgramIndex index = index_of(program);
+    std::vector<Uses> all;
+    std::set<std::string_view> own;  // what it believes by itself is no percept
+    for (const auto& file : program.files) {
+      all.push_back(uses_in(file->components));
+      for (const Clause& clause : all.back().clauses) own.insert(clause.head->text);
+    }
+    for (const Uses& uses : all) {
+      for (const ast::Node* action : uses.actions) this->action(*action, index);
+      for (const ast::Node* query : uses.queries) percept(*query, own);
+      for (const ast::Plan* plan : uses.plans) {
+        if (plan->trigger.kind == ast::TriggerKind::belief) percept(*plan->trigger.literal, own);
+      }
+    }
+  }
+
+  /// It takes an action of the environment and none that is of another, and what it perceives or
+  /// where it goes is the environment's, too: one name is shared by many worlds.
+  [[nodiscard]] bool is_for() const {
+    return takes_action_ && !takes_foreign_ && (perceives_ || uses_values_);
+  }
+
+ private:
+  void action(const ast::Node& node, const ProgramIndex& index) {
+    const auto is_known = [&](const Vocabulary::Entry& entry) {
+      return entry.name == node.text && takes(entry, arity_of(node));
+    };
+    const auto known = std::ranges::find_if(vocabulary_.actions, is_known);
+    if (known != vocabulary_.actions.end()) {
+      takes_action_ = true;
+      uses_values_ = uses_values_ || has_value(node, *known);
+      return;
+    }
+    // A slip for one of them, a goal without '!' or a belief without '?' says nothing.
+    const bool is_slip = entry_of(vocabulary_.actions, node.text) != nullptr ||
+                         !did_you_mean(node.text, names_of(vocabulary_.actions)).empty() ||
+                         !index.planned_goals.arities(node.text).empty() ||
+                         !index.beliefs.arities(node.text).empty();
+    takes_foreign_ = takes_foreign_ || !is_slip;
+  }
+
+  static bool has_value(const ast::Node& action, const Vocabulary::Entry& entry) {
+    for (std::size_t i = 0; i < entry.values.size(); ++i) {
+      const std::string_view atom = action.args[i]->text;
+      const bool has = std::ranges::any_of(entry.values[i], [&](const std::string& value) {
+        return value == atom || is_one_slip(value, atom);
+      });
+      if (has) return true;
+    }
+    return false;
+  }
+
+  void percept(const ast::Node& node, const std::set<std::string_view>& own) {
+    if (node.kind != ast::Kind::literal || own.contains(node.text)) return;
+    const Vocabulary::Entry* const known = entry_of(vocabulary_.percepts, node.text);
+    perceives_ = perceives_ || (known != nullptr && takes(*known, arity_of(node)));
+  }
+
+  const Vocabulary& vocabulary_;
+  bool takes_action_ = false;
+  bool takes_foreign_ = false;
+  bool perceives_ = false;
+  bool uses_values_ = false;
+};
+
+// Those for which every agent has plans.
+std::vector<std::string> standard_performatives() {
+  Diagnostics ignored;
+  const auto source = std::make_shared<const Source>("kqml", std::string(kKqmlPlans));
+  const ast::File file = parse_agent(source, ignored);
+  const auto handled = handled_performatives(uses_in(file.components));
+  return {handled.begin(), handled.end()};
+}
+
+}  // namespace
+
+Vocabulary vocabulary_for(const EnvironmentKind* environment) {
+  Vocabulary vocabulary;
+  if (environment != nullptr) {
+    vocabulary.environment_known = true;
+    std::ranges::transform(environment->percepts, std::back_inserter(vocabulary.percepts),
+                           entry_for);
+    std::ranges::transform(environment->actions, std::back_inserter(vocabulary.actions), entry_for);
+  }
+  const auto add = [&vocabulary](const auto& known) {
+    vocabulary.internal_actions.push_back(
+        {known.name, known.least_args, known.most_args, known.summary});
+  };
+  std::ranges::for_each(standard_actions().actions(), add);
+  std::ranges::for_each(standard_actions().functions(), add);
+  for (std::size_t i = standard_actions().actions().size(); i < vocabulary.internal_actions.size();
+       ++i) {
+    vocabulary.internal_actions[i].is_function = true;
+  }
+  // What `if`, `for`, `while`, `|&|` and `|||` stand for.
+  for (const auto& [name, least, most] :
+       {std::tuple{".if_then_else", 2, 3}, {".foreach", 2, 2}, {".loop", 2, 2}, {".fork", 2, -1}}) {
+    vocabulary.internal_actions.push_back({name, least, most, "a statement"});
+  }
+  vocabulary.performatives = standard_performatives();
+  return vocabulary;
+}
+
+const EnvironmentKind* environment_of(const SourceTree& program) {
+  for (const EnvironmentKind& environment : environments()) {
+    const Vocabulary vocabulary = vocabulary_for(&environment);
+    Evidence evidence(vocabulary);
+    evidence.add(program);
+    if (evidence.is_for()) return &environment;
+  }
+  return nullptr;
+}
+
+void mark_absent_percepts(const Scenario& scenario, Vocabulary& vocabulary) {
+  const auto given = given_percepts(scenario.world);
+  assert(vocabulary.percepts.size() == given.size() && "they are the crossing's");
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) vocabulary.percepts[i].absent_without = kCrossingPercepts[i].needs;
+  }
+}
+
+namespace {
+
+// The value behind the key of a scenario's line, or the key if it is not there.
+SourceSpan place_of_value(const SourceSpan& key, std::string_view value) {
+  if (key.source == nullptr) return key;
+  const std::string_view text = key.source->text();
+  const std::string_view line = text.substr(0, text.find('\n', key.span.end));
+  const std::size_t at = line.find(value, key.span.end);
+  if (at == line.npos) return key;
+  const auto begin = static_cast<std::uint32_t>(at);
+  return {key.source, {begin, begin + static_cast<std::uint32_t>(value.size())}};
+}
+
+}  // namespace
+
+std::vector<Vocabulary::Setting> settings_of(const Scenario& scenario, const std::string& program) {
+  std::vector<Vocabulary::Setting> settings;
+  const auto add = [&settings](const std::vector<ParameterSetting>& parameters) {
+    for (const ParameterSetting& parameter : parameters) {
+      Vocabulary::Setting setting{.name = parameter.name,
+                                  .atoms = {},
+                                  .where = parameter.origin.where,
+                                  .option = parameter.origin.option};
+      for (const ParameterValue& value : parameter.values) {
+        const auto* const atom = std::get_if<std::string>(&value);
+        setting.atoms.push_back(atom == nullptr ? std::string() : *atom);
+        if (atom == nullptr || parameter.values.size() > 1) continue;
+        setting.where = place_of_value(parameter.origin.where, *atom);
+      }
+      settings.push_back(std::move(setting));
+    }
+  };
+  for (const auto* behaviours : {&scenario.behaviours, &scenario.actors}) {
+    for (const BehaviourSpec& behaviour : *behaviours) {
+      if (behaviour.program != program) continue;
+      add(behaviour.parameters);
+      for (const AgentSettings& own : behaviour.agents) add(own.parameters);
+    }
+  }
+  return settings;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,61 @@
+#pragma once
+
+// A conversation with one agent: each input is carried out, then the agent reasons until it has
+// nothing more to do.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "interpreter/embed/interpreter.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/repl/repl_completion.h"
+#include "tools/jaywalk/repl/repl_input.h"
+#include "tools/jaywalk/repl/repl_trace.h"
+
+namespace jaywalk {
+
+class LineReader;
+
+class ReplSession {
+ public:
+  /// `pauses` reads a line after each step of a trace; null: traces do not wait.
+  ReplSession(IncludePath include_path, Console& console, LineReader* pauses);
+
+  /// Begins anew with the program of a file, or with none if `path` is empty. False: it is wrong,
+  /// and what there was stays.
+  bool load(const std::string& path);
+  /// False: the conversation is over.
+  bool carry_out(const ReplInput& input);
+  /// What can be completed.
+  [[nodiscard]] ReplNames names() const;
+  /// Whether some input was wrong.
+  [[nodiscard]] bool had_mistakes() const { return had_mistakes_; }
+
+ private:
+  bool carry_out_command(const ReplInput& input);
+  void ask(const std::string& query);
+  /// A name that is like that of the goal or query, if nothing has its own.
+  void suggest(const std::string& text, bool is_goal);
+  void trace(const std::string& goal);
+  void show_beliefs(const std::string& name);
+  void show_rules_and_plans(const std::string& name, bool rules);
+  void show_intentions();
+  void reason();
+  /// Reports what was wrong, if anything; true if nothing was.
+  bool accept(const Diagnostics& found);
+  void mistake(std::string_view message, std::string_view hint = {});
+  void print_line(std::string_view line);
+
+  IncludePath include_path_;
+  Console& console_;
+  LineReader* pauses_;
+  ReplTrace trace_;
+  bool waits_ = false;  // a trace waits after each step
+  std::string path_;
+  std::unique_ptr<Interpreter> interpreter_;
+  AgentId agent_{};
+  bool had_mistakes_ = false;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,105 @@
+#include "tools/jaywalk/run/judge_trace.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "env/crossing/crossing_ground.h"
+#include "experiment/export/junit.h"
+#include "experiment/judge/trace_file.h"
+#include "experiment/report/tables/verdict_table.h"
+#include "tools/jaywalk/comparison/judging.h"
+#include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/shipped.h"
+
+namespace jaywalk {
+namespace {
+
+/// The scenario whose ground the drive was on and whose assertions count unless others are given.
+std::optional<Scenario> scenario_of(const Arguments& arguments, Console& console) {
+  const auto path = arguments.text("scenario");
+  if (!path) {
+    console.note("on the paper's road: --scenario names another");
+    return Scenario{};
+  }
+  Result<Scenario> scenario = read_scenario(located(*path));
+  if (scenario) return std::move(scenario).value();
+  console.report(scenario.diagnostics());
+  return std::nullopt;
+}
+
+std::optional<Recording> read_trace(const std::string& path, Console& console) {
+  Diagnostics diagnostics;
+  const Result<SourcePtr> source = read_source(path, kMaxTraceBytes);
+  Result<Recording> recording =
+      source ? parse_trace(source.value(), diagnostics) : Result<Recording>(source.diagnostics());
+  console.report(diagnostics);
+  if (recording) return std::move(recording).value();
+  console.report(recording.diagnostics());
+  return std::nullopt;
+}
+
+/// The drive as the only test of a comparison, which conditions of --fail-on are about.
+Comparison comparison_of(const std::string& name, const Inquiry& inquiry,
+                         const Recording& recording, const TestFindings& findings) {
+  const auto others = static_cast<std::uint32_t>(recording.actors().size() - 1);
+  const ExperimentPlan plan{.behaviours = {name}, .agents = {others}, .tests = 1};
+  FindingsTable table(inquiry, plan);
+  table.add({.agents = others}, findings);
+  const TestResult result{.ticks = static_cast<std::uint32_t>(recording.scenes() - 1)};
+  Comparison comparison{.summaries = {summarise({&result, 1})}};
+  comparison.summaries.front().behaviour = name;
+  comparison.summaries.front().agents = others;
+  add_findings(inquiry, table, plan.behaviours, comparison);
+  return comparison;
+}
+
+/// Options that speak of the tests of a store.
+bool only_for_stores(const Arguments& arguments, Console& console) {
+  for (const char* option : {"test", "write", "csv", "json"}) {
+    if (!arguments.has(option)) continue;
+    console.error(fmt::format("--{} is about the tests of a store, not about a trace", option));
+    return true;
+  }
+  if (arguments.operands().empty()) return false;
+  console.error("--trace stands in place of a store", "judge one of them at a time");
+  return true;
+}
+
+}  // namespace
+
+ExitCode judge_trace(const std::string& path, const Arguments& arguments, Console& console) {
+  if (only_for_stores(arguments, console)) return ExitCode::usage;
+  Diagnostics wrong;
+  const std::vector<FailureCondition> conditions = read_conditions(arguments, wrong);
+  console.report(wrong);
+  if (wrong.has_errors()) return ExitCode::usage;
+  const auto scenario = scenario_of(arguments, console);
+  if (!scenario) return ExitCode::usage;
+  const auto inquiry = read_inquiry(arguments, scenario->assertions, console);
+  if (!inquiry) return ExitCode::usage;
+  if (!asks(*inquiry)) {
+    console.error("there is nothing to judge", "--assertions names a file of assertions");
+    return ExitCode::usage;
+  }
+  if (!check_conditions(conditions, *inquiry, console)) return ExitCode::usage;
+  const auto recording = read_trace(path, console);
+  if (!recording) return ExitCode::usage;
+
+  const TestFindings findings = assess(*inquiry, *recording, ground(scenario->world));
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (!arguments.has("quiet")) {
+    console.print(render_findings(*inquiry, findings, recording->actors()));
+  }
+  if (const auto junit = arguments.text("junit")) {
+    if (!write_output(*junit, to_junit(name, *inquiry, findings), console)) {
+      return ExitCode::failed;
+    }
+  }
+  const Comparison comparison = comparison_of(name, *inquiry, *recording, findings);
+  return report_failures(conditions, comparison, console) ? ExitCode::failed : ExitCode::success;
+}
+
+}  // namespace jaywalk

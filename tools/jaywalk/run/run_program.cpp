@@ -1,0 +1,264 @@
+#include "tools/jaywalk/run/run_program.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "experiment/scenario/files/write_file.h"
+#include "interpreter/agent/observer.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/embed/program_loader.h"
+#include "interpreter/embed/project_agents.h"
+#include "interpreter/mas/mas.h"
+#include "interpreter/support/excerpt.h"
+#include "interpreter/syntax/load.h"
+#include "tools/jaywalk/console/interrupt.h"
+#include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/programs/program_check.h"
+#include "tools/jaywalk/run/program_trace.h"
+
+namespace jaywalk {
+namespace {
+
+/// Looking at the clock after every cycle would cost more than the cycle.
+constexpr std::uint64_t kStepsBetweenLooks = 4;
+
+constexpr std::uint64_t kMostThreads = 256;
+constexpr std::uint64_t kMostMegabytes = 1'000'000'000;
+
+struct Limits {
+  MasOptions mas;
+  std::optional<double> timeout_s;
+};
+
+std::optional<Limits> read_limits(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  Limits limits;
+  limits.mas.seed = arguments.number("seed", 0, diagnostics).value_or(0);
+  limits.mas.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
+  limits.mas.max_run_inferences = arguments.number("max-inferences", 1, diagnostics).value_or(0);
+  limits.mas.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
+  if (const auto megabytes = arguments.number("max-memory", 1, diagnostics)) {
+    limits.mas.max_agent_bytes = std::min(*megabytes, kMostMegabytes) << 20U;
+    limits.mas.max_system_bytes = limits.mas.max_agent_bytes;
+  }
+  limits.mas.realtime = arguments.has("realtime");
+  limits.mas.threads = static_cast<std::size_t>(
+      std::min(arguments.number("threads", 1, diagnostics).value_or(1), kMostThreads));
+  limits.timeout_s = arguments.positive("timeout", diagnostics);
+  check_coverage_options(arguments, diagnostics);
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  limits.mas.print = [&console, flush = limits.mas.realtime](std::string_view line) {
+    console.print(line);
+    console.print("\n");
+    if (flush) console.flush();
+  };
+  limits.mas.write = [&console](std::string_view text) { console.print(text); };
+  limits.mas.log = [&console](std::string_view line) { console.log(LogLevel::warning, line); };
+  return limits;
+}
+
+ExitCode verdict(const RunOutcome& outcome, Console& console) {
+  switch (outcome.end) {
+    case RunEnd::stopped:
+      return outcome.exit_code == 0 ? ExitCode::success : ExitCode::failed;
+    case RunEnd::idle:
+    case RunEnd::finished:
+      return ExitCode::success;
+    case RunEnd::limit:
+    case RunEnd::looping:
+      console.error(outcome.message);
+      return ExitCode::failed;
+    case RunEnd::interrupted:
+      console.note("interrupted");
+      return ExitCode::interrupted;
+  }
+  std::abort();
+}
+
+std::string_view name(RunEnd end) {
+  switch (end) {
+    case RunEnd::stopped:
+      return "stopped";
+    case RunEnd::idle:
+      return "idle";
+    case RunEnd::finished:
+      return "finished";
+    case RunEnd::limit:
+      return "limit";
+    case RunEnd::looping:
+      return "looping";
+    case RunEnd::interrupted:
+      return "interrupted";
+  }
+  std::abort();
+}
+
+/// How a run ended: as a RunEnd, "interrupted", or "timeout".
+struct End {
+  ExitCode code = ExitCode::success;
+  std::string_view how;
+};
+
+End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, Console& console) {
+  const Deadline deadline(limits.timeout_s);
+  for (std::uint64_t steps = 1; mas.stride(); ++steps) {
+    if (interrupt.interrupted()) {
+      console.note("interrupted");
+      return {ExitCode::interrupted, "interrupted"};
+    }
+    // In real time a step may sleep.
+    if ((limits.mas.realtime || steps % kStepsBetweenLooks == 0) && deadline.passed()) {
+      console.error(fmt::format("stopped after {:g} s (--timeout)", deadline.seconds()));
+      return {ExitCode::failed, "timeout"};
+    }
+  }
+  return {verdict(mas.outcome(), console), name(mas.outcome().end)};
+}
+
+/// Whether what `check` says of programs is reported, and what it knows of them.
+enum class ProgramCheck { off, alone, in_project };
+
+/// Loads and compiles each agent's program, once for all agents that share it. Those whose program
+/// is missing or wrong are left out and diagnosed.
+std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, ProgramCheck check,
+                                   SymbolTable& symbols, Diagnostics& all) {
+  std::vector<AgentSpec> agents;
+  for (const ProgramSource& source : sources) {
+    Diagnostics diagnostics;
+    const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
+                                        : load_agent(source.path, source.include_path, diagnostics);
+    const auto program = compile(tree, symbols, diagnostics);
+    // The agent runs without what is missing, as in Jason; but that is a mistake.
+    diagnostics = with_errors(diagnostics, kMissingInclude, kMissingIncludeHint);
+    if (program && check != ProgramCheck::off) {
+      check_compiled(tree, source.path,
+                     check == ProgramCheck::alone ? StartedAs::alone : StartedAs::part,
+                     diagnostics);
+    }
+    all.append(std::move(diagnostics));
+    if (!program) continue;
+    for (const std::string& name : source.agents) {
+      agents.push_back(
+          {.name = name, .program = program, .parameters = {}, .settings = source.settings});
+    }
+  }
+  return agents;
+}
+
+/// Where programs may write: in the working folder, and where the user says.
+AllowedFolders writable_folders(const Arguments& arguments) {
+  AllowedFolders writable("--allow-write");
+  writable.add(".");
+  for (const std::string& folder : arguments.texts("allow-write")) writable.add(folder);
+  return writable;
+}
+
+/// `folder` is the one of the program or project.
+ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
+                     ProgramCheck check, const Limits& limits, const Arguments& arguments,
+                     Console& console) {
+  const auto symbols = std::make_shared<SymbolTable>();
+  Diagnostics diagnostics;
+  std::vector<AgentSpec> agents = compile_all(
+      sources, arguments.has("no-check") ? ProgramCheck::off : check, *symbols, diagnostics);
+  console.report(diagnostics);
+  if (agents.empty() && diagnostics.has_errors()) return ExitCode::usage;
+  MasOptions options = limits.mas;
+  const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
+  sources = {};  // which has a name for each of perhaps very many agents, as the agents have
+  options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path)](
+                             const ProgramRequest& request, SymbolTable& run_symbols,
+                             std::string& error) {
+    return loader->load(request, run_symbols, error);
+  };
+  options.why_not_list = [readable =
+                              include_path.readable_from(folder)](const std::string& listed) {
+    const auto denial = readable.denial(listed);
+    return denial ? fmt::format("cannot list {}: {}", listed, denial->text()) : std::string();
+  };
+  options.save_program = [writable = writable_folders(arguments)](
+                             const std::string& file, const std::string& text, std::string& error) {
+    if (const auto denial = writable.denial(file)) {
+      error = fmt::format("cannot write {}: {}", file, denial->text());
+    } else {
+      error = write_file(file, text).value_or("");
+    }
+    return error.empty();
+  };
+  const std::string& subject = arguments.operands().front();
+  Observers observers;
+  Probes probes(symbols, Probes::Detail::counts);
+  std::optional<CoverageObserver> coverage;
+  if (arguments.has("coverage")) {
+    for (const AgentSpec& agent : agents) probes.add(agent.program);
+    observers.add(coverage.emplace(probes));
+  }
+  std::optional<TraceFile> trace_file;
+  if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
+  std::optional<ProgramTrace> trace;
+  if (trace_file) {
+    observers.add(trace.emplace(*trace_file));
+    trace->begin(subject, agents.size(), options.seed);
+  }
+  options.observer = observers.get();
+  const InterruptGuard interrupt;
+  options.interrupted = [&interrupt] { return interrupt.interrupted(); };
+  Mas mas(symbols, std::move(options), nullptr);
+  for (const AgentSpec& agent : agents) mas.add_agent(agent);
+  agents = {};
+  const End end = run_to_end(mas, limits, interrupt, console);
+  if (trace) {
+    trace->end(end.how, mas.outcome().message, mas.now_ms() / 1000, static_cast<int>(end.code));
+  }
+  if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
+  if (coverage &&
+      !write_coverage(arguments, locate_in_files(probes, coverage->counts(), files_on_disk()),
+                      subject, console)) {
+    return ExitCode::failed;
+  }
+  // As in Jason, the agents of a project whose programs are in order run without the others.
+  return end.code == ExitCode::success && diagnostics.has_errors() ? ExitCode::usage : end.code;
+}
+
+std::string folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.string();
+}
+
+}  // namespace
+
+ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Console& console) {
+  const auto limits = read_limits(arguments, console);
+  const auto include_path = read_include_path(arguments, console);
+  if (!limits || !include_path) return ExitCode::usage;
+  const ProgramSource source{.path = path,
+                             .include_path = *include_path,
+                             .agents = {std::filesystem::path(path).stem().string()}};
+  return run_sources({source}, folder_of(path), ProgramCheck::alone, *limits, arguments, console);
+}
+
+ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
+  const auto limits = read_limits(arguments, console);
+  const auto include_path = read_include_path(arguments, console);
+  if (!limits || !include_path) return ExitCode::usage;
+  Diagnostics diagnostics;
+  const JavaParts java = arguments.has("ignore-java") ? JavaParts::ignored : JavaParts::refused;
+  auto sources = read_project_agents(path, *include_path, java, diagnostics);
+  console.report(diagnostics);
+  if (!sources) return ExitCode::usage;
+  return run_sources(std::move(*sources), folder_of(path), ProgramCheck::in_project, *limits,
+                     arguments, console);
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,271 @@
+#include "tools/jaywalk/run/run_scenario.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <sys/ioctl.h>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "env/crossing/crossing_ground.h"
+#include "experiment/compare/carry_over.h"
+#include "experiment/export/junit.h"
+#include "experiment/report/tables/troubles_text.h"
+#include "experiment/report/tables/verdict_table.h"
+#include "experiment/trial/plan_coverage.h"
+#include "experiment/trial/trial.h"
+#include "tools/jaywalk/comparison/comparison_output.h"
+#include "tools/jaywalk/comparison/judging.h"
+#include "tools/jaywalk/console/interrupt.h"
+#include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/console/viewer.h"
+#include "tools/jaywalk/console/watch.h"
+#include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/options/store_options.h"
+#include "tools/jaywalk/run/test_trace.h"
+#include "tools/jaywalk/run/trace_output.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr double kDefaultSpeed = 2;
+
+struct Request {
+  std::shared_ptr<const PreparedScenario> prepared;
+  TrialInput input;
+  std::optional<double> timeout_s;
+  std::uint64_t max_cycles = 0;
+  std::uint64_t max_ticks = 0;
+  Inquiry inquiry;
+  std::vector<FailureCondition> conditions;
+  /// Ticks a second.
+  double speed = kDefaultSpeed;
+};
+
+std::vector<std::string> behaviours_of(const Arguments& arguments) {
+  if (const auto behaviour = arguments.text("behaviour")) return {*behaviour};
+  return {};
+}
+
+/// What --max-inferences sets, as `--set` would: so it is kept with a stored test.
+std::vector<std::string> limits_of(const Arguments& arguments) {
+  const auto inferences = arguments.text("max-inferences");
+  if (!inferences) return {};
+  return {"experiment.limits.inferences=" + *inferences};
+}
+
+std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
+                                    Console& console) {
+  Diagnostics diagnostics;
+  const auto agents = arguments.number("agents", 1, diagnostics);
+  const auto seed = arguments.number("seed", 0, diagnostics);
+  Request request;
+  request.input.test = arguments.number("test", 0, diagnostics).value_or(0);
+  request.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
+  (void)arguments.number("max-inferences", 0, diagnostics);
+  request.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
+  request.timeout_s = arguments.positive("timeout", diagnostics);
+  request.speed = arguments.positive("speed", diagnostics).value_or(kDefaultSpeed);
+  if (agents.value_or(1) > kMaxAgents) {
+    diagnostics.error("--agents", fmt::format("at most {}", kMaxAgents));
+  }
+  request.conditions = read_conditions(arguments, diagnostics);
+  check_coverage_options(arguments, diagnostics);
+  if (diagnostics.has_errors()) {
+    console.report(diagnostics);
+    return std::nullopt;
+  }
+  request.prepared =
+      prepare_scenario(path, arguments, behaviours_of(arguments), console, limits_of(arguments));
+  if (!request.prepared) return std::nullopt;
+  const ExperimentSpec& defaults = request.prepared->scenario().experiment;
+  request.input.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
+  request.input.seed = seed.value_or(defaults.seed);
+  if (const std::string why = obstacle(*request.prepared, request.input); !why.empty()) {
+    console.error(why);
+    return std::nullopt;
+  }
+  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
+  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
+  request.inquiry = std::move(*inquiry);
+  return request;
+}
+
+std::string title_of(const Request& request) {
+  return fmt::format("{}, {} agent{}, seed {}, test {}",
+                     request.prepared->behaviours()[request.input.behaviour].name,
+                     request.input.agents, request.input.agents == 1 ? "" : "s", request.input.seed,
+                     request.input.test);
+}
+
+/// The store for this one test, with everything that is seen of it.
+std::unique_ptr<ResultsWriter> open_store(const Request& request, const Arguments& arguments,
+                                          const std::string& path, Console& console) {
+  const PreparedBehaviour& behaviour = request.prepared->behaviours()[request.input.behaviour];
+  const ExperimentPlan plan{
+      .behaviours = {behaviour.name}, .agents = {request.input.agents}, .tests = 1};
+  ExperimentDescription description =
+      describe(*request.prepared,
+               scenario_options(arguments, behaviours_of(arguments), limits_of(arguments)), plan,
+               request.input.seed);
+  add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  // The first behaviour is the one that runs; the others are no part of the plan.
+  description.behaviours.resize(1);
+  description.first_test = request.input.test;
+  return open_store({.path = path, .level = StoreLevel::all}, std::move(description), console);
+}
+
+TestResult result_of(const TrialResult& trial) {
+  return {.succeeded = trial.outcome.success,
+          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
+          .score = trial.outcome.score()};
+}
+
+void store_test(const Request& request, const TrialResult& trial, Recording recording,
+                const TestFindings& findings, ResultsWriter& store) {
+  const TestCase test{.behaviour = request.input.behaviour,
+                      .agents = request.input.agents,
+                      .number = request.input.test};
+  TestRecord record = make_test_record(test, result_of(trial), trial, std::move(recording));
+  record.assessments = to_assessments(request.inquiry, findings);
+  store.add(std::move(record));
+}
+
+/// The one test as a comparison, which conditions of --fail-on are about.
+Comparison comparison_of(const Request& request, const TrialResult& trial,
+                         const TestFindings& findings) {
+  const std::string& behaviour = request.prepared->behaviours()[request.input.behaviour].name;
+  const ExperimentPlan plan{
+      .behaviours = {behaviour}, .agents = {request.input.agents}, .tests = 1};
+  FindingsTable table(request.inquiry, plan);
+  table.add({.agents = request.input.agents}, findings);
+  const TestResult result = result_of(trial);
+  Comparison comparison{.summaries = {summarise({&result, 1})}};
+  TroublesSum troubles;
+  troubles.add(request.input.test, trial.troubles);
+  comparison.troubles.push_back(troubles.sum());
+  comparison.summaries.front().behaviour = behaviour;
+  comparison.summaries.front().agents = request.input.agents;
+  add_findings(request.inquiry, table, plan.behaviours, comparison);
+  return comparison;
+}
+
+/// Writes the verdicts and looks at --fail-on.
+ExitCode conclude(const Request& request, const Arguments& arguments, const TrialResult& trial,
+                  const TestFindings& findings, Console& console) {
+  if (const auto path = arguments.text("junit")) {
+    const std::string xml = to_junit(title_of(request), request.inquiry, findings);
+    if (!write_output(*path, xml, console)) return ExitCode::failed;
+  }
+  const Comparison comparison = comparison_of(request, trial, findings);
+  std::string troubles = render_troubles(troubles_of(comparison));
+  if (troubles.ends_with('\n')) troubles.pop_back();
+  if (!troubles.empty()) console.note(troubles);
+  const bool failed = report_failures(request.conditions, comparison, console);
+  return fails_strictly(arguments, comparison, console) || failed ? ExitCode::failed
+                                                                  : ExitCode::success;
+}
+
+}  // namespace
+
+ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, Console& console) {
+  const auto request = read_request(path, arguments, console);
+  if (!request) return ExitCode::usage;
+
+  const InterruptGuard interrupt;
+  const Deadline deadline(request->timeout_s);
+  Viewer viewer(title_of(*request), request->speed, interrupt, console);
+  const bool watch = arguments.has("watch");
+  TrialOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
+  options.log = [&](std::string_view line) { console.log(LogLevel::warning, line); };
+  options.print = [&](std::string_view line) {
+    if (watch) {
+      viewer.add_line(line);
+    } else {
+      console.print(fmt::format("{}\n", line));
+    }
+  };
+  if (watch) {
+    options.observe = [&](const Crossing& crossing, const Mas& mas) {
+      if (!interrupt.interrupted()) viewer.show(crossing, mas);
+    };
+  }
+  const auto store_path = arguments.text("store");
+  std::unique_ptr<ResultsWriter> store;
+  Recording recording;
+  if (store_path) {
+    store = open_store(*request, arguments, *store_path, console);
+    if (!store) return ExitCode::usage;
+  }
+  if (store || asks(request->inquiry)) options.record = &recording;
+  std::optional<PlanCoverage> coverage;
+  std::optional<PlanCoverage::Borrowed> observer;
+  Observers observers;
+  if (arguments.has("coverage")) {
+    const BehavioursRun run{{request->input.behaviour, request->input.agents}};
+    observers.add(*observer.emplace(coverage.emplace(*request->prepared, run)).get());
+  }
+  std::optional<TraceFile> trace_file;
+  if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
+  TestTrace trace;
+  if (trace_file) {
+    observers.add(trace);
+    options.observe = [&trace, show = options.observe](const Crossing& crossing, const Mas& mas) {
+      trace.tick(crossing, mas);
+      if (show) show(crossing, mas);
+    };
+    trace.begin(request->prepared->behaviours()[request->input.behaviour].name, request->input);
+  }
+  options.observer = observers.get();
+  options.interrupted = [&] { return interrupt.interrupted(); };
+  const auto input = in_its_chain(*request->prepared, request->input, [&] {
+    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
+  });
+  const TrialResult result = input ? run_trial(*request->prepared, *input, options) : TrialResult{};
+  observer.reset();
+  if (trace_file) {
+    trace.end(result);
+    trace_file->add(0, trace.lines());
+  }
+  if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
+  if (interrupt.interrupted()) {
+    console.note("interrupted");
+    return ExitCode::interrupted;
+  }
+  if (!result.completed) {
+    console.error(result.message);
+    return ExitCode::failed;
+  }
+  if (!result.note.empty()) console.note(result.note);
+  TestFindings findings;
+  std::string found;
+  if (asks(request->inquiry)) {
+    findings = assess(request->inquiry, recording, ground(request->prepared->scenario().world));
+    found = render_findings(request->inquiry, findings, recording.actors());
+    if (found.ends_with('\n')) found.pop_back();
+  }
+  if (store) {
+    store_test(*request, result, std::move(recording), findings, *store);
+    if (!finish_store(*store, *store_path, console)) return ExitCode::failed;
+  }
+  const std::string outcome = describe_result(result.outcome);
+  if (watch) {
+    console.print(fmt::format("{}\n{}{}", outcome, found, found.empty() ? "" : "\n"));
+  } else {
+    console.note(fmt::format("{}: {}", title_of(*request), outcome));
+    if (!found.empty()) console.note(found);
+  }
+  if (coverage) {
+    const std::string subject =
+        fmt::format("{}: {}", arguments.operands().front(), title_of(*request));
+    if (!write_coverage(arguments, coverage->total(), subject, console)) return ExitCode::failed;
+  }
+  return conclude(*request, arguments, result, findings, console);
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,64 @@
+#pragma once
+
+// Where the lines of `--trace FILE.jsonl` go.
+
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "experiment/scenario/files/temporary.h"
+#include "tools/jaywalk/console/console.h"
+#include "tools/jaywalk/options/arguments.h"
+
+namespace jaywalk {
+
+/// The lines of many tests in one file, in the order of the tests whatever thread they ran on. The
+/// file stands in its place when it is whole.
+class TraceFile {
+ public:
+  /// failure() says whether it can be written.
+  explicit TraceFile(std::string path);
+  ~TraceFile();
+  TraceFile(const TraceFile&) = delete;
+  TraceFile& operator=(const TraceFile&) = delete;
+
+  /// The lines of the test of that number, or of the next part of a run; every number from 0 once.
+  /// From any thread.
+  void add(std::uint64_t number, std::string lines);
+  /// Empty if all went well so far.
+  [[nodiscard]] std::string failure() const { return failure_; }
+  /// Puts the file into its place, with what there is. Empty, or why that failed.
+  [[nodiscard]] std::string finish();
+
+ private:
+  void write(std::string_view lines);
+
+  std::string path_;
+  /// Nothing where it is written to directly.
+  std::optional<PartFile> part_;
+  std::FILE* file_ = nullptr;
+  std::string failure_;
+  std::mutex mutex_;
+  std::uint64_t next_ = 0;
+  std::map<std::uint64_t, std::string> waiting_;
+};
+
+inline constexpr OptionSpec kTraceOption{
+    "trace", "FILE.jsonl",
+    "write what happens, a JSON object a line: test, tick, percept,\n"
+    "event, message, plan, action with its outcome, failure, end",
+    Written::file};
+
+/// Opens the file that --trace names, if it does; false, after reporting why, if it cannot be
+/// written.
+[[nodiscard]] bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace,
+                              Console& console);
+/// Ends it; false, and said so, if it could not be written.
+[[nodiscard]] bool finish_trace(const Arguments& arguments, std::optional<TraceFile>& trace,
+                                Console& console);
+
+}  // namespace jaywalk
