@@ -37,12 +37,13 @@ template <class Body>
 }
 
 /// Memory beyond an agent's limit while it lives: what it takes to report a failure when there is
-/// none left. The next collection comes at the end of the cycle.
+/// none left, or what somebody else answers for. The next collection comes at the end of the cycle.
 class MemoryReserve {
  public:
-  explicit MemoryReserve(Heap& heap) : heap_(heap), limit_(heap.limit()) {
-    constexpr std::size_t kBytes = std::size_t{1} << 20U;
-    heap_.set_limit(std::max(limit_, heap.all_bytes()) + kBytes);
+  static constexpr std::size_t kForReports = std::size_t{1} << 20U;
+  explicit MemoryReserve(Heap& heap, std::size_t bytes = kForReports)
+      : heap_(heap), limit_(heap.limit()) {
+    heap_.set_limit(std::max(limit_, heap.all_bytes()) + bytes);
   }
   ~MemoryReserve() { heap_.set_limit(limit_); }
   MemoryReserve(const MemoryReserve&) = delete;

@@ -13,14 +13,15 @@ namespace jaywalk {
 
 namespace {
 
-// Into a heap whose owner has not asked for it. What it takes counts for the sender at first.
-Value copy_content(Value content, Heap& heap, std::size_t& sent_bytes) {
+// Into a heap whose owner has not asked for it. What it takes counts for the sender at first, who
+// may send no more than `most` bytes: terms that share their parts are larger as copies.
+Value copy_content(Value content, Heap& heap, std::size_t most, std::size_t& sent_bytes) {
   std::size_t before = heap.bytes();
   Value copy;
   try {
     copy = transfer(content, heap);
   } catch (const HeapExhausted&) {
-    const UnlimitedMemory unlimited(heap);
+    const MemoryReserve lent(heap, most);
     before = heap.bytes();
     copy = transfer(content, heap);
   }
@@ -96,10 +97,12 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   const bool is_plain = message.content.is_closed() && !sender.heap().has_objects();
   if (beside_ != nullptr) {
     Outbox& outbox = beside_->outbox;
-    copy.content = copy_content(message.content, outbox.heap, from.sent_bytes);
+    copy.content =
+        copy_content(message.content, outbox.heap, options_.max_agent_bytes, from.sent_bytes);
     outbox.add(Outbox::Letter{receiver->number, copy, is_plain});
   } else if (is_plain && !is_near_limit(*receiver)) {
-    copy.content = copy_content(message.content, receiver->agent->heap(), from.sent_bytes);
+    copy.content = copy_content(message.content, receiver->agent->heap(), options_.max_agent_bytes,
+                                from.sent_bytes);
     post(*receiver, copy);
   } else {
     const std::size_t before = mail_ ? mail_->bytes() : 0;
@@ -135,8 +138,9 @@ void Mas::Implementation::post(Resident& receiver, const Message& message) {
 void Mas::Implementation::post_later(Resident& receiver, Message message, Value content) {
   if (!mail_) {
     mail_.emplace();
-    mail_->set_limit(UnlimitedMemory::kBytes);
+    mail_->set_limit(0);
   }
+  const MemoryReserve lent(*mail_, options_.max_agent_bytes);
   contents_.push_back(
       {receiver.number, receiver.agent->circumstance().arriving.size(), transfer(content, *mail_)});
   message.content = Value();
@@ -149,7 +153,7 @@ Value Mas::Implementation::hand_over(Value content, Agent& receiver) {
   ActionError error;
   const bool arrived = guarded(error, [&] {
     std::size_t bytes = 0;
-    copy = copy_content(content, receiver.heap(), bytes);
+    copy = copy_content(content, receiver.heap(), receiver.heap().limit(), bytes);
     return true;
   });
   if (!arrived) receiver.log("a message was too large: " + error.message);
