@@ -1,10 +1,9 @@
-#include "experiment/judge/situations/situations.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "drives.h"
+#include "experiment/compare/situation_table.h"
 
 namespace jaywalk {
 namespace {
