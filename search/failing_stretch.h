@@ -2,7 +2,7 @@
 
 // Where on its road a test failed. Generators that vary what failed before find many failing tests
 // that are copies of one failure; comparing the stretches on which tests failed counts failures
-// that differ. Read statistics.h before.
+// that differ. Read run_summary.h before.
 
 #include <optional>
 #include <span>
@@ -46,7 +46,7 @@ struct FailingStretch {
 /// The largest distance between two points of the same number, in metres.
 [[nodiscard]] double separation_m(const FailingStretch& a, const FailingStretch& b);
 
-/// How many clusters the stretches make (statistics.h) if two are the same up to `reach_m`.
+/// How many clusters the stretches make (run_summary.h) if two are the same up to `reach_m`.
 [[nodiscard]] std::size_t distinct(std::span<const FailingStretch> stretches, double reach_m);
 
 /// The share of stretches, 0 to 1, that are within `reach_m` of another one; 0 for none.

@@ -1,8 +1,8 @@
 #pragma once
 
 // Searches for defects as rows of the kill matrix, beside behaviours
-// (experiment/compare/kills/kills.h): a generator's tests with each defective AV. Read experiment.h
-// before.
+// (experiment/compare/kills/kills.h): a generator's tests with each defective AV. Read
+// search_experiment.h before.
 
 #include <cstdint>
 #include <map>

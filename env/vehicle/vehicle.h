@@ -4,7 +4,7 @@
 // and the world. The world gives out what the vehicle's sensors see, the controller answers with an
 // acceleration; the world moves the vehicle. The vehicle keeps its row: a controller accelerates
 // and brakes, it does not steer. Models are the rows of models.def; another one is a class in a
-// file of its own and a row, or an external process (external.h).
+// file of its own and a row, or an external process (external.cpp).
 
 #include <cstdint>
 #include <limits>
