@@ -69,7 +69,7 @@ TEST(Findings, QuantilesLieBetweenNeighbours) {
 
 TEST(Findings, AreSpreadAlikeInLittleMemory) {
   constexpr std::size_t kColumns = 3;
-  for (const std::size_t count : {1, 7, 8, 9, 5000}) {
+  for (const std::size_t count : {1U, 7U, 8U, 9U, 5000U}) {
     ValueColumns columns(kColumns, 8);
     std::vector<std::vector<double>> kept(kColumns);
     std::mt19937 random(static_cast<unsigned>(count));
