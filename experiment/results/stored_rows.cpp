@@ -31,6 +31,12 @@ std::optional<double> real_or_null(const Statement& row, int column) {
   return row.real(column);
 }
 
+/// Of what may be infinite: the braking that would still help once two boxes overlap, say.
+std::optional<double> any_real_or_null(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.any_real(column);
+}
+
 /// Whether the columns of kTestColumns say the same as the test's id.
 bool is_of(const Statement& row, const ExperimentDescription& description, const TestCase& test) {
   return row.text(11) == description.behaviours[test.behaviour].name &&
@@ -85,10 +91,10 @@ Assessment assessment_of(Database& database, std::int64_t test_id, const Stateme
   const auto verdict = parse_assessment_verdict(row.text(5));
   if (!verdict) damaged(database, "a verdict", test_id);
   return {.id = row.text(0),
-          .value = real_or_null(row, 1),
+          .value = any_real_or_null(row, 1),
           .tick = integer_or_null<std::uint32_t>(row, 2),
           .actor = integer_or_null<std::uint32_t>(row, 3),
-          .robustness = row.is_null(4) ? std::nullopt : std::optional(row.any_real(4)),
+          .robustness = any_real_or_null(row, 4),
           .verdict = verdict.value_or(AssessmentVerdict::none)};
 }
 
