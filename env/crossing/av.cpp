@@ -40,17 +40,57 @@ std::vector<SeenLane> lanes_of(const CrossingParameters& parameters) {
 Av::Av(const CrossingParameters& parameters, int head_start)
     : parameters_(parameters),
       controller_(make_controller(parameters.av.vehicle)),
+      simulated_(parameters.simulator.name.empty() ? nullptr
+                                                   : std::make_unique<SimulatedDrive>(parameters)),
       obstacles_(obstacles(parameters)),
       lanes_(controller_ ? lanes_of(parameters) : std::vector<SeenLane>()),
       cell_mps_(parameters.cell_m / parameters.tick_s),
       driven_(head_start),
       speed_(parameters.av.speed) {}
 
-void Av::begin(DriveBriefing briefing) {
+void Av::begin(DriveBriefing briefing, const std::vector<Actor>& actors, const Scene& scene) {
+  if (simulated_) {
+    simulated_->begin(briefing, actors, scene);
+    follow_simulator();
+  }
   if (!controller_) return;
   briefing.road_m = grid(parameters_).cells * parameters_.cell_m;
   briefing.cruise_mps = parameters_.av.speed * cell_mps_;
   controller_->begin(briefing);
+}
+
+void Av::end(const DriveEnd& end) {
+  if (simulated_) simulated_->end(end);
+  if (controller_) controller_->end(end);
+}
+
+std::string Av::note() const {
+  if (simulated_) return simulated_->note();
+  return controller_ ? controller_->note() : "";
+}
+
+std::string Av::failure() const {
+  if (simulated_) return simulated_->failure();
+  return controller_ ? controller_->failure() : "";
+}
+
+ActorState Av::state() const {
+  if (simulated_ && begun_) return simulated_->av().state;
+  const AvParameters& av = parameters_.av;
+  const double cell = parameters_.cell_m;
+  return {(av.rows.first + av.rows.last + 1) / 2.0 * cell, front_m() - av.length * cell / 2,
+          speed_mps(), heading_rad(Direction::forward)};
+}
+
+void Av::follow_simulator() {
+  begun_ = true;
+  // A drive of whole cells comes to whole cells, even where it is reckoned in single precision.
+  constexpr double kParts = 1e5;
+  const double half_m = parameters_.av.length * parameters_.cell_m / 2;
+  const ActorState& at = simulated_->av().state;
+  const double front = (at.y_m + std::sin(at.heading_rad) * half_m) / parameters_.cell_m;
+  driven_ = std::round((front - parameters_.av.start - 1) * kParts) / kParts;
+  speed_ = std::round(at.speed_mps / cell_mps_ * kParts) / kParts;
 }
 
 double Av::front_m() const { return (parameters_.av.start + driven_ + 1) * parameters_.cell_m; }
@@ -137,6 +177,11 @@ int Av::periods() const {
 std::vector<Collision> Av::drive(int tick, std::span<const RoadUser> bodies,
                                  std::span<const SignalColour> signals, const Layout& layout,
                                  std::span<const Collision> hit) {
+  if (simulated_) {
+    std::vector<Collision> collisions = simulated_->drive(tick, bodies, signals, hit);
+    follow_simulator();
+    return collisions;
+  }
   const Surroundings around{tick, bodies, signals, layout};
   const int periods = this->periods();
   const double period_s = parameters_.tick_s / periods;

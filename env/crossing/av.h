@@ -1,7 +1,8 @@
 #pragma once
 
 // The automated vehicle (AV) of a crossing world: how far it has come, how fast it is, what its
-// sensors see and whom it hits. Its controller decides (env/vehicle/vehicle.h), this file moves it.
+// sensors see and whom it hits. Its controller decides (env/vehicle/vehicle.h), this file moves it;
+// or a simulator does both (simulated_drive.h).
 
 #include <memory>
 #include <span>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "env/crossing/road_user.h"
+#include "env/crossing/simulated_drive.h"
 #include "env/vehicle/sight.h"
 #include "env/vehicle/vehicle.h"
 
@@ -41,17 +43,22 @@ class Av {
                                std::span<const SignalColour> signals, const Layout& layout,
                                std::span<const Collision> hit);
 
-  /// Why its controller can go on no longer; empty while all is well.
-  void begin(DriveBriefing briefing);
-  void end(const DriveEnd& end) {
-    if (controller_) controller_->end(end);
-  }
-  [[nodiscard]] std::string note() const { return controller_ ? controller_->note() : ""; }
-  [[nodiscard]] std::string failure() const { return controller_ ? controller_->failure() : ""; }
+  /// `actors` and `scene` are the world's, the AV is the first of them.
+  void begin(DriveBriefing briefing, const std::vector<Actor>& actors, const Scene& scene);
+  void end(const DriveEnd& end);
+  [[nodiscard]] std::string note() const;
+  /// Why its controller or simulator can go on no longer; empty while all is well.
+  [[nodiscard]] std::string failure() const;
+
+  /// Where it is now.
+  [[nodiscard]] ActorState state() const;
+  /// Who moves it, with other traffic, in place of a controller; null if nobody does.
+  [[nodiscard]] const SimulatedDrive* simulated() const { return simulated_.get(); }
 
  private:
   struct Surroundings;
 
+  void follow_simulator();
   [[nodiscard]] double decide(double time_s, double period_s, const Surroundings& around);
   /// How many decisions there are in a tick.
   [[nodiscard]] int periods() const;
@@ -61,11 +68,13 @@ class Av {
 
   const CrossingParameters& parameters_;
   std::unique_ptr<VehicleController> controller_;
+  std::unique_ptr<SimulatedDrive> simulated_;
   std::vector<Rectangle> obstacles_;
   std::vector<SeenLane> lanes_;
   double cell_mps_;  // the metres per second of one cell per tick
   double driven_;
   double speed_;
+  bool begun_ = false;  // the simulator knows where it is
 };
 
 }  // namespace jaywalk

@@ -183,12 +183,39 @@ void Crossing::advance() {
   result_.end = end_reason();
 }
 
+std::size_t Crossing::first_traffic() const { return pedestrians_ + parameters_.actors.size(); }
+
+void Crossing::begin(DriveBriefing briefing) {
+  av_.begin(std::move(briefing), actors(), scene());
+  if (av_.simulated() == nullptr) return;
+  for (const Actor& each : av_.simulated()->traffic()) bodies_.push_back({.kind = each.kind});
+  move_traffic();
+  origin_ = zone_origin_at(parameters_, av_.driven());
+  result_.end = end_reason();
+}
+
+void Crossing::move_traffic() {
+  const double cell = parameters_.cell_m;
+  for (std::size_t i = first_traffic(); i < bodies_.size(); ++i) {
+    const std::size_t index = i - first_traffic();
+    const ActorState at = av_.simulated()->traffic_state(index);
+    RoadUser& body = bodies_[i];
+    body.place = {at.x_m / cell - 0.5, at.y_m / cell - 0.5};
+    body.facing = nearest_direction(at.heading_rad);
+    body.step = at.speed_mps * parameters_.tick_s / cell;
+    body.speed = body.step;
+    body.stepped_in = ticks_;
+    body.absent = !av_.simulated()->is_present(index);
+  }
+}
+
 void Crossing::drive() {
   const double speed_before = av_.speed();
   const Interval ahead_before = zone_ahead_;
   std::vector<Collision> collisions =
       av_.drive(ticks_, bodies_, signals_, layout_, result_.collisions);
   result_.collisions.insert(result_.collisions.end(), collisions.begin(), collisions.end());
+  move_traffic();
   origin_ = zone_origin_at(parameters_, av_.driven());
   if (!parameters_.zone.ahead) zone_ahead_ = zone_ahead(parameters_, av_.speed());
   if (av_.speed() != speed_before || zone_ahead_ != ahead_before) ++rest_number_;
@@ -232,26 +259,29 @@ std::vector<Actor> Crossing::actors() const {
   const double cell = parameters_.cell_m;
   std::vector<Actor> actors{
       {"av", ActorKind::vehicle, parameters_.av.length * cell, parameters_.av.rows.size() * cell}};
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (std::size_t i = 0; i < first_traffic(); ++i) {
     const BoxSize size = size_of(bodies_[i].kind);
     actors.push_back(
         {i < pedestrians_ ? fmt::format("p{}", i + 1) : parameters_.actors[i - pedestrians_].name,
          bodies_[i].kind, size.length_m, size.width_m});
+  }
+  if (const SimulatedDrive* const simulated = av_.simulated()) {
+    actors.insert(actors.end(), simulated->traffic().begin(), simulated->traffic().end());
   }
   return actors;
 }
 
 Scene Crossing::scene() const {
   const double cell = parameters_.cell_m;
-  const AvParameters& av = parameters_.av;
   const double step_mps = cell / parameters_.tick_s;
-  Scene scene{{(av.rows.first + av.rows.last + 1) / 2.0 * cell,
-               av_.front_m() - av.length * cell / 2, av_.speed_mps(),
-               heading_rad(Direction::forward)}};
-  for (const RoadUser& body : bodies_) {
+  Scene scene{av_.state()};
+  for (const RoadUser& body : std::span(bodies_).first(first_traffic())) {
     const double step = ticks_ > 0 ? body.step_in(ticks_) : 0;
     scene.push_back({(body.place.x + 0.5) * cell, (body.place.y + 0.5) * cell, step * step_mps,
                      heading_rad(body.facing)});
+  }
+  for (std::size_t i = first_traffic(); i < bodies_.size(); ++i) {
+    scene.push_back(av_.simulated()->traffic_state(i - first_traffic()));
   }
   return scene;
 }

@@ -96,7 +96,7 @@ class Crossing final : public Environment {
   [[nodiscard]] int ticks() const { return ticks_; }
   /// The pedestrians' cells.
   [[nodiscard]] std::span<const Position> positions() const { return positions_; }
-  /// The pedestrians and then the other actors.
+  /// The pedestrians, then the other actors, then the traffic of a simulator, which has no agents.
   [[nodiscard]] std::span<const RoadUser> bodies() const { return bodies_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
   /// What the signal of a crosswalk shows to vehicles.
@@ -109,15 +109,16 @@ class Crossing final : public Environment {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
-  /// What the AV's controller receives before the test, as far as the caller knows it.
-  void begin(DriveBriefing briefing) { av_.begin(std::move(briefing)); }
+  /// What the AV's controller or simulator receives before the test, as far as the caller knows it.
+  /// Of a simulator's own traffic there are bodies and actors from then on.
+  void begin(DriveBriefing briefing);
   /// Tells the AV's controller how the test ended. REQUIRES: it is finished.
   void end();
   /// What the author of the AV's controller should know; usually empty.
   [[nodiscard]] std::string note() const { return av_.note(); }
-  /// Why the test cannot go on (an external controller died, say); empty while all is well.
+  /// Why the test cannot go on (a controller or simulator died, say); empty while all is well.
   [[nodiscard]] std::string failure() const { return av_.failure(); }
-  /// The AV, named `av`, the pedestrians p1, p2, … in the agents' order, then the other actors.
+  /// The AV, named `av`, the pedestrians p1, p2, … in the agents' order, then the other bodies.
   [[nodiscard]] std::vector<Actor> actors() const;
   /// Where they are now.
   [[nodiscard]] Scene scene() const;
@@ -137,6 +138,8 @@ class Crossing final : public Environment {
   void charge_costs();
   void sweep_zone();
   void drive();
+  void move_traffic();
+  [[nodiscard]] std::size_t first_traffic() const;
   [[nodiscard]] bool in_zone(Position position, Interval cells) const;
 
   const CrossingParameters& parameters_;

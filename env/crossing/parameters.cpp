@@ -39,9 +39,25 @@ void check_av(const CrossingParameters& parameters, std::vector<ParameterProblem
   }
 }
 
+// What would drive the AV beside the simulator, or needs to know how it is driven.
+void check_simulator(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
+  const AvParameters& av = parameters.av;
+  if (parameters.simulator.name.empty()) return;
+  const auto refuse = [&](std::string_view key) {
+    found.push_back({fmt::format("world.av.{}", key),
+                     fmt::format("the simulator '{}' drives the AV, so that '{}' has no meaning",
+                                 parameters.simulator.name, key)});
+  };
+  if (av.vehicle.model != "constant") refuse("model");
+  if (!av.vehicle.defects.empty()) refuse("defect");
+  if (av.twin) refuse("twin");
+  if (av.carry_over) refuse("carry_over");
+}
+
 // Whoever does not brake can neither brake wrongly nor show how it is done rightly.
 void check_defects(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const AvParameters& av = parameters.av;
+  if (!parameters.simulator.name.empty()) return;
   if (!av.vehicle.defects.empty() && av.vehicle.model == "constant") {
     found.push_back({"world.av.defect",
                      "the AV's model 'constant' does not brake, so that no defect of it shows"});
@@ -169,7 +185,7 @@ void check_actors(const CrossingParameters& parameters, std::vector<ParameterPro
 
 // What is carried over are whole cells of a drive that is the zone's sweep itself.
 void check_carry_over(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
-  if (!parameters.av.carry_over) return;
+  if (!parameters.av.carry_over || !parameters.simulator.name.empty()) return;
   const double speed = parameters.av.speed;
   const auto refuse = [&](std::string message) {
     found.push_back({"world.av.carry_over", std::move(message)});
@@ -187,6 +203,10 @@ void check_carry_over(const CrossingParameters& parameters, std::vector<Paramete
 }
 
 }  // namespace
+
+bool is_steady(const CrossingParameters& parameters) {
+  return parameters.av.vehicle.model == "constant" && parameters.simulator.name.empty();
+}
 
 VehicleParameters healthy_twin(const AvParameters& av) {
   VehicleParameters twin = av.twin.value_or(av.vehicle);
@@ -274,13 +294,14 @@ int max_ticks(const CrossingParameters& parameters) {
     return static_cast<int>(std::clamp(std::ceil(value - kRounding), 1.0, kFar));
   };
   if (parameters.time_limit_s > 0) return ticks(parameters.time_limit_s / parameters.tick_s);
-  if (parameters.av.vehicle.model == "constant") return 0;
+  if (is_steady(parameters)) return 0;
   return ticks(10 * (parameters.road_end - parameters.av.start) / parameters.av.speed);
 }
 
 std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
   std::vector<ParameterProblem> found;
   check_av(parameters, found);
+  check_simulator(parameters, found);
   check_defects(parameters, found);
   check_zone(parameters, found);
   check_carry_over(parameters, found);

@@ -11,6 +11,7 @@
 
 #include "env/grid/grid.h"
 #include "env/scene.h"
+#include "env/simulator/parameters.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
@@ -168,6 +169,8 @@ struct CrossingParameters {
   std::vector<Obstacle> obstacles;
   std::vector<ActorParameters> actors;
   PedestrianParameters pedestrians;
+  /// Who moves the AV and other traffic, if the world itself does not.
+  SimulatorParameters simulator;
   double cell_m = 1.5;
   double tick_s = 1;
   AvParameters av;
@@ -187,6 +190,8 @@ struct CrossingParameters {
   friend bool operator==(const CrossingParameters&, const CrossingParameters&) = default;
 };
 
+/// It keeps its speed whatever is in its way: no model brakes, no simulator drives.
+[[nodiscard]] bool is_steady(const CrossingParameters& parameters);
 /// The vehicle's parameters by which kills are measured: those of the named twin, else its own
 /// without defects.
 [[nodiscard]] VehicleParameters healthy_twin(const AvParameters& av);

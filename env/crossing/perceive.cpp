@@ -77,7 +77,8 @@ class Crossing::Perceiver {
       const RoadUser& other = world_.bodies_[i];
       const GridPoint here = self().place;
       const double distance = std::hypot(other.place.x - here.x, other.place.y - here.y);
-      if (i == agent_ || other.kind == ActorKind::signal || distance > sight) continue;
+      const bool seen = other.kind != ActorKind::signal && !other.absent && distance <= sight;
+      if (i == agent_ || !seen) continue;
       add(road_user, static_cast<double>(i + 1), other.kind, other.place.x, other.place.y,
           other.facing, other.step_in(world_.ticks_));
     }

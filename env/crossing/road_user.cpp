@@ -73,6 +73,14 @@ double heading_rad(Direction direction) {
   return 0;
 }
 
+Direction nearest_direction(double heading_rad) {
+  const double ahead = std::sin(heading_rad);
+  const double right = std::cos(heading_rad);
+  if (std::fabs(ahead) >= std::fabs(right))
+    return ahead >= 0 ? Direction::forward : Direction::back;
+  return right >= 0 ? Direction::right : Direction::left;
+}
+
 BoxSize half_extent(const RoadUser& body) {
   const BoxSize size = size_of(body.kind);
   const bool along = body.facing == Direction::forward || body.facing == Direction::back;

@@ -29,6 +29,8 @@ struct RoadUser {
   int acted_in = 0;
   /// It has left at the end of the road, and goes on without its agent.
   bool gone = false;
+  /// It is a simulator's, and not on the road now.
+  bool absent = false;
 
   /// Vehicles and cyclists leave where the grid ends; pedestrians turn round there.
   [[nodiscard]] bool may_leave() const {
@@ -46,6 +48,8 @@ struct BoxSize {
 [[nodiscard]] BoxSize size_of(ActorKind kind);
 
 [[nodiscard]] double heading_rad(Direction direction);
+/// The direction nearest to a heading.
+[[nodiscard]] Direction nearest_direction(double heading_rad);
 
 /// Half of the box's extent across the road and along it, as the body faces.
 [[nodiscard]] BoxSize half_extent(const RoadUser& body);

@@ -90,6 +90,7 @@ struct VehicleView {
 };
 
 class ControllerProcesses;
+class Simulators;
 
 /// The test that a controller is about to drive in.
 struct DriveBriefing {
@@ -102,6 +103,8 @@ struct DriveBriefing {
   /// Processes that outlive the test, for a controller of one's own that keeps its; null: there are
   /// none.
   ControllerProcesses* processes = nullptr;
+  /// Those of the thread, for a world whose vehicles one of them moves.
+  Simulators* simulators = nullptr;
 };
 
 /// How it ended.

@@ -16,6 +16,7 @@ target_sources(jaywalk_experiment PRIVATE
   scenario/scenario_reader.cpp
   scenario/scenario_road.cpp
   scenario/scenario_schema.cpp
+  scenario/scenario_simulator.cpp
   scenario/scenario_world.cpp
   scenario/scenario_yaml.cpp)
 target_link_libraries(jaywalk_experiment PRIVATE yaml-cpp PkgConfig::libmd)

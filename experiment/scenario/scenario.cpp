@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "env/simulator/simulator.h"
 #include "experiment/scenario/files/program_copies.h"
 #include "experiment/scenario/scenario_schema.h"
 
@@ -188,6 +189,7 @@ class ScenarioBuilder {
              fmt::format("the key is {}", problem.path));
     }
     if (world.av.vehicle.model == "external") check_external();
+    if (!world.simulator.name.empty()) check_simulator();
     check_command(world.av.vehicle, "world.av");
     if (world.av.twin) check_command(*world.av.twin, "world.av.twin");
     check_behaviours();
@@ -205,7 +207,12 @@ class ScenarioBuilder {
     Scenario& scenario = draft_.scenario;
     std::vector<std::vector<std::string>*> commands{&scenario.world.av.vehicle.command};
     if (auto& twin = scenario.world.av.twin) commands.push_back(&twin->command);
+    auto& settings = scenario.world.simulator.settings;
+    for (auto& [key, value] : settings) commands.push_back(&value.command);
     auto programs = keep_programs(commands, options_.files, scenario.sources);
+    for (auto& [key, value] : settings) {
+      if (!value.text.empty() && !value.command.empty()) value.text = value.command.front();
+    }
     if (programs.ok()) {
       scenario.programs = std::move(programs).value();
     } else {
@@ -280,6 +287,15 @@ class ScenarioBuilder {
       report(diagnostics_, given->second,
              fmt::format("'{}' has no meaning for the model external", key),
              "it is for the program to decide; what a vehicle can do limits its answers");
+    }
+  }
+
+  void check_simulator() {
+    const SimulatorParameters& simulator = draft_.scenario.world.simulator;
+    for (SettingProblem& problem : find_simulator(simulator.name)->check(simulator)) {
+      const std::string path = "world.simulator";
+      report(diagnostics_, origin_of(problem.key.empty() ? path : path + "." + problem.key),
+             std::move(problem.message), std::move(problem.hint));
     }
   }
 

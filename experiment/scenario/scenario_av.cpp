@@ -1,7 +1,5 @@
 // The automated vehicle: its body, its speed and how it drives.
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "env/vehicle/defects.h"
@@ -128,26 +126,10 @@ class AvReader : LayerPart {
               });
   }
 
-  // A program and its arguments. One that is a file beside the scenario is found there.
   void read_command(const ConfigNode& node, const std::string& path, VehicleParameters& vehicle) {
     draft_.origins[path] = node.origin;
-    std::vector<std::string> command;
-    if (node.kind == ConfigNode::Kind::list && !node.items.empty()) {
-      for (const ConfigNode& item : node.items) {
-        const auto word = reader_.text(item, "a word of a command");
-        if (!word) return;
-        std::string beside = path_in(folder_, *word);
-        // Without a slash a program would be looked for as the shell does.
-        if (beside.find('/') == std::string::npos) beside.insert(0, "./");
-        std::error_code ignored;
-        const bool found =
-            draft_.scenario.files.has(beside) || std::filesystem::is_regular_file(beside, ignored);
-        command.push_back(found ? beside : *word);
-      }
-      vehicle.command = std::move(command);
-    } else {
-      reader_.unexpected(node, "a program and its arguments as [python3, controller.py]");
-    }
+    auto command = read_command_words(node, folder_, draft_.scenario.files, reader_);
+    if (command) vehicle.command = *std::move(command);
   }
 };
 

@@ -104,7 +104,13 @@ using PartReader = void(const ConfigNode& node, const std::string& path, const s
                         ScenarioDraft& draft, Diagnostics& diagnostics);
 
 /// The key `world` of a layer, and those of its keys that are read in files of their own.
-PartReader read_world, read_bands, read_map, read_crosswalks, read_obstacles, read_actors, read_av;
+PartReader read_world, read_bands, read_map, read_crosswalks, read_obstacles, read_actors, read_av,
+    read_simulator;
+
+/// A program and its arguments, of which one that is a file beside the scenario is found there.
+[[nodiscard]] std::optional<std::vector<std::string>> read_command_words(
+    const ConfigNode& node, const std::string& folder, const SourceFiles& files,
+    const ConfigReader& reader);
 
 /// Reads `{radius: 15, odds: [1, 11]}`; a name that is there already is given its new values.
 void read_parameters(const ConfigNode& node, const ConfigReader& reader,

@@ -41,6 +41,7 @@ class WorldReader : LayerPart {
                   {"pedestrians", method(&WorldReader::read_pedestrians)},
                   {"anchor", method(&WorldReader::read_anchor)},
                   {"av", part(jaywalk::read_av)},
+                  {"simulator", part(jaywalk::read_simulator)},
                   {"zone", method(&WorldReader::read_zone)},
                   {"road_end", integer(world().road_end, kCells)},
                   {"aftermath", integer(world().aftermath, kAftermath)},

@@ -2,6 +2,7 @@
 target_sources(jaywalk_experiment PRIVATE
   trial/covered_bins.cpp
   trial/plan_coverage.cpp
+  trial/simulator_version.cpp
   trial/tested_vehicles.cpp
   trial/trial.cpp
   trial/trial_prepare.cpp)

@@ -332,7 +332,8 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
                   .seed = input.seed,
                   .behaviour = prepared_.behaviours()[input.behaviour].name,
                   .agents = input.agents,
-                  .processes = &processes_});
+                  .processes = &processes_,
+                  .simulators = &simulators_});
 
   TrialResult result;
   if (options.record != nullptr) {

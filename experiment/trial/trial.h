@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "env/crossing/crossing.h"
+#include "env/simulator/simulator.h"
 #include "env/vehicle/controller_processes.h"
 #include "experiment/judge/recording.h"
 #include "experiment/scenario/scenario.h"
@@ -171,6 +172,7 @@ class TrialRunner {
   std::uint32_t agents_ = 0;
   std::vector<AgentSpec> specs_;
   ControllerProcesses processes_;
+  Simulators simulators_;
 };
 
 /// Trial runners for trials on several threads: each trial borrows one.

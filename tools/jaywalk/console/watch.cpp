@@ -112,9 +112,22 @@ std::string intentions_of(const Mas& mas, AgentId id) {
   return text.empty() ? "no intention" : text;
 }
 
+/// Of a simulator's own traffic, which has no agents.
+std::string traffic_line(const Crossing& crossing, std::size_t body) {
+  const RoadUser& user = crossing.bodies()[body];
+  const char letter = letter_of(crossing, body);
+  if (user.absent) return fmt::format("{} is not on the road", letter);
+  const Position at = cell(user.place);
+  return fmt::format("{} at {:>2},{:<3} {:.1f} m/s", letter, at.x, at.y,
+                     user.step * crossing.parameters().cell_m / crossing.parameters().tick_s);
+}
+
 std::string body_line(const Crossing& crossing, const Mas& mas, std::size_t body) {
   const char letter = letter_of(crossing, body);
   const std::size_t pedestrians = crossing.positions().size();
+  if (body >= pedestrians + crossing.parameters().actors.size()) {
+    return traffic_line(crossing, body);
+  }
   const std::string intentions = intentions_of(mas, static_cast<AgentId>(body));
   if (body < pedestrians) {
     const Position at = crossing.positions()[body];

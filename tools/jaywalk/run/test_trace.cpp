@@ -1,5 +1,7 @@
 #include "tools/jaywalk/run/test_trace.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 namespace jaywalk {
@@ -22,7 +24,8 @@ void TestTrace::tick(const Crossing& crossing, const Mas& mas) {
     }
     // Of the last tick nobody hears any more: a step that led nowhere has failed.
     if (it->second.when >= ticks && it->second.text.starts_with("move(")) {
-      for (std::size_t i = 0; i < crossing.bodies().size(); ++i) {
+      const std::size_t bodies = std::min<std::size_t>(crossing.bodies().size(), mas.agent_count());
+      for (std::size_t i = 0; i < bodies; ++i) {
         if (mas.agent_name(static_cast<AgentId>(i)) != it->first) continue;
         it->second.failed = crossing.bodies()[i].stepped_in != crossing.ticks();
       }

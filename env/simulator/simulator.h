@@ -1,0 +1,181 @@
+#pragma once
+
+// The simulator seam: what stands between a world and a simulator that moves the automated vehicle
+// (AV) and other traffic in it. Agents, percepts, preconditions, scores, collisions and recordings
+// stay the world's; the simulator is told where everybody goes and answers where its vehicles are.
+// Everything is in metres, seconds and radians on the plane of env/scene.h: y runs along the road
+// the way the AV drives, x to its right, headings are counted counter-clockwise from x. Simulators
+// are the rows of simulators.def; another one is a class in a folder beside this file and a row.
+//
+// A simulator belongs to one thread and simulates many tests, one after another: begin, advance
+// for each tick, end. Each test has to come out as if it were the only one. Nothing is thrown: an
+// error is a text for people, the test ends errored with it, and the next begin starts afresh.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "env/ground.h"
+#include "env/scene.h"
+#include "env/simulator/parameters.h"
+#include "env/vehicle/vehicle.h"
+
+namespace jaywalk {
+
+/// A strip of the road, over its whole length.
+struct RoadBand {
+  AreaKind kind = AreaKind::pavement;
+  double left_m = 0;
+  double right_m = 0;
+  /// Of a lane: its traffic comes towards the AV.
+  bool oncoming = false;
+};
+
+struct SimulatedRoad {
+  /// It lies from y = 0 to here; the AV may begin before it and drive on beyond.
+  double length_m = 0;
+  /// From left to right; none where the ground is drawn as a map.
+  std::vector<RoadBand> bands;
+  Ground ground;
+};
+
+/// Somebody whom the world moves, as it goes from the begin of a tick to its end.
+struct SimulatedBody {
+  /// Index into the actors of the test.
+  std::size_t actor = 0;
+  ActorState before;
+  ActorState after;
+};
+
+/// What a signal of the world shows to vehicles: `green`, `amber` or `red`.
+struct ShownSignal {
+  /// Index into the crosswalks of the ground.
+  std::size_t crosswalk = 0;
+  std::string_view colour;
+};
+
+/// The test that is about to begin. What it refers to lives as long as the test.
+struct SimulatedTest {
+  std::uint64_t test = 0;
+  /// The experiment's. What a simulator draws derives from it and the test's number.
+  std::uint64_t seed = 0;
+  std::string behaviour;
+  std::uint32_t agents = 0;
+  double tick_s = 1;
+  const SimulatedRoad& road;
+  /// The AV's body, where it begins, and the speed that it would keep if nothing were in its way.
+  Actor av;
+  ActorState av_start;
+  double cruise_mps = 0;
+  /// Limits and habits of the AV as the scenario gives them under `world.av`.
+  const VehicleParameters& vehicle;
+  /// Whom the world moves: the pedestrians, then others, perhaps vehicles and signals; and where
+  /// they begin.
+  std::span<const Actor> actors;
+  std::span<const ActorState> starts;
+};
+
+/// A vehicle of the simulator at one moment.
+struct SimulatedVehicle {
+  ActorState state;
+  double acceleration_mps2 = 0;
+  /// It is in the simulation; of one that is not (yet, or no longer), the state has no meaning.
+  bool present = true;
+};
+
+/// What the simulator has come to.
+struct SimulatedScene {
+  /// Since the test began.
+  double time_s = 0;
+  SimulatedVehicle av;
+  /// In the order of SimulatedStart::traffic.
+  std::vector<SimulatedVehicle> traffic;
+  /// Whom of the actors the AV touches, as indices; empty: the world finds that out from the boxes.
+  std::optional<std::vector<std::size_t>> contacts;
+};
+
+/// The simulator's own traffic, which stays the same during the test, and the scene at time 0, in
+/// which the AV is where the test says.
+struct SimulatedStart {
+  std::vector<Actor> traffic;
+  SimulatedScene scene;
+};
+
+/// One tick of the world.
+struct SimulatedTick {
+  /// From 1.
+  std::uint64_t tick = 1;
+  double begin_s = 0;
+  double length_s = 1;
+  /// One for each actor of the test, in their order. In between they go evenly (body_at).
+  std::span<const SimulatedBody> bodies;
+  std::span<const ShownSignal> signals;
+};
+
+/// What stores and reports say of it.
+struct SimulatorIdentity {
+  std::string name;
+  std::string version;
+  /// What it simulates on, if that is a file or was made (a hash, say); empty if there is none.
+  std::string network;
+  /// The same test gives the same, whatever was simulated before it.
+  bool deterministic = true;
+};
+
+class Simulator {
+ public:
+  virtual ~Simulator() = default;
+
+  /// Who it is, after starting it if it has to be started. Why that failed, if it did.
+  [[nodiscard]] virtual std::string identify(SimulatorIdentity& identity) = 0;
+  /// A test begins; one that has not ended is given up.
+  [[nodiscard]] virtual std::string begin(const SimulatedTest& test, SimulatedStart& start) = 0;
+  /// The scenes that it has come to, at equal distances; the last one is at the end of the tick.
+  [[nodiscard]] virtual std::string advance(const SimulatedTick& tick,
+                                            std::vector<SimulatedScene>& scenes) = 0;
+  /// The test is over. Why something is wrong even so, if it is.
+  [[nodiscard]] virtual std::string end(const DriveEnd& /*end*/) { return {}; }
+  /// What the scenario's author should know though all went on; usually empty.
+  [[nodiscard]] virtual std::string note() const { return {}; }
+};
+
+/// Where a body is after this share of the tick, from 0 to 1.
+[[nodiscard]] ActorState body_at(const SimulatedBody& body, double share);
+
+/// In how many steps of about that length a tick is simulated; at least one.
+[[nodiscard]] int steps_of(double tick_s, double step_s);
+
+/// A row of simulators.def.
+struct SimulatorKind {
+  std::string_view name;
+  std::string_view summary;
+  /// The keys of the scenario's `world.simulator`, besides `name` and `step`.
+  std::span<const SettingKey> keys;
+  /// What does not fit together; usually nothing.
+  std::vector<SettingProblem> (*check)(const SimulatorParameters&);
+  std::unique_ptr<Simulator> (*make)(const SimulatorParameters&);
+};
+
+[[nodiscard]] std::span<const SimulatorKind> simulator_kinds();
+/// Null if there is none of that name.
+[[nodiscard]] const SimulatorKind* find_simulator(std::string_view name);
+
+/// The simulators of one thread, which are kept from test to test.
+class Simulators {
+ public:
+  /// The one with these parameters, made when it is first asked for. REQUIRES: the kind exists.
+  [[nodiscard]] Simulator& of(const SimulatorParameters& parameters);
+
+ private:
+  struct Kept {
+    SimulatorParameters parameters;
+    std::unique_ptr<Simulator> simulator;
+  };
+  std::vector<Kept> kept_;
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,17 @@
+#pragma once
+
+// What the rows of simulators.def name.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "env/simulator/simulator.h"
+
+namespace jaywalk {
+
+[[nodiscard]] std::span<const SettingKey> process_keys();
+[[nodiscard]] std::vector<SettingProblem> check_process(const SimulatorParameters& parameters);
+[[nodiscard]] std::unique_ptr<Simulator> make_process(const SimulatorParameters& parameters);
+
+}  // namespace jaywalk

@@ -1,0 +1,185 @@
+// The key `world.simulator`: a simulator's name, or its name with keys of its own. What keys there
+// are is known to its row of simulators.def alone.
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "env/simulator/simulator.h"
+#include "experiment/scenario/scenario_layer.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr NumberRange kStep{0.001, 3600};
+
+class SimulatorReader : LayerPart {
+ public:
+  SimulatorReader(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
+      : LayerPart(folder, draft, diagnostics) {}
+
+  void read(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    if (node.kind == ConfigNode::Kind::scalar) return read_name(node);
+    if (const ConfigNode* const name = node.find("name")) read_name(*name);
+    const SimulatorKind* const kind = find_simulator(parameters().name);
+    if (node.kind == ConfigNode::Kind::map && kind == nullptr) {
+      // A wrong name has been reported.
+      if (node.find("name") == nullptr) {
+        reader_.error(node.origin, "the key 'name' is missing: which simulator?");
+      }
+      return;
+    }
+    std::vector<ConfigKey> keys{
+        {"name", [](const ConfigNode&, const std::string&) {}},
+        {"step", number(parameters().step_s, kStep)},
+    };
+    for (const SettingKey& key : kind == nullptr ? std::span<const SettingKey>() : kind->keys) {
+      keys.push_back({key.name, [this, &key](const ConfigNode& value, const std::string& where) {
+                        draft_.origins[where] = value.origin;
+                        read_setting(key, value);
+                      }});
+    }
+    reader_.read_map(node, path, keys);
+  }
+
+ private:
+  SimulatorParameters& parameters() { return world().simulator; }
+
+  // Another simulator has other keys; `none` is the world by itself.
+  void read_name(const ConfigNode& node) {
+    const std::optional<std::string> name = reader_.text(node, "the name of a simulator");
+    if (!name || *name == parameters().name) return;
+    std::vector<std::string> names{"none"};
+    for (const SimulatorKind& kind : simulator_kinds()) names.emplace_back(kind.name);
+    if (std::ranges::find(names, *name) == names.end()) {
+      reader_.error(node.origin, fmt::format("unknown simulator '{}'", *name),
+                    did_you_mean(*name, names));
+      return;
+    }
+    parameters() = {};
+    if (*name != "none") parameters().name = *name;
+  }
+
+  void read_setting(const SettingKey& key, const ConfigNode& node) {
+    SettingValue value;
+    // A map changes single values of what was there.
+    const SettingValue* const before = parameters().find(key.name);
+    if (before != nullptr && key.kind == SettingKind::map) value = *before;
+    if (read_value(key, node, value)) {
+      parameters().settings.insert_or_assign(std::string(key.name), std::move(value));
+    }
+  }
+
+  bool read_value(const SettingKey& key, const ConfigNode& node, SettingValue& value) {
+    switch (key.kind) {
+      case SettingKind::number:
+        return keep(reader_.number(node, {key.least, key.most}), value.number);
+      case SettingKind::text:
+        return keep(reader_.text(node, key.meaning), value.text);
+      case SettingKind::choice:
+        return read_choice(key, node, value);
+      case SettingKind::flag: {
+        static constexpr std::array<Choice<bool>, 2> kWords{{{"true", true}, {"false", false}}};
+        return keep(reader_.choice(node, std::span<const Choice<bool>>(kWords)), value.number);
+      }
+      case SettingKind::file:
+        return read_file(node, value);
+      case SettingKind::command:
+        return keep(read_command_words(node, folder_, draft_.scenario.files, reader_),
+                    value.command);
+      case SettingKind::map:
+        value.maps.resize(1);
+        return read_map(node, value.maps.front());
+      case SettingKind::list:
+        return read_maps(node, value);
+    }
+    return false;
+  }
+
+  template <class From, class To>
+  static bool keep(std::optional<From> found, To& target) {
+    if (!found) return false;
+    target = static_cast<To>(*std::move(found));
+    return true;
+  }
+
+  bool read_choice(const SettingKey& key, const ConfigNode& node, SettingValue& value) {
+    std::vector<Choice<std::string_view>> words;
+    for (std::string_view rest = key.words; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      words.push_back({rest.substr(0, end), rest.substr(0, end)});
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return keep(reader_.choice(node, std::span<const Choice<std::string_view>>(words)), value.text);
+  }
+
+  // Its place, as a command of one word, so that stores keep its text as they do a program's.
+  bool read_file(const ConfigNode& node, SettingValue& value) {
+    const std::optional<std::string> name = reader_.text(node, "the path of a file");
+    if (!name) return false;
+    value.text = path_in(folder_, *name);
+    std::error_code ignored;
+    if (!draft_.scenario.files.has(value.text) &&
+        !std::filesystem::is_regular_file(value.text, ignored)) {
+      reader_.error(node.origin, fmt::format("no file is at '{}'", value.text));
+      return false;
+    }
+    value.command = {value.text};
+    return true;
+  }
+
+  bool read_map(const ConfigNode& node, std::map<std::string, std::string>& map) {
+    if (node.kind != ConfigNode::Kind::map) {
+      reader_.unexpected(node, "names and values, {tau: 1}");
+      return false;
+    }
+    for (const ConfigEntry& entry : node.entries) {
+      const auto text = reader_.text(entry.value, "a number or a word");
+      if (!text) return false;
+      map[entry.key] = *text;
+    }
+    return true;
+  }
+
+  bool read_maps(const ConfigNode& node, SettingValue& value) {
+    if (node.kind != ConfigNode::Kind::list || node.items.size() > kMaxItems) {
+      reader_.unexpected(node, "a list of names and values, [{every: 10}]");
+      return false;
+    }
+    return std::ranges::all_of(node.items, [&](const ConfigNode& item) {
+      return read_map(item, value.maps.emplace_back());
+    });
+  }
+};
+
+}  // namespace
+
+void read_simulator(const ConfigNode& node, const std::string& path, const std::string& folder,
+                    ScenarioDraft& draft, Diagnostics& diagnostics) {
+  SimulatorReader(folder, draft, diagnostics).read(node, path);
+}
+
+std::optional<std::vector<std::string>> read_command_words(const ConfigNode& node,
+                                                           const std::string& folder,
+                                                           const SourceFiles& files,
+                                                           const ConfigReader& reader) {
+  std::vector<std::string> command;
+  if (node.kind != ConfigNode::Kind::list || node.items.empty()) {
+    reader.unexpected(node, "a program and its arguments as [python3, controller.py]");
+    return std::nullopt;
+  }
+  for (const ConfigNode& item : node.items) {
+    const auto word = reader.text(item, "a word of a command");
+    if (!word) return std::nullopt;
+    std::string beside = path_in(folder, *word);
+    // Without a slash a program would be looked for as the shell does.
+    if (beside.find('/') == std::string::npos) beside.insert(0, "./");
+    std::error_code ignored;
+    const bool found = files.has(beside) || std::filesystem::is_regular_file(beside, ignored);
+    command.push_back(found ? beside : *word);
+  }
+  return command;
+}
+
+}  // namespace jaywalk
