@@ -204,6 +204,7 @@ std::string difference(const ExperimentDescription& left, const ExperimentDescri
   };
   const std::array facts = {
       Fact{"the versions of jaywalk", left.version, right.version},
+      Fact{"the simulators", left.simulator, right.simulator},
       Fact{"the seeds", fmt::format("{}", left.seed), fmt::format("{}", right.seed)},
       Fact{"the numbers of tests", fmt::format("{}", left.tests), fmt::format("{}", right.tests)},
       Fact{"the first tests", fmt::format("{}", left.first_test),

@@ -78,6 +78,8 @@ struct ExperimentDescription {
   Shard shard;
   /// Of the program that ran the tests.
   std::string version;
+  /// Who moved the vehicles, and its version (simulator_version.h); empty: the world itself.
+  std::string simulator;
   std::vector<StoredInput> inputs;
 };
 

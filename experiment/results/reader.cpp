@@ -21,11 +21,15 @@ namespace {
 /// Less than the greatest speed of an AV, in cells per tick.
 constexpr std::int64_t kMostHeadStart = 9'999;
 
-/// The command that its tests start, of the AV or its twin; empty: none.
+/// The command that its tests start, of the AV, its twin or its simulator; empty: none.
 std::string command_of(const Scenario& scenario) {
   const AvParameters& av = scenario.world.av;
   std::vector<std::string> words = av.vehicle.command;
   if (words.empty() && av.twin) words = av.twin->command;
+  for (const auto& [key, value] : scenario.world.simulator.settings) {
+    // A file that a setting names is a word, too, but is not started.
+    if (words.empty() && value.text.empty()) words = value.command;
+  }
   return fmt::format("{}", fmt::join(words, " "));
 }
 

@@ -114,6 +114,7 @@ void write_description(Database& database, const ExperimentDescription& descript
   Statement version(database, "INSERT INTO versions (subject, version) VALUES (?, ?)");
   version.run("store", fmt::format("{}", kStoreVersion));
   version.run("jaywalk", description.version);
+  if (!description.simulator.empty()) version.run("simulator", description.simulator);
   const auto anchored = [&]<class T>(T Anchor::*field) -> std::optional<T> {
     if (!description.anchor) return std::nullopt;
     return *description.anchor.*field;
@@ -163,6 +164,8 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
   }
   description.version =
       database.text("SELECT version FROM versions WHERE subject = 'jaywalk'").value_or("");
+  description.simulator =
+      database.text("SELECT version FROM versions WHERE subject = 'simulator'").value_or("");
   read_options(database, description);
   read_plan(database, description);
   Statement input(database, "SELECT path, sha256, text FROM inputs ORDER BY id");

@@ -57,6 +57,10 @@ std::string section::reproduce(const ReportData& data) {
       "number of threads:",
       escaped(description.version)));
   html += fmt::format("<pre>{}</pre>\n", escaped(compare_command(data)));
+  if (!description.simulator.empty()) {
+    html += paragraph(fmt::format("The vehicles were moved by the simulator {}.",
+                                  escaped(description.simulator)));
+  }
   if (!data.store_path.empty()) {
     html += paragraph(
         "The store has the texts of all files, so that any of its tests runs again from it alone:");

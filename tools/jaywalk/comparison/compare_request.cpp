@@ -6,6 +6,7 @@
 #include "env/crossing/crossing_ground.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/scenario/number_list.h"
+#include "experiment/trial/simulator_version.h"
 #include "experiment/trial/trial.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
@@ -180,6 +181,12 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
   request.inquiry = std::move(*inquiry);
   request.ground = ground(request.prepared->scenario().world);
+  auto simulator = simulator_version(request.prepared->scenario());
+  if (!simulator.ok()) {
+    console.report(simulator.diagnostics());
+    return std::nullopt;
+  }
+  request.simulator = std::move(simulator).value();
   if (arguments.has("coverage")) {
     const std::uint32_t most = std::ranges::max(request.plan.agents);
     request.coverage =
@@ -211,6 +218,7 @@ ExperimentDescription describe_experiment(const Request& request, const Argument
                scenario_options(arguments, listed(arguments, "behaviours"), request.limits),
                request.plan, request.seed);
   add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  description.simulator = request.simulator;
   return description;
 }
 

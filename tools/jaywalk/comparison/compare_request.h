@@ -30,6 +30,8 @@ struct Request {
   std::optional<StoreOptions> store;
   Inquiry inquiry;
   Ground ground;
+  /// Who moves the vehicles (simulator_version.h).
+  std::string simulator;
   /// Null: nobody asks for it.
   std::unique_ptr<PlanCoverage> coverage;
   bool situations = false;

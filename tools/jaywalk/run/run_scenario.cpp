@@ -17,6 +17,7 @@
 #include "experiment/report/tables/troubles_text.h"
 #include "experiment/report/tables/verdict_table.h"
 #include "experiment/trial/plan_coverage.h"
+#include "experiment/trial/simulator_version.h"
 #include "experiment/trial/trial.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
@@ -41,6 +42,8 @@ struct Request {
   std::optional<double> timeout_s;
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
+  /// Who moves the vehicles (simulator_version.h).
+  std::string simulator;
   Inquiry inquiry;
   std::vector<FailureCondition> conditions;
   /// Ticks a second.
@@ -93,6 +96,12 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
   if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
   request.inquiry = std::move(*inquiry);
+  auto simulator = simulator_version(request.prepared->scenario());
+  if (!simulator.ok()) {
+    console.report(simulator.diagnostics());
+    return std::nullopt;
+  }
+  request.simulator = std::move(simulator).value();
   return request;
 }
 
@@ -114,6 +123,7 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
                scenario_options(arguments, behaviours_of(arguments), limits_of(arguments)), plan,
                request.input.seed);
   add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  description.simulator = request.simulator;
   // The first behaviour is the one that runs; the others are no part of the plan.
   description.behaviours.resize(1);
   description.first_test = request.input.test;

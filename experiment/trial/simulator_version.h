@@ -1,0 +1,16 @@
+#pragma once
+
+// Which simulator moves the vehicles of a scenario's tests, for stores and reports.
+
+#include <string>
+
+#include "experiment/scenario/scenario.h"
+#include "interpreter/support/diagnostics.h"
+
+namespace jaywalk {
+
+/// `SUMO 1.15.0`, or `SUMO 1.15.0, network 3f2a…` of one that has a network; empty if the world
+/// moves its vehicles by itself. The simulator is started for that. Error: it cannot be.
+[[nodiscard]] Result<std::string> simulator_version(const Scenario& scenario);
+
+}  // namespace jaywalk
