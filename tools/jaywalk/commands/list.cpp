@@ -9,6 +9,7 @@
 
 #include "env/environments.h"
 #include "env/lane/controller.h"
+#include "env/simulator/simulator.h"
 #include "env/vehicle/defects.h"
 #include "env/vehicle/vehicle.h"
 #include "experiment/compare/measures/measures.h"
@@ -147,6 +148,25 @@ std::string defect_text() {
   return columns("", rows);
 }
 
+/// Of a key, what it can be: a range or words.
+std::string range_of(const SettingKey& key) {
+  if (key.kind == SettingKind::number) return fmt::format(" ({:g} to {:g})", key.least, key.most);
+  return key.words.empty() ? "" : fmt::format(" ({})", key.words);
+}
+
+std::string simulator_text() {
+  std::string text;
+  for (const SimulatorKind& simulator : simulator_kinds()) {
+    text += fmt::format("{}  {}\n", simulator.name, simulator.summary);
+    std::vector<Row> rows;
+    for (const SettingKey& key : simulator.keys) {
+      rows.push_back({std::string(key.name), std::string(key.meaning) + range_of(key)});
+    }
+    text += columns("  ", rows);
+  }
+  return text;
+}
+
 /// What the first comment of a program says it is, up to the first full stop or colon.
 std::string first_words(const SourcePtr& source) {
   std::string words;
@@ -188,6 +208,8 @@ constexpr std::array kKinds = {
     Kind{"vehicles", "how automated vehicles drive, world.av.model",
          [] { return named_rows(vehicle_models()); }},
     Kind{"defects", "faults that can be put on an automated vehicle, world.av.defect", defect_text},
+    Kind{"simulators", "who can move vehicles in the world's place, world.simulator",
+         simulator_text},
     Kind{"metrics", "what --metrics measures of each test", metric_text},
     Kind{"signals", "what assertions speak of", signal_text},
     Kind{"generators", "what search can look for tests with",
@@ -206,7 +228,7 @@ CommandHelp help() {
           .description =
               "Names what there is of a kind: environments, behaviours, internal-actions,\n"
               "functions, checks, measures, metrics, signals, exporters, vehicles, defects,\n"
-              "generators, suts, controllers, presets or commands.\n",
+              "simulators, generators, suts, controllers, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"
