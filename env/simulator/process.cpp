@@ -242,9 +242,8 @@ class ProcessSimulator final : public Simulator {
         process_.ask({{"type", "hello"}, {"protocol", kProtocol}, {"name", "jaywalk"}}, 0,
                      milliseconds(limit_s));
     if (!answer.error.empty()) return answer.error;
-    std::string why = complaint(answer.json);
-    if (why.empty()) why = read_hello(answer.json);
-    return accepted(std::move(why));
+    if (std::string why = complaint(answer.json); !why.empty()) return why;
+    return accepted(read_hello(answer.json));
   }
 
   std::string read_hello(const json& answer) {
@@ -317,16 +316,17 @@ class ProcessSimulator final : public Simulator {
       return said.error;
     }
     answer = std::move(said.json);
-    std::string why = complaint(answer);
-    if (why.empty()) why = echo(answer);
     ++step_;
-    return accepted(std::move(why));
+    if (std::string why = complaint(answer); !why.empty()) return why;
+    return accepted(echo(answer));
   }
 
-  /// What it reports about itself.
-  static std::string complaint(const json& answer) {
+  /// What it reports about itself; then it is ended, too.
+  std::string complaint(const json& answer) {
     const auto error = answer.find("error");
     if (error == answer.end()) return {};
+    identity_.reset();
+    (void)process_.refuse({});
     return fmt::format("it reports '{}'",
                        error->is_string() ? error->get<std::string>() : error->dump());
   }

@@ -234,7 +234,7 @@ class Road:
                  b"--disable_log"]
         arguments = (ctypes.c_char_p * len(words))(*words)
         if self.library.SE_InitWithArgs(len(words), arguments) != 0:
-            raise Trouble("esmini does not take the scenario; its log says why")
+            raise Trouble("esmini does not take the scenario")
         names = {self.library.SE_GetObjectName(number): number
                  for number in map(self.library.SE_GetId,
                                    range(self.library.SE_GetNumberOfObjects()))}
@@ -271,7 +271,7 @@ class Road:
             self.library.SE_ReportObjectPosXYH(number, *place({**described, **actor}))
             self.library.SE_ReportObjectSpeed(number, actor["speed"])
         if self.library.SE_StepDT(dt) != 0:
-            raise Trouble(f"esmini ends after {self.time:g} s; its log says why")
+            raise Trouble(f"esmini ends after {self.time:g} s")
         self.time += dt
 
 
@@ -299,7 +299,7 @@ def serve(answers):
 
 
 if __name__ == "__main__":
-    # Whatever the library prints goes to the standard error: the output is for answers alone.
+    # What the library prints goes nowhere: the output is for answers alone.
     ours = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     serve(ours)

@@ -60,7 +60,7 @@ for line in sys.stdin:
         break
     if kind == "hello":
         said = {"protocol": 2 if FAULT == "protocol" else 1, "name": "constant", "version": "7.1",
-                "deterministic": True, "step": step, "surprise": [1]}
+                "deterministic": FAULT != "random", "step": step, "surprise": [1]}
         print(json.dumps(said), flush=True)
         continue
     if kind == "reset":

@@ -88,6 +88,16 @@ TEST(ASimulator, OfAnotherVersionOfTheProtocolIsRefused) {
               HasSubstr("it speaks version 2 of the protocol, this is version 1"));
 }
 
+TEST(ASimulator, ThatPromisesNoRepeatabilityIsNoted) {
+  for (const std::string promise : {"", "random"}) {
+    const auto prepared = testing_scenario::paper({.sets = {simulator_of(constant(promise))}});
+    const TrialResult result = run_trial(*prepared, {.agents = 1});
+    ASSERT_EQ(result.message, "");
+    EXPECT_EQ(result.note.find("does not promise the same results") != std::string::npos,
+              !promise.empty());
+  }
+}
+
 TEST(ASimulator, WhoseAvKeepsItsSpeedGivesTheTestsOfTheWorldByItself) {
   const auto alone = testing_scenario::paper();
   const auto simulated =

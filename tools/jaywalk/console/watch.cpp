@@ -116,9 +116,10 @@ std::string intentions_of(const Mas& mas, AgentId id) {
 std::string traffic_line(const Crossing& crossing, std::size_t body) {
   const RoadUser& user = crossing.bodies()[body];
   const char letter = letter_of(crossing, body);
-  if (user.absent) return fmt::format("{} is not on the road", letter);
+  const std::string name = crossing.actors()[body + 1].name;
+  if (user.absent) return fmt::format("{} {} is not on the road", letter, name);
   const Position at = cell(user.place);
-  return fmt::format("{} at {:>2},{:<3} {:.1f} m/s", letter, at.x, at.y,
+  return fmt::format("{} at {:>2},{:<3} {}, {:.1f} m/s", letter, at.x, at.y, name,
                      user.step * crossing.parameters().cell_m / crossing.parameters().tick_s);
 }
 
