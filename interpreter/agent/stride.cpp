@@ -199,29 +199,30 @@ Agent::Executed Agent::execute_plainly(Intention& intention, std::uint64_t last)
 Agent::Executed Agent::ask(Intention& intention, const Step& step) {
   const Decision decision = decide_step(intention, step);
   bool holds = decision == Decision::holds;
-  if (decision == Decision::open) {
-    std::unique_ptr<ActionError> error;
-    const bool completed = guarded(error, [&] {
+  std::unique_ptr<ActionError> error;
+  const bool completed = guarded(error, [&] {
+    if (decision == Decision::open) {
       machine().unifier().set_slot_names(intention.top().plan->slot_names);
       holds = Context(machine(), intention.frame(intention.top())).solve(step.goal);
       if (!holds && step.kind == Step::Kind::test) fail_test(intention, step);
-      return true;
-    });
-    if (!completed) {
-      fail_at_limit(intention, *error);
-      return Executed::elsewhere;
     }
-    machine().unifier().commit(0);
+    // Its text shows what follows it, too, where a division may be by zero.
+    if (!holds && step.kind == Step::Kind::constraint) {
+      fail(intention, constraint_failure(machine().unifier(), intention));
+    }
+    return true;
+  });
+  if (!completed) {
+    fail_at_limit(intention, *error);
+    return Executed::elsewhere;
   }
+  machine().unifier().commit(0);
   const Body* const branch = holds ? step.first : step.second;
   if (branch != nullptr) {
     enter_body(intention, *branch, nullptr);
   } else if (holds || step.kind == Step::Kind::if_statement) {
     intention.advance();
   } else {
-    if (step.kind == Step::Kind::constraint) {
-      fail(intention, constraint_failure(machine().unifier(), intention));
-    }
     return Executed::elsewhere;
   }
   return Executed::ready;

@@ -50,6 +50,8 @@ const std::vector<StrideRow> kRows{
      "+!fib(N, F) : N > 1 <- !fib(N-1, A); !fib(N-2, B); F = A+B."},
     {"a result that stays open", "!s. +!s <- !g(X, Y); .print(X, Y). +!g(A, A)."},
     {"a result in a structure", "!s. +!s <- !g(X); .print(X). +!g(f(A, 1, _))."},
+    {"a constraint that fails before a division by zero",
+     "!s(1). +!s(X) <- X = 2; .print(1 div 0). -!s(_) <- .print(failed)."},
     {"what has no name",
      "b(1). b(2). d(_, 7). r(X) :- b(X) & d(_, _)."
      "!s(2). +!s(0). +!s(N) : b(X) & d(P, _) & r(X) <- L = [_, P, _]; .print(L); !s(N-1)."},

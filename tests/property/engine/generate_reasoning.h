@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "tests/helpers/generate.h"
+
+namespace jaywalk::test {
+
+/// A well-formed program that gets something done: goals with results, contexts with rules,
+/// comparisons and arithmetic, loops, failures that are handled, changes of belief, messages to
+/// `a0` and `a1`. Unlike most of random_program's, its goals have plans, its sums have numbers, and
+/// it prints what it finds, with the numbers of open variables.
+[[nodiscard]] std::string random_reasoning(Choices& choices);
+
+}  // namespace jaywalk::test

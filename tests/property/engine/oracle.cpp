@@ -1,0 +1,126 @@
+// jaywalk_oracle FIRST COUNT: random programs run alike however they are run: observed or not, on
+// 1, 2 or 8 threads. What is printed and logged, the cycles and the beliefs in the end are the
+// same.
+//
+// jaywalk_oracle FIRST COUNT --write FOLDER: writes the programs, for `compare_engines`.
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interpreter/agent/observer.h"
+#include "interpreter/compile/compiler.h"
+#include "interpreter/mas/mas.h"
+#include "interpreter/syntax/load.h"
+#include "tests/property/engine/generate_reasoning.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr std::size_t kAgents = 3;
+
+// Every fourth program is of the wilder kind, most of which fails.
+std::string program_of(std::uint64_t seed) {
+  test::Choices choices(seed);
+  return seed % 4 == 3 ? test::random_program(choices) : test::random_reasoning(choices);
+}
+
+struct Way {
+  std::string name;
+  bool is_observed = false;
+  std::size_t threads = 1;
+};
+
+// A run as text; empty if the program does not compile.
+std::string text_of_run(const std::string& program, std::uint64_t seed, const Way& way) {
+  const auto symbols = std::make_shared<SymbolTable>();
+  Diagnostics diagnostics;
+  const SourceTree tree =
+      load_agent(std::make_shared<const Source>("agent.asl", program), {}, diagnostics);
+  const auto compiled = compile(tree, *symbols, diagnostics);
+  if (compiled == nullptr) return {};
+  std::string text;
+  ReasoningObserver observer;
+  MasOptions options;
+  options.seed = seed;
+  options.max_cycles = 2000;
+  options.max_inferences = 50'000;
+  options.max_agent_bytes = 16U << 20U;
+  options.threads = way.threads;
+  options.fewest_beside = 2;
+  if (way.is_observed) options.observer = &observer;
+  options.print = [&](std::string_view line) { text += fmt::format("{}\n", line); };
+  options.log = [&](std::string_view line) { text += fmt::format("log: {}\n", line); };
+  Mas mas(symbols, options, nullptr);
+  for (std::size_t i = 0; i < kAgents; ++i) {
+    mas.add_agent({.name = fmt::format("a{}", i), .program = compiled});
+  }
+  const RunOutcome outcome = mas.run();
+  text += fmt::format("end {}, {} cycles {}\n", static_cast<int>(outcome.end), outcome.cycles,
+                      outcome.message);
+  // Where a limit ends the run, agents on other threads may have come further than they would have.
+  if (outcome.end != RunEnd::idle) return text;
+  for (std::uint32_t i = 0; i < mas.agent_count(); ++i) {
+    const auto id = static_cast<AgentId>(i);
+    if (!mas.is_alive(id)) continue;
+    for (const std::string& belief : mas.describe_beliefs(id)) {
+      text += fmt::format("{}: {}\n", i, belief);
+    }
+  }
+  return text;
+}
+
+// Where two texts part.
+std::string difference(const std::string& a, const std::string& b) {
+  std::size_t at = 0;
+  while (at < a.size() && at < b.size() && a[at] == b[at]) ++at;
+  const std::size_t from = at < 60 ? 0 : at - 60;
+  return fmt::format("--- one\n{}\n--- other\n{}\n", a.substr(from, 160), b.substr(from, 160));
+}
+
+int check(std::uint64_t first, std::uint64_t count) {
+  const std::vector<Way> ways{
+      {"observed", true, 1}, {"2 threads", false, 2}, {"8 threads", false, 8}};
+  std::uint64_t busy = 0;
+  int wrong = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const std::string program = program_of(seed);
+    const std::string usual = text_of_run(program, seed, {"usual"});
+    if (usual.find("] ") != std::string::npos) ++busy;
+    // How much memory a context takes depends on the way in which it is solved.
+    if (usual.find("memory limit") != std::string::npos) continue;
+    for (const Way& way : ways) {
+      const std::string other = text_of_run(program, seed, way);
+      if (other == usual) continue;
+      fmt::print(stderr, "seed {}: {} differs\n{}\n", seed, way.name, difference(usual, other));
+      ++wrong;
+    }
+  }
+  fmt::print("{} programs, {} of them print; {} differences\n", count, busy, wrong);
+  return wrong > 0 || busy < count / 2 ? 1 : 0;  // programs that do nothing would test nothing
+}
+
+int write(std::uint64_t first, std::uint64_t count, const std::string& folder) {
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    std::ofstream(fmt::format("{}/{}.asl", folder, seed)) << program_of(seed);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace jaywalk
+
+int main(int argc, char** argv) {
+  if (argc != 3 && !(argc == 5 && std::string(argv[3]) == "--write")) {
+    std::fputs("Usage: jaywalk_oracle FIRST COUNT [--write FOLDER]\n", stderr);
+    return 2;
+  }
+  const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
+  const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
+  return argc == 5 ? jaywalk::write(first, count, argv[4]) : jaywalk::check(first, count);
+}
