@@ -13,6 +13,9 @@
 
 namespace jaywalk {
 
+/// The key of a choice, if a simulator has it, by which the model that drives the AV is chosen.
+inline constexpr std::string_view kAvModelKey = "model";
+
 enum class SettingKind {
   number,   ///< within the key's range
   text,     ///< any text

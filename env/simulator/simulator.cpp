@@ -38,10 +38,11 @@ const SimulatorKind* find_simulator(std::string_view name) {
 }
 
 Simulator& Simulators::of(const SimulatorParameters& parameters) {
-  const auto kept = std::ranges::find(kept_, parameters, &Kept::parameters);
-  if (kept != kept_.end()) return *kept->simulator;
-  kept_.push_back({parameters, find_simulator(parameters.name)->make(parameters)});
-  return *kept_.back().simulator;
+  if (kept_ != nullptr && parameters_ == parameters) return *kept_;
+  kept_.reset();
+  parameters_ = parameters;
+  kept_ = find_simulator(parameters.name)->make(parameters);
+  return *kept_;
 }
 
 }  // namespace jaywalk

@@ -164,18 +164,16 @@ struct SimulatorKind {
 /// Null if there is none of that name.
 [[nodiscard]] const SimulatorKind* find_simulator(std::string_view name);
 
-/// The simulators of one thread, which are kept from test to test.
+/// The simulator of one thread, which is kept from test to test.
 class Simulators {
  public:
-  /// The one with these parameters, made when it is first asked for. REQUIRES: the kind exists.
+  /// The one with these parameters, made when it is first asked for; one with others is ended,
+  /// since tests of one vehicle come one after another. REQUIRES: the kind exists.
   [[nodiscard]] Simulator& of(const SimulatorParameters& parameters);
 
  private:
-  struct Kept {
-    SimulatorParameters parameters;
-    std::unique_ptr<Simulator> simulator;
-  };
-  std::vector<Kept> kept_;
+  SimulatorParameters parameters_;
+  std::unique_ptr<Simulator> kept_;
 };
 
 }  // namespace jaywalk

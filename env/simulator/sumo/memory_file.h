@@ -1,0 +1,30 @@
+#pragma once
+
+// A file without a name, in memory: what SUMO reads and writes. It is gone with us, however we end.
+
+#include <string>
+#include <string_view>
+
+namespace jaywalk {
+
+class MemoryFile {
+ public:
+  MemoryFile();
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  /// By which other processes of ours can open it.
+  [[nodiscard]] std::string path() const;
+  /// Takes the place of what it holds. Whether there was memory for it.
+  [[nodiscard]] bool write(std::string_view text);
+  /// What it holds, no more than the last `most` bytes.
+  [[nodiscard]] std::string read(std::size_t most) const;
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace jaywalk

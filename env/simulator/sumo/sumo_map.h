@@ -1,0 +1,64 @@
+#pragma once
+
+// The ground that SUMO simulates a test on: a network made from the bands, or a given map with the
+// AV's way through it. Says where the world's road lies on it.
+
+#include <string>
+#include <vector>
+
+#include "env/simulator/simulator.h"
+#include "env/simulator/sumo/memory_file.h"
+#include "env/simulator/sumo/road_frame.h"
+#include "env/simulator/sumo/sumo_process.h"
+#include "env/simulator/sumo/sumo_settings.h"
+
+namespace jaywalk {
+
+/// The lane of a way that is SUMO's to choose.
+inline constexpr int kBestLane = -1;
+
+/// A way through the network: edges, and the lane of the first.
+struct SumoWay {
+  std::vector<std::string> edges;
+  int lane = 0;
+  /// Metres from the first edge's begin to y = 0; counted the other way for oncoming traffic.
+  double zero_m = 0;
+  /// Of the way, if that is known, and the middle of its lane.
+  double length_m = 0;
+  double middle_x_m = 0;
+  bool oncoming = false;
+};
+
+class SumoMap {
+ public:
+  /// The scenario's part, which must outlive it.
+  explicit SumoMap(const SumoSettings& settings) : settings_(settings) {}
+
+  /// Makes ready the network of a test. Why that failed, if it did. `changed`: the network is
+  /// another one than that of the test before.
+  [[nodiscard]] std::string prepare(const SimulatedTest& test, bool& changed);
+  /// Finds the AV's way on a given map, with a SUMO that has loaded it. Why there is none.
+  [[nodiscard]] std::string survey(const SimulatedTest& test, SumoProcess& sumo);
+
+  [[nodiscard]] std::string path() const;
+  [[nodiscard]] const SumoWay& av_way() const { return av_way_; }
+  /// Of a flow, by its number. REQUIRES: prepared.
+  [[nodiscard]] const SumoWay& flow_way(std::size_t flow) const { return flow_ways_[flow]; }
+  [[nodiscard]] const RoadFrame& frame() const { return frame_; }
+  /// Where persons begin.
+  [[nodiscard]] const std::string& walking_edge() const { return walking_edge_; }
+
+ private:
+  [[nodiscard]] std::string prepare_bands(const SimulatedTest& test, bool& changed);
+
+  const SumoSettings& settings_;
+  MemoryFile made_;
+  std::string made_from_;
+  SumoWay av_way_;
+  std::vector<SumoWay> flow_ways_;
+  RoadFrame frame_;
+  std::string walking_edge_;
+  bool surveyed_ = false;
+};
+
+}  // namespace jaywalk

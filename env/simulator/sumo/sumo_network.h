@@ -1,0 +1,56 @@
+#pragma once
+
+// The network that SUMO simulates on, made from a road's bands by `netconvert`: the lanes of one
+// direction beside each other are an edge, each pavement is one. It is longer than the road at both
+// ends, so that vehicles come from somewhere and leave behind it. SUMO's map is the world's plane.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "env/simulator/simulator.h"
+
+namespace jaywalk {
+
+/// A lane for vehicles.
+struct SumoLane {
+  std::string edge;
+  int index = 0;
+  /// On the world's plane.
+  double left_m = 0;
+  double right_m = 0;
+  bool oncoming = false;
+};
+
+/// The inputs of netconvert, and what they are called.
+struct SumoNetworkPlan {
+  std::string nodes;
+  std::string edges;
+  bool left_hand = false;
+  /// From the AV's left to its right.
+  std::vector<SumoLane> lanes;
+  /// The first pavement, or one beside the road if that has none: where persons begin.
+  std::string walking_edge;
+  /// Where all edges begin and end along the road.
+  double from_m = 0;
+  double to_m = 0;
+};
+
+/// Whether traffic keeps to the left: lanes that lead forward are left of the oncoming ones.
+[[nodiscard]] bool keeps_left(std::span<const RoadBand> bands);
+
+/// REQUIRES: the road has bands.
+[[nodiscard]] SumoNetworkPlan plan_sumo_network(const SimulatedRoad& road, double first_m,
+                                                double last_m);
+
+/// Has the network written to a file that exists. What went wrong, if it did.
+[[nodiscard]] std::string make_sumo_network(const SumoNetworkPlan& plan, const std::string& path);
+
+/// Whether a given map has to be made a network first: only `.net.xml` is one.
+[[nodiscard]] bool is_sumo_network(const std::string& map);
+/// The same from a map of another kind: OpenStreetMap's (`.osm`, `.osm.xml`), OpenDRIVE's
+/// (`.xodr`), or an `.xml` file with the nodes and edges of SUMO's plain format.
+[[nodiscard]] std::string convert_to_sumo_network(const std::string& map, bool left_hand,
+                                                  const std::string& path);
+
+}  // namespace jaywalk

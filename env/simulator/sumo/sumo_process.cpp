@@ -1,0 +1,181 @@
+#include "env/simulator/sumo/sumo_process.h"
+
+#include <algorithm>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+// One that reads a city for longer than that, or hangs in a step, is taken for dead.
+constexpr milliseconds kStartLimit{60'000};
+constexpr milliseconds kAnswerLimit{30'000};
+constexpr int kTries = 8;
+constexpr std::size_t kMostWords = 400;
+
+/// Both streams of a child that says nothing.
+class Nothing {
+ public:
+  Nothing() : number_(open("/dev/null", O_RDWR | O_CLOEXEC)) {}
+  ~Nothing() {
+    if (number_ >= 0) close(number_);
+  }
+  Nothing(const Nothing&) = delete;
+  Nothing& operator=(const Nothing&) = delete;
+  [[nodiscard]] int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// What SUMO wrote about an error, without the lines that it writes every time.
+std::string last_words(const std::string& text) {
+  std::string last;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    const bool usual = line.empty() || line.starts_with("Quitting") ||
+                       line.find("SUMO_HOME") != std::string::npos ||
+                       line.find("peer shutdown") != std::string::npos;
+    if (!usual) last = std::move(line);
+  }
+  return last.substr(0, kMostWords);
+}
+
+std::string start_of_package(const std::vector<std::string>& command, ChildStreams streams,
+                             GuardedChild& child) {
+  std::string problem = start_guarded(command, {}, streams, child);
+  if (problem.empty()) return {};
+  return problem + "; it is part of the Debian package 'sumo' (apt-get install sumo)";
+}
+
+}  // namespace
+
+std::string run_sumo_tool(const std::vector<std::string>& command, std::string* output) {
+  const MemoryFile printed;
+  const MemoryFile errors;
+  GuardedChild child;
+  std::string problem = start_of_package(
+      command, {.channel = printed.descriptor(), .errors = errors.descriptor()}, child);
+  if (!problem.empty()) return problem;
+  const int status = end_guarded(child, kStartLimit);
+  if (output != nullptr) *output = printed.read(1 << 16);
+  if (status == 0) return {};
+  const std::string words = last_words(errors.read(1 << 16));
+  const std::string how = status < 0
+                              ? fmt::format("took longer than {} s", kStartLimit.count() / 1000)
+                          : WIFSIGNALED(status) ? fmt::format("died of signal {}", WTERMSIG(status))
+                                                : fmt::format("failed ({})", WEXITSTATUS(status));
+  return fmt::format("'{}' {}{}{}", command.front(), how, words.empty() ? "" : ": ", words);
+}
+
+std::string sumo_version(std::string& version) {
+  std::string printed;
+  std::string problem = run_sumo_tool({"sumo", "--version"}, &printed);
+  if (!problem.empty()) return problem;
+  // "Eclipse SUMO sumo Version 1.15.0"
+  constexpr std::string_view kBefore = "Version ";
+  const std::size_t begin = printed.find(kBefore);
+  version = begin == std::string::npos
+                ? "unknown"
+                : printed.substr(begin + kBefore.size(),
+                                 printed.find_first_of(" \n", begin + kBefore.size()) - begin -
+                                     kBefore.size());
+  return {};
+}
+
+bool SumoProcess::connect_within(int port, milliseconds limit) {
+  const auto deadline = steady_clock::now() + limit;
+  while (!client_.connect(port)) {
+    siginfo_t info{};
+    const bool ended =
+        waitid(P_PID, static_cast<id_t>(child_.guard), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        info.si_pid == child_.guard;
+    if (ended || steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(milliseconds(2));
+  }
+  return true;
+}
+
+std::string SumoProcess::try_port(const std::vector<std::string>& options, const std::string& token,
+                                  bool& again) {
+  const int port = free_port();
+  if (port == 0) return "there is no free port";
+  std::vector<std::string> command{"sumo", "--remote-port", std::to_string(port), "--num-clients",
+                                   "1"};
+  command.insert(command.end(), options.begin(), options.end());
+  const Nothing nothing;
+  if (!errors_.write({})) return "there is no memory for its messages";
+  std::string problem =
+      start_of_package(command, {.channel = nothing.get(), .errors = errors_.descriptor()}, child_);
+  if (!problem.empty()) return problem;
+  if (!connect_within(port, kStartLimit)) {
+    problem = with_last_words("it did not start");
+    // Somebody else was quicker to take the port.
+    again =
+        problem.find("ddress") != std::string::npos || problem.find("bind") != std::string::npos;
+    return problem;
+  }
+  TraciMessage hello;
+  hello.version();
+  hello.get(TraciCommand::vehicle_type_get, TraciVariable::ids, {});
+  const TraciAnswer answer = client_.ask(hello, kStartLimit);
+  if (!answer.error.empty()) {
+    again = true;
+    return with_last_words(answer.error);
+  }
+  version_ = answer.version;
+  const TraciValue* const types = answer.objects.front().find(TraciVariable::ids, TraciType::texts);
+  if (types != nullptr && std::ranges::find(types->texts, token) != types->texts.end()) return {};
+  again = true;
+  end();
+  return "another program answers at its port";
+}
+
+std::string SumoProcess::start(const std::vector<std::string>& options, const std::string& token) {
+  end();
+  std::string problem;
+  bool again = true;
+  for (int i = 0; i < kTries && again; ++i) {
+    again = false;
+    problem = try_port(options, token, again);
+    if (problem.empty()) return {};
+  }
+  return problem;
+}
+
+TraciAnswer SumoProcess::ask(const TraciMessage& message) {
+  TraciAnswer answer = client_.ask(message, kAnswerLimit);
+  if (!answer.error.empty()) answer.error = with_last_words(std::move(answer.error));
+  return answer;
+}
+
+/// Ends it.
+std::string SumoProcess::with_last_words(std::string what) {
+  const bool refused = client_.is_connected();
+  client_.disconnect();
+  // One that closed the connection is ending; how, it tells in a moment.
+  const int status = child_.guard >= 0 ? end_guarded(child_, milliseconds(refused ? 0 : 500)) : -1;
+  if (refused) return what;
+  if (status >= 0 && WIFSIGNALED(status))
+    what = fmt::format("it died of signal {}", WTERMSIG(status));
+  const std::string words = last_words(errors_.read(1 << 16));
+  return words.empty() ? what : fmt::format("{}; its last words were '{}'", what, words);
+}
+
+void SumoProcess::end() {
+  client_.disconnect();
+  if (child_.guard >= 0) (void)end_guarded(child_, milliseconds(0));
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,208 @@
+#include "env/simulator/sumo/sumo_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "env/simulator/simulators.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr std::string_view kModels =
+    "constant Krauss KraussOrig1 PWagner2009 BKerner IDM EIDM IDMM Wiedemann W99 ACC CACC";
+
+constexpr std::array kKeys{
+    SettingKey{.name = "model",
+               .kind = SettingKind::choice,
+               .meaning = "the AV's car-following model; `constant` never brakes",
+               .words = kModels},
+    SettingKey{.name = "accel",
+               .kind = SettingKind::number,
+               .meaning = "m/s² of its acceleration, `world.av.acceleration` if not given",
+               .least = 0.01,
+               .most = 100},
+    SettingKey{.name = "decel",
+               .kind = SettingKind::number,
+               .meaning = "m/s² of its usual braking, 4.5 if not given",
+               .least = 0.01,
+               .most = 100},
+    SettingKey{.name = "emergencyDecel",
+               .kind = SettingKind::number,
+               .meaning = "m/s² of its hardest braking, `world.av.deceleration` or 9 if not given",
+               .least = 0.01,
+               .most = 100},
+    SettingKey{.name = "minGap",
+               .kind = SettingKind::number,
+               .meaning = "m that it leaves to whom it stops for, 2.5 if not given",
+               .least = 0,
+               .most = 1000},
+    SettingKey{.name = "tau",
+               .kind = SettingKind::number,
+               .meaning = "s of the headway that it keeps, 1 if not given",
+               .least = 0.01,
+               .most = 100},
+    SettingKey{.name = "sigma",
+               .kind = SettingKind::number,
+               .meaning = "how imperfectly it drives, 0 if not given",
+               .least = 0,
+               .most = 1},
+    SettingKey{.name = "brakes_for_pedestrians",
+               .kind = SettingKind::flag,
+               .meaning = "`false`: SUMO is not told of pedestrians, so nobody brakes for them"},
+    SettingKey{.name = "traffic", .kind = SettingKind::list, .meaning = "flows of other vehicles"},
+    SettingKey{.name = "net",
+               .kind = SettingKind::file,
+               .meaning =
+                   "a map instead of one made from the bands: a network of SUMO's (.net.xml), its\n"
+                   "nodes and edges (.xml), OpenStreetMap's (.osm) or OpenDRIVE's (.xodr)"},
+    SettingKey{.name = "route",
+               .kind = SettingKind::text,
+               .meaning = "the edges of the map that the AV drives along, separated by blanks"},
+    SettingKey{.name = "begin",
+               .kind = SettingKind::number,
+               .meaning = "m of the route before the road of the scenario begins",
+               .least = 0,
+               .most = 1e6},
+};
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream words{text};
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+std::optional<double> number_of(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// A key of a flow: where its number goes, and its range.
+struct FlowNumber {
+  std::string_view name;
+  double least = 0;
+  double most = 0;
+  void (*put)(double value, SumoFlow& flow);
+};
+
+constexpr std::array kFlowNumbers{
+    FlowNumber{"lane", 1, 50, [](double v, SumoFlow& flow) { flow.lane = static_cast<int>(v); }},
+    FlowNumber{"every", 0.5, 3600, [](double v, SumoFlow& flow) { flow.every_s = v; }},
+    FlowNumber{"speed", 0.1, 100, [](double v, SumoFlow& flow) { flow.speed_mps = v; }},
+    FlowNumber{"length", 0.1, 100, [](double v, SumoFlow& flow) { flow.length_m = v; }},
+    FlowNumber{"width", 0.1, 10, [](double v, SumoFlow& flow) { flow.width_m = v; }},
+    FlowNumber{"accel", 0.01, 100, [](double v, SumoFlow& flow) { flow.model.accel_mps2 = v; }},
+    FlowNumber{"decel", 0.01, 100, [](double v, SumoFlow& flow) { flow.model.decel_mps2 = v; }},
+    FlowNumber{"emergencyDecel", 0.01, 100,
+               [](double v, SumoFlow& flow) { flow.model.emergency_decel_mps2 = v; }},
+    FlowNumber{"minGap", 0, 1000, [](double v, SumoFlow& flow) { flow.model.min_gap_m = v; }},
+    FlowNumber{"tau", 0.01, 100, [](double v, SumoFlow& flow) { flow.model.tau_s = v; }},
+    FlowNumber{"sigma", 0, 1, [](double v, SumoFlow& flow) { flow.model.sigma = v; }},
+};
+
+bool is_model(const std::string& name) {
+  const std::vector<std::string> names = words_of(std::string(kModels));
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// What is wrong with one value of a flow, which gets it otherwise; empty if nothing is.
+std::string read_flow_key(const std::string& key, const std::string& value, SumoFlow& flow) {
+  if (key == "route") {
+    flow.route = words_of(value);
+    return flow.route.empty() ? "the route of a flow has no edges" : "";
+  }
+  if (key == "model") {
+    flow.model.name = value;
+    return is_model(value) ? "" : fmt::format("unknown model '{}' of a flow", value);
+  }
+  const auto row = std::ranges::find(kFlowNumbers, key, &FlowNumber::name);
+  if (row == kFlowNumbers.end()) return fmt::format("unknown key '{}' of a flow", key);
+  const std::optional<double> number = number_of(value);
+  if (!number || !(*number >= row->least && *number <= row->most)) {
+    return fmt::format("'{}' of a flow is a number from {:g} to {:g}", key, row->least, row->most);
+  }
+  row->put(*number, flow);
+  return {};
+}
+
+std::string flow_hint() {
+  std::string hint = "a flow has the keys route, model";
+  for (const FlowNumber& each : kFlowNumbers) hint += fmt::format(", {}", each.name);
+  return hint;
+}
+
+SumoFlow flow_of(const std::map<std::string, std::string>& values,
+                 std::vector<SettingProblem>& problems) {
+  SumoFlow flow;
+  for (const auto& [key, value] : values) {
+    std::string problem = read_flow_key(key, value, flow);
+    if (!problem.empty()) problems.push_back({"traffic", std::move(problem), flow_hint()});
+  }
+  return flow;
+}
+
+std::optional<double> given(const SimulatorParameters& parameters, std::string_view key) {
+  const SettingValue* const value = parameters.find(key);
+  if (value == nullptr) return std::nullopt;
+  return value->number;
+}
+
+}  // namespace
+
+std::span<const SettingKey> sumo_keys() { return kKeys; }
+
+std::vector<SettingProblem> check_sumo(const SimulatorParameters& parameters) {
+  std::vector<SettingProblem> problems;
+  const bool has_net = parameters.find("net") != nullptr;
+  for (const std::string_view key : {"route", "begin"}) {
+    if (!has_net && parameters.find(key) != nullptr) {
+      problems.push_back({std::string(key), fmt::format("'{}' is of a map, 'net'", key)});
+    }
+  }
+  if (has_net && words_of(parameters.text("route")).empty()) {
+    problems.push_back(
+        {"net", "a map needs the AV's route through it", "name its edges: route: first second"});
+  }
+  if (parameters.step_s < 0.001) {
+    problems.push_back({"step", "SUMO's steps are a millisecond at least"});
+  }
+  if (const SettingValue* const traffic = parameters.find("traffic")) {
+    for (const auto& each : traffic->maps) {
+      const SumoFlow flow = flow_of(each, problems);
+      if (has_net && flow.route.empty()) {
+        problems.push_back({"traffic", "on a map a flow needs a route"});
+      }
+      if (!has_net && !flow.route.empty()) {
+        problems.push_back({"traffic", "a flow's route is of a map, 'net'; give its lane"});
+      }
+    }
+  }
+  return problems;
+}
+
+SumoSettings sumo_settings(const SimulatorParameters& parameters) {
+  SumoSettings settings;
+  settings.av.name = parameters.text("model", settings.av.name);
+  settings.av.accel_mps2 = parameters.number("accel", -1);
+  settings.av.decel_mps2 = given(parameters, "decel");
+  settings.av.emergency_decel_mps2 = given(parameters, "emergencyDecel");
+  settings.av.min_gap_m = parameters.number("minGap", settings.av.min_gap_m);
+  settings.av.tau_s = parameters.number("tau", settings.av.tau_s);
+  settings.av.sigma = parameters.number("sigma", settings.av.sigma);
+  settings.brakes_for_pedestrians = parameters.number("brakes_for_pedestrians", 1) != 0;
+  settings.step_s = parameters.step_s;
+  settings.net = parameters.text("net");
+  settings.route = words_of(parameters.text("route"));
+  settings.begin_m = parameters.number("begin", 0);
+  std::vector<SettingProblem> none;
+  if (const SettingValue* const traffic = parameters.find("traffic")) {
+    for (const auto& each : traffic->maps) settings.traffic.push_back(flow_of(each, none));
+  }
+  return settings;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,320 @@
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "env/simulator/simulators.h"
+#include "env/simulator/sumo/road_frame.h"
+#include "env/simulator/sumo/sumo_network.h"
+#include "env/simulator/sumo/sumo_process.h"
+#include "env/simulator/sumo/traci_client.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr double kForwardRad = std::numbers::pi / 2;
+
+SettingValue text(std::string value) {
+  SettingValue setting;
+  setting.text = std::move(value);
+  return setting;
+}
+
+SimulatedRoad street() {
+  SimulatedRoad road;
+  road.length_m = 99;
+  road.bands = {{AreaKind::pavement, 0, 3, false},
+                {AreaKind::lane, 3, 9, false},
+                {AreaKind::lane, 9, 15, true},
+                {AreaKind::pavement, 15, 18, false}};
+  return road;
+}
+
+// Which lane is outermost depends on the side of traffic and the direction of the edge.
+TEST(SumoNetwork, HasLanesFromTheOuterSideOnEitherSideOfTraffic) {
+  SimulatedRoad road = street();
+  road.bands.insert(road.bands.begin() + 1, {AreaKind::lane, 2, 3, false});
+  const SumoNetworkPlan left = plan_sumo_network(road, -10, 100);
+  EXPECT_TRUE(left.left_hand);
+  ASSERT_EQ(left.lanes.size(), 3U);
+  EXPECT_EQ(left.lanes[0].edge, left.lanes[1].edge);
+  EXPECT_EQ(left.lanes[0].index, 0);
+  EXPECT_EQ(left.lanes[1].index, 1);
+  for (RoadBand& band : road.bands) band.oncoming = !band.oncoming;
+  const SumoNetworkPlan right = plan_sumo_network(road, -10, 100);
+  EXPECT_FALSE(right.left_hand);
+  EXPECT_EQ(right.lanes[0].index, 0);
+  EXPECT_TRUE(right.lanes[0].oncoming);
+}
+
+TEST(RoadFrame, LaysTheRoadAlongALine) {
+  // East for 100 m, then north.
+  const RoadFrame frame({{0, 0}, {100, 0}, {100, 100}}, 20, 6);
+  const RoadFrame::Pose east = frame.to_map({.x_m = 8, .y_m = 30, .heading_rad = kForwardRad});
+  EXPECT_NEAR(east.x_m, 50, 1e-9);
+  EXPECT_NEAR(east.y_m, -2, 1e-9);  // two metres to the right of the line
+  EXPECT_NEAR(east.heading_rad, 0, 1e-9);
+  const RoadFrame::Pose north = frame.to_map({.x_m = 6, .y_m = 130, .heading_rad = kForwardRad});
+  EXPECT_NEAR(north.x_m, 100, 1e-9);
+  EXPECT_NEAR(north.y_m, 50, 1e-9);
+  EXPECT_NEAR(north.heading_rad, kForwardRad, 1e-9);
+}
+
+TEST(RoadFrame, FindsWhatItHasPut) {
+  const RoadFrame frame({{0, 0}, {100, 0}, {100, 100}}, 20, 6);
+  for (const RoadFrame::Pose world : {RoadFrame::Pose{3, -40, 0}, RoadFrame::Pose{9, 50, 1},
+                                      RoadFrame::Pose{8, 110, 2}, RoadFrame::Pose{1, 400, 3}}) {
+    const RoadFrame::Pose again = frame.to_world(frame.to_map(world));
+    EXPECT_NEAR(again.x_m, world.x_m, 1e-9);
+    EXPECT_NEAR(again.y_m, world.y_m, 1e-9);
+    EXPECT_NEAR(again.heading_rad, world.heading_rad, 1e-9);
+  }
+}
+
+TEST(SumoSettings, AreCheckedWhereTheirTableCannot) {
+  SimulatorParameters parameters;
+  parameters.settings["route"] = text("a b");
+  SettingValue flows;
+  flows.maps = {{{"every", "0"}, {"sped", "9"}}, {{"model", "Kraus"}, {"lane", "1"}}};
+  parameters.settings["traffic"] = flows;
+  std::string said;
+  for (const SettingProblem& each : check_sumo(parameters)) said += each.message + '\n';
+  EXPECT_EQ(said,
+            "'route' is of a map, 'net'\n"
+            "'every' of a flow is a number from 0.5 to 3600\n"
+            "unknown key 'sped' of a flow\n"
+            "unknown model 'Kraus' of a flow\n");
+}
+
+TEST(Sumo, IsNamedByItsPackageWhereItIsMissing) {
+  const std::string problem = run_sumo_tool({"jaywalk_no_such_program"});
+  EXPECT_NE(problem.find("jaywalk_no_such_program"), std::string::npos);
+  EXPECT_NE(problem.find("Debian package 'sumo'"), std::string::npos);
+}
+
+/// Tests that need the program.
+class WithSumo : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string version;
+    if (!sumo_version(version).empty()) GTEST_SKIP() << "the package 'sumo' is not installed";
+  }
+
+  /// The AV's fronts after each tick, with somebody who goes from row to row.
+  struct Drive {
+    std::vector<double> fronts_m;
+    std::vector<double> speeds_mps;
+    std::string error;
+  };
+
+  static SimulatorParameters with(const std::string& model) {
+    SimulatorParameters parameters;
+    parameters.name = "sumo";
+    parameters.settings["model"] = text(model);
+    return parameters;
+  }
+
+  static SimulatedTest test_of(std::uint64_t number, const SimulatedRoad& road,
+                               const VehicleParameters& vehicle, std::span<const Actor> actors,
+                               std::span<const ActorState> starts) {
+    return {.test = number,
+            .seed = 5,
+            .behaviour = "walking",
+            .agents = 1,
+            .tick_s = 1,
+            .road = road,
+            .av = {"av", ActorKind::vehicle, 4.5, 3},
+            .av_start = {.x_m = 6, .y_m = -0.75, .speed_mps = 9, .heading_rad = kForwardRad},
+            .cruise_mps = 9,
+            .vehicle = vehicle,
+            .actors = actors,
+            .starts = starts};
+  }
+
+  /// Somebody 60 m ahead begins to cross with the first tick after `waits`, up to `last_x_m`.
+  static Drive drive(Simulator& simulator, double waits, double last_x_m,
+                     std::uint64_t number = 0) {
+    const SimulatedRoad road = street();
+    const VehicleParameters vehicle;
+    const std::array actors{Actor{"p1", ActorKind::pedestrian, 0.5, 0.5}};
+    const std::array starts{ActorState{.x_m = 1, .y_m = 60}};
+    Drive drive;
+    SimulatedStart start;
+    drive.error = simulator.begin(test_of(number, road, vehicle, actors, starts), start);
+    ActorState at = starts.front();
+    for (std::uint64_t tick = 1; tick <= 11 && drive.error.empty(); ++tick) {
+      ActorState next = at;
+      next.x_m = std::clamp(1 + 1.5 * (static_cast<double>(tick) - waits), 1.0, last_x_m);
+      const std::array bodies{SimulatedBody{0, at, next}};
+      std::vector<SimulatedScene> scenes;
+      drive.error = simulator.advance({.tick = tick,
+                                       .begin_s = static_cast<double>(tick) - 1,
+                                       .length_s = 1,
+                                       .bodies = bodies,
+                                       .signals = {}},
+                                      scenes);
+      if (!drive.error.empty()) break;
+      EXPECT_EQ(scenes.size(), 10U);
+      drive.fronts_m.push_back(scenes.back().av.state.y_m + 2.25);
+      drive.speeds_mps.push_back(scenes.back().av.state.speed_mps);
+      at = next;
+    }
+    (void)simulator.end({.why = "road_end", .impact_mps = {}});
+    return drive;
+  }
+};
+
+TEST_F(WithSumo, TheConstantAvDrivesAsThePapersDoes) {
+  const auto simulator = make_sumo(with("constant"));
+  const Drive drive = WithSumo::drive(*simulator, 0, 6);
+  ASSERT_EQ(drive.error, "");
+  for (std::size_t i = 0; i < drive.fronts_m.size(); ++i) {
+    EXPECT_EQ(drive.fronts_m[i], 1.5 + 9 * static_cast<double>(i + 1));
+    EXPECT_EQ(drive.speeds_mps[i], 9);
+  }
+}
+
+TEST_F(WithSumo, OthersBrakeForWhoCrossesAndStopForWhoStands) {
+  for (const std::string model : {"Krauss", "IDM", "EIDM", "ACC", "CACC"}) {
+    const auto simulator = make_sumo(with(model));
+    const Drive crossed = drive(*simulator, 3, 17);
+    ASSERT_EQ(crossed.error, "") << model;
+    EXPECT_LT(*std::ranges::min_element(crossed.speeds_mps), 3) << model;
+    EXPECT_GT(crossed.fronts_m.back(), 60) << model;
+    const Drive stood = drive(*simulator, 0, 6);
+    ASSERT_EQ(stood.error, "") << model;
+    EXPECT_LT(stood.fronts_m.back(), 60) << model;
+    EXPECT_GT(stood.fronts_m.back(), 50) << model;
+  }
+}
+
+TEST_F(WithSumo, NobodyBrakesForPedestriansOfWhomSumoIsNotTold) {
+  SimulatorParameters parameters = with("Krauss");
+  SettingValue no;
+  no.number = 0;
+  parameters.settings["brakes_for_pedestrians"] = no;
+  const auto simulator = make_sumo(parameters);
+  const Drive stood = drive(*simulator, 0, 6);
+  ASSERT_EQ(stood.error, "");
+  EXPECT_EQ(stood.fronts_m.back(), 1.5 + 9 * 11);
+}
+
+TEST_F(WithSumo, ATestIsTheSameWhateverCameBefore) {
+  const auto used = make_sumo(with("Krauss"));
+  (void)drive(*used, 0, 6, 1);
+  (void)drive(*used, 2, 17, 2);
+  const auto fresh = make_sumo(with("Krauss"));
+  const Drive first = drive(*used, 3, 17, 7);
+  const Drive second = drive(*fresh, 3, 17, 7);
+  EXPECT_EQ(first.fronts_m, second.fronts_m);
+  EXPECT_EQ(first.speeds_mps, second.speeds_mps);
+}
+
+TEST_F(WithSumo, TrafficIsOnTheRoadAndHoldsTheAvUp) {
+  SimulatorParameters parameters = with("Krauss");
+  SettingValue flows;
+  flows.maps = {{{"lane", "1"}, {"every", "4"}, {"speed", "5"}},
+                {{"lane", "2"}, {"every", "5"}, {"speed", "12"}, {"model", "IDM"}}};
+  parameters.settings["traffic"] = flows;
+  const auto simulator = make_sumo(parameters);
+  const SimulatedRoad road = street();
+  const VehicleParameters vehicle;
+  SimulatedStart start;
+  ASSERT_EQ(simulator->begin(test_of(0, road, vehicle, {}, {}), start), "");
+  ASSERT_EQ(start.scene.traffic.size(), start.traffic.size());
+  std::size_t present = 0;
+  std::size_t oncoming = 0;
+  for (const SimulatedVehicle& each : start.scene.traffic) {
+    present += each.present;
+    if (each.present && each.state.x_m > 9) {
+      ++oncoming;
+      EXPECT_NEAR(each.state.heading_rad, -kForwardRad, 1e-9);
+      EXPECT_NEAR(each.state.x_m, 12, 1e-6);
+    }
+  }
+  EXPECT_GT(present, oncoming);
+  EXPECT_GT(oncoming, 3U);
+  std::vector<SimulatedScene> scenes;
+  double way_m = start.scene.av.state.y_m;
+  for (std::uint64_t tick = 1; tick <= 12; ++tick) {
+    ASSERT_EQ(simulator->advance({.tick = tick,
+                                  .begin_s = static_cast<double>(tick) - 1,
+                                  .length_s = 1,
+                                  .bodies = {},
+                                  .signals = {}},
+                                 scenes),
+              "");
+  }
+  way_m = scenes.back().av.state.y_m - way_m;
+  EXPECT_LT(way_m, 100);
+  EXPECT_NEAR(scenes.back().av.state.speed_mps, 5, 0.7);
+}
+
+TEST_F(WithSumo, OnAMapTheRoadLiesAlongTheAvsWay) {
+  SimulatorParameters parameters = with("Krauss");
+  parameters.settings["net"] = text(JAYWALK_SOURCE_DIR "/scenarios/maps/town.xml");
+  parameters.settings["route"] = text("in up out");
+  parameters.settings["begin"].number = 10;
+  const auto simulator = make_sumo(parameters);
+  const SimulatedRoad road = street();
+  const VehicleParameters vehicle;
+  const std::array actors{Actor{"p1", ActorKind::pedestrian, 0.5, 0.5}};
+  const std::array starts{ActorState{.x_m = 1, .y_m = 60}};
+  SimulatedStart start;
+  ASSERT_EQ(simulator->begin(test_of(0, road, vehicle, actors, starts), start), "");
+  EXPECT_NEAR(start.scene.av.state.y_m, -0.75, 0.01);
+  std::vector<SimulatedScene> scenes;
+  double before_m = -0.75;
+  // Somebody stands in the AV's lane, behind the bend: for the world that is 90 m straight on.
+  const std::array bodies{SimulatedBody{0, {.x_m = 6, .y_m = 95}, {.x_m = 6, .y_m = 95}}};
+  for (std::uint64_t tick = 1; tick <= 16; ++tick) {
+    ASSERT_EQ(simulator->advance({.tick = tick,
+                                  .begin_s = static_cast<double>(tick) - 1,
+                                  .length_s = 1,
+                                  .bodies = bodies,
+                                  .signals = {}},
+                                 scenes),
+              "");
+    const ActorState& av = scenes.back().av.state;
+    EXPECT_NEAR(av.x_m, 6, 0.6);  // it is no point: in a bend its middle is inside
+    EXPECT_NEAR(av.heading_rad, kForwardRad, 0.5);
+    EXPECT_GE(av.y_m, before_m);
+    before_m = av.y_m;
+  }
+  EXPECT_LT(before_m, 95);
+  EXPECT_GT(before_m, 85);
+  EXPECT_NEAR(scenes.back().av.state.speed_mps, 0, 0.3);
+}
+
+TEST_F(WithSumo, AMapWithoutTheRouteIsSaidToHaveNone) {
+  SimulatorParameters parameters = with("Krauss");
+  parameters.settings["net"] = text(JAYWALK_SOURCE_DIR "/scenarios/maps/town.xml");
+  for (const auto& [route, said] : std::vector<std::pair<std::string, std::string>>{
+           {"in away_back", "no lane of the edge 'in' leads through all edges of the route"},
+           {"in up", "the route is"},
+           {"nowhere up", "nowhere"}}) {
+    parameters.settings["route"] = text(route);
+    parameters.settings["begin"].number = 120;
+    const auto simulator = make_sumo(parameters);
+    const SimulatedRoad road = street();
+    const VehicleParameters vehicle;
+    SimulatedStart start;
+    const std::string problem = simulator->begin(test_of(0, road, vehicle, {}, {}), start);
+    EXPECT_NE(problem.find(said), std::string::npos) << problem;
+  }
+}
+
+TEST_F(WithSumo, OneThatDiesCostsItsTestAlone) {
+  SumoProcess sumo;
+  EXPECT_NE(sumo.start({"--net-file", "/nowhere.net.xml"}, "none").find("nowhere"),
+            std::string::npos);
+  EXPECT_FALSE(sumo.is_running());
+}
+
+}  // namespace
+}  // namespace jaywalk
