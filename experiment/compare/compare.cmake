@@ -18,6 +18,7 @@ configure_file(compare/published/published_programs.h.in
                ${generated}/experiment/compare/published/published_programs.h @ONLY)
 
 target_sources(jaywalk_experiment PRIVATE
+  compare/avs/av_ranking.cpp
   compare/carry_over.cpp
   compare/csv_fields.cpp
   compare/experiment.cpp

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/compare/avs/av_ranking.h"
 #include "experiment/compare/findings.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/compare/published/published.h"
@@ -30,6 +31,8 @@ struct Comparison {
   std::vector<FindingsSummary> findings;
   /// What the tests with defective AVs came to; empty without such.
   KillMatrix kills;
+  /// How models of the AV rank; empty unless several were compared.
+  AvRanking avs;
   /// What went wrong with the agents of each of the summaries.
   std::vector<Troubles> troubles;
   /// False if the user ended it before all of its tests were run.

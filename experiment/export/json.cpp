@@ -117,6 +117,39 @@ Json to_object(const KillRow& row, const KillMatrix& matrix) {
           {"defects", std::move(cells)}};
 }
 
+Json to_object(const AvCell& cell, const std::string& av, bool judged) {
+  Json object = {{"av", av},
+                 {"tests", cell.tests},
+                 {"errored", cell.errored},
+                 {"successes", cell.successes},
+                 {"collisions", cell.collisions}};
+  if (judged) {
+    object["avoidable"] = cell.avoidable;
+    object["unavoidable"] = cell.unavoidable;
+  }
+  const auto impact = cell.mean_impact_mps();
+  object["mean_impact_mps"] = impact ? Json(*impact) : Json(nullptr);
+  return object;
+}
+
+Json to_object(const AvRanking& ranking) {
+  Json rank = Json::array();
+  for (const RankedAv& av : ranked(ranking)) {
+    rank.push_back(to_object(av.all, av.name, ranking.judged));
+  }
+  Json rows = Json::array();
+  for (const AvRow& row : ranking.rows) {
+    Json cells = Json::array();
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      if (row.cells[i].tests == 0) continue;
+      cells.push_back(to_object(row.cells[i], ranking.avs[i], ranking.judged));
+    }
+    rows.push_back(
+        {{"behaviour", row.behaviour}, {"agents", row.agents}, {"avs", std::move(cells)}});
+  }
+  return {{"rank", std::move(rank)}, {"rows", std::move(rows)}};
+}
+
 Json to_object(const KillMatrix& matrix) {
   Json rows = Json::array();
   for (const KillRow& row : matrix.rows) rows.push_back(to_object(row, matrix));
@@ -154,6 +187,7 @@ std::string to_json(const Comparison& comparison) {
     document["published_left_out"] = comparison.published.left_out;
   }
   document["results"] = std::move(results);
+  if (!comparison.avs.empty()) document["avs"] = to_object(comparison.avs);
   if (!comparison.kills.empty()) document["kills"] = to_object(comparison.kills);
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

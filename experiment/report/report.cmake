@@ -22,6 +22,7 @@ target_sources(jaywalk_experiment PRIVATE
   report/report.cpp
   report/report_data.cpp
   report/sections/agents.cpp
+  report/sections/avs.cpp
   report/sections/figures.cpp
   report/sections/kills.cpp
   report/sections/metrics.cpp
@@ -33,6 +34,7 @@ target_sources(jaywalk_experiment PRIVATE
   report/sections/situations.cpp
   report/sections/verdicts.cpp
   report/stored_coverage.cpp
+  report/tables/av_table.cpp
   report/tables/kill_table.cpp
   report/tables/markdown.cpp
   report/tables/situation_coverage.cpp

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/compare/avs/av_ranking.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/compare/per_test.h"
 #include "experiment/results/store/schema.h"
@@ -326,6 +327,31 @@ std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) c
   return std::nullopt;
 }
 
+/// REQUIRES: the findings are there.
+std::optional<Diagnostics> ResultsReader::add_avs(Comparison& comparison) const {
+  AvTable table(plan_of(description()), tests_in_shard(description()));
+  if (!table.wanted()) return std::nullopt;
+  std::optional<Diagnostics> trouble;
+  auto failure = for_each_test({.vehicle = std::nullopt}, [&](const StoredTest& each) {
+    TestCase test = each.test;
+    test.number -= description().first_test;
+    Blame blame = Blame::unknown;
+    if (each.outcome.impact_mps && !comparison.assertions.empty()) {
+      const auto rows = assessments(each.id);
+      if (!rows.ok()) {
+        trouble = rows.diagnostics();
+        return Proceed::no;
+      }
+      blame = blame_of(rows.value());
+    }
+    table.add(test, each.result, each.outcome.impact_mps, blame);
+    return Proceed::yes;
+  });
+  if (trouble || failure) return trouble ? trouble : std::move(failure);
+  comparison.avs = table.ranking(!comparison.assertions.empty());
+  return std::nullopt;
+}
+
 /// Two passes over the tests, of which none is kept.
 Result<Summary> ResultsReader::summary_of(std::size_t behaviour, std::uint32_t agents) const {
   const TestFilter cell{.behaviour = behaviour, .agents = agents};
@@ -366,6 +392,7 @@ Result<Comparison> ResultsReader::comparison() const {
     }
   }
   if (auto failure = add_findings(comparison)) return std::move(*failure);
+  if (auto failure = add_avs(comparison)) return std::move(*failure);
   // A scenario that this version cannot read any more has no published figures beside it.
   if (const auto scenario = prepared()) comparison.published = published_rows(*scenario.value());
   return comparison;

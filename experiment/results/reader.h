@@ -120,6 +120,7 @@ class ResultsReader {
   class Impl;
   [[nodiscard]] Result<Summary> summary_of(std::size_t behaviour, std::uint32_t agents) const;
   [[nodiscard]] std::optional<Diagnostics> add_findings(Comparison& comparison) const;
+  [[nodiscard]] std::optional<Diagnostics> add_avs(Comparison& comparison) const;
   explicit ResultsReader(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

@@ -10,6 +10,7 @@ target_sources(jaywalk_experiment PRIVATE
   scenario/scenario.cpp
   scenario/scenario_actors.cpp
   scenario/scenario_av.cpp
+  scenario/scenario_avs.cpp
   scenario/scenario_defects.cpp
   scenario/scenario_parameters.cpp
   scenario/scenario_presets.cpp

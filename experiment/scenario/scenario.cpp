@@ -6,9 +6,11 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "env/simulator/simulator.h"
 #include "experiment/scenario/files/program_copies.h"
+#include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
 
 namespace jaywalk {
@@ -190,6 +192,7 @@ class ScenarioBuilder {
     }
     if (world.av.vehicle.model == "external") check_external();
     if (!world.simulator.name.empty()) check_simulator();
+    check_avs();
     check_command(world.av.vehicle, "world.av");
     if (world.av.twin) check_command(*world.av.twin, "world.av.twin");
     check_behaviours();
@@ -296,6 +299,20 @@ class ScenarioBuilder {
       const std::string path = "world.simulator";
       report(diagnostics_, origin_of(problem.key.empty() ? path : path + "." + problem.key),
              std::move(problem.message), std::move(problem.hint));
+    }
+  }
+
+  void check_avs() {
+    const std::vector<std::string> names = av_model_names(draft_.scenario.world.simulator);
+    for (const std::string& name : draft_.scenario.experiment.avs) {
+      if (std::ranges::find(names, name) != names.end()) continue;
+      std::string hint = did_you_mean(name, names);
+      if (hint.empty()) {
+        hint = names.empty() ? "the world's simulator has none to choose from"
+                             : fmt::format("they are {}", fmt::join(names, ", "));
+      }
+      report(diagnostics_, origin_of("experiment.avs"),
+             fmt::format("unknown model '{}' of the AV", name), std::move(hint));
     }
   }
 

@@ -91,6 +91,8 @@ struct ExperimentSpec {
   std::uint64_t seed = 0;
   /// Defects that each test is run with beside the healthy AV (compare/kills/kills.h).
   std::vector<VehicleDefect> defects;
+  /// Models of the AV that each test is run with (compare/avs/av_ranking.h); empty: the world's.
+  std::vector<std::string> avs;
   /// Tests in a generation: those of later ones believe what earlier ones covered; 0: none do.
   std::uint64_t feedback = 0;
   TestLimits limits;

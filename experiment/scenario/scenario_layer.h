@@ -123,6 +123,13 @@ void read_parameters(const ConfigNode& node, const ConfigReader& reader,
 [[nodiscard]] std::vector<VehicleDefect> read_defect_list(const ConfigNode& node,
                                                           const ConfigReader& reader);
 
+/// Models of the AV, as a list or a text with commas. Whether they exist is known when the layers
+/// are: av_model_names().
+[[nodiscard]] std::vector<std::string> read_av_list(const ConfigNode& node,
+                                                    const ConfigReader& reader);
+/// Those that a simulator has, or without one the world; none if the simulator has no such key.
+[[nodiscard]] std::vector<std::string> av_model_names(const SimulatorParameters& simulator);
+
 /// Whether a text can be an atom of AgentSpeak.
 [[nodiscard]] bool is_atom(std::string_view text);
 

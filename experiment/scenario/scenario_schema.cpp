@@ -193,6 +193,7 @@ class LayerReader : LayerPart {
                   {"seed", integer(experiment.seed, kSeeds)},
                   {"feedback", integer(experiment.feedback, kGenerations)},
                   {"defects", method(&LayerReader::read_defects)},
+                  {"avs", method(&LayerReader::read_avs)},
                   {"limits", method(&LayerReader::read_limits)},
               });
   }
@@ -211,6 +212,11 @@ class LayerReader : LayerPart {
   void read_defects(const ConfigNode& node, const std::string& path) {
     draft_.origins[path] = node.origin;
     draft_.scenario.experiment.defects = read_defect_list(node, reader_);
+  }
+
+  void read_avs(const ConfigNode& node, const std::string& path) {
+    draft_.origins[path] = node.origin;
+    draft_.scenario.experiment.avs = read_av_list(node, reader_);
   }
 
   void read_agent_numbers(const ConfigNode& node, const std::string& path) {

@@ -6,16 +6,40 @@
 #include "experiment/trial/trial.h"
 
 namespace jaywalk {
+namespace {
+
+/// The world's own models, or its simulator's.
+std::vector<TestedVehicle> by_models(const Scenario& scenario) {
+  std::vector<TestedVehicle> vehicles;
+  for (const std::string& model : scenario.experiment.avs) {
+    TestedVehicle& vehicle = vehicles.emplace_back(
+        TestedVehicle{model, scenario.world.av.vehicle, scenario.world.simulator});
+    if (vehicle.simulator.name.empty()) {
+      vehicle.parameters.model = model;
+    } else {
+      vehicle.simulator.settings[std::string(kAvModelKey)].text = model;
+    }
+  }
+  return vehicles;
+}
+
+}  // namespace
+
+bool compares_models(const std::vector<std::string>& vehicles) {
+  return vehicles.front() != kGivenVehicle && vehicles.front() != kHealthyVehicle;
+}
 
 std::vector<TestedVehicle> tested_vehicles(const Scenario& scenario) {
   const VehicleParameters& given = scenario.world.av.vehicle;
-  if (scenario.experiment.defects.empty()) return {{std::string(kGivenVehicle), given}};
+  const SimulatorParameters& simulator = scenario.world.simulator;
+  if (!scenario.experiment.avs.empty()) return by_models(scenario);
+  if (scenario.experiment.defects.empty()) return {{std::string(kGivenVehicle), given, simulator}};
   VehicleParameters healthy = healthy_twin(scenario.world.av);
-  std::vector<TestedVehicle> vehicles{{std::string(kHealthyVehicle), healthy}};
-  if (given != healthy) vehicles.push_back({std::string(kGivenVehicle), given});
+  std::vector<TestedVehicle> vehicles{{std::string(kHealthyVehicle), healthy, simulator}};
+  if (given != healthy) vehicles.push_back({std::string(kGivenVehicle), given, simulator});
   for (const VehicleDefect& defect : scenario.experiment.defects) {
     healthy.defects = {defect};
-    vehicles.push_back({text_of(defect), healthy});
+    vehicles.push_back({text_of(defect), healthy, simulator});
   }
   return vehicles;
 }

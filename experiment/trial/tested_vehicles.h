@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "env/simulator/parameters.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
@@ -23,14 +24,21 @@ inline constexpr std::string_view kGivenVehicle = "given";
 inline constexpr std::string_view kHealthyVehicle = "healthy";
 
 struct TestedVehicle {
-  /// `given`, `healthy`, or a defect as `latency=0.3`; each once.
+  /// `given`, `healthy`, a defect as `latency=0.3`, or a model as `Krauss`; each once.
   std::string name;
   VehicleParameters parameters;
+  /// Which simulator moves it, and with which model.
+  SimulatorParameters simulator;
 };
 
 /// The first is that of the measures: the given one; or, if the experiment has defects, the healthy
-/// one, then the given one if that is another, then the healthy one with each of the defects.
+/// one, then the given one if that is another, then the healthy one with each of the defects; or,
+/// if the experiment compares models, the given one with each of them.
 [[nodiscard]] std::vector<TestedVehicle> tested_vehicles(const Scenario& scenario);
+
+/// Whether vehicles of those names are models held against each other, rather than a healthy one
+/// and defects of it.
+[[nodiscard]] bool compares_models(const std::vector<std::string>& vehicles);
 
 /// Its index among the scenario's vehicles; `given` is `healthy` where these are the same. Nothing
 /// if there is none of that name.

@@ -170,6 +170,7 @@ PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const Symb
     vehicles_.push_back(std::move(vehicle.name));
     worlds_.push_back(scenario_.world);
     worlds_.back().av.vehicle = std::move(vehicle.parameters);
+    worlds_.back().simulator = std::move(vehicle.simulator);
   }
 }
 

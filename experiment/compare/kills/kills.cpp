@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "experiment/trial/tested_vehicles.h"
+
 namespace jaywalk {
 namespace {
 
@@ -112,7 +114,9 @@ double mutation_score(const KillRow& row, std::uint64_t tests) {
 }
 
 KillTable::KillTable(const ExperimentPlan& plan, std::uint64_t expected)
-    : plan_(plan), expected_(expected), cells_(plan.vehicles.size() > 1 ? plan.cells() : 0) {}
+    : plan_(plan),
+      expected_(expected),
+      cells_(plan.vehicles.size() > 1 && !compares_models(plan.vehicles) ? plan.cells() : 0) {}
 
 void KillTable::add(const TestCase& test, bool blamed) {
   add(test, blamed ? Outcome::blamed : Outcome::kept);

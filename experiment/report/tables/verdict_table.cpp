@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/report/tables/av_table.h"
 #include "experiment/report/tables/kill_table.h"
 #include "experiment/report/tables/table.h"
 
@@ -82,8 +83,8 @@ std::string render_metrics(const Comparison& comparison) {
 
 std::string render_tables(const Comparison& comparison) {
   std::string text = render_table(comparison);
-  for (const std::string& more :
-       {render_verdicts(comparison), render_metrics(comparison), render_kills(comparison)}) {
+  for (const std::string& more : {render_verdicts(comparison), render_metrics(comparison),
+                                  render_kills(comparison), render_avs(comparison.avs)}) {
     if (!more.empty()) text += '\n' + more;
   }
   return text;

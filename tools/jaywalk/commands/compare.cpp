@@ -36,6 +36,10 @@ CommandHelp help() {
               {"defects", "LIST",
                "run each test with a healthy AV and with each of these defects\n"
                "of it (jaywalk list defects), as latency,short-range=12, or all"},
+              {"avs", "LIST",
+               "run each test with each of these models of the AV and rank them:\n"
+               "the world's (jaywalk list vehicles) or its simulator's, as\n"
+               "constant,braking,idm"},
               {"kills", "FILE", "write which behaviours killed which defects as CSV",
                Written::file},
               {"with-kills", "FILE",

@@ -7,6 +7,7 @@
 #include "experiment/compare/carry_over.h"
 #include "experiment/scenario/number_list.h"
 #include "experiment/trial/simulator_version.h"
+#include "experiment/trial/tested_vehicles.h"
 #include "experiment/trial/trial.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
@@ -70,6 +71,23 @@ void check_defects(const Request& request, Diagnostics& diagnostics) {
   }
 }
 
+/// What keeps models of the AV from being compared.
+void check_avs(const Request& request, Diagnostics& diagnostics) {
+  const ExperimentSpec& experiment = request.prepared->scenario().experiment;
+  if (!experiment.defects.empty()) {
+    diagnostics.error("--avs", "models and defects cannot be compared at once",
+                      "leave out one of experiment.avs and experiment.defects");
+  }
+  if (experiment.feedback > 0) {
+    diagnostics.error("--avs", "what tests cover would reach those with other AVs",
+                      "experiment.feedback=0 runs them without that");
+  }
+  if (request.plan.order == TestOrder::chained) {
+    diagnostics.error("--avs", "each test of this scenario needs the one before it",
+                      "set world.av.carry_over=false");
+  }
+}
+
 /// What is too large to be carried out.
 Diagnostics excesses(const Request& request) {
   Diagnostics diagnostics;
@@ -92,7 +110,9 @@ Diagnostics excesses(const Request& request) {
                       "share out behaviours and numbers of agents instead (--behaviours, "
                       "--agents), or set world.av.carry_over=false");
   }
-  if (request.plan.vehicles.size() > 1) {
+  const bool models = compares_models(request.plan.vehicles);
+  if (models) check_avs(request, diagnostics);
+  if (request.plan.vehicles.size() > 1 && !models) {
     check_defects(request, diagnostics);
   } else {
     for (const std::string_view option : request.pointless) {
@@ -192,7 +212,8 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     request.coverage =
         std::make_unique<PlanCoverage>(*request.prepared, all_behaviours(*request.prepared, most));
   }
-  const bool has_defects = request.plan.vehicles.size() > 1;
+  const bool has_defects =
+      request.plan.vehicles.size() > 1 && !compares_models(request.plan.vehicles);
   if (has_defects && !read_other_kills(arguments, request, console)) return std::nullopt;
   for (const char* option : {"kills", "with-kills"}) {
     if (!has_defects && arguments.has(option)) request.pointless.emplace_back(option);

@@ -97,6 +97,7 @@ std::optional<Comparison> comparison_of(const Request& request, const Collected&
   add_findings(request.inquiry, collected.findings, request.plan.behaviours, comparison);
   comparison.kills = collected.kills.matrix();
   add_kills(request.other_kills, comparison.kills);
+  comparison.avs = collected.avs.ranking(asks(request.inquiry));
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(request.plan.behaviours, summary.behaviour);
     comparison.troubles.push_back(collected.troubles.troubles(

@@ -110,6 +110,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
     listeners.collected.kills.add(test, blames_the_av(found));
     if (store != nullptr) assessments = to_assessments(request.inquiry, found);
   }
+  listeners.collected.avs.add(test, result, outcome_of(trial).impact_mps, blame_of(found));
   if (PerTestTable* const table = listeners.collected.per_test.get()) {
     table->add(test, outcome_of(trial), found);
   }

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "experiment/compare/avs/av_ranking.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/feedback.h"
 #include "experiment/compare/kills/kills.h"
@@ -38,6 +39,7 @@ struct Collected {
   explicit Collected(const Request& request)
       : findings(request.inquiry, request.plan),
         kills(request.plan, request.plan.tests),
+        avs(request.plan, request.plan.tests),
         troubles(request.plan),
         situations(request.plan) {
     const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
@@ -50,6 +52,7 @@ struct Collected {
 
   FindingsTable findings;
   KillTable kills;
+  AvTable avs;
   TroublesTable troubles;
   SituationTable situations;
   ControllerNotes notes;

@@ -59,6 +59,10 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
     sets.push_back("experiment.defects=" + *defects);
     given_by[sets.back()] = std::make_shared<const Source>("--defects", *defects);
   }
+  if (const auto avs = arguments.text("avs")) {
+    sets.push_back("experiment.avs=[" + *avs + "]");
+    given_by[sets.back()] = std::make_shared<const Source>("--avs", *avs);
+  }
   sets.insert(sets.end(), more_sets.begin(), more_sets.end());
   return {.preset = arguments.text("preset"),
           .sets = std::move(sets),
