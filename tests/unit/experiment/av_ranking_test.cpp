@@ -84,7 +84,7 @@ TEST(AvRanking, LeavesOutWhatIsNotFinishedAndWhatErrored) {
 TEST(AvRanking, IsATableForPeople) {
   const std::string text = render_avs(filled());
   EXPECT_THAT(text, HasSubstr("1. Krauss         8       75.00         37.50         0.00"));
-  EXPECT_THAT(text, HasSubstr("2. constant       8       75.00         37.50        25.00"));
+  EXPECT_THAT(text, HasSubstr("2. constant        8       75.00         37.50        25.00"));
   EXPECT_THAT(text, HasSubstr("q (1)\n"));
 }
 
