@@ -117,7 +117,7 @@ class DataReader {
     };
     if (std::ranges::any_of(data_.replays, same)) return;
     ReplayLink link{.test = stored.test, .reason = std::move(reason)};
-    if (stored.has_scenes) take(store_.recording(stored.id), link.recording);
+    if (stored.scenes > 0) take(store_.recording(stored.id), link.recording);
     data_.replays.push_back(std::move(link));
   }
 

@@ -209,8 +209,8 @@ std::optional<Diagnostics> ResultsReader::for_each_assessed(
 Result<Recording> ResultsReader::recording(std::int64_t id) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
-  if (stored.value().has_scenes) {
-    return impl_->checked(read_recording(impl_->database(), description().tick_s, id));
+  if (stored.value().scenes > 0) {
+    return impl_->checked(read_recording(impl_->database(), description().tick_s, stored.value()));
   }
   Recording recording;
   auto result = rerun(id, {.record = &recording});

@@ -26,8 +26,8 @@ struct StoredTest {
   TestCase test;
   TestResult result;
   TestOutcome outcome;
-  /// The store has its scenes; otherwise the test is run again when they are asked for.
-  bool has_scenes = false;
+  /// How many of its scenes the store has; with none the test is run again when they are asked for.
+  std::uint32_t scenes = 0;
 };
 
 /// Which tests are wanted; empty fields: any.

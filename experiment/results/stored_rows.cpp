@@ -12,7 +12,8 @@ namespace jaywalk {
 namespace {
 
 constexpr std::string_view kTestColumns =
-    "SELECT id, met_precondition, coalesce(precondition_ticks, ticks), score, cpu_us, wall_us, "
+    "SELECT id, met_precondition, coalesce(precondition_ticks, ticks) AS ticks, score, cpu_us, "
+    "wall_us, "
     "scenes, ticks, precondition_ticks, ended_by, impact_mps, behaviour, agents, vehicle, number "
     "FROM tests ";
 
@@ -20,10 +21,9 @@ void damaged(Database& database, std::string_view what, std::int64_t test_id) {
   database.fail(fmt::format("the store is damaged: {} of test {}", what, test_id));
 }
 
-template <class T>
-std::optional<T> integer_or_null(const Statement& row, int column) {
+std::optional<std::uint32_t> count_or_null(const Statement& row, int column) {
   if (row.is_null(column)) return std::nullopt;
-  return row.integer<T>(column);
+  return row.count(column);
 }
 
 std::optional<double> real_or_null(const Statement& row, int column) {
@@ -54,13 +54,13 @@ StoredTest test_of(Database& database, const ExperimentDescription& description,
     damaged(database, "the number", test.id);
   }
   test.result = {.succeeded = row.number(1) != 0,
-                 .ticks = row.integer<std::uint32_t>(2),
+                 .ticks = row.count(2),
                  .score = row.real(3),
                  .cpu_us = row.real(4),
                  .wall_us = row.real(5)};
-  test.has_scenes = row.number(6) > 0;
-  test.outcome = {.ticks = row.integer<std::uint32_t>(7),
-                  .precondition_ticks = integer_or_null<std::uint32_t>(row, 8),
+  test.scenes = row.count(6);
+  test.outcome = {.ticks = row.count(7),
+                  .precondition_ticks = count_or_null(row, 8),
                   .ended_by = row.text(9),
                   .impact_mps = real_or_null(row, 10)};
   test.result.errored = test.outcome.ended_by == kErrored;
@@ -92,8 +92,8 @@ Assessment assessment_of(Database& database, std::int64_t test_id, const Stateme
   if (!verdict) damaged(database, "a verdict", test_id);
   return {.id = row.text(0),
           .value = any_real_or_null(row, 1),
-          .tick = integer_or_null<std::uint32_t>(row, 2),
-          .actor = integer_or_null<std::uint32_t>(row, 3),
+          .tick = count_or_null(row, 2),
+          .actor = count_or_null(row, 3),
           .robustness = any_real_or_null(row, 4),
           .verdict = verdict.value_or(AssessmentVerdict::none)};
 }
@@ -119,8 +119,12 @@ std::pair<std::int64_t, std::int64_t> ids_of(const ExperimentDescription& descri
 
 void read_scenes(Database& database, std::int64_t test_id, Recording& recording) {
   std::vector<ActorState> scene;
-  Statement row = rows_of(database, test_id, "x, y, speed, heading", "observations");
+  Statement row = rows_of(database, test_id, "x, y, speed, heading, tick, actor", "observations");
   while (row.step()) {
+    // Rows are taken by their order: one that is missing must not shift the others.
+    if (row.count(4) != recording.scenes() || row.count(5) != scene.size()) {
+      return damaged(database, "the observations", test_id);
+    }
     scene.push_back({.x_m = row.real(0),
                      .y_m = row.real(1),
                      .speed_mps = row.real(2),
@@ -167,18 +171,19 @@ std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id) {
   Statement row = rows_of(database, test_id, "cost, reward, actions", "actors");
   while (row.step()) {
     if (row.is_null(0)) continue;
-    scores.push_back(
-        {.cost = row.real(0), .reward = row.real(1), .actions = row.integer<std::uint32_t>(2)});
+    scores.push_back({.cost = row.real(0), .reward = row.real(1), .actions = row.count(2)});
   }
   return scores;
 }
 
 std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
   std::vector<Actor> actors;
-  Statement row = rows_of(database, test_id, "name, kind, length_m, width_m", "actors");
+  Statement row = rows_of(database, test_id, "name, kind, length_m, width_m, actor", "actors");
   while (row.step()) {
     const auto kind = parse_kind(row.text(1));
-    if (!kind) damaged(database, "an actor", test_id);
+    if (!kind || row.count(4) != actors.size() || row.real(2) < 0 || row.real(3) < 0) {
+      damaged(database, "an actor", test_id);
+    }
     actors.push_back({.name = row.text(0),
                       .kind = kind.value_or(ActorKind::pedestrian),
                       .length_m = row.real(2),
@@ -204,11 +209,11 @@ void read_drops(Database& database, std::int64_t first, std::int64_t last,
       test.drops.clear();
     }
     id = drop.number(0);
-    test.drops.push_back({.actor = drop.integer<std::uint32_t>(1),
+    test.drops.push_back({.actor = drop.count(1),
                           .cause = {.error = drop.text(2),
                                     .file = drop.text(3),
-                                    .line = drop.integer<std::uint32_t>(4),
-                                    .column = drop.integer<std::uint32_t>(5),
+                                    .line = drop.count(4),
+                                    .column = drop.count(5),
                                     .formula = drop.text(6),
                                     .message = drop.text(7),
                                     .goals = drop.text(8),
@@ -298,22 +303,23 @@ std::string read_event(Database& database, std::int64_t test_id, std::string_vie
   return text;
 }
 
-Recording read_recording(Database& database, double tick_s, std::int64_t test_id) {
-  Recording recording(tick_s, read_actors(database, test_id));
-  if (recording.actors().empty()) {
-    damaged(database, "the actors", test_id);
+Recording read_recording(Database& database, double tick_s, const StoredTest& test) {
+  Recording recording(tick_s, read_actors(database, test.id));
+  if (recording.actors().size() <= test.test.agents) {
+    damaged(database, "the actors", test.id);
     return recording;
   }
-  read_scenes(database, test_id, recording);
-  Statement row = rows_of(database, test_id, "tick, actor, kind, text", "events");
+  read_scenes(database, test.id, recording);
+  if (recording.scenes() != test.scenes) damaged(database, "the observations", test.id);
+  Statement row = rows_of(database, test.id, "tick, actor, kind, text", "events");
   while (row.step()) {
-    RecordedEvent event{.tick = row.integer<std::uint32_t>(0),
-                        .actor = integer_or_null<std::uint32_t>(row, 1),
+    RecordedEvent event{.tick = row.count(0),
+                        .actor = count_or_null(row, 1),
                         .kind = row.text(2),
                         .text = row.text(3)};
     // Whoever gets it looks the actor and the scene up.
     if (event.actor.value_or(0) >= recording.actors().size() || event.tick >= recording.scenes()) {
-      damaged(database, "an event", test_id);
+      damaged(database, "an event", test.id);
     } else {
       recording.add(std::move(event));
     }

@@ -35,6 +35,6 @@ void read_all_assessments(
 [[nodiscard]] std::string read_event(Database& database, std::int64_t test_id,
                                      std::string_view kind);
 /// REQUIRES: the store has scenes of the test.
-[[nodiscard]] Recording read_recording(Database& database, double tick_s, std::int64_t test_id);
+[[nodiscard]] Recording read_recording(Database& database, double tick_s, const StoredTest& test);
 
 }  // namespace jaywalk

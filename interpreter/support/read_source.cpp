@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/diagnostics.h"
+#include "interpreter/support/read_pipe.h"
 #include "interpreter/support/read_program.h"
 #include "interpreter/support/silenced.h"
 
@@ -70,14 +71,18 @@ std::string with_replacements(std::string_view text) {
   return replaced;
 }
 
-// Reads at most one byte more than `max_bytes`; works for pipes, too, whose size nobody knows.
-std::string read_at_most(std::istream& stream, std::size_t max_bytes) {
+// Reads at most one byte more than `max_bytes`; works for devices, too, whose size nobody knows.
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return failure(path, fmt::format("cannot be read: {}", std::strerror(errno)));
   std::string text;
   std::string block(kBlock, '\0');
   while (text.size() <= max_bytes && stream) {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
   }
+  if (stream.bad()) return failure(path, "cannot be read to its end");
   return text;
 }
 
@@ -88,14 +93,9 @@ Result<std::string> read_bytes(const std::string& path, std::size_t max_bytes) {
   if (std::filesystem::is_directory(status)) {
     return failure(path, "this is a folder, a file was expected");
   }
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    return failure(path, fmt::format("cannot be read: {}", std::strerror(errno)));
-  }
-  std::string text = read_at_most(stream, max_bytes);
-  if (stream.bad()) return failure(path, "cannot be read to its end");
-  if (text.size() > max_bytes) {
+  const bool is_pipe = std::filesystem::is_fifo(status);
+  Result<std::string> text = is_pipe ? read_pipe(path, max_bytes) : read_file(path, max_bytes);
+  if (text && text.value().size() > max_bytes) {
     return failure(path, fmt::format("larger than {} bytes", max_bytes));
   }
   return text;

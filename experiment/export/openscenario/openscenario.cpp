@@ -123,6 +123,11 @@ class Export {
         request_.store.description().behaviours[test.test.behaviour].name;
     Batch& batch = batches_[fmt::format("{}-{}", behaviour, test.test.agents)];
     const std::string signals = text.signals(0);
+    if (!batch.tests.empty() && batch.first.actors().size() != recording.actors().size()) {
+      diagnostics_.error(request_.store.path(),
+                         fmt::format("the store is damaged: the actors of test {}", test.id));
+      return;
+    }
     if (batch.tests.empty()) {
       batch.first = recording;
       batch.signals = signals;

@@ -187,6 +187,13 @@ std::int64_t Statement::number(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
 
+std::uint32_t Statement::count(int column) const {
+  const std::int64_t value = number(column);
+  if (value >= 0 && std::in_range<std::int32_t>(value)) return static_cast<std::uint32_t>(value);
+  damaged(column, "a number out of range");
+  return 0;
+}
+
 double Statement::real(int column) const {
   const double value = any_real(column);
   if (std::isfinite(value)) return value;

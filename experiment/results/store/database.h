@@ -106,6 +106,8 @@ class Statement {
   [[nodiscard]] double real(int column) const;
   /// Perhaps infinite.
   [[nodiscard]] double any_real(int column) const;
+  /// A number of things or the index of one: less than 2³¹.
+  [[nodiscard]] std::uint32_t count(int column) const;
   [[nodiscard]] std::string text(int column) const;
   template <class T>
   [[nodiscard]] T integer(int column) const {

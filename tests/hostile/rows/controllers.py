@@ -58,4 +58,5 @@ ROWS = [
     controller("an absurd acceleration", always('{"acceleration":1e308}'), 1, "av.sh"),
     controller("an absurd braking", always('{"acceleration":-1e308}'), 1, "av.sh"),
     controller("an answer with control characters", always("\\033[2J"), 1, "av.sh", never="\x1b"),
+    sut("two answers of a system for a question", always('{"max_oob":0.1}\\n{"max_oob":0.2}'), 1, "it also wrote"),
 ]

@@ -4,6 +4,7 @@ others' rows stand."""
 from row import WALKER, Row
 
 LIMITS = ["--max-cycles", "2000", "--max-inferences", "200000", "--max-memory", "64"]
+RULES = "assertions:\n  - {id: hit, source: a rule, precondition: eventually in_zone, requirement: always closest > 0}\n"
 LOOP = "!go. +!go <- !go.\n"
 BURNS = ("p(1). p(2). p(3). p(4). p(5). p(6). p(7). p(8). p(9).\n"
          "r :- p(A) & p(B) & p(C) & p(D) & p(E) & p(F) & p(G) & p(H) & A+B+C+D+E+F+G+H > 99.\n"
@@ -13,7 +14,7 @@ BURNS = ("p(1). p(2). p(3). p(4). p(5). p(6). p(7). p(8). p(9).\n"
 def compared(name, bad, *options, code=0, says="2 of 4 tests ended errored", limits=None, **more):
     """Two tests of a walker, two of the bad one."""
     words = ["compare", "s.yaml", "--tests", "2", "--agents", "1", "--no-check", *(LIMITS if limits is None else limits), *options]
-    files = {"walker.asl": WALKER, "bad.asl": bad, "s.yaml": "behaviours: [walker.asl, bad.asl]\n"}
+    files = {"walker.asl": WALKER, "bad.asl": bad, "s.yaml": "behaviours: [walker.asl, bad.asl]\n", "rules.yaml": RULES}
     return Row(name, words, code, ["walker", says], files, most=100_000, **more)
 
 
@@ -39,4 +40,5 @@ ROWS = [
     driven("a controller that fails once in two starts",
            "if [ -e ran ]; then rm ran; exit 1; fi; touch ran; while read -r x; do echo '{\"acceleration\":-1}'; done\n",
            "1 of 2 tests ended errored", 0, "--threads", "1"),
+    compared("errored tests in JUnit", LOOP, "--assertions", "rules.yaml", "--junit", "out.xml"),
 ]

@@ -20,9 +20,9 @@ def stormy(name, text, says=FULL, cycles=400_000):
                    most_mb=MB * 1.2)
 
 
-def society(name, files, says, code=0, *options):
+def society(name, files, says, code=0, *options, most_mb=MB * 1.2, **more):
     return project(name, "MAS m { agents: " + " ".join(f"{file[:-4]};" for file in files) + " }", code, says, *BOUND, *options,
-                   files=files, most_mb=MB * 1.2)
+                   files=files, most_mb=most_mb, **more)
 
 
 ROWS = [
@@ -43,4 +43,8 @@ ROWS = [
     society("four agents that are too much together", {
         **{f"a{i}.asl": "!go(0). +!go(N) <- +b(N); !go(N+1).\n" for i in range(4)},
         "c.asl": "!see(20000). +!see(0) <- .print(unharmed). +!see(N) <- !see(N-1).\n"}, ["all agents together", "[c] unharmed"]),
+    stormy("events without end", "!go. +!go <- +b; -b; !!go; !!go."),
+    society("agents without end", {"a.asl": "!go. +!go <- .create_agent(n,\"a.asl\"); !go. -!go <- .print(unharmed).\n"},
+            ["memory limit of all agents together", "[a] unharmed"],
+            most_mb=MB * 2, most=1_000_000),  # what a system keeps about each agent is not counted
 ]

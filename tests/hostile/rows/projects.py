@@ -24,4 +24,6 @@ ROWS = [
     project("comments without end", "MAS m { /* agents: a; }", 2, "project.mas2j:1"),
     project("a project that is a program", "!go. +!go <- .print(x).", 2, "project.mas2j:1"),
     Row("checking a project without programs", ["check", "p.mas2j"], 2, "x.asl", {"p.mas2j": "MAS m { agents: x; }"}),
+    project("two million agents", "MAS m { agents: b #2000000; }", 2, "more than 1000000"),
+    project("a million agents twice", "MAS m { agents: a b.asl #700000; b #700000; }", 2, "more than 1000000"),
 ]

@@ -29,4 +29,5 @@ ROWS = [
     checked("a goal of 70,000 arguments", "!b(" + "1," * (MANY - 1) + "1).\n", 2, "65"),
     checked("a body of 70,000 variables", "+!a <- " + "; ".join(f"?b(_X{i})" for i in range(MANY)) + ".\n", 2, "65"),
     program("structures from lists of 70,000", "!go. +!go <- .findall(X,.range(X,1,70000),L); T =.. [f,L,[]]; .print(T). -!go[error(E)] <- .print(failed,E).\n", 0, "failed"),
+    checked("a rule of 70,000 variables", "r :- " + " & ".join(f"b(_X{i})" for i in range(MANY)) + ".\n", 2, "nested deeper than 1000 levels"),
 ]

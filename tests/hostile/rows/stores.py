@@ -16,6 +16,9 @@ FILES = {
 MAKE = "jaywalk compare s.yaml --tests 2 --agents 1,2 --threads 1 --quiet --no-check --metrics --store-level all --store s.gpkg || exit 99; "
 
 
+OWN = ("jaywalk compare av.yaml --tests 1 --agents 1 --no-check --quiet --store-level summary --store o.gpkg || exit 99; ")
+
+
 def store(name, change, command, code, says, **more):
     """`change`: a command of the shell."""
     return Row(name, MAKE + change + "; jaywalk " + command, code, says, FILES, **more)
@@ -58,4 +61,24 @@ ROWS = [
     sql("a test of 2,000,000,000 agents", "UPDATE tests SET agents=2000000000", "replay s.gpkg --test 0"),
     sql("verdicts of tests that there are not", "UPDATE assessments SET test_id=999999", "report s.gpkg"),
     sql("verdicts of no test", "UPDATE assessments SET test_id=zeroblob(9)", "report s.gpkg"),
+    sql("a store without inputs", "DELETE FROM inputs", "replay s.gpkg --test 1", 2, "no copy of this file was kept"),
+    sql("a test of a behaviour that there is not", "UPDATE tests SET behaviour='nobody'", "judge s.gpkg"),
+    sql("a witness beyond all numbers", "UPDATE assessments SET actor=2147483648,verdict='fail'", "report s.gpkg"),
+    sql("a witness who took no part", "UPDATE assessments SET actor=2147483647,verdict='fail'", "report s.gpkg", 0, "s.html"),
+    sql("an actor of number 2147483647", "UPDATE actors SET actor=2147483647", "export s.gpkg --all --out out", says="an actor of test 1"),
+    sql("a test without one of its actors", "DELETE FROM actors WHERE test_id=2 AND actor=1", "export s.gpkg --all --out out", says="the actors of test 2"),
+    sql("an actor of negative length", "UPDATE actors SET length_m=-1", "export s.gpkg --all --out out", says="an actor of test 1"),
+    sql("positions that are infinite", "UPDATE observations SET x=9e999", "export s.gpkg --all --out out", says="an infinite number"),
+    sql("positions beyond the world", "UPDATE observations SET x=1e300,y=-1e300,speed=1e300", "export s.gpkg --all --out out", 0, "", most=100_000),
+    sql("a scene without the AV", "DELETE FROM observations WHERE tick=1 AND actor=0", "judge s.gpkg", says="the observations of test 1"),
+    sql("a test without observations", "DELETE FROM observations", "judge s.gpkg --metrics", says="the observations of test 1"),
+    sql("ticks beyond all numbers", "UPDATE tests SET ticks=2147483648", "report s.gpkg", says="out of range"),
+    sql("a store of negative scenes", "UPDATE tests SET scenes=-1", "export s.gpkg --all --out out", says="out of range"),
+    sql("a test that came out otherwise", "UPDATE tests SET score=score+1", "replay s.gpkg --test 1", says="came out otherwise than stored"),
+    Row("a stranger's store whose AV is a program", OWN + "rm started; jaywalk replay o.gpkg --test 0; code=$?; [ -e started ] && echo RAN; exit $code",
+        2, "--allow-commands", FILES, never="RAN"),
+    *(Row(f"a stranger's store for {command}", OWN + f"rm started; jaywalk {command} o.gpkg {more}; code=$?; [ -e started ] && echo RAN; exit $code",
+          2, "--allow-commands", FILES, never="RAN")
+      for command, more in (("explain", "--test 0"), ("judge", "--metrics"), ("export", "--all --out out"), ("coverage", "--coverage c.html"))),
+    Row("one's own store whose AV is a program", OWN + "jaywalk replay o.gpkg --test 0 --html page.html --allow-commands", 0, "", FILES),
 ]

@@ -136,9 +136,19 @@ TEST_F(Damage, OfRowsIsTold) {
   };
   for (const Case& each : {
            Case{"UPDATE events SET actor = 9", "an event of test"},
-           Case{"UPDATE events SET tick = 4000000000", "an event of test"},
+           Case{"UPDATE events SET tick = 2000000000", "an event of test"},
+           Case{"UPDATE events SET tick = 2147483648", "'tick' has a number out of range"},
+           Case{"UPDATE tests SET ticks = 2147483648", "'ticks' has a number out of range"},
+           Case{"UPDATE tests SET scenes = -1 WHERE id = 2", "'scenes' has a number out of range"},
            Case{"UPDATE actors SET kind = 'ghost'", "an actor of test"},
+           Case{"UPDATE actors SET actor = actor + 1", "an actor of test"},
+           Case{"UPDATE actors SET width_m = -1", "an actor of test"},
            Case{"DELETE FROM actors", "the actors of test"},
+           Case{"DELETE FROM actors WHERE actor = (SELECT max(actor) FROM actors)",
+                "the actors of test"},
+           Case{"DELETE FROM observations", "the observations of test"},
+           Case{"UPDATE observations SET tick = tick + 1", "the observations of test"},
+           Case{"UPDATE tests SET scenes = scenes + 1", "the observations of test"},
            Case{"DELETE FROM observations WHERE actor = 0 AND tick = 2",
                 "the observations of test"},
        }) {

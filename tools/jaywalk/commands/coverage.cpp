@@ -58,7 +58,7 @@ ExitCode report_failure(const Result<Value>& result, const InterruptGuard& inter
     return ExitCode::interrupted;
   }
   console.report(result.diagnostics());
-  return ExitCode::failed;
+  return ExitCode::usage;
 }
 
 }  // namespace

@@ -171,12 +171,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     const auto text = both_runs(*store, *test, wanted);
     if (text.ok()) console.print(fmt::format("{}\n\n{}", name_of(*store, *test), text.value()));
     if (!text.ok()) console.report(text.diagnostics());
-    return text.ok() ? ExitCode::success : ExitCode::failed;
+    return text.ok() ? ExitCode::success : ExitCode::usage;
   }
   const auto found = deliberations(*store, *test, wanted);
   if (!found.ok()) {
     console.report(found.diagnostics());
-    return ExitCode::failed;
+    return ExitCode::usage;
   }
   if (const auto path = arguments.text("json")) {
     const bool written = write_output(*path, explanation_json(found.value()), console);

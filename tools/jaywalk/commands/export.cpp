@@ -53,6 +53,16 @@ Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
   return diagnostics;
 }
 
+/// The store or a copy of a file in it is wrong, as opposed to what could not be written.
+bool is_about_input(const Diagnostics& diagnostics, const ResultsReader& store) {
+  return std::ranges::any_of(diagnostics.items(), [&](const Diagnostic& each) {
+    return each.where.source != nullptr || each.subject == store.path() ||
+           std::ranges::any_of(store.description().inputs, [&](const StoredInput& input) {
+             return each.subject == input.path;
+           });
+  });
+}
+
 ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDialect dialect,
              const Arguments& arguments, Console& console) {
   const auto tests = wanted_tests(store, arguments);
@@ -76,7 +86,7 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
   const ExportedFiles files = exporter.run(request);
   if (!files.ok()) {
     console.report(files.diagnostics());
-    return ExitCode::failed;
+    return is_about_input(files.diagnostics(), store) ? ExitCode::usage : ExitCode::failed;
   }
   console.report(files.value().warnings);
   console.note(fmt::format("{} tests exported", request.tests.size()));

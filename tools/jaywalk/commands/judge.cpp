@@ -141,11 +141,12 @@ ExitCode judge_all(const Request& request, Judged judged, Console& console) {
   request.store->stop_when(nullptr);
   if (interrupt.interrupted()) return ExitCode::interrupted;
   if (failure) trouble.append(*failure);
-  if (judged.spool != nullptr && judged.spool->failure()) {
-    trouble.error("--write", *judged.spool->failure());
-  }
   if (trouble.has_errors()) {
     console.report(trouble);
+    return ExitCode::usage;
+  }
+  if (judged.spool != nullptr && judged.spool->failure()) {
+    console.error(fmt::format("--write: {}", *judged.spool->failure()));
     return ExitCode::failed;
   }
   return ExitCode::success;
@@ -240,7 +241,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   auto comparison = request->store->comparison();
   if (!comparison) {
     console.report(comparison.diagnostics());
-    return ExitCode::failed;
+    return ExitCode::usage;
   }
   add_findings(request->inquiry, table, plan.behaviours, comparison.value());
   comparison.value().kills = kills.matrix();

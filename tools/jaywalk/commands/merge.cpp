@@ -22,12 +22,12 @@ ExitCode show(const std::string& path, const Arguments& arguments, Console& cons
   auto store = ResultsReader::open(path);
   if (!store) {
     console.report(store.diagnostics());
-    return ExitCode::failed;
+    return ExitCode::usage;
   }
   const auto comparison = store.value()->comparison();
   if (!comparison) {
-    console.error(fmt::format("cannot read '{}'", path));
-    return ExitCode::failed;
+    console.report(comparison.diagnostics());
+    return ExitCode::usage;
   }
   const std::array outputs = {
       OutputFile{"csv", [&] { return to_csv(comparison.value()); }},

@@ -34,7 +34,7 @@ ExitCode play(const ResultsReader& store, const StoredTest& test, double speed, 
   const auto result = store.rerun(test.id, options);
   if (result.ok()) return ExitCode::success;
   console.report(result.diagnostics());
-  return ExitCode::failed;
+  return ExitCode::usage;
 }
 
 ExitCode write_page(const ResultsReader& store, const StoredTest& test, const std::string& path,
@@ -42,7 +42,7 @@ ExitCode write_page(const ResultsReader& store, const StoredTest& test, const st
   const auto page = replay_page(store, test);
   if (!page.ok()) {
     console.report(page.diagnostics());
-    return ExitCode::failed;
+    return ExitCode::usage;
   }
   return write_output(path, page.value(), console) ? ExitCode::success : ExitCode::failed;
 }
