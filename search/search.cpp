@@ -100,7 +100,9 @@ class Search {
                                      .measures = model_.measures(),
                                      .fitness = plan_.fitness,
                                      .seed = run.seed,
-                                     .values = spec_.values})) {}
+                                     .values = spec_.values})) {
+    sut_->stop_when([&shared] { return shared.stop.load(); });
+  }
 
   void go() {
     while (!over() && !generator_->exhausted()) {
@@ -180,6 +182,7 @@ class Search {
     }
     const auto start = Clock::now();
     row.test.outcome = sut_->run(row.test.input, number);
+    if (shared_.stop) return false;  // it may have been given up; with --resume it is run again
     row.execution_s = seconds_since(start);
     row.test.fitness = plan_.fitness.of(row.test.outcome);
     row.test.failed = row.test.outcome.executed() && plan_.fitness.fails(row.test.fitness);

@@ -4,11 +4,13 @@
 // and a file of suts/ for each kind. Read test_input.h before.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "search/test_input.h"
@@ -60,6 +62,17 @@ class Sut {
   /// `test`: the test's number in its search, from 0, for protocols and messages.
   /// REQUIRES: a valid input of its space.
   [[nodiscard]] virtual Outcome run(const TestInput& input, std::size_t test) = 0;
+
+  /// From now on a test may be given up as soon as that is true: its outcome has an error then, and
+  /// nobody keeps it.
+  void stop_when(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
+
+ protected:
+  /// Empty: nothing stops a test.
+  [[nodiscard]] const std::function<bool()>& stopped() const { return stopped_; }
+
+ private:
+  std::function<bool()> stopped_;
 };
 
 /// A SUT as an experiment describes it: immutable, shared by all searches.

@@ -121,7 +121,7 @@ std::string CrossingRun::prepare(const TestInput& input) {
 
 CrossingRun::Seen CrossingRun::see(const TrialInput& input) {
   Seen seen;
-  seen.result = trials_->run(input, {.record = &seen.recording});
+  seen.result = trials_->run(input, {.record = &seen.recording, .interrupted = stopped()});
   if (!seen.result.completed) return seen;
   const TestView view(seen.recording, ground_);
   for (const Assertion& assertion : settings_.assertions) {

@@ -30,7 +30,7 @@ ROWS = [
     held("goals without end", "!go. +!go <- !go; a.\n"),
     held("goals without end, handled", f"!top. +!top <- !go. +!go <- !go; a. {HANDLED.replace('-!go', '-!top')}\n", "limit: the agent's " + FULL),
     held("a term that doubles", "!go. +!go <- !d(x). +!d(T) <- !d(f(T,T)); a.\n", "2000 deep"),
-    held("a list without end", "!go. +!go <- !l([]). +!l(L) <- !l([x|L]); a.\n", most=1_000_000),
+    held("a list without end", "!go. +!go <- !l([]). +!l(L) <- !l([x|L]); a.\n", most=3_000_000),
     held("solutions without end", "!go. +!go <- .findall(f(X,Y,X), .range(X,1,1000) & .range(Y,1,1000), _).\n", "memory"),
     held("plans without end", "!go(0). +!go(N) <- .concat(\"+!p\",N,\" <- true.\",S); .add_plan(S); !go(N+1).\n"),
     stormy("intentions without end", "!go. +!go <- !!go; !!go."),
