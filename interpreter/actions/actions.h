@@ -12,9 +12,9 @@
 
 namespace jaywalk::actions {
 
-#define JAYWALK_ACTION(function, least, most, kind, signature, summary) \
+#define JAYWALK_ACTION(function, least, most, kind, traits, signature, summary) \
   Outcome function(ActionCall&);
-#include "interpreter/actions/actions.def"
+#include "interpreter/actions/table/actions.def"
 #undef JAYWALK_ACTION
 
 [[nodiscard]] inline Outcome when(bool holds) {

@@ -3,6 +3,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/actions/functions.h"
+#include "interpreter/actions/table/action_traits.h"
 
 namespace jaywalk {
 namespace actions {
@@ -19,32 +20,18 @@ std::vector<Value> elements(Value list) {
 
 namespace {
 
-struct ActionKind {
-  bool body_only = false;
-  bool raw_args = false;
-  std::uint32_t formula_args = 0;
-  bool is_uncounted = false;
-};
-
-constexpr ActionKind plain{};
-constexpr ActionKind body_only{.body_only = true};
-constexpr ActionKind raw{.raw_args = true};
-constexpr ActionKind uncounted{.is_uncounted = true};
-constexpr ActionKind query(unsigned argument) {
-  return {.raw_args = true, .formula_args = 1U << argument};
-}
-
 std::string name_in(std::string_view signature) {
   return std::string(signature.substr(0, signature.find('(')));
 }
 
 ActionRegistry make_standard_actions() {
   ActionRegistry registry;
-#define JAYWALK_ACTION(function, least, most, kind, signature, summary)                          \
+  using namespace action_words;
+#define JAYWALK_ACTION(function, least, most, kind, traits, signature, summary)                  \
   registry.add(ActionDefinition{name_in(signature), least, most, &actions::function, signature,  \
                                 summary, (kind).body_only, (kind).formula_args, (kind).raw_args, \
                                 (kind).is_uncounted});
-#include "interpreter/actions/actions.def"
+#include "interpreter/actions/table/actions.def"
 #undef JAYWALK_ACTION
 #define JAYWALK_FUNCTION(function, least, most, signature, summary)                      \
   registry.add(FunctionDefinition{name_in(signature), least, most, &functions::function, \

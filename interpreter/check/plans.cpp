@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
 #include "interpreter/syntax/node.h"
@@ -115,7 +116,8 @@ void look_for_unreachable(Checking& checking, CheckedFile& file,
 // Plans can go, or be chosen by the program itself.
 bool choice_may_change(const Checking& checking) {
   const auto& names = checking.mentions().names;
-  return names.contains(".remove_plan") || names.contains("untellHow") ||
+  const auto removes = [](std::string_view name) { return traits_of(name).removes_plans; };
+  return std::ranges::any_of(names, removes) || names.contains("untellHow") ||
          names.contains("untell-how") ||
          !checking.index().beliefs.arities("select__option").empty();
 }
@@ -139,7 +141,7 @@ void each_block(std::span<const ast::Formula> formulas, Visit&& visit) {
 
 bool always_fails(const ast::Formula& formula) {
   return formula.op == BodyOperator::none && formula.statement == ast::Statement::formula &&
-         formula.node->kind == Kind::literal && formula.node->text == ".fail";
+         formula.node->kind == Kind::literal && traits_of(formula.node->text).fails;
 }
 
 bool is_atomic(const Plan& plan) {
@@ -151,10 +153,11 @@ bool is_atomic(const Plan& plan) {
 }
 
 bool waits(const Node& action) {
-  if (action.text == ".wait") return true;
-  if (action.text == ".suspend") return action.args.empty();
-  return action.text == ".send" && action.args.size() > 3 &&
-         action.args[1]->text.starts_with("ask");
+  const ActionTraits traits = traits_of(action.text);
+  if (!traits.waits_with(action.args.size())) return false;
+  // Of messages those that ask.
+  return traits.about != About::message ||
+         action.args[traits.performative]->text.starts_with("ask");
 }
 
 }  // namespace

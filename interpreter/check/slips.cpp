@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
 #include "interpreter/check/words.h"
@@ -329,8 +330,9 @@ void unknown_performatives(Checking& checking) {
   for (const CheckedFile& file : checking.files()) own.merge(handled_performatives(file.uses));
   for (CheckedFile& file : checking.files()) {
     for (const Node* action : file.uses.internal_actions) {
-      const std::size_t at = action->text == ".send" ? 1 : 0;
-      if ((at == 0 && action->text != ".broadcast") || action->args.size() < at + 2) continue;
+      const ActionTraits traits = traits_of(action->text);
+      const std::size_t at = traits.performative;
+      if (traits.about != About::message || action->args.size() < at + 2) continue;
       const Node& performative = *action->args[at];
       if (!is_lower_case_atom(performative) || own.contains(performative.text)) continue;
       const std::string_view meant = performative_meant(performative.text, known);

@@ -2,14 +2,13 @@
 // through each plan and rule in the order in which it is carried out. What may bind, binds; so a
 // warning is certain, whatever the beliefs are.
 
-#include <algorithm>
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/bindings.h"
 #include "interpreter/check/checking.h"
 #include "interpreter/syntax/node.h"
@@ -22,12 +21,6 @@ using ast::Kind;
 using ast::Node;
 using ast::Operator;
 using ast::Statement;
-
-// Internal actions that give no variable a value.
-constexpr std::array<std::string_view, 18> kBindNothing = {
-    ".print",   ".println", ".printf",    ".log",         ".broadcast",      ".abolish",
-    ".asserta", ".assertz", ".ground",    ".atom",        ".list",           ".literal",
-    ".number",  ".string",  ".structure", ".drop_desire", ".drop_intention", ".fail"};
 
 constexpr std::string_view kLoop = "what a loop gives a variable is lost after it";
 constexpr std::string_view kCollector =
@@ -118,7 +111,7 @@ class Flow {
       query(*node.args[0]);
     }
     term(node);
-    if (std::ranges::find(kBindNothing, node.text) == kBindNothing.end()) bound_.add_all_in(node);
+    if (traits_of(node.text).binds) bound_.add_all_in(node);
   }
 
   // `.findall(Term, Query, List)` and its like: only the last argument gets a value.

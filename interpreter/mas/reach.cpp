@@ -4,22 +4,11 @@
 #include <array>
 #include <string_view>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/term/symbol.h"
 
 namespace jaywalk {
 namespace {
-
-struct FarAction {
-  std::string_view name;
-  std::size_t least_args = 0;  // with fewer it is near
-};
-
-constexpr std::array kFar{
-    FarAction{".create_agent"}, FarAction{".clone"},         FarAction{".kill_agent"},
-    FarAction{".stopMAS", 1},  // others are informed about a deadline; an immediate end can wait
-    FarAction{".df_register"},  FarAction{".df_deregister"}, FarAction{".df_search"},
-    FarAction{".df_subscribe"}, FarAction{".include"},       FarAction{".save_agent"},
-    FarAction{".add_plan"},     FarAction{".list_files"}};
 
 constexpr std::array<std::string_view, 8> kPlanPerformatives{"tellHow",    "askHow",   "untellHow",
                                                              "tell-how",   "ask-how",  "untell-how",
@@ -117,9 +106,7 @@ class Reader {
     if (const ActionDefinition* const action = program_.actions().action(functor)) {
       const ActionDefinition* const standard = standard_actions().action(functor);
       if (standard == nullptr || action->own || standard->function != action->function) return true;
-      return std::any_of(kFar.begin(), kFar.end(), [&](const FarAction& far) {
-        return far.name == action->name && arity >= far.least_args;
-      });
+      return traits_of(action->name).is_far(arity);
     }
     const FunctionDefinition* const function = program_.actions().function(functor, arity);
     const FunctionDefinition* const standard = standard_actions().function(functor, arity);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/embed/interpreter.h"
 
 namespace jaywalk {
@@ -29,6 +30,12 @@ TEST(ActionTutorial, HasAnActionThatWorksInContextsAndBodies) {
 TEST(ActionTutorial, HasAnActionThatSaysWhatIsWrong) {
   EXPECT_THAT(printed_by("!go. +!go <- .clamp(7, 5, 0, X). -!go[error_msg(M)] <- .print(M)."),
               ElementsAre(HasSubstr("not less than the second")));
+}
+
+TEST(ActionTutorial, HasARowThatIsAllThatReadersOfProgramsNeed) {
+  ASSERT_NE(find_action_row(".clamp"), nullptr);
+  EXPECT_TRUE(traits_of(".clamp").binds);
+  EXPECT_FALSE(traits_of(".clamp").is_far(4));
 }
 
 TEST(ActionTutorial, LeavesTheOtherActionsWhereTheyAre) {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/syntax/node.h"
 
 namespace jaywalk {
@@ -254,10 +255,9 @@ class ValueFlow {
 
   void internal_action(const Node& node) {
     const Node* const query = query_argument(node);
-    if (node.text == ".send" && node.args.size() >= 3) {
-      message(*node.args[1], *node.args[2]);
-    } else if (node.text == ".broadcast" && node.args.size() == 2) {
-      message(*node.args[0], *node.args[1]);
+    const ActionTraits traits = traits_of(node.text);
+    if (traits.about == About::message && node.args.size() > traits.performative + 1) {
+      message(*node.args[traits.performative], *node.args[traits.performative + 1]);
     } else if (node.text == ".member" && node.args.size() == 2) {
       element(*node.args[0], *node.args[1]);
     } else if (node.text == ".random" && node.args.size() >= 2) {

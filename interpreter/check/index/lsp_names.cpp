@@ -1,8 +1,8 @@
 #include "interpreter/check/index/lsp_names.h"
 
 #include <algorithm>
-#include <array>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/index/uses.h"
 #include "interpreter/syntax/node.h"
 
@@ -14,18 +14,6 @@ using ast::Kind;
 using ast::Node;
 using ast::Operator;
 using What = Use::What;
-
-// Internal actions whose first argument is a goal.
-constexpr std::array<std::string_view, 11> kAboutGoals = {
-    ".intend",       ".desire",     ".drop_intention",
-    ".drop_desire",  ".drop_event", ".drop_future_intention",
-    ".succeed_goal", ".fail_goal",  ".suspend",
-    ".resume",       ".suspended"};
-constexpr std::array<std::string_view, 3> kAboutBeliefs = {".abolish", ".asserta", ".belief"};
-
-bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
-}
 
 class Collector {
  public:
@@ -139,22 +127,21 @@ class Collector {
   void internal_action(const Node& node) {
     name(node, What::internal_action, Role::reference, nullptr, Parts::left_out);
     const Node* const query = query_argument(node);
+    const ActionTraits traits = traits_of(node.text);
     for (std::size_t i = 0; i < node.args.size(); ++i) {
       const Node& argument = *node.args[i];
-      const std::string_view performative = i == 2 && node.text == ".send" ? node.args[1]->text
-                                            : i == 1 && node.text == ".broadcast"
-                                                ? node.args[0]->text
-                                                : "";
+      const bool is_content = traits.about == About::message && i == traits.performative + 1;
+      const std::string_view performative = is_content ? node.args[traits.performative]->text : "";
       if (argument.kind != Kind::literal || ast::is_internal(argument)) {
         &argument == query ? formula_term(argument) : term(argument);
         continue;
       }
       const std::size_t first = uses_.size();
       if (performative == "achieve" || performative == "unachieve" ||
-          (i == 0 && is_one_of(node.text, kAboutGoals))) {
+          (i == 0 && traits.about == About::goal)) {
         name(argument, What::goal);
       } else if (&argument == query || !performative.empty() ||
-                 (i == 0 && is_one_of(node.text, kAboutBeliefs))) {
+                 (i == 0 && traits.is_about_belief())) {
         name(argument, What::belief);
       } else {
         const bool is_condition = i == 0 && (node.text == ".if_then_else" || node.text == ".loop" ||

@@ -1,10 +1,10 @@
 #include "interpreter/check/index/mentions.h"
 
-#include <array>
 #include <span>
 #include <string_view>
 #include <utility>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/check.h"
 #include "interpreter/syntax/node.h"
 
@@ -13,9 +13,6 @@ namespace {
 
 using ast::Kind;
 using ast::Node;
-
-constexpr std::array<std::string_view, 7> kSociable = {
-    ".send", ".broadcast", ".my_name", ".all_names", ".create_agent", ".kill_agent", ".clone"};
 
 bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -85,12 +82,8 @@ class Reader {
   }
 
   void sociability(const Node& node) {
-    for (const std::string_view name : kSociable) {
-      if (node.text == name) mentions_.other_agents = true;
-    }
-    if (node.text.starts_with(".df_") || node.text.starts_with("kqml")) {
-      mentions_.other_agents = true;
-    }
+    const bool is_message_plan = node.text.starts_with("kqml");
+    if (is_message_plan || traits_of(node.text).is_social()) mentions_.other_agents = true;
     if (node.text != "source" || node.args.size() != 1) return;
     const Node& source = *node.args[0];
     const bool own =

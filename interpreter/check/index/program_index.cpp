@@ -1,9 +1,8 @@
 #include "interpreter/check/index/program_index.h"
 
-#include <algorithm>
-#include <array>
 #include <span>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/syntax/node.h"
 
 namespace jaywalk {
@@ -12,16 +11,6 @@ namespace {
 using ast::BodyOperator;
 using ast::Kind;
 using ast::Node;
-
-// By these, plans come into the agent from texts that the checker cannot look into, or beliefs.
-constexpr std::array<std::string_view, 3> kPlanSources = {".add_plan", ".include", ".load"};
-constexpr std::array<std::string_view, 2> kBeliefSources = {".asserta", ".assertz"};
-constexpr std::array<std::string_view, 2> kMessages = {".send", ".broadcast"};
-
-template <class Range>
-bool contains(const Range& range, std::string_view name) {
-  return std::find(range.begin(), range.end(), name) != range.end();
-}
 
 class Indexer {
  public:
@@ -185,19 +174,32 @@ class Indexer {
   }
 
   void internal_action(const Node& node) {
-    if (contains(kPlanSources, node.text)) {
-      const bool written = !node.args.empty() && node.args.front()->kind == Kind::plan;
-      if (!written) index_.has_open_goals = true;
-      if (node.text != ".add_plan") index_.has_open_beliefs = true;
-    } else if (contains(kBeliefSources, node.text)) {
-      for (const Node* argument : node.args) belief(*argument);
-    } else if (contains(kMessages, node.text)) {
-      index_.sends_messages = true;
-      // What this agent tells or asks for may be what its equals are told or asked for.
-      for (const Node* argument : node.args) {
-        belief(*argument);
-        goal(*argument);
+    switch (traits_of(node.text).about) {
+      case About::new_program:
+        index_.has_open_beliefs = true;
+        [[fallthrough]];
+      case About::new_plans: {
+        // A text that the checker cannot look into, unless the plan is written there.
+        const bool written = !node.args.empty() && node.args.front()->kind == Kind::plan;
+        if (!written) index_.has_open_goals = true;
+        return;
       }
+      case About::new_belief:
+        for (const Node* argument : node.args) belief(*argument);
+        return;
+      case About::message:
+        index_.sends_messages = true;
+        // What this agent tells or asks for may be what its equals are told or asked for.
+        for (const Node* argument : node.args) {
+          belief(*argument);
+          goal(*argument);
+        }
+        return;
+      case About::anything:
+      case About::goal:
+      case About::belief:
+      case About::agents:
+        return;
     }
   }
 

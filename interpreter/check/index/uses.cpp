@@ -1,10 +1,10 @@
 #include "interpreter/check/index/uses.h"
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 #include <utility>
 
+#include "interpreter/actions/table/action_traits.h"
 #include "interpreter/syntax/node.h"
 
 namespace jaywalk {
@@ -16,17 +16,6 @@ using ast::Node;
 using ast::Operator;
 using ast::Statement;
 using Role = Condition::Role;
-
-// Which argument of an internal action is a query, given so many arguments.
-struct QueryArgument {
-  std::string_view action;
-  std::size_t arguments;
-  std::size_t index;
-};
-constexpr std::array kQueryArguments = {
-    QueryArgument{".findall", 3, 1}, QueryArgument{".setof", 3, 1}, QueryArgument{".count", 2, 0},
-    QueryArgument{".count", 1, 0},   QueryArgument{".eval", 2, 1},  QueryArgument{".max", 3, 1},
-    QueryArgument{".min", 3, 1}};
 
 class Collector {
  public:
@@ -184,10 +173,8 @@ std::set<std::string_view> handled_performatives(const Uses& uses) {
 
 const ast::Node* query_argument(const ast::Node& action) {
   if (action.kind != Kind::literal) return nullptr;
-  for (const auto& [name, arguments, index] : kQueryArguments) {
-    if (action.text == name && action.args.size() == arguments) return action.args[index];
-  }
-  return nullptr;
+  const std::size_t index = query_index(action.text, action.args.size());
+  return index < action.args.size() ? action.args[index] : nullptr;
 }
 
 }  // namespace jaywalk
