@@ -1,7 +1,8 @@
 #pragma once
 
 // Internal actions and arithmetic functions: how they are called and found. The standard ones stand
-// in actions/table/actions.def, a row each; programs that embed the interpreter may register their own.
+// in actions/table/actions.def, a row each; programs that embed the interpreter may register their
+// own.
 
 #include <array>
 #include <deque>

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/diagnostics.h"
-#include "interpreter/support/read_pipe.h"
+#include "interpreter/support/input/read_pipe.h"
 #include "interpreter/support/read_program.h"
 #include "interpreter/support/silenced.h"
 

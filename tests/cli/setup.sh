@@ -1,9 +1,10 @@
-# What the scripts of this folder begin with: `source "$(dirname "$0")/setup.sh"`. Leaves them in the
-# project's folder with `jaywalk` on the path and $scratch, an empty folder.
+# What the scripts of this folder begin with: `source "$(dirname "$0")/setup.sh"`, those of its folders
+# with `../setup.sh`. Leaves them in the project's folder with `jaywalk` on the path and $scratch, an
+# empty folder.
 set -euo pipefail
 PATH="$(dirname "$(realpath "$1")"):$PATH"
 export NO_COLOR=1
-cd "$(dirname "$0")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 

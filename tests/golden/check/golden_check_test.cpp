@@ -1,4 +1,4 @@
-// The exact diagnostics of the faulty programs in this folder: NAME.asl → NAME.expected. With
+// The exact diagnostics of the faulty programs in this folder's: NAME.asl → NAME.expected. With
 // UPDATE_GOLDEN=1 the expected files are rewritten, for review by their difference.
 
 #include <algorithm>
@@ -51,8 +51,9 @@ const Vocabulary kVocabulary = {
 
 std::vector<std::string> programs() {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kFolder)) {
-    if (entry.path().extension() == ".asl") names.push_back(entry.path().stem().string());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kFolder)) {
+    if (entry.path().extension() != ".asl") continue;
+    names.push_back(entry.path().lexically_relative(kFolder).replace_extension().generic_string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -67,8 +68,8 @@ std::string content_of(const fs::path& path) {
 // The diagnostics with the file's bare name, wherever the project lies.
 std::string diagnostics_of(const std::string& name) {
   Diagnostics diagnostics;
-  const auto source =
-      std::make_shared<const Source>(name + ".asl", content_of(kFolder / (name + ".asl")));
+  const auto source = std::make_shared<const Source>(fs::path(name).filename().string() + ".asl",
+                                                     content_of(kFolder / (name + ".asl")));
   const SourceTree program = load_agent(source, {}, diagnostics);
   if (!diagnostics.has_errors()) check_program(program, kVocabulary, diagnostics);
   return diagnostics.render();
@@ -88,7 +89,7 @@ TEST_P(GoldenCheck, TellsExactlyWhatIsExpected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, GoldenCheck, testing::ValuesIn(programs()),
-                         [](const auto& test) { return test.param; });
+                         [](const auto& test) { return fs::path(test.param).filename().string(); });
 
 }  // namespace
 }  // namespace jaywalk

@@ -1,4 +1,4 @@
-#include "interpreter/support/read_pipe.h"
+#include "interpreter/support/input/read_pipe.h"
 
 #include <array>
 #include <cerrno>
