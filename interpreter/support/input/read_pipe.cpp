@@ -14,7 +14,6 @@ namespace jaywalk {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{10};
-constexpr int kLooks = 200;
 
 class Pipe {
  public:
@@ -39,8 +38,9 @@ class Pipe {
 
   /// Before somebody writes a pipe it reads as one that has ended; with a writer that has written
   /// nothing yet, as EAGAIN.
-  bool find_writer(std::string& text) {
-    for (int look = 0; look < kLooks; ++look) {
+  bool find_writer(std::string& text, std::chrono::milliseconds patience) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < end) {
       const ssize_t bytes = append_to(text);
       if (bytes > 0 || (bytes < 0 && errno == EAGAIN)) return true;
       std::this_thread::sleep_for(kBetweenLooks);
@@ -62,13 +62,14 @@ Diagnostics trouble(const std::string& path, std::string message) {
 
 }  // namespace
 
-Result<std::string> read_pipe(const std::string& path, std::size_t max_bytes) {
+Result<std::string> read_pipe(const std::string& path, std::size_t max_bytes,
+                              std::chrono::milliseconds patience) {
   Pipe pipe(path);
   if (!pipe.is_open()) {
     return trouble(path, fmt::format("cannot be read: {}", std::strerror(errno)));
   }
   std::string text;
-  if (!pipe.find_writer(text)) return trouble(path, "a pipe that nobody writes to");
+  if (!pipe.find_writer(text, patience)) return trouble(path, "a pipe that nobody writes to");
   pipe.wait_from_now_on();
   ssize_t bytes = 1;
   while (bytes > 0 && text.size() <= max_bytes) bytes = pipe.append_to(text);

@@ -2,6 +2,7 @@
 
 // Reads a named pipe, or what a shell's `<(command)` is.
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 
@@ -10,8 +11,10 @@
 namespace jaywalk {
 
 /// All that is written to the pipe; reading stops as soon as there are more than `max_bytes`.
-/// Errors: it cannot be opened, or nobody opens it for writing within two seconds. A writer that
-/// takes its time is waited for.
-[[nodiscard]] Result<std::string> read_pipe(const std::string& path, std::size_t max_bytes);
+/// Errors: it cannot be opened, or nobody has opened it for writing when `patience` ends. A writer
+/// that takes its time is waited for.
+[[nodiscard]] Result<std::string> read_pipe(
+    const std::string& path, std::size_t max_bytes,
+    std::chrono::milliseconds patience = std::chrono::seconds(2));
 
 }  // namespace jaywalk

@@ -45,7 +45,7 @@ TEST_F(ReadPipe, WaitsForASlowWriter) {
 }
 
 TEST_F(ReadPipe, DoesNotWaitForNobody) {
-  const auto text = read_pipe(path_, 10);
+  const auto text = read_pipe(path_, 10, std::chrono::milliseconds(50));
   ASSERT_FALSE(text.ok());
   EXPECT_EQ(text.diagnostics().items().front().message, "a pipe that nobody writes to");
 }

@@ -55,7 +55,7 @@ ExitCode write_pictures(const ResultsReader& store, const StoredTest& test,
                                    twin.ok() ? nullptr : &twin.diagnostics()}) {
     if (wrong == nullptr) continue;
     console.report(*wrong);
-    return ExitCode::failed;
+    return ExitCode::usage;
   }
   const auto tick = tick_of(recording.value(), wanted, console);
   if (!tick) return ExitCode::usage;
