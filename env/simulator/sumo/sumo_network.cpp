@@ -14,6 +14,34 @@ namespace {
 // No vehicle is to be held up by a limit of the lane: each has a speed of its own.
 constexpr double kNoLimitMps = 100;
 
+// Debian's package has no type maps, without which netconvert reads no maps of others. These are
+// the roads for cars of OpenStreetMap, with pavements, and the lanes of OpenDRIVE; it leaves out
+// the rest.
+constexpr std::string_view kOpenStreetMapTypes = R"(<types>
+<type id="highway.motorway" numLanes="2" speed="33.3" priority="14" disallow="pedestrian"/>
+<type id="highway.trunk" numLanes="2" speed="27.8" priority="12" disallow="pedestrian"/>
+<type id="highway.primary" numLanes="1" speed="13.9" priority="10" sidewalkWidth="2"/>
+<type id="highway.secondary" numLanes="1" speed="13.9" priority="8" sidewalkWidth="2"/>
+<type id="highway.tertiary" numLanes="1" speed="13.9" priority="6" sidewalkWidth="2"/>
+<type id="highway.unclassified" numLanes="1" speed="13.9" priority="5" sidewalkWidth="2"/>
+<type id="highway.residential" numLanes="1" speed="13.9" priority="4" sidewalkWidth="2"/>
+<type id="highway.living_street" numLanes="1" speed="2.8" priority="3"/>
+<type id="highway.service" numLanes="1" speed="5.6" priority="2"/>
+</types>
+)";
+constexpr std::string_view kOpenDriveTypes = R"(<types>
+<type id="driving" numLanes="1" speed="27.8" priority="1" disallow="pedestrian"/>
+<type id="sidewalk" numLanes="1" speed="1.5" priority="1" allow="pedestrian"/>
+<type id="none" discard="true"/>
+<type id="border" discard="true"/>
+<type id="shoulder" discard="true"/>
+<type id="median" discard="true"/>
+<type id="parking" discard="true"/>
+<type id="restricted" discard="true"/>
+<type id="biking" discard="true"/>
+</types>
+)";
+
 /// Bands beside each other that are one edge.
 using Group = std::span<const RoadBand>;
 
@@ -129,9 +157,20 @@ std::string convert_to_sumo_network(const std::string& map, bool left_hand,
                                    "true",
                                    "--no-warnings",
                                    "true"};
+  MemoryFile types;
   std::vector<std::string> inputs{"--node-files", map, "--edge-files", map};
-  if (map.ends_with(".xodr")) inputs = {"--opendrive-files", map};
-  if (map.ends_with(".osm") || map.ends_with(".osm.xml")) inputs = {"--osm-files", map};
+  std::string_view known;
+  if (map.ends_with(".xodr")) {
+    inputs = {"--opendrive-files", map};
+    known = kOpenDriveTypes;
+  } else if (map.ends_with(".osm") || map.ends_with(".osm.xml")) {
+    inputs = {"--osm-files", map};
+    known = kOpenStreetMapTypes;
+  }
+  if (!known.empty()) {
+    if (!types.write(known)) return "there is no memory for a map";
+    inputs.insert(inputs.end(), {"--type-files", types.path()});
+  }
   command.insert(command.end(), inputs.begin(), inputs.end());
   return run_sumo_tool(command);
 }

@@ -56,9 +56,8 @@ constexpr std::array kKeys{
     SettingKey{.name = "traffic", .kind = SettingKind::list, .meaning = "flows of other vehicles"},
     SettingKey{.name = "net",
                .kind = SettingKind::file,
-               .meaning =
-                   "a map instead of one made from the bands: a network of SUMO's (.net.xml), its\n"
-                   "nodes and edges (.xml), OpenStreetMap's (.osm) or OpenDRIVE's (.xodr)"},
+               .meaning = "a map: a network of SUMO's (.net.xml), its nodes and edges (.xml), "
+                          "OpenStreetMap's (.osm) or OpenDRIVE's (.xodr)"},
     SettingKey{.name = "route",
                .kind = SettingKind::text,
                .meaning = "the edges of the map that the AV drives along, separated by blanks"},

@@ -154,6 +154,10 @@ TraciMessage SumoSimulator::first_message(const SimulatedTest& test) const {
 }
 
 std::string SumoSimulator::begin(const SimulatedTest& test, SimulatedStart& start) {
+  const auto is_signalled = [](const GroundCrosswalk& each) { return !each.zebra; };
+  if (std::ranges::any_of(test.road.ground.crosswalks, is_signalled)) {
+    return "SUMO's vehicles see no signals of the world's; give a map ('net') that has some";
+  }
   steps_ = sumo_steps(test.tick_s, settings_.step_s);
   if (steps_ == 0) return "SUMO's steps are whole milliseconds, so a tick has to be";
   std::string problem = make_ready(test);

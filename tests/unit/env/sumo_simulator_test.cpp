@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
-#include <csignal>
+#include <cstdio>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -289,6 +290,39 @@ TEST_F(WithSumo, OnAMapTheRoadLiesAlongTheAvsWay) {
   EXPECT_LT(before_m, 95);
   EXPECT_GT(before_m, 85);
   EXPECT_NEAR(scenes.back().av.state.speed_mps, 0, 0.3);
+}
+
+TEST_F(WithSumo, DrivesOnAMapOfOpenStreetMap) {
+  const std::string path = testing::TempDir() + "jaywalk_street.osm";
+  std::ofstream(path) << R"(<?xml version="1.0"?><osm version="0.6">
+<bounds minlat="51.0" minlon="-1" maxlat="51.01" maxlon="-0.99"/>
+<node id="1" lat="51.001" lon="-0.999" version="1"/>
+<node id="2" lat="51.003" lon="-0.997" version="1"/>
+<node id="3" lat="51.004" lon="-0.993" version="1"/>
+<way id="10" version="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/>
+<tag k="highway" v="residential"/></way></osm>)";
+  SimulatorParameters parameters = with("Krauss");
+  parameters.settings["net"] = text(path);
+  parameters.settings["route"] = text("10");
+  parameters.settings["begin"].number = 150;
+  const auto simulator = make_sumo(parameters);
+  const Drive stood = drive(*simulator, 0, 6);
+  ASSERT_EQ(stood.error, "");
+  EXPECT_LT(stood.fronts_m.back(), 60);
+  EXPECT_GT(stood.fronts_m.back(), 50);
+  EXPECT_EQ(std::remove(path.c_str()), 0);
+}
+
+TEST(Sumo, RefusesSignalsThatItsVehiclesWouldNotSee) {
+  SimulatorParameters parameters;
+  parameters.name = "sumo";
+  SimulatedRoad road = street();
+  road.ground.crosswalks.push_back({.zebra = false, .parts = {}, .begins_m = 30, .signals = {}});
+  const VehicleParameters vehicle;
+  const SimulatedTest test{.behaviour = "walking", .road = road, .vehicle = vehicle};
+  SimulatedStart start;
+  EXPECT_NE(make_sumo(parameters)->begin(test, start).find("no signals of the world"),
+            std::string::npos);
 }
 
 TEST_F(WithSumo, AMapWithoutTheRouteIsSaidToHaveNone) {
