@@ -10,7 +10,7 @@
 
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/published/agreement.h"
-#include "scenarios.h"
+#include "tests/scenario/scenarios.h"
 
 namespace jaywalk {
 namespace {

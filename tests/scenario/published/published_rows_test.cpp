@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/compare/published/published.h"
-#include "scenarios.h"
+#include "tests/scenario/scenarios.h"
 
 namespace jaywalk {
 namespace {

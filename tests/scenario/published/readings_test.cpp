@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenarios.h"
+#include "tests/scenario/scenarios.h"
 
 namespace jaywalk {
 namespace {
