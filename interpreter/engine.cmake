@@ -24,6 +24,7 @@ jaywalk_add_library(engine
     logic/machine_facts.cpp
     logic/machine_rules.cpp
     logic/machine_tests.cpp
+    logic/operand.cpp
     logic/row_index.cpp
     logic/rule_table.cpp
     logic/unifier.cpp
@@ -44,8 +45,8 @@ jaywalk_add_library(engine
     agent/agent.cpp
     agent/bindings.cpp
     agent/branches.cpp
+    agent/clear.cpp
     agent/clone.cpp
-    agent/context.cpp
     agent/customisation.cpp
     agent/cycle.cpp
     agent/drops.cpp
@@ -111,8 +112,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/machine_facts.cpp
     logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp logic/rule_table.cpp
     logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
-    agent/agent.cpp agent/cycle.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
-    agent/context.cpp agent/messages.cpp agent/perception.cpp agent/plain.cpp
+    agent/agent.cpp agent/cycle.cpp agent/clear.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
+    agent/messages.cpp agent/perception.cpp agent/plain.cpp
     agent/stride.cpp
     mas/mail.cpp environment/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
   set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)

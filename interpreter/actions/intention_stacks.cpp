@@ -5,6 +5,8 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goals.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 
@@ -99,8 +101,8 @@ class IntentionSolutions : public Solutions {
       Value state = Value::atom(agent.symbols().predicate(state_name(intention), 0));
       const bool waits = state_name(intention) == "waiting";
       if (waits) {
-        const Value action = agent.pending_action(intention);
-        const Value why = action.is_unset() ? agent.wait_reason(intention) : action;
+        const Value action = Waits(agent).pending_action(intention);
+        const Value why = action.is_unset() ? Waits(agent).reason(intention) : action;
         const std::string_view name = action.is_unset() ? "reason" : "action";
         const Value reason =
             agent.heap().structure(agent.symbols().predicate(name, 1), std::span(&why, 1));
@@ -126,7 +128,7 @@ class IntentionSolutions : public Solutions {
 
 Outcome intention(ActionCall& call) {
   Agent& agent = *call.agent();
-  std::vector<Intention*> all = agent.all_intentions();
+  std::vector<Intention*> all = Goals(agent).all_intentions();
   if (call.count() == 4) {
     Intention* const current = call.intention() != nullptr ? call.intention() : agent.executing();
     all.clear();

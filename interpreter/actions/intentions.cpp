@@ -7,6 +7,8 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goals.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 
@@ -109,9 +111,9 @@ Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
   return Outcome::suspended;
 }
 
-void end_goal(ActionCall& call, Agent::GoalEnd end) {
+void end_goal(ActionCall& call, Goals::End end) {
   Intention* const kept = call.intention() == nullptr ? call.agent()->executing() : nullptr;
-  call.agent()->end_goal(call.arg(0), end, kept);
+  Goals(*call.agent()).end(call.arg(0), end, kept);
 }
 
 enum class Variables : std::uint8_t { allowed, refused };
@@ -143,7 +145,7 @@ Outcome intend(ActionCall& call) {
     return call.wrong_argument(0, "a literal or variable");
   }
   std::vector<Intention*> active;
-  for (Intention* const intention : call.agent()->all_intentions()) {
+  for (Intention* const intention : Goals(*call.agent()).all_intentions()) {
     if (!intention->is_suspended()) active.push_back(intention);
   }
   return call.many(std::make_unique<GoalSolutions>(std::vector<Event>{}, std::move(active)));
@@ -163,7 +165,8 @@ Outcome desire(ActionCall& call) {
   for (const Event& event : c.events) add(event);
   if (c.atomic_event) add(*c.atomic_event);
   for (const Event& event : c.pending_events) add(event);
-  return call.many(std::make_unique<GoalSolutions>(std::move(events), agent.all_intentions()));
+  return call.many(
+      std::make_unique<GoalSolutions>(std::move(events), Goals(agent).all_intentions()));
 }
 
 Outcome drop_intention(ActionCall& call) {
@@ -171,25 +174,25 @@ Outcome drop_intention(ActionCall& call) {
     return call.intention() == nullptr ? Outcome::failed : drop_all(call, {call.intention()});
   }
   if (!names_goal(call, Variables::allowed)) return no_pattern(call);
-  return drop_all(call, call.agent()->intentions_with(call.arg(0)));
+  return drop_all(call, Goals(*call.agent()).intentions_with(call.arg(0)));
 }
 
 Outcome drop_desire(ActionCall& call) {
   if (!names_goal(call, Variables::allowed)) return no_pattern(call);
-  call.agent()->drop_goal_events(call.arg(0));
-  return drop_all(call, call.agent()->intentions_with(call.arg(0)));
+  Goals(*call.agent()).drop_events(call.arg(0));
+  return drop_all(call, Goals(*call.agent()).intentions_with(call.arg(0)));
 }
 
 Outcome drop_event(ActionCall& call) {
   if (!names_goal(call, Variables::allowed)) return no_pattern(call);
-  call.agent()->drop_goal_events(call.arg(0));
+  Goals(*call.agent()).drop_events(call.arg(0));
   return Outcome::succeeded;
 }
 
 Outcome drop_all_intentions(ActionCall& call) {
-  std::vector<Intention*> others = call.agent()->all_intentions();
+  std::vector<Intention*> others = Goals(*call.agent()).all_intentions();
   std::erase(others, call.intention());
-  call.agent()->cancel_schedule();
+  Waits(*call.agent()).cancel_schedule();
   return drop_all(call, others);
 }
 
@@ -215,7 +218,7 @@ Outcome drop_future_intention(ActionCall& call) {
                                             term_text(call.arg(0), call.symbols())));
   }
   std::vector<Intention*> found;
-  for (Intention* const intention : call.agent()->all_intentions()) {
+  for (Intention* const intention : Goals(*call.agent()).all_intentions()) {
     if (has_future_goal(*call.agent(), *intention, call.arg(0))) found.push_back(intention);
   }
   return drop_all(call, found);
@@ -223,13 +226,13 @@ Outcome drop_future_intention(ActionCall& call) {
 
 Outcome succeed_goal(ActionCall& call) {
   if (!names_goal(call, Variables::refused)) return no_literal(call);
-  end_goal(call, Agent::GoalEnd::succeed);
+  end_goal(call, Goals::End::succeed);
   return Outcome::succeeded;
 }
 
 Outcome fail_goal(ActionCall& call) {
   if (!names_goal(call, Variables::refused)) return no_literal(call);
-  end_goal(call, Agent::GoalEnd::fail);
+  end_goal(call, Goals::End::fail);
   return Outcome::succeeded;
 }
 
@@ -244,19 +247,19 @@ Outcome done(ActionCall& call) {
   std::optional<std::size_t> depth = is_branch ? own->shared - 1 : own->stack.size() - 1;
   const Value goal = call.count() == 1 ? call.arg(0) : own->stack[*depth].trigger;
   const std::size_t trail = call.unifier().mark();
-  if (call.count() == 1) depth = agent.find_goal(*own, goal);
+  if (call.count() == 1) depth = Goals(agent).find(*own, goal);
   Intention* ended = own;
   if (is_branch && depth && *depth < own->shared) {
     ended = agent.intention_with_id(own->origin);
-    depth = ended == nullptr ? std::nullopt : agent.find_goal(*ended, goal);
+    depth = ended == nullptr ? std::nullopt : Goals(agent).find(*ended, goal);
   }
   call.unifier().undo(trail);
   if (depth && ended == own) {
-    for (Intention* const other : agent.all_intentions()) {
+    for (Intention* const other : Goals(agent).all_intentions()) {
       if (other->origin == own->id) agent.drop(*other);
     }
   }
-  if (depth) agent.end_means(*ended, *depth, Agent::GoalEnd::succeed);
+  if (depth) Goals(agent).end_means(*ended, *depth, Goals::End::succeed);
   if (ended != own) agent.drop(*own);
   return depth || ended != own ? Outcome::suspended : Outcome::succeeded;
 }
@@ -266,31 +269,31 @@ Outcome suspend(ActionCall& call) {
   Intention* const own = call.intention();
   if (call.count() == 1) {
     if (!names_goal(call, Variables::refused)) return no_literal(call);
-    agent.suspend_goal(call.arg(0));
+    Goals(agent).suspend(call.arg(0));
   }
   if (own == nullptr) return call.count() == 1 ? Outcome::succeeded : Outcome::failed;
   if (call.count() == 1 && !own->also_suspended) return Outcome::succeeded;
   own->also_suspended = false;
   agent.suspend(*own, Intention::State::suspended, "suspend_ia");
   own->suspended_itself = true;
-  agent.signal_top_state(*own, "suspended", agent.wait_reason(*own));
+  agent.signal_top_state(*own, "suspended", Waits(agent).reason(*own));
   return Outcome::suspended;
 }
 
 Outcome resume(ActionCall& call) {
   if (!names_goal(call, Variables::refused)) return no_literal(call);
-  call.agent()->resume_goal(call.arg(0));
+  Goals(*call.agent()).resume(call.arg(0));
   return Outcome::succeeded;
 }
 
 Outcome suspended(ActionCall& call) {
   if (!is_jason_literal(call.arg(0))) return call.wrong_argument(0, "a literal");
-  for (Intention* const intention : call.agent()->all_intentions()) {
+  for (Intention* const intention : Goals(*call.agent()).all_intentions()) {
     const std::size_t trail = call.unifier().mark();
     const bool waits = intention->is_suspended() || intention->state == Intention::State::waiting ||
                        intention->state == Intention::State::acting;
-    if (waits && call.agent()->has_goal(*intention, call.arg(0)) &&
-        call.unify(1, call.agent()->wait_reason(*intention))) {
+    if (waits && Goals(*call.agent()).has(*intention, call.arg(0)) &&
+        call.unify(1, Waits(*call.agent()).reason(*intention))) {
       return Outcome::succeeded;
     }
     call.unifier().undo(trail);

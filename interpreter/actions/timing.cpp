@@ -8,6 +8,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/compile/term_reader.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -76,7 +77,7 @@ Outcome wait(ActionCall& call) {
     ms = std::max(0.0, call.arg(1).as_number());
     if (call.count() > 2) wait.elapsed = call.arg(2);
   }
-  agent.start_wait(*call.intention(), wait, ms);
+  Waits(agent).start(*call.intention(), wait, ms);
   return Outcome::suspended;
 }
 
@@ -101,9 +102,9 @@ Outcome at(ActionCall& call) {
   if (!read_trigger(call.arg(1), call, trigger) || !is_literal(trigger.literal)) {
     return call.wrong_argument(1, "a trigger like {+!g}");
   }
-  call.agent()->schedule(
-      {trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal), nullptr, 0},
-      std::max(0.0, *delay));
+  Waits(*call.agent())
+      .schedule({trigger.op, trigger.kind, call.unifier().fresh_copy(trigger.literal), nullptr, 0},
+                std::max(0.0, *delay));
   return Outcome::succeeded;
 }
 

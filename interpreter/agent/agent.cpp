@@ -5,7 +5,9 @@
 #include <optional>
 #include <unordered_set>
 
+#include "interpreter/agent/own_parts.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -109,6 +111,32 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
   }
 }
 
+void Agent::start_if_due() {
+  if (!starts_later_) return;
+  starts_later_ = false;
+  start({}, {});
+  rest();
+}
+
+bool Agent::is_active() const {
+  const Circumstance& c = circumstance_;
+  if (starts_later_) return true;
+  if (!c.mailbox.empty() || !c.feedback.empty() || unseen_ != nullptr) return true;
+  if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
+  if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
+  if (c.atomic_suspended) return false;
+  return !c.events.empty() || !c.running.empty();
+}
+
+bool Agent::interrupted() {
+  return (observer_ != nullptr && observer_->interrupted()) || host_.interrupted();
+}
+
+Intention* Agent::executing() const {
+  if (executing_ != nullptr || selected_event_ == nullptr) return executing_;
+  return selected_event_->intention;
+}
+
 const PendingAction* Agent::take_action() {
   if (circumstance_.actions.empty()) return nullptr;
   circumstance_.acting.push_back(circumstance_.actions.front());
@@ -144,6 +172,13 @@ bool Agent::remove_belief(Value literal, Intention* focus) {
   return disbelieve(literal, focus);
 }
 
+std::optional<Value> Agent::add_fact(Value literal, Place place) {
+  heap_.require_room();
+  std::optional<Value> added = beliefs_.add(literal, place);
+  if (added) heap_.note_beside(sizeof(Row));
+  return added;
+}
+
 bool Agent::believe(Value literal, Place place, Intention* focus) {
   const std::optional<Value> added = add_fact(with_own_source(literal), place);
   if (!added) return false;
@@ -163,7 +198,7 @@ void Agent::add_event(Event event) {
   changed_ = true;
   heap_.note_beside(sizeof(Event));
   if (observer_ != nullptr) observer_->event_posted(*this, event);
-  if (!circumstance_.waits.empty()) check_waits(event);
+  if (!circumstance_.waits.empty()) Waits(*this).check_event(event);
   if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
     signal_goal_state(TriggerKind::achieve, event.literal, "pending");
   }
@@ -267,6 +302,16 @@ void Agent::drop(Intention& intention) {
     });
   intention.finish();
   ++finished_;
+}
+
+OwnParts& Agent::own() {
+  if (own_ == nullptr) own_ = std::make_unique<OwnParts>();
+  return *own_;
+}
+
+std::span<const std::shared_ptr<const Program>> Agent::included() const {
+  if (own_ == nullptr) return {};
+  return own_->included;
 }
 
 PlanLibrary& Agent::own_library() {

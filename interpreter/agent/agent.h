@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +18,6 @@
 #include "interpreter/agent/drops.h"
 #include "interpreter/agent/host.h"
 #include "interpreter/agent/observer.h"
-#include "interpreter/agent/operands.h"
 #include "interpreter/agent/settings.h"
 #include "interpreter/agent/workspace.h"
 #include "interpreter/environment/environment.h"
@@ -31,6 +29,7 @@
 namespace jaywalk {
 
 class Transfer;
+struct OwnParts;
 
 struct AgentLimits {
   std::uint64_t bytes = std::uint64_t{1} << 30U;
@@ -62,12 +61,7 @@ class Agent final : public MachineSurroundings {
   /// million agents begin with need not all be there at the same time. REQUIRES: the program's
   /// start can wait (Program::can_start_later), and nobody observes or customises the agent.
   void start_later() { starts_later_ = true; }
-  void start_if_due() {
-    if (!starts_later_) return;
-    starts_later_ = false;
-    start({}, {});
-    rest();
-  }
+  void start_if_due();
   /// Starts as a copy of another agent with the same program: its beliefs, its plans, its goals and
   /// what it is doing (clone.cpp).
   void copy_from(const Agent& original);
@@ -84,15 +78,7 @@ class Agent final : public MachineSurroundings {
   /// `problem` says which.
   [[nodiscard]] bool intervene(const std::function<void()>& work, std::string& problem);
   /// A cycle would do something.
-  [[nodiscard]] bool is_active() const {
-    const Circumstance& c = circumstance_;
-    if (starts_later_) return true;
-    if (!c.mailbox.empty() || !c.feedback.empty() || unseen_ != nullptr) return true;
-    if (c.atomic != nullptr || c.atomic_event || !c.tasks.empty()) return true;
-    if (changed_ && (formula_waits_ > 0 || goal_conditions_ > 0)) return true;
-    if (c.atomic_suspended) return false;
-    return !c.events.empty() || !c.running.empty();
-  }
+  [[nodiscard]] bool is_active() const;
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
   // Messages and actions, to and from the system.
@@ -102,7 +88,7 @@ class Agent final : public MachineSurroundings {
   void give_feedback(bool succeeded, std::string reason);
   void timer_fired(std::uint64_t token);
   /// Whether timer_fired would still do something.
-  [[nodiscard]] bool expects_timer(std::uint64_t token) const;
+  [[nodiscard]] bool expects_timer(std::uint64_t token);
 
   // For internal actions and observers.
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -143,34 +129,7 @@ class Agent final : public MachineSurroundings {
   /// Posts a goal as an external event.
   void add_goal(Value literal);
 
-  /// `.wait`: the intention goes on when a trigger or formula comes true, or time is over (`ms` <
-  /// 0: never). `wait.elapsed` set: running out of time is no failure.
-  void start_wait(Intention& intention, Wait wait, double ms);
-  /// Posts an event after `ms` milliseconds (`.at`).
-  void schedule(Event event, double ms);
-  void cancel_schedule() { circumstance_.scheduled.clear(); }
   [[nodiscard]] Intention* intention_with_id(std::uint32_t id) { return find_intention(id); }
-  /// Whether a goal, `+!goal`, is in the intention's stack; its bindings stay on the trail.
-  [[nodiscard]] bool has_goal(const Intention& intention, Value goal);
-  /// Which intentions have the goal on their stack, in the order in which Jason looks at them.
-  [[nodiscard]] std::vector<Intention*> intentions_with(Value goal);
-  [[nodiscard]] std::vector<Intention*> all_intentions();
-  enum class GoalEnd { succeed, fail };
-  /// Ends the goal in every intention and event that has it, as achieved or as failed; `except` (or
-  /// null) is left alone.
-  void end_goal(Value goal, GoalEnd end, const Intention* except);
-  /// The lowest means of an intention that has the goal, `+!goal`, as the topmost has it; its
-  /// bindings stay on the trail.
-  [[nodiscard]] std::optional<std::size_t> find_goal(const Intention& intention, Value goal);
-  /// Ends the means number `depth` of an intention and everything above it.
-  /// A failure's event is for `failed`, or if that is unset for the goal as it was called; it has
-  /// the annotations of `error`, if there is one.
-  void end_means(Intention& intention, std::size_t depth, GoalEnd end, Value failed = Value(),
-                 const ActionError* error = nullptr);
-  /// Removes events for the goal from the queues. True: there were some.
-  void drop_goal_events(Value goal);
-  void suspend_goal(Value goal);
-  void resume_goal(Value goal);
   /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
                          std::string_view reason = {}) {
@@ -179,18 +138,11 @@ class Agent final : public MachineSurroundings {
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
   /// The same for the goal on top of an intention, if there is one.
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
-  /// Why an intention waits, as `.suspended` reports it: suspend_ia, act, wait(Id)[time(Ms)], ...
-  [[nodiscard]] Value wait_reason(const Intention& intention);
-  /// The action for the environment that an intention waits for; unset if it does not.
-  [[nodiscard]] Value pending_action(const Intention& intention) const;
   /// Asks for waiting formulas and goal conditions to be looked at again.
   void something_changed() { changed_ = true; }
   /// The intention whose formula is being executed; while a plan is looked for, the one that waits
   /// for it. Null: there is none, or it is still to be made.
-  [[nodiscard]] Intention* executing() const {
-    if (executing_ != nullptr || selected_event_ == nullptr) return executing_;
-    return selected_event_->intention;
-  }
+  [[nodiscard]] Intention* executing() const;
   /// The event for which a plan is being looked for, or null.
   [[nodiscard]] const Event* selected_event() const { return selected_event_; }
 
@@ -231,19 +183,14 @@ class Agent final : public MachineSurroundings {
   /// Takes over the beliefs, goals, plans and functions of a program loaded at run time; false,
   /// and nothing of it, if one of its labels is taken: `problem` says so.
   [[nodiscard]] bool include(std::shared_ptr<const Program> program, std::string& problem);
-  [[nodiscard]] std::span<const std::shared_ptr<const Program>> included() const {
-    if (own_ == nullptr) return {};
-    return own_->included;
-  }
+  [[nodiscard]] std::span<const std::shared_ptr<const Program>> included() const;
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
 
   // MachineSurroundings
   void log(std::string_view text) override { host_.log(*this, text); }
   double draw() override { return random_.next_double(); }
-  bool interrupted() override {
-    return (observer_ != nullptr && observer_->interrupted()) || host_.interrupted();
-  }
+  bool interrupted() override;
   double clock_ms() override { return kEpochMs + std::floor(host_.now_ms()); }
 
   /// The literal as told by `sender`: its own sources become annotations of the new one.
@@ -255,6 +202,8 @@ class Agent final : public MachineSurroundings {
 
  private:
   friend class BeliefRevision;
+  friend class Goals;  // goals.h
+  friend class Waits;  // waits.h
 
   // The agent's own functions (customisation.cpp).
   bool revise(BeliefRevision::Kind kind, Value literal, Place place, Intention* focus);
@@ -274,12 +223,7 @@ class Agent final : public MachineSurroundings {
 
   // Changes of belief as they are without belief revision.
   bool believe(Value literal, Place place, Intention* focus);
-  [[nodiscard]] std::optional<Value> add_fact(Value literal, Place place = Place::front) {
-    heap_.require_room();
-    std::optional<Value> added = beliefs_.add(literal, place);
-    if (added) heap_.note_beside(sizeof(Row));
-    return added;
-  }
+  [[nodiscard]] std::optional<Value> add_fact(Value literal, Place place = Place::front);
   bool disbelieve(Value literal, Intention* focus);
   [[nodiscard]] Value with_own_source(Value literal);
   void prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
@@ -299,7 +243,6 @@ class Agent final : public MachineSurroundings {
   Executed ask(Intention& intention, const Step& step);
   Executed call(Intention& intention, const Step& step);
   Executed change_belief(Intention& intention, const Step& step);
-  [[nodiscard]] Decision decide_step(Intention& intention, const Step& step);
   void clear_plainly(Intention& intention);
   [[nodiscard]] bool return_closed_values(Intention& intention);
   [[nodiscard]] bool forget_one(Predicate predicate);
@@ -310,9 +253,8 @@ class Agent final : public MachineSurroundings {
   [[nodiscard]] const PlanList& plans_for(const Event& event);
   [[nodiscard]] const PlanList& plans_for(const Step& step, const Event& event);
   [[nodiscard]] const Plan* choose_plain_plan(const PlanList& list, const Event& event);
-  [[nodiscard]] Decision try_at_a_glance(const PlainPlan& plan, std::uint32_t slot_count,
-                                         Value literal);
   [[nodiscard]] bool try_plain_plan(const Plan& plan, Value literal);
+  [[nodiscard]] bool is_plain_plan_applicable(const Plan& plan, Value literal, bool is_to_match);
   [[nodiscard]] bool matches(const Plan& plan, Value literal, Value* frame);
   void push_plain_means(Intention& intention, const Plan& plan, const Event& event);
 
@@ -348,21 +290,8 @@ class Agent final : public MachineSurroundings {
   void process_feedback();
   void signal_action_executed(const Intention& intention, Value action);
   Intention* select_intention();
-  void run_tasks();
   void add_goal_state(TriggerKind kind, Value goal, std::string_view state,
                       std::string_view reason);
-  Value watch_deadline(Value goal);
-  void end_late_goal(Value goal);
-  [[nodiscard]] bool is_pursued(Value goal) const;
-  void end_wait(const Wait& wait, bool timed_out);
-  void check_waits(const Event& event);
-  void check_formulas();
-  void check_goal_conditions();
-  void stop_waiting(Intention& intention);
-  void fail_top(Intention& intention, Value failed, const ActionError* reason);
-  [[nodiscard]] std::vector<Intention*> intentions_to_suspend();
-  template <class Queue>
-  [[nodiscard]] std::vector<Event> take_events_of(Queue& queue, Value goal);
   // Branches for sub-plans (branches.cpp).
   void start_branches(const Event& event);
   void start_branch(Intention& intention, const Plan& plan, const Event& event,
@@ -450,19 +379,7 @@ class Agent final : public MachineSurroundings {
   PlanMap copy_plans(const Agent& original, Transfer& transfer);
   void copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans);
 
-  /// What an agent has beyond its program, or instead: plans, functions.
-  struct Own {
-    std::unique_ptr<PlanLibrary> library;      // once the program's has been changed
-    std::vector<std::shared_ptr<Plan>> plans;  // made at run time, perhaps removed again
-    std::vector<std::shared_ptr<const Program>> included;
-    std::vector<RuleFunction> functions;  // if programs are included: those of all
-    std::map<const Plan*, Value> labels;  // of plans whose sources have changed
-    std::uint32_t next_label = 0;
-  };
-  [[nodiscard]] Own& own() {
-    if (own_ == nullptr) own_ = std::make_unique<Own>();
-    return *own_;
-  }
+  [[nodiscard]] OwnParts& own();
   [[nodiscard]] PlanLibrary& own_library();
 
   // Memory (memory.cpp).
@@ -505,8 +422,8 @@ class Agent final : public MachineSurroundings {
   JavaRandom random_;
   Circumstance circumstance_;
   std::shared_ptr<const Customisation> customisation_;
-  const PlanLibrary* library_;  // the program's, or its own
-  std::unique_ptr<Own> own_;    // null: nothing
+  const PlanLibrary* library_;     // the program's, or its own
+  std::unique_ptr<OwnParts> own_;  // null: nothing
   Seldom<std::vector<DropCause>> drops_;
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;

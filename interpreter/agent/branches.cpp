@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goals.h"
 
 namespace jaywalk {
 
@@ -14,7 +15,7 @@ namespace jaywalk {
 void Agent::start_branches(const Event& event) {
   if (event.intention != nullptr || event.kind != TriggerKind::belief) return;
   const TriggerKey key = key_of(event);
-  for (Intention* const intention : all_intentions()) {
+  for (Intention* const intention : Goals(*this).all_intentions()) {
     for (std::size_t i = intention->stack.size(); i > intention->shared; --i) {
       const IntendedMeans& means = intention->stack[i - 1];
       if (means.plan->subplans == nullptr) continue;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/own_parts.h"
 #include "interpreter/logic/formula_compiler.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/transfer.h"

@@ -8,6 +8,7 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/goal_stack.h"
+#include "interpreter/agent/goals.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/agent/step_texts.h"
 #include "interpreter/program/plan_compiler.h"
@@ -235,7 +236,7 @@ void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
     fail(intention, make_error("body_var_not_literal", "a goal must be a literal"));
     return;
   }
-  if (!literal_parts(goal).annots.same_as(source_self())) goal = watch_deadline(goal);
+  if (!literal_parts(goal).annots.same_as(source_self())) goal = Goals(*this).watch_deadline(goal);
   if (new_focus) {
     add_goal(goal);
     go_on(intention);

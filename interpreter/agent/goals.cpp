@@ -1,27 +1,30 @@
 // Goals as wholes: looked for, suspended, ended from outside, with all the means that serve them;
 // goal conditions of AgentSpeak(ER).
 
+#include "interpreter/agent/goals.h"
+
 #include <algorithm>
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
 
-bool Agent::has_goal(const Intention& intention, Value goal) {
+bool Goals::has(const Intention& intention, Value goal) {
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
     if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
-        machine().unifier().unify(goal, means.trigger)) {
+        agent_.machine().unifier().unify(goal, means.trigger)) {
       return true;
     }
   }
   return false;
 }
 
-std::vector<Intention*> Agent::all_intentions() {
+std::vector<Intention*> Goals::all_intentions() {
   std::vector<Intention*> found;
   const auto add = [&](Intention* intention) {
     if (intention == nullptr || intention->is_finished()) return;
@@ -30,8 +33,8 @@ std::vector<Intention*> Agent::all_intentions() {
     }
   };
   // The executing one, those of events, those that act or wait, those that are ready.
-  add(executing());
-  const Circumstance& c = circumstance_;
+  add(agent_.executing());
+  const Circumstance& c = agent_.circumstance_;
   for (const Event& event : c.events) add(event.intention);
   if (c.atomic_event) add(c.atomic_event->intention);
   for (const Event& event : c.pending_events) add(event.intention);
@@ -43,37 +46,37 @@ std::vector<Intention*> Agent::all_intentions() {
   return found;
 }
 
-std::vector<Intention*> Agent::intentions_with(Value goal) {
+std::vector<Intention*> Goals::intentions_with(Value goal) {
   std::vector<Intention*> found;
   for (Intention* const intention : all_intentions()) {
-    const std::size_t trail = machine().unifier().mark();
-    if (has_goal(*intention, goal)) found.push_back(intention);
-    machine().unifier().undo(trail);
+    const std::size_t trail = agent_.machine().unifier().mark();
+    if (has(*intention, goal)) found.push_back(intention);
+    agent_.machine().unifier().undo(trail);
   }
   return found;
 }
 
-void Agent::drop_goal_events(Value goal) {
-  Circumstance& c = circumstance_;
+void Goals::drop_events(Value goal) {
+  Circumstance& c = agent_.circumstance_;
   std::vector<Intention*> orphaned;
   const auto matches = [&](const Event& event) {
     if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
-    const std::size_t trail = machine().unifier().mark();
-    const bool found = machine().unifier().unify(goal, event.literal);
-    machine().unifier().undo(trail);
+    const std::size_t trail = agent_.machine().unifier().mark();
+    const bool found = agent_.machine().unifier().unify(goal, event.literal);
+    agent_.machine().unifier().undo(trail);
     if (found && event.intention != nullptr) orphaned.push_back(event.intention);
-    if (found) signal_goal_state(event.kind, event.literal, "dropped");
+    if (found) agent_.signal_goal_state(event.kind, event.literal, "dropped");
     return found;
   };
   erase_if(c.events, matches);
   erase_if(c.pending_events, matches);
   if (c.atomic_event && matches(*c.atomic_event)) c.atomic_event.reset();
-  for (Intention* const intention : orphaned) drop(*intention);
+  for (Intention* const intention : orphaned) agent_.drop(*intention);
 }
 
 // Whatever the intention was waiting for is off.
-void Agent::stop_waiting(Intention& intention) {
-  Circumstance& c = circumstance_;
+void Goals::stop_waiting(Intention& intention) {
+  Circumstance& c = agent_.circumstance_;
   erase(c.running, &intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
@@ -85,86 +88,86 @@ void Agent::stop_waiting(Intention& intention) {
   erase_if(c.feedback, is_its);
   erase_if(c.waits, [&](const Wait& wait) {
     if (wait.intention != intention.id) return false;
-    if (wait.has_formula) --formula_waits_;
+    if (wait.has_formula) --agent_.formula_waits_;
     return true;
   });
   intention.also_suspended = false;
   intention.suspended_itself = false;
 }
 
-void Agent::end_means(Intention& intention, std::size_t depth, GoalEnd end, Value failed,
+void Goals::end_means(Intention& intention, std::size_t depth, End end, Value failed,
                       const ActionError* reason) {
   if (depth < intention.shared) {  // the goal is the other intention's, which ends it
-    drop(intention);
+    agent_.drop(intention);
     return;
   }
   stop_waiting(intention);
-  while (intention.stack.size() > depth + 1) pop_means(intention);
-  if (end == GoalEnd::fail) {
+  while (intention.stack.size() > depth + 1) agent_.pop_means(intention);
+  if (end == End::fail) {
     fail_top(intention, failed, reason);
     return;
   }
   const IntendedMeans& done = intention.top();
-  signal_goal_state(done.kind, done.trigger, "achieved");
-  signal_goal_state(done.kind, done.trigger, "finished");
-  pop_means(intention);
+  agent_.signal_goal_state(done.kind, done.trigger, "achieved");
+  agent_.signal_goal_state(done.kind, done.trigger, "finished");
+  agent_.pop_means(intention);
   if (intention.is_finished()) {
-    drop(intention);
+    agent_.drop(intention);
     return;
   }
   // No values are returned: the plan has not come to its end.
   if (!intention.is_branch_done() && !intention.top().is_finished()) intention.advance();
-  make_ready(intention);
-  clear_intention(intention);
+  agent_.make_ready(intention);
+  agent_.clear_intention(intention);
 }
 
 // The goal on top fails from outside. Unlike one whose formula has failed, its means is gone when
 // its failure is handled.
-void Agent::fail_top(Intention& intention, Value failed, const ActionError* reason) {
+void Goals::fail_top(Intention& intention, Value failed, const ActionError* reason) {
   const ActionError error =
       reason != nullptr ? *reason : ActionError{.id = "goal_failed", .message = "", .annots = {}};
   const std::size_t depth = intention.stack.size() - 1;
   const TriggerKind kind = intention.top().kind;
-  signal_goal_state(kind, intention.top().trigger, "failed", "fail_goal");
-  free_goal(intention, depth);
+  agent_.signal_goal_state(kind, intention.top().trigger, "failed", "fail_goal");
+  agent_.free_goal(intention, depth);
   const Value trigger = intention.top().trigger;
-  if (failed.is_unset()) failed = machine().unifier().apply(trigger);
-  if (reason != nullptr) failed = failure_literal(failed, error, Value(), 0, nullptr);
-  pop_means(intention);
+  if (failed.is_unset()) failed = agent_.machine().unifier().apply(trigger);
+  if (reason != nullptr) failed = agent_.failure_literal(failed, error, Value(), 0, nullptr);
+  agent_.pop_means(intention);
   const bool is_external = intention.is_finished();
-  if (has_failure_plan(kind, trigger, is_external ? nullptr : intention.top().scope.get())) {
+  if (agent_.has_failure_plan(kind, trigger, is_external ? nullptr : intention.top().scope.get())) {
     Intention* const own = is_external ? nullptr : &intention;
-    add_event({TriggerOperator::remove, kind, failed, own, depth});
-    if (is_external) drop(intention);
+    agent_.add_event({TriggerOperator::remove, kind, failed, own, depth});
+    if (is_external) agent_.drop(intention);
     return;
   }
-  if (is_external || !post_failure(intention, 0, error, Value(), 0)) drop(intention);
+  if (is_external || !agent_.post_failure(intention, 0, error, Value(), 0)) agent_.drop(intention);
 }
 
-// The lowest means with the goal: the topmost says what the goal's variables are, others must be
+// The topmost says what the goal's variables are, others must be
 // like it. The bindings stay on the trail.
-std::optional<std::size_t> Agent::find_goal(const Intention& intention, Value goal) {
+std::optional<std::size_t> Goals::find(const Intention& intention, Value goal) {
   std::optional<std::size_t> found;
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
     if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
-        machine().unifier().unify(goal, means.trigger)) {
+        agent_.machine().unifier().unify(goal, means.trigger)) {
       found = i - 1;
     }
   }
   return found;
 }
 
-void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
-  Unifier& unifier = machine().unifier();
+void Goals::end(Value goal, End end, const Intention* except) {
+  Unifier& unifier = agent_.machine().unifier();
   for (Intention* const intention : all_intentions()) {
     if (intention == except || intention->is_finished()) continue;
     const std::size_t trail = unifier.mark();
-    const std::optional<std::size_t> depth = find_goal(*intention, goal);
+    const std::optional<std::size_t> depth = find(*intention, goal);
     Value failed;
-    if (depth && end == GoalEnd::fail) {
+    if (depth && end == End::fail) {
       unifier.undo(trail);
-      free_goal(*intention, *depth);
+      agent_.free_goal(*intention, *depth);
       (void)unifier.unify(goal, intention->stack[*depth].trigger);
       failed = unifier.fresh_copy(goal);
     }
@@ -172,7 +175,7 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
     if (depth) end_means(*intention, *depth, end, failed);
   }
   // Goals that no plan has been chosen for yet.
-  Circumstance& c = circumstance_;
+  Circumstance& c = agent_.circumstance_;
   std::vector<Event> ended;
   const auto take = [&](const Event& event) {
     if (event.kind != TriggerKind::achieve || event.op != TriggerOperator::add) return false;
@@ -186,21 +189,21 @@ void Agent::end_goal(Value goal, GoalEnd end, const Intention* except) {
   erase_if(c.pending_events, take);
   if (c.atomic_event && take(*c.atomic_event)) c.atomic_event.reset();
   for (const Event& event : ended) {
-    if (end == GoalEnd::fail) {
+    if (end == End::fail) {
       const ActionError error{.id = "goal_failed", .message = "", .annots = {}};
-      fail_event(event, error);
+      agent_.fail_event(event, error);
     } else {
-      signal_goal_state(event.kind, event.literal, "achieved");
-      signal_goal_state(event.kind, event.literal, "finished");
+      agent_.signal_goal_state(event.kind, event.literal, "achieved");
+      agent_.signal_goal_state(event.kind, event.literal, "finished");
       if (event.intention == nullptr) continue;
-      go_on(*event.intention);
-      clear_intention(*event.intention);
+      agent_.go_on(*event.intention);
+      agent_.clear_intention(*event.intention);
     }
   }
 }
 
-bool Agent::is_pursued(Value goal) const {
-  const Circumstance& c = circumstance_;
+bool Goals::is_pursued(Value goal) const {
+  const Circumstance& c = agent_.circumstance_;
   const auto is_it = [&](const auto& item) { return item.literal.same_as(goal); };
   return std::any_of(c.events.begin(), c.events.end(), is_it) ||
          std::any_of(c.pending_events.begin(), c.pending_events.end(), is_it) ||
@@ -212,8 +215,7 @@ bool Agent::is_pursued(Value goal) const {
          });
 }
 
-// `hard_deadline(Ms)`: the goal, a literal of its own from now on, is looked at again after a time.
-Value Agent::watch_deadline(Value goal) {
+Value Goals::watch_deadline(Value goal) {
   const LiteralParts parts = literal_parts(goal);
   for (Value a = deref(parts.annots); a.is_pair(); a = deref(a.pair()->tail)) {
     const Value annot = deref(a.pair()->head);
@@ -221,28 +223,29 @@ Value Agent::watch_deadline(Value goal) {
       continue;
     }
     double ms = 0;
-    if (!machine().unifier().evaluate(annot.structure()->arg(0), nullptr, ms) || !(ms >= 0)) break;
-    goal = heap_.structure(parts.predicate, parts.args, parts.annots);
-    const std::uint64_t token = new_token();
-    circumstance_.deadlines.push_back({token, goal});
-    host_.set_timer(*this, host_.now_ms() + ms, token);
+    if (!agent_.machine().unifier().evaluate(annot.structure()->arg(0), nullptr, ms) || !(ms >= 0))
+      break;
+    goal = agent_.heap_.structure(parts.predicate, parts.args, parts.annots);
+    const std::uint64_t token = agent_.new_token();
+    agent_.circumstance_.deadlines.push_back({token, goal});
+    agent_.host_.set_timer(agent_, agent_.host_.now_ms() + ms, token);
     break;
   }
   return goal;
 }
 
-void Agent::end_late_goal(Value goal) {
+void Goals::end_late(Value goal) {
   const ActionError error{.id = "deadline_reached", .message = "", .annots = {}};
   for (Intention* const intention : all_intentions()) {
     for (std::size_t i = 0; i < intention->stack.size(); ++i) {
       if (!intention->stack[i].trigger.same_as(goal) || !intention->stack[i].is_goal_addition()) {
         continue;
       }
-      end_means(*intention, i, GoalEnd::fail, Value(), &error);
+      end_means(*intention, i, End::fail, Value(), &error);
       break;
     }
   }
-  Circumstance& c = circumstance_;
+  Circumstance& c = agent_.circumstance_;
   std::vector<Event> late;
   const auto take = [&](const Event& event) {
     const bool is_it = event.op == TriggerOperator::add && event.literal.same_as(goal);
@@ -252,15 +255,15 @@ void Agent::end_late_goal(Value goal) {
   erase_if(c.events, take);
   erase_if(c.pending_events, take);
   if (c.atomic_event && take(*c.atomic_event)) c.atomic_event.reset();
-  for (const Event& event : late) fail_event(event, error);
+  for (const Event& event : late) agent_.fail_event(event, error);
 }
 
 // The order in which `.suspend` and `.resume` look at intentions: those that wait for an action,
 // then all that wait, then those that are ready, last the executing one.
-std::vector<Intention*> Agent::intentions_to_suspend() {
+std::vector<Intention*> Goals::intentions_to_suspend() {
   std::vector<Intention*> found = all_intentions();
   const auto rank = [this](const Intention* intention) {
-    if (intention == executing_) return 3;
+    if (intention == agent_.executing_) return 3;
     if (intention->state == Intention::State::acting) return 0;
     return intention->state == Intention::State::running ? 2 : 1;
   };
@@ -271,88 +274,88 @@ std::vector<Intention*> Agent::intentions_to_suspend() {
 
 // Running intentions stop; those that wait for something else go on waiting, and stop then. The
 // first goal found says what the goal's variables are: no others are suspended.
-void Agent::suspend_goal(Value goal) {
-  Circumstance& c = circumstance_;
-  const Value reason = Value::atom(symbols_.predicate("suspend_ia", 0));
+void Goals::suspend(Value goal) {
+  Circumstance& c = agent_.circumstance_;
+  const Value reason = Value::atom(agent_.symbols_.predicate("suspend_ia", 0));
   for (Intention* const intention : intentions_to_suspend()) {
     if (intention->state == Intention::State::in_event) continue;  // its event is moved, below
-    if (!has_goal(*intention, goal)) continue;
-    if (intention == executing_) {
+    if (!has(*intention, goal)) continue;
+    if (intention == agent_.executing_) {
       intention->also_suspended = true;  // the action itself suspends it
     } else if (intention->state == Intention::State::running) {
       erase(c.running, intention);
       if (c.atomic == intention) c.atomic = nullptr;
-      suspend(*intention, Intention::State::suspended, "suspend_ia");
+      agent_.suspend(*intention, Intention::State::suspended, "suspend_ia");
     } else if (intention->state != Intention::State::suspended) {
       intention->also_suspended = true;
     }
-    if (intention != executing_) signal_top_state(*intention, "suspended", reason);
+    if (intention != agent_.executing_) agent_.signal_top_state(*intention, "suspended", reason);
   }
   for (const Event& event : take_events_of(c.events, goal)) {
     c.pending_events.push_back(event);
     if (event.op == TriggerOperator::add) {
-      signal_goal_state(event.kind, event.literal, "suspended", reason);
+      agent_.signal_goal_state(event.kind, event.literal, "suspended", reason);
     }
   }
 }
 
 // Removes the events for a goal, and those of intentions that have it.
 template <class Queue>
-std::vector<Event> Agent::take_events_of(Queue& queue, Value goal) {
+std::vector<Event> Goals::take_events_of(Queue& queue, Value goal) {
   std::vector<Event> taken;
   erase_if(queue, [&](const Event& event) {
     const bool is_goal = event.kind == TriggerKind::achieve && event.op == TriggerOperator::add;
-    const bool found = (is_goal && machine().unifier().unify(goal, event.literal)) ||
-                       (event.intention != nullptr && has_goal(*event.intention, goal));
+    const bool found = (is_goal && agent_.machine().unifier().unify(goal, event.literal)) ||
+                       (event.intention != nullptr && has(*event.intention, goal));
     if (found) taken.push_back(event);
     return found;
   });
   return taken;
 }
 
-void Agent::resume_goal(Value goal) {
-  Circumstance& c = circumstance_;
-  const Value reason = Value::atom(symbols_.predicate("resume_ia", 0));
+void Goals::resume(Value goal) {
+  Circumstance& c = agent_.circumstance_;
+  const Value reason = Value::atom(agent_.symbols_.predicate("resume_ia", 0));
   for (Intention* const intention : intentions_to_suspend()) {
-    if (!intention->is_suspended() || !has_goal(*intention, goal)) continue;
-    signal_top_state(*intention, "resumed", reason);
+    if (!intention->is_suspended() || !has(*intention, goal)) continue;
+    agent_.signal_top_state(*intention, "resumed", reason);
     if (intention->also_suspended) {
       intention->also_suspended = false;
-      const Value action = pending_action(*intention);
-      signal_top_state(*intention, "waiting", action.is_unset() ? wait_reason(*intention) : action);
+      const Value action = Waits(agent_).pending_action(*intention);
+      agent_.signal_top_state(*intention, "waiting",
+                              action.is_unset() ? Waits(agent_).reason(*intention) : action);
       continue;
     }
-    signal_top_state(*intention, "executing", Value());
+    agent_.signal_top_state(*intention, "executing", Value());
     if (intention->suspended_itself) intention->advance();
     intention->suspended_itself = false;
-    make_ready(*intention);
-    clear_intention(*intention);
+    agent_.make_ready(*intention);
+    agent_.clear_intention(*intention);
   }
   for (const Event& event : take_events_of(c.pending_events, goal)) {
     if (event.op == TriggerOperator::add) {
-      signal_goal_state(event.kind, event.literal, "resumed", reason);
-      signal_goal_state(TriggerKind::achieve, event.literal, "pending");
+      agent_.signal_goal_state(event.kind, event.literal, "resumed", reason);
+      agent_.signal_goal_state(TriggerKind::achieve, event.literal, "pending");
     }
     c.events.push_back(event);
   }
 }
 
-// Rule ClrSatInt: goals whose condition has come true are achieved.
-void Agent::check_goal_conditions() {
+void Goals::check_conditions() {
   std::vector<Intention*> intentions = all_intentions();
   for (Intention* const intention : intentions) {
     for (std::size_t i = 0; i < intention->stack.size(); ++i) {
       const IntendedMeans& means = intention->stack[i];
       if (!means.plan->has_goal_condition) continue;
       std::unique_ptr<ActionError> error;
-      machine().unifier().set_slot_names(means.plan->slot_names);
-      const std::size_t trail = machine().unifier().mark();
+      agent_.machine().unifier().set_slot_names(means.plan->slot_names);
+      const std::size_t trail = agent_.machine().unifier().mark();
       const bool holds = guarded(error, [&] {
-        return machine().solve(means.plan->goal_condition, intention->frame(means));
+        return agent_.machine().solve(means.plan->goal_condition, intention->frame(means));
       });
-      machine().unifier().commit(trail);
+      agent_.machine().unifier().commit(trail);
       if (!holds) continue;
-      end_means(*intention, i, GoalEnd::succeed);
+      end_means(*intention, i, End::succeed);
       break;
     }
   }

@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/own_parts.h"
 #include "interpreter/support/grown_bytes.h"
 
 namespace jaywalk {

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goals.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
@@ -118,7 +120,7 @@ void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeou
   record_bindings(intention, 0);
   suspend(intention, Intention::State::waiting, std::string(kWaitsForAnswer));
   if (library_->has_goal_state_plans()) {
-    signal_top_state(intention, "waiting", wait_reason(intention));
+    signal_top_state(intention, "waiting", Waits(*this).reason(intention));
   }
   heap_.note_beside(sizeof(PendingAsk));
   circumstance_.asks.push_back(std::move(ask));
@@ -174,7 +176,7 @@ bool Agent::ask_timed_out(std::uint64_t token) {
   return true;
 }
 
-bool Agent::expects_timer(std::uint64_t token) const {
+bool Agent::expects_timer(std::uint64_t token) {
   const Circumstance& c = circumstance_;
   const auto is_its = [&](const auto& each) { return each.first == token; };
   return std::any_of(c.waits.begin(), c.waits.end(),
@@ -183,7 +185,7 @@ bool Agent::expects_timer(std::uint64_t token) const {
                      [&](const PendingAsk& ask) { return ask.timer == token; }) ||
          std::any_of(c.scheduled.begin(), c.scheduled.end(), is_its) ||
          std::any_of(c.deadlines.begin(), c.deadlines.end(), [&](const GoalDeadline& deadline) {
-           return deadline.token == token && is_pursued(deadline.goal);
+           return deadline.token == token && Goals(*this).is_pursued(deadline.goal);
          });
 }
 

@@ -9,10 +9,8 @@
 #include <algorithm>
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/context.h"
-#include "interpreter/agent/numbers.h"
-#include "interpreter/agent/operands.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/logic/known_numbers.h"
 
 namespace jaywalk {
 namespace {
@@ -78,7 +76,7 @@ Structure* Agent::literal_of_terms(Intention& intention, Value term, bool& is_op
     if (arg.is_slot()) {
       const Value value = frame[arg.slot_index()];
       if (!value.is_unset()) arg = deref(value);
-    } else if (!arg.is_closed() && evaluate_known(arg, frame, number)) {
+    } else if (!arg.is_closed() && Unifier::is_number(arg, frame, number)) {
       arg = Value::number(number);
     }
     if (!arg.is_closed()) {
@@ -182,23 +180,26 @@ void Agent::rename_in_call(Intention& intention, Structure& made) {
 
 namespace {
 
+// Whether a head matches. `open`: it is not decided here.
+enum class Match : std::uint8_t { fails, holds, open };
+
 // The arguments of an event's literal and the head of a plan.
-[[gnu::always_inline]] inline Decision match_head(const PlainPlan& plan, const Value* args,
-                                                  Value* frame, Unifier& unifier) {
+[[gnu::always_inline]] inline Match match_head(const PlainPlan& plan, const Value* args,
+                                               Value* frame, Unifier& unifier) {
   for (const HeadArgument& wanted : plan.head) {
     const Value value = deref(*args++);
     if (wanted.slot != Operand::kNoSlot) {
-      if (Unifier::is_of_other_namespace(value)) return Decision::fails;
+      if (Unifier::is_of_other_namespace(value)) return Match::fails;
       frame[wanted.slot] = value;
     } else if (value.is_number() || value.is_atom()) {
-      if (differ(wanted.constant, value)) return Decision::fails;
+      if (differ(wanted.constant, value)) return Match::fails;
     } else if (value.is_variable() && !Unifier::is_of_other_namespace(wanted.constant)) {
       unifier.bind(value.variable(), wanted.constant);
     } else {
-      return Decision::open;
+      return Match::open;
     }
   }
-  return Decision::holds;
+  return Match::holds;
 }
 
 const Value* args_of(Value literal) {
@@ -209,57 +210,45 @@ const Value* args_of(Value literal) {
 
 // Whether a plan is relevant and applicable.
 bool Agent::try_plain_plan(const Plan& plan, Value literal) {
-  Value* const frame = work().frame.data();
-  std::fill_n(frame, plan.slot_count, Value());
+  std::vector<Value>& scratch = work().frame;
+  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
+  Value* const frame = scratch.data();
+  for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
   Unifier& unifier = machine().unifier();
-  unifier.set_slot_names(plan.slot_names);
   const std::size_t trail = unifier.mark();
-  const Heap::Mark unused = heap_.mark();
-  Decision relevant = Decision::open;
+  Match relevant = Match::open;
   if (plan.plain.has_plain_head && is_literal(literal)) {
     relevant = predicate_of(literal) == plan.plain.predicate
                    ? match_head(plan.plain, args_of(literal), frame, unifier)
-                   : Decision::fails;
-    if (relevant == Decision::open) {
+                   : Match::fails;
+    if (relevant == Match::open) {
       unifier.undo(trail);
       std::fill_n(frame, plan.slot_count, Value());
     }
   }
-  std::unique_ptr<ActionError> error;
-  const bool applicable =
-      relevant != Decision::fails && guarded(error, [&] {
-        return (relevant == Decision::holds || matches(plan, literal, frame)) &&
-               (plan.context == nullptr || Context(machine(), frame).solve(plan.context));
-      });
-  if (applicable) {
-    work().binds_event = !literal.is_closed() && unifier.mark() != trail;
-    unifier.commit(trail);
-  } else {
-    unifier.undo(trail);
+  bool applicable = relevant == Match::holds;
+  const bool is_compared =
+      applicable && plan.context != nullptr && plan.context->kind == Goal::Kind::compare &&
+      plan.context->next == nullptr && compare_numbers(*plan.context, frame, applicable);
+  if (relevant == Match::open || (applicable && !is_compared && plan.context != nullptr)) {
+    applicable = is_plain_plan_applicable(plan, literal, relevant == Match::open);
   }
-  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
+  work().binds_event = !literal.is_closed() && unifier.mark() != trail;
+  if (unifier.mark() != trail) applicable ? unifier.commit(trail) : unifier.undo(trail);
   return applicable;
 }
 
-// The same for a plan with a plain head and context, without a look at its terms.
-[[gnu::always_inline]] inline Decision Agent::try_at_a_glance(const PlainPlan& plan,
-                                                              std::uint32_t slot_count,
-                                                              Value literal) {
-  if (plan.predicate != predicate_of(literal)) return Decision::fails;
+// The rest of it: the trigger, unless it is known to match, and the context.
+bool Agent::is_plain_plan_applicable(const Plan& plan, Value literal, bool is_to_match) {
+  machine().unifier().set_slot_names(plan.slot_names);
   Value* const frame = work().frame.data();
-  for (std::uint32_t i = 0; i < slot_count; ++i) frame[i] = Value();
-  Unifier& unifier = machine().unifier();
-  const std::size_t trail = unifier.mark();
-  Decision decision = match_head(plan, args_of(literal), frame, unifier);
-  for (const PlainTest& test : plan.tests) {
-    if (decision != Decision::holds) break;
-    decision = decide(test, frame);
-  }
-  work().binds_event = unifier.mark() != trail;
-  if (unifier.mark() != trail) {
-    decision == Decision::holds ? unifier.commit(trail) : unifier.undo(trail);
-  }
-  return decision;
+  const Heap::Mark unused = heap_.mark();
+  std::unique_ptr<ActionError> error;
+  const bool applicable = guarded(error, [&] {
+    return (!is_to_match || matches(plan, literal, frame)) && machine().solve(plan.context, frame);
+  });
+  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
+  return applicable;
 }
 
 // The plans that an event may be for: known from the formula that makes it, as long as the agent
@@ -281,19 +270,11 @@ const PlanList& Agent::plans_for(const Event& event) {
 const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
   const Value literal = event.literal;
   selected_event_ = &event;
-  const bool is_usual = is_literal(literal);
   const Value first = literal.is_structure() && literal.structure()->arity > 0
                           ? deref(literal.structure()->arg(0))
                           : Value();
   const auto is_it = [&](const Plan& plan) {
-    if (differ(plan.first_argument, first)) return false;
-    std::vector<Value>& scratch = work().frame;
-    if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
-    if (is_usual && plan.plain.has_plain_head && plan.plain.has_plain_context) {
-      const Decision decision = try_at_a_glance(plan.plain, plan.slot_count, literal);
-      if (decision != Decision::open) return decision == Decision::holds;
-    }
-    return try_plain_plan(plan, literal);
+    return !differ(plan.first_argument, first) && try_plain_plan(plan, literal);
   };
   const Plan* chosen = nullptr;
   if (list.is_short()) {
@@ -311,23 +292,6 @@ const Plan* Agent::choose_plain_plan(const PlanList& list, const Event& event) {
   }
   selected_event_ = nullptr;
   return chosen;
-}
-
-// A constraint, or the condition of an `if`, that is a single test. What it sets is for good.
-Decision Agent::decide_step(Intention& intention, const Step& step) {
-  if (step.plain == nullptr || step.plain->tests.size() != 1) return Decision::open;
-  Value* const frame = intention.frame(intention.top());
-  const PlainTest& test = step.plain->tests.front();
-  const Decision decision = decide(test, frame);
-  if (decision != Decision::open || test.op != predicates::unify) return decision;
-  Value value;
-  if (test.left.kind != Operand::Kind::slot || !find_value(test.right, frame, value)) {
-    return decision;
-  }
-  const Value open = deref(frame[test.left.left_slot]);  // of the caller perhaps
-  if (!open.is_variable() || !value.is_number()) return decision;
-  open.variable()->value = value;
-  return Decision::holds;
 }
 
 // What return_values does if all that comes back is closed and goes into slots without a value.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/own_parts.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/width.h"
 #include "interpreter/term/compare.h"

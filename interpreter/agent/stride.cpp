@@ -21,7 +21,6 @@
 // by the same rule's guard.
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/context.h"
 #include "interpreter/agent/plain.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/agent/step_texts.h"
@@ -197,15 +196,12 @@ Agent::Executed Agent::execute_plainly(Intention& intention, std::uint64_t last)
 
 // `X > 1`, `?b(X)`, and the condition of an `if`.
 Agent::Executed Agent::ask(Intention& intention, const Step& step) {
-  const Decision decision = decide_step(intention, step);
-  bool holds = decision == Decision::holds;
+  bool holds = false;
   std::unique_ptr<ActionError> error;
   const bool completed = guarded(error, [&] {
-    if (decision == Decision::open) {
-      machine().unifier().set_slot_names(intention.top().plan->slot_names);
-      holds = Context(machine(), intention.frame(intention.top())).solve(step.goal);
-      if (!holds && step.kind == Step::Kind::test) fail_test(intention, step);
-    }
+    machine().unifier().set_slot_names(intention.top().plan->slot_names);
+    holds = machine().solve(step.goal, intention.frame(intention.top()));
+    if (!holds && step.kind == Step::Kind::test) fail_test(intention, step);
     // Its text shows what follows it, too, where a division may be by zero.
     if (!holds && step.kind == Step::Kind::constraint) {
       fail(intention, constraint_failure(machine().unifier(), intention));

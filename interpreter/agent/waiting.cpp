@@ -5,29 +5,31 @@
 #include <array>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goals.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
 
-void Agent::start_wait(Intention& intention, Wait wait, double ms) {
-  wait.id = new_token();
+void Waits::start(Intention& intention, Wait wait, double ms) {
+  wait.id = agent_.new_token();
   wait.intention = intention.id;
-  wait.start_ms = host_.now_ms();
+  wait.start_ms = agent_.host_.now_ms();
   wait.ms = ms;
-  if (wait.has_formula) ++formula_waits_;
-  heap_.note_beside(sizeof(Wait));
-  circumstance_.waits.push_back(wait);
-  if (ms >= 0) host_.set_timer(*this, wait.start_ms + ms, wait.id);
-  suspend(intention, Intention::State::waiting, "wait");
-  if (library_->has_goal_state_plans()) {
-    signal_top_state(intention, "waiting", wait_reason(intention));
+  if (wait.has_formula) ++agent_.formula_waits_;
+  agent_.heap_.note_beside(sizeof(Wait));
+  agent_.circumstance_.waits.push_back(wait);
+  if (ms >= 0) agent_.host_.set_timer(agent_, wait.start_ms + ms, wait.id);
+  agent_.suspend(intention, Intention::State::waiting, "wait");
+  if (agent_.library_->has_goal_state_plans()) {
+    agent_.signal_top_state(intention, "waiting", reason(intention));
   }
 }
 
-Value Agent::pending_action(const Intention& intention) const {
-  const Circumstance& c = circumstance_;
+Value Waits::pending_action(const Intention& intention) const {
+  const Circumstance& c = agent_.circumstance_;
   for (const PendingAction& action : c.actions) {
     if (action.intention == &intention) return action.literal;
   }
@@ -40,30 +42,114 @@ Value Agent::pending_action(const Intention& intention) const {
   return {};
 }
 
-Value Agent::wait_reason(const Intention& intention) {
-  const auto& waits = circumstance_.waits;
+Value Waits::reason(const Intention& intention) {
+  const auto& waits = agent_.circumstance_.waits;
   const auto wait = std::find_if(waits.begin(), waits.end(),
                                  [&](const Wait& each) { return each.intention == intention.id; });
   if (intention.reason != "wait" || wait == waits.end()) {
-    return Value::atom(symbols_.predicate(intention.reason, 0));
+    return Value::atom(agent_.symbols_.predicate(intention.reason, 0));
   }
   const auto term = [this](std::string_view name, Value arg) {
-    return heap_.structure(symbols_.predicate(name, 1), std::span(&arg, 1));
+    return agent_.heap_.structure(agent_.symbols_.predicate(name, 1), std::span(&arg, 1));
   };
   // A time limit is not reported.
   const Value awaited = wait->has_trigger   ? wait->trigger
                         : wait->has_formula ? wait->formula
                                             : term("time", Value::number(wait->ms));
-  return with_annotations(heap_, term("wait", Value::number(intention.id)),
-                          heap_.pair(awaited, Value::empty_list()));
+  return with_annotations(agent_.heap_, term("wait", Value::number(intention.id)),
+                          agent_.heap_.pair(awaited, Value::empty_list()));
 }
 
-void Agent::schedule(Event event, double ms) {
-  heap_.require_room();
-  heap_.note_beside(2 * sizeof(Event));
-  const std::uint64_t token = new_token();
-  circumstance_.scheduled.emplace_back(token, event);
-  host_.set_timer(*this, host_.now_ms() + ms, token);
+void Waits::cancel_schedule() { agent_.circumstance_.scheduled.clear(); }
+
+void Waits::schedule(Event event, double ms) {
+  agent_.heap_.require_room();
+  agent_.heap_.note_beside(2 * sizeof(Event));
+  const std::uint64_t token = agent_.new_token();
+  agent_.circumstance_.scheduled.emplace_back(token, event);
+  agent_.host_.set_timer(agent_, agent_.host_.now_ms() + ms, token);
+}
+
+void Waits::check_event(const Event& event) {
+  auto& waits = agent_.circumstance_.waits;
+  for (std::size_t i = 0; i < waits.size();) {
+    const Wait wait = waits[i];
+    Intention* const intention = agent_.find_intention(wait.intention);
+    const std::size_t trail = agent_.machine().unifier().mark();
+    if (!wait.has_trigger || wait.op != event.op || wait.kind != event.kind ||
+        intention == nullptr || !agent_.machine().unifier().unify(wait.trigger, event.literal)) {
+      ++i;
+      continue;
+    }
+    agent_.record_bindings(*intention, trail);
+    Task task;
+    task.wait = wait;
+    agent_.circumstance_.tasks.push_back(task);
+    waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+void Waits::check_formulas() {
+  auto& waits = agent_.circumstance_.waits;
+  for (std::size_t i = 0; i < waits.size();) {
+    const Wait wait = waits[i];
+    Intention* const intention = agent_.find_intention(wait.intention);
+    if (!wait.has_formula || intention == nullptr) {
+      ++i;
+      continue;
+    }
+    ActionError error;
+    const std::size_t trail = agent_.machine().unifier().mark();
+    if (!guarded(error, [&] { return agent_.machine().solve_term(wait.formula); })) {
+      ++i;
+      continue;
+    }
+    agent_.record_bindings(*intention, trail);
+    --agent_.formula_waits_;
+    waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
+    end(wait, false);
+  }
+}
+
+void Waits::run_tasks() {
+  const std::vector<Task> tasks = agent_.circumstance_.tasks.take();
+  std::size_t goal_states = 0;
+  for (const Task& task : tasks) {
+    if (task.kind == Task::Kind::deadline) {
+      Goals(agent_).end_late(task.event.literal);
+    } else if (task.kind != Task::Kind::goal_state) {
+      end(task.wait, task.kind == Task::Kind::time_out);
+    } else if (!agent_.library_->candidates(agent_.key_of(task.event)).empty()) {
+      // Goal states are handled before other events, in their own order.
+      const auto place =
+          std::find_if(agent_.circumstance_.events.begin(), agent_.circumstance_.events.end(),
+                       [](const Event& event) { return event.op != TriggerOperator::goal_state; });
+      agent_.circumstance_.events.insert(place, task.event);
+      ++goal_states;
+    }
+  }
+}
+
+void Waits::end(const Wait& wait, bool timed_out) {
+  Intention* const intention = agent_.find_intention(wait.intention);
+  if (intention == nullptr || intention->state != Intention::State::waiting) return;
+  const bool for_something = wait.has_trigger || wait.has_formula;
+  if (timed_out && for_something && wait.elapsed.is_unset()) {
+    ActionError error;
+    error.id = "wait_timeout";
+    error.message = "timeout in .wait";
+    intention->also_suspended = false;
+    agent_.fail(*intention, error);
+    return;
+  }
+  if (!wait.elapsed.is_unset()) {
+    const std::size_t trail = agent_.machine().unifier().mark();
+    (void)agent_.machine().unifier().unify(wait.elapsed,
+                                           Value::number(agent_.host_.now_ms() - wait.start_ms));
+    agent_.record_bindings(*intention, trail);
+  }
+  agent_.signal_top_state(*intention, "executing", Value());
+  agent_.resume(*intention);
 }
 
 void Agent::timer_fired(std::uint64_t token) {
@@ -96,88 +182,6 @@ void Agent::timer_fired(std::uint64_t token) {
   if (found->has_formula) --formula_waits_;
   waits.erase(found);
   circumstance_.tasks.push_back(task);
-}
-
-// An event has been added: does an intention wait for one like it? Plans for it need not exist.
-void Agent::check_waits(const Event& event) {
-  auto& waits = circumstance_.waits;
-  for (std::size_t i = 0; i < waits.size();) {
-    const Wait wait = waits[i];
-    Intention* const intention = find_intention(wait.intention);
-    const std::size_t trail = machine().unifier().mark();
-    if (!wait.has_trigger || wait.op != event.op || wait.kind != event.kind ||
-        intention == nullptr || !machine().unifier().unify(wait.trigger, event.literal)) {
-      ++i;
-      continue;
-    }
-    record_bindings(*intention, trail);
-    Task task;
-    task.wait = wait;
-    circumstance_.tasks.push_back(task);
-    waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-}
-
-void Agent::check_formulas() {
-  auto& waits = circumstance_.waits;
-  for (std::size_t i = 0; i < waits.size();) {
-    const Wait wait = waits[i];
-    Intention* const intention = find_intention(wait.intention);
-    if (!wait.has_formula || intention == nullptr) {
-      ++i;
-      continue;
-    }
-    ActionError error;
-    const std::size_t trail = machine().unifier().mark();
-    if (!guarded(error, [&] { return machine().solve_term(wait.formula); })) {
-      ++i;
-      continue;
-    }
-    record_bindings(*intention, trail);
-    --formula_waits_;
-    waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
-    end_wait(wait, false);
-  }
-}
-
-void Agent::run_tasks() {
-  const std::vector<Task> tasks = circumstance_.tasks.take();
-  std::size_t goal_states = 0;
-  for (const Task& task : tasks) {
-    if (task.kind == Task::Kind::deadline) {
-      end_late_goal(task.event.literal);
-    } else if (task.kind != Task::Kind::goal_state) {
-      end_wait(task.wait, task.kind == Task::Kind::time_out);
-    } else if (!library_->candidates(key_of(task.event)).empty()) {
-      // Goal states are handled before other events, in their own order.
-      const auto place =
-          std::find_if(circumstance_.events.begin(), circumstance_.events.end(),
-                       [](const Event& event) { return event.op != TriggerOperator::goal_state; });
-      circumstance_.events.insert(place, task.event);
-      ++goal_states;
-    }
-  }
-}
-
-void Agent::end_wait(const Wait& wait, bool timed_out) {
-  Intention* const intention = find_intention(wait.intention);
-  if (intention == nullptr || intention->state != Intention::State::waiting) return;
-  const bool for_something = wait.has_trigger || wait.has_formula;
-  if (timed_out && for_something && wait.elapsed.is_unset()) {
-    ActionError error;
-    error.id = "wait_timeout";
-    error.message = "timeout in .wait";
-    intention->also_suspended = false;
-    fail(*intention, error);
-    return;
-  }
-  if (!wait.elapsed.is_unset()) {
-    const std::size_t trail = machine().unifier().mark();
-    (void)machine().unifier().unify(wait.elapsed, Value::number(host_.now_ms() - wait.start_ms));
-    record_bindings(*intention, trail);
-  }
-  signal_top_state(*intention, "executing", Value());
-  resume(*intention);
 }
 
 void Agent::add_goal_state(TriggerKind kind, Value goal, std::string_view state,

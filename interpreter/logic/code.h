@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/logic/head_code.h"
+#include "interpreter/logic/operand.h"
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
 
@@ -44,6 +45,9 @@ struct Goal {
   const Goal* other = nullptr;
   const Goal* origin = nullptr;
   const ActionDefinition* action = nullptr;
+  /// Of compare and unify: the sides.
+  Operand left;
+  Operand right;
   /// Of an internal action: its arguments that are formulas, compiled (null for other arguments).
   std::vector<const Goal*> queries;
 

@@ -90,6 +90,8 @@ const Goal* FormulaCompiler::compile_relation(Value formula, const Goal* next) {
                                                    : Goal::Kind::compare;
   Goal& goal = add(kind, formula, next);
   goal.predicate = op;
+  goal.left = Operand::of(formula.structure()->arg(0));
+  goal.right = Operand::of(formula.structure()->arg(1));
   return &goal;
 }
 

@@ -127,7 +127,11 @@ Machine::~Machine() = default;
 
 bool Machine::solve(const Goal* entry, Value* slots) {
   UndoGuard bindings(unifier_);
-  const Tests tests = test_in_place(entry, slots);
+  Tests tests = Tests::undecided;
+  if (nesting_ == 0) {
+    start_query();
+    tests = test_in_place(entry, slots);
+  }
   if (tests == Tests::fail) return false;
   if (tests == Tests::undecided) {
     Run state(*this, entry, slots);

@@ -206,14 +206,11 @@ class Machine : public FunctionCaller {
   bool enter_last_row(const Row& row);
   bool unify_fact(Value fact, std::span<const Value> args);
 
-  using SlotSet = std::uint32_t;  // one bit for each argument of a query
+  enum class Tests { hold, fail, undecided };
   bool query_facts(const Relation& relation, const Goal& goal);
+  Tests query_in_place(const Goal& goal, Value* slots);
   bool retry_facts();
-  bool match_fact(Value fact, const Goal& goal, SlotSet free);
-  enum class Recorded : std::uint8_t { if_needed, always };
-  void record_slots(const Goal& goal, SlotSet free, Recorded recorded);
-  [[nodiscard]] std::int64_t next_fact(const Relation& relation, std::int64_t seq, const Goal& goal,
-                                       SlotSet free) const;
+  bool match_fact(Value fact, const Goal& goal, Value* slots);
   bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
     return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)
                                       : enter_framed(rule, goal, args);
@@ -242,7 +239,6 @@ class Machine : public FunctionCaller {
   bool unify(const Goal& goal, Value* slots);
   bool compare(const Goal& goal, Value* slots);
   bool compare_values(const Goal& goal, Value left, Value right);
-  enum class Tests { hold, fail, undecided };
   Tests test_in_place(const Goal*& goal, Value* slots);
   bool univ(const Goal& goal);
   bool action(const Goal& goal);

@@ -1,5 +1,6 @@
 // Goals that hold or not, and leave no choice: comparison and unification.
 
+#include "interpreter/logic/known_numbers.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/logic/univ.h"
 #include "interpreter/term/compare.h"
@@ -15,29 +16,12 @@ Value compared_with(Value left, Value right, Heap& heap, SymbolTable& symbols) {
   return as_literal ? program_structure(heap, symbols, right) : right;
 }
 
-bool holds(Predicate relation, double a, double b) {
-  switch (relation) {
-    case predicates::less:
-      return a < b;
-    case predicates::less_equal:
-      return a <= b;
-    case predicates::greater:
-      return a > b;
-    case predicates::greater_equal:
-      return a >= b;
-    case predicates::equal:
-      return a == b;
-    default:
-      return a != b;
-  }
-}
-
 }  // namespace
 
-// The comparisons and unifications with which many contexts begin, or of which they consist, leave
-// no choice: they need neither frame nor choice point. `goal` becomes the first that needs them.
+// What leaves no choice needs neither frame nor choice point: comparisons, facts of which one at
+// most can match, negations of those. Most contexts begin with them or consist of them. `goal`
+// becomes the first that needs more.
 Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
-  if (nesting_ == 0) start_query();
   for (; goal != nullptr; goal = goal->next) {
     bool holds = true;
     switch (goal->kind) {
@@ -46,6 +30,26 @@ Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
         break;
       case Goal::Kind::unify:
         holds = unify(*goal, slots);
+        break;
+      case Goal::Kind::query: {
+        const Tests found = query_in_place(*goal, slots);
+        if (found == Tests::undecided) return found;
+        holds = found == Tests::hold;
+        break;
+      }
+      case Goal::Kind::negation: {
+        const std::size_t trail = unifier_.mark();
+        const Goal* inner = goal->inner;
+        const Tests found = test_in_place(inner, slots);
+        unifier_.undo(trail);
+        if (found == Tests::undecided) return found;
+        holds = found == Tests::fail;
+        break;
+      }
+      case Goal::Kind::negation_done:
+        return Tests::hold;
+      case Goal::Kind::falsity:
+        holds = false;
         break;
       case Goal::Kind::truth:
         break;
@@ -59,6 +63,12 @@ Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
 }
 
 bool Machine::unify(const Goal& goal, Value* slots) {
+  Value known;
+  if (goal.left.kind == Operand::Kind::slot && slots[goal.left.left_slot].is_unset() &&
+      find_value(goal.right, slots, known) && !Unifier::is_of_other_namespace(known)) {
+    unifier_.set_slot(slots + goal.left.left_slot, known);
+    return true;
+  }
   const Value left = goal.args()[0];
   const Value right = unifier_.build(goal.args()[1], slots);
   const bool foreign = (right.is_atom() && is_foreign(right.atom_id())) ||
@@ -71,13 +81,9 @@ bool Machine::unify(const Goal& goal, Value* slots) {
 }
 
 bool Machine::compare(const Goal& goal, Value* slots) {
+  bool result = false;
+  if (compare_numbers(goal, slots, result)) return result;
   const Value* const sides = goal.term.structure()->args();
-  double a = 0;
-  double b = 0;
-  if (Unifier::is_number(sides[0], slots, a) && Unifier::is_number(sides[1], slots, b) && a == a &&
-      b == b) {
-    return holds(goal.predicate, a, b);
-  }
   const Value left = unifier_.build(sides[0], slots);
   return compare_values(goal, left, unifier_.build(sides[1], slots));
 }
@@ -87,7 +93,7 @@ bool Machine::compare_values(const Goal& goal, Value left, Value right) {
   if (left.is_number() && right.is_number()) {
     const double a = left.as_number();
     const double b = right.as_number();
-    if (a == a && b == b) return holds(goal.predicate, a, b);
+    if (a == a && b == b) return relation_holds(goal.predicate, a, b);
   }
   if (left.is_variable() && right.is_variable() && left.same_as(right)) {
     // Unbound variables that have been unified are still two: Jason compares their names.

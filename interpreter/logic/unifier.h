@@ -146,11 +146,6 @@ class Unifier {
     trail_.push_back(slot);
     ++slots_recorded_;
   }
-  /// A slot that has been set by hand: its setting can be undone.
-  void record_slot(Value* slot) {
-    trail_.push_back(slot);
-    ++slots_recorded_;
-  }
   /// A slot without a value gets a variable with its name.
   Value make_variable(Value* slots, std::uint32_t index) {
     const Symbol name = index < slot_names_.size() ? slot_names_[index] : names::unnamed;

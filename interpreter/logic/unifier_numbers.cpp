@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-// Sums and products of numbers; deeper terms are left to evaluate().
+// Expressions of numbers; deeper terms are left to evaluate(), and so is a division by zero.
 bool Unifier::is_sum(const Structure& s, const Value* slots, double& result, int depth) {
   constexpr int kDeep = 16;
   if (s.form() != Form::expression || s.arity != 2 || depth > kDeep) return false;
@@ -25,7 +25,10 @@ bool Unifier::is_sum(const Structure& s, const Value* slots, double& result, int
       return false;
     }
   }
-  return calculate_usual(s.predicate(), operands[0], operands[1], result);
+  if (calculate_usual(s.predicate(), operands[0], operands[1], result)) return true;
+  const std::optional<double> value = calculate(s.predicate(), operands[0], operands[1]);
+  result = value.value_or(0);
+  return value.has_value();
 }
 
 // A function of numbers, as most are.

@@ -63,7 +63,7 @@ struct Step {
   StepPlace place;
   /// The formula as a term of form step, for programs as data.
   Value source;
-  /// Of a goal, a change of belief or a constraint: what strides make of it; else null.
+  /// Of a goal or a change of belief: what strides make of it; else null.
   const PlainStep* plain = nullptr;
   /// Of variable: its operator.
   Kind variable_kind = Kind::action;

@@ -103,11 +103,9 @@ void BodyCompiler::prepare(Step& step) {
   const bool removes = step.kind == Step::Kind::remove;
   const bool makes_event =
       is_goal || removes || step.kind == Step::Kind::add || step.kind == Step::Kind::replace;
-  const bool is_condition =
-      step.kind == Step::Kind::constraint || step.kind == Step::Kind::if_statement;
-  if (!makes_event && !is_condition) return;
-  auto plain = std::make_unique<PlainStep>(plain_step(step.term, step.goal));
-  if (makes_event && is_literal(step.term)) {
+  if (!makes_event) return;
+  auto plain = std::make_unique<PlainStep>(plain_step(step.term));
+  if (is_literal(step.term)) {
     plain->event = trigger_key(removes ? TriggerOperator::remove : TriggerOperator::add,
                                is_goal ? TriggerKind::achieve : TriggerKind::belief,
                                predicate_of(step.term), symbols_);
@@ -289,7 +287,7 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);
-  plan->plain = plain_plan(plan->trigger, plan->context);
+  plan->plain = plain_plan(plan->trigger);
   if (!parts.goal_condition.is_unset()) {
     plan->has_goal_condition = true;
     plan->goal_condition = compiler.compile_formula(parts.goal_condition);

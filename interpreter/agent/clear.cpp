@@ -1,0 +1,113 @@
+// Rule ClrInt: what becomes of means that are finished, and of the values that they return.
+
+#include "interpreter/agent/agent.h"
+
+namespace jaywalk {
+
+// Finished means are popped and their results handed on.
+void Agent::clear_intention(Intention& intention) {
+  while (!intention.is_finished() && !intention.is_branch_done() && intention.top().is_finished()) {
+    if (intention.top().plan->has_goal_condition) {
+      // Not done before the condition holds.
+      erase(circumstance_.running, &intention);
+      if (circumstance_.atomic == &intention) circumstance_.atomic = nullptr;
+      suspend(intention, Intention::State::waiting, "goal_condition");
+      return;
+    }
+    finish_means(intention);
+  }
+  // When an atomic plan is done, its intention stays in its place for one step more, as in Jason.
+  if (intention.is_finished()) drop(intention);
+}
+
+void Agent::finish_means(Intention& intention) {
+  const IntendedMeans& done = intention.top();
+  const bool was_failure = done.op == TriggerOperator::remove && done.is_goal();
+  const std::size_t keeps = done.keeps;
+  if (done.is_goal() && done.op != TriggerOperator::goal_state) {
+    signal_goal_state(done.kind, done.trigger, "achieved");
+    signal_goal_state(done.kind, done.trigger, "finished");
+  }
+  pop_means(intention);
+  // The means of the goal that failed have stayed until now.
+  while (was_failure && intention.stack.size() > keeps) pop_means(intention);
+  if (intention.stack.size() < intention.shared) take_over(intention);
+  if (intention.is_finished() || intention.is_branch_done() || intention.top().is_finished()) {
+    return;
+  }
+  return_values(intention);
+  intention.advance();
+}
+
+void Agent::pop_means(Intention& intention) {
+  if (intention.top().plan->has_goal_condition) --goal_conditions_;
+  intention.pop();
+}
+
+namespace {
+
+// A call gives numbers first to the variables of slots, which are not made yet, then to the copies.
+std::uint32_t number_of_first_slot(const Value* pairs, std::size_t count) {
+  std::uint32_t slots = 0;
+  for (std::size_t i = 0; i + 1 < count; i += 2) slots += pairs[i].is_slot() ? 1U : 0U;
+  // A copied agent has values in the place of variables.
+  return slots == 0 || !pairs[1].is_variable() ? 0 : pairs[1].variable()->serial - slots;
+}
+
+// The variable of a slot with the number that it was given at the call. In a heap a variable is
+// two words, as a pair is: its value, its name and number.
+Value late_variable(Heap& heap, Symbol name, std::uint32_t number) {
+  const Value made = heap.pair(Value(), Value());
+  auto* const variable = reinterpret_cast<Variable*>(made.pair());
+  *variable = {Value(), static_cast<std::uint32_t>(name), number};
+  return Value::reference(Value::Kind::variable, variable, 0);
+}
+
+}  // namespace
+
+// The values of the variables that were renamed at the call are copied back; what is still open in
+// them is renamed afresh, so it is not shared with the plan that has ended.
+void Agent::return_values(Intention& intention) {
+  const IntendedMeans& caller = intention.top();
+  if (caller.returns == 0) return;
+  Unifier& unifier = machine().unifier();
+  const std::size_t trail = unifier.mark();
+  Value* const frame = intention.frame(caller);
+  Value* const pairs = frame + caller.plan->slot_count;
+  std::size_t slots_met = 0;
+  const std::uint32_t first_number = number_of_first_slot(pairs, caller.returns);
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    const Value returned = deref(pairs[i + 1]);
+    if (pairs[i].is_slot()) {
+      // The caller's variable has not been made yet (stride.cpp).
+      Value& slot = frame[pairs[i].slot_index()];
+      if (slot.is_unset() && returned.is_closed() && !Unifier::is_of_other_namespace(returned)) {
+        unifier.set_slot(&slot, returned);
+        ++slots_met;
+        continue;
+      }
+      if (slot.is_unset()) {
+        slot = late_variable(heap_, caller.plan->slot_names[pairs[i].slot_index()],
+                             first_number + static_cast<std::uint32_t>(slots_met));
+      }
+      ++slots_met;
+      pairs[i] = slot;
+    }
+    if (returned.is_variable()) {
+      // Still open; if two of them have become one, so do the caller's.
+      for (std::size_t j = 0; j < i; j += 2) {
+        const Value own = deref(pairs[i]);
+        if (deref(pairs[j + 1]).same_as(returned) && own.is_variable() &&
+            !own.same_as(deref(pairs[j]))) {
+          unifier.bind(own.variable(), pairs[j]);
+        }
+      }
+      continue;
+    }
+    const Value value = returned.is_closed() ? returned : unifier.fresh_copy(returned);
+    (void)unifier.unify(pairs[i], value);
+  }
+  record_bindings(intention, trail);
+}
+
+}  // namespace jaywalk
