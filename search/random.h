@@ -4,37 +4,13 @@
 
 #include <cstdint>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "env/grid/random.h"
+#include "experiment/networks/random.h"
 
 namespace jaywalk::search {
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : source_(seed) {}
-
-  /// Uniform over 0 ... bound - 1. REQUIRES: bound > 0.
-  [[nodiscard]] std::size_t below(std::size_t bound) { return source_.below(bound); }
-  /// Uniform over first ... last.
-  [[nodiscard]] int between(int first, int last) {
-    return first + static_cast<int>(below(static_cast<std::size_t>(last - first) + 1));
-  }
-  /// Uniform in [low, high).
-  [[nodiscard]] double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(source_.next() >> 11U) * 0x1.0p-53);
-  }
-  [[nodiscard]] bool coin() { return (source_.next() >> 63U) != 0; }
-
-  template <class T>
-  void shuffle(std::vector<T>& items) {
-    for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
-  }
-
- private:
-  SplitMix64 source_;
-};
+using networks::Random;
 
 /// A seed for something with a name (FNV-1a), so that it does not depend on what else there is.
 [[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t seed, std::string_view name) {

@@ -4,9 +4,19 @@
 // Wasserstein pair of it and a critic, and the analyzer that predicts a test's fitness. Not
 // movable: the optimisers point into them. Read network.h before.
 
-#include "search/learn/network.h"
+#include "experiment/networks/network.h"
+#include "search/random.h"
 
 namespace jaywalk::search::learn {
+
+using networks::Adam;
+using networks::AdamSettings;
+using networks::Layer;
+using networks::Matrix;
+using networks::Network;
+using networks::NetworkShape;
+using networks::noise;
+using networks::Vector;
 
 enum class Pass { training, generating };
 

@@ -5,9 +5,9 @@
 
 #include <array>
 
-#include "search/learn/layer.h"
+#include "experiment/networks/layer.h"
 
-namespace jaywalk::search::learn {
+namespace jaywalk::networks {
 
 struct NetworkShape {
   Eigen::Index inputs = 1;
@@ -23,6 +23,8 @@ class Network {
 
   /// Keeps what backward() needs.
   Matrix forward(const Matrix& x);
+  /// The same without.
+  [[nodiscard]] Matrix output(const Matrix& x) const;
 
   enum class Gradients { add, none };
   /// `d`: the loss's gradient by the output of the last forward pass. Returns that by its input.
@@ -39,6 +41,7 @@ class Network {
   float add_gradient_penalty(const Matrix& x, float weight);
 
   [[nodiscard]] std::array<Layer*, 3> layers() { return {&first_, &second_, &third_}; }
+  [[nodiscard]] std::array<const Layer*, 3> layers() const { return {&first_, &second_, &third_}; }
   void clear_gradients();
   void add_to(Adam& optimiser);
 
@@ -58,4 +61,4 @@ class Network {
   Matrix h2_;
 };
 
-}  // namespace jaywalk::search::learn
+}  // namespace jaywalk::networks

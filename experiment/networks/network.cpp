@@ -1,6 +1,6 @@
-#include "search/learn/network.h"
+#include "experiment/networks/network.h"
 
-namespace jaywalk::search::learn {
+namespace jaywalk::networks {
 namespace {
 
 constexpr float kNormEpsilon = 1e-6F;
@@ -30,6 +30,10 @@ Matrix Network::forward(const Matrix& x) {
   z2_ = second_.forward(h1_);
   h2_ = activated(z2_);
   return third_.forward(h2_);
+}
+
+Matrix Network::output(const Matrix& x) const {
+  return third_.forward(activated(second_.forward(activated(first_.forward(x)))));
 }
 
 Matrix Network::backward(const Matrix& d, Gradients gradients) {
@@ -72,4 +76,4 @@ void Network::add_to(Adam& optimiser) {
   for (Layer* layer : layers()) optimiser.add(*layer);
 }
 
-}  // namespace jaywalk::search::learn
+}  // namespace jaywalk::networks

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "search/random.h"
+#include "experiment/networks/random.h"
 
-namespace jaywalk::search::learn {
+namespace jaywalk::networks {
 
 using Matrix = Eigen::MatrixXf;
 using Vector = Eigen::VectorXf;
@@ -53,6 +53,15 @@ class Adam {
   void add(Layer& layer);
   void step();
 
+  /// What it remembers of earlier steps, so that another one with the same numbers goes on alike.
+  struct Memory {
+    int steps = 0;
+    std::vector<float> moments;
+  };
+  [[nodiscard]] Memory memory() const;
+  /// False, and nothing is changed, if that is of other numbers.
+  [[nodiscard]] bool restore(const Memory& memory);
+
  private:
   struct Slot {
     std::span<float> values;
@@ -66,4 +75,4 @@ class Adam {
   int steps_ = 0;
 };
 
-}  // namespace jaywalk::search::learn
+}  // namespace jaywalk::networks

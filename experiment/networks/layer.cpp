@@ -1,8 +1,9 @@
-#include "search/learn/layer.h"
+#include "experiment/networks/layer.h"
 
 #include <cmath>
+#include <utility>
 
-namespace jaywalk::search::learn {
+namespace jaywalk::networks {
 namespace {
 
 template <class T>
@@ -64,4 +65,29 @@ void Adam::step() {
   }
 }
 
-}  // namespace jaywalk::search::learn
+Adam::Memory Adam::memory() const {
+  Memory memory{.steps = steps_, .moments = {}};
+  for (const Slot& slot : slots_) {
+    for (const Eigen::ArrayXf* const part : {&slot.mean, &slot.square}) {
+      memory.moments.insert(memory.moments.end(), part->begin(), part->end());
+    }
+  }
+  return memory;
+}
+
+bool Adam::restore(const Memory& memory) {
+  Eigen::Index count = 0;
+  for (const Slot& slot : slots_) count += 2 * slot.mean.size();
+  if (std::cmp_not_equal(memory.moments.size(), count)) return false;
+  steps_ = memory.steps;
+  const float* next = memory.moments.data();
+  for (Slot& slot : slots_) {
+    for (Eigen::ArrayXf* const part : {&slot.mean, &slot.square}) {
+      *part = Eigen::Map<const Eigen::ArrayXf>(next, part->size());
+      next += part->size();
+    }
+  }
+  return true;
+}
+
+}  // namespace jaywalk::networks
