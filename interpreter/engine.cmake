@@ -58,6 +58,7 @@ jaywalk_add_library(engine
     agent/memory.cpp
     agent/messages.cpp
     agent/observer.cpp
+    agent/learned.cpp
     agent/options.cpp
     agent/perception.cpp
     agent/plain.cpp

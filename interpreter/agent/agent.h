@@ -213,6 +213,13 @@ class Agent final : public MachineSurroundings {
                                    const std::shared_ptr<Scope>& scope, bool& had_candidates);
   void find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
                     std::vector<Option>& options);
+  void intend(Option& option, const Event& event);
+  // Options of a policy (learned.cpp).
+  [[nodiscard]] bool try_learned(const PlanList& plans, const Event& event,
+                                 const std::shared_ptr<Scope>& scope, bool& had_candidates);
+  [[nodiscard]] bool choose_learned(std::vector<Option>& options, const Event& event);
+  [[nodiscard]] bool observe_for(const Plan& plan, std::vector<double>& features,
+                                 ActionError& error);
 
   void believe_percepts(const Percepts& percepts);
   void believe_changes(const Percepts& percepts);

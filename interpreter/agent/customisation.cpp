@@ -56,12 +56,16 @@ bool Agent::select_option(const std::vector<const Plan*>& plans, const Event& ev
   if (options.empty()) return false;
   const auto chosen = customisation_->select_option(*this, event, options);
   if (!chosen || *chosen >= options.size()) return false;
-  Option& option = options[*chosen];
+  intend(options[*chosen], event);
+  return true;
+}
+
+// Rule AddIM for an option that was found before.
+void Agent::intend(Option& option, const Event& event) {
   for (const auto& [variable, value] : option.bindings) variable.variable()->value = value;
   work().binds_event = !option.bindings.empty();
   work().frame = std::move(option.values);
   add_intended_means(*option.plan, event, option.scope);
-  return true;
 }
 
 // The options that one plan is, each with what it binds; the bindings themselves are undone.

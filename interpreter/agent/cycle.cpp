@@ -196,6 +196,7 @@ bool Agent::try_plans(const PlanList& plans, const Event& event,
   if (customisation_ != nullptr && customisation_->select_option) {
     return select_option(plans.plans(), event, scope, had_candidates);
   }
+  if (plans.has_learned()) return try_learned(plans, event, scope, had_candidates);
   const Value literal = event.literal;
   const std::uint64_t first_key = literal.is_structure() && literal.structure()->arity > 0
                                       ? argument_key(literal.structure()->arg(0))

@@ -17,6 +17,7 @@
 namespace jaywalk {
 
 class Agent;
+class OptionPolicies;
 class Program;
 class ReasoningObserver;
 class ServiceDirectory;
@@ -113,6 +114,8 @@ class AgentHost {
   virtual void limit_reached(Agent& /*agent*/, ReachedLimit /*limit*/, std::string /*where*/) {}
   /// Whether the run is to end at once. Asked within queries and long actions.
   [[nodiscard]] virtual bool interrupted() { return false; }
+  /// Who says how probable the options of policies are; null: each is as probable as the others.
+  [[nodiscard]] virtual OptionPolicies* policies() { return nullptr; }
   /// Who looks at the agents as they reason; null: nobody.
   [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
 

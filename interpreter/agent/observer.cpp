@@ -53,6 +53,10 @@ void Observers::plan_tried(Agent& agent, const Plan& plan, bool applicable) {
   for (ReasoningObserver* const each : all_) each->plan_tried(agent, plan, applicable);
 }
 
+void Observers::option_drawn(Agent& agent, const LearnedChoice& choice, const DrawnOption& drawn) {
+  for (ReasoningObserver* const each : all_) each->option_drawn(agent, choice, drawn);
+}
+
 void Observers::plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                             const Intention& intention) {
   for (ReasoningObserver* const each : all_) each->plan_chosen(agent, plan, event, intention);

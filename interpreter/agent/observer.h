@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "interpreter/agent/circumstance.h"
+#include "interpreter/agent/learned_choice.h"
 #include "interpreter/logic/code.h"
 
 namespace jaywalk {
@@ -48,6 +49,9 @@ class ReasoningObserver {
                              std::span<const Value> /*slots*/) {}
   /// Whether the context held (rule ApplPl).
   virtual void plan_tried(Agent& /*agent*/, const Plan& /*plan*/, bool /*applicable*/) {}
+  /// Several plans were options of a policy, and one of them was drawn (agent/learned_choice.h).
+  virtual void option_drawn(Agent& /*agent*/, const LearnedChoice& /*choice*/,
+                            const DrawnOption& /*drawn*/) {}
   /// The plan was chosen and becomes intended means (rules SelAppl and AddIM).
   virtual void plan_chosen(Agent& /*agent*/, const Plan& /*plan*/, const Event& /*event*/,
                            const Intention& /*intention*/) {}
@@ -85,6 +89,7 @@ class Observers final : public ReasoningObserver {
   void plan_relevant(Agent& agent, const Plan& plan, const Event& event,
                      std::span<const Value> slots) override;
   void plan_tried(Agent& agent, const Plan& plan, bool applicable) override;
+  void option_drawn(Agent& agent, const LearnedChoice& choice, const DrawnOption& drawn) override;
   void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                    const Intention& intention) override;
   void no_plan(Agent& agent, const Event& event, bool had_candidates) override;

@@ -26,14 +26,9 @@ bool Agent::select_by_rules(const Event& event, bool& had_candidates) {
     for (; scope != nullptr; scope = scope->outer) add_all(*scope->library, scope);
   }
   add_all(*library_, nullptr);
-  for (const Option& option : options) {
+  for (Option& option : options) {
     if (!is_selected(option, event)) continue;
-    for (const auto& [variable, value] : option.bindings) {
-      variable.variable()->value = value;
-    }
-    work().binds_event = !option.bindings.empty();
-    work().frame = option.values;
-    add_intended_means(*option.plan, event, option.scope);
+    intend(option, event);
     return true;
   }
   const bool is_goal = event.kind != TriggerKind::belief && event.op != TriggerOperator::goal_state;

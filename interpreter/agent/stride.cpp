@@ -44,7 +44,8 @@ bool Agent::reasons_plainly() const {
   if (c.atomic != nullptr || c.atomic_suspended || c.atomic_event || !c.feedback.empty() ||
       !c.tasks.empty() || !c.waits.empty() || unseen_ != nullptr || uses_subplans_ ||
       goal_conditions_ > 0 || customisation_ != nullptr || observer_ != nullptr ||
-      heap_.is_short() || !settings_.is_plain() || library_->has_goal_state_plans()) {
+      heap_.is_short() || !settings_.is_plain() || library_->has_goal_state_plans() ||
+      library_->has_learned_plans()) {
     return false;
   }
   const Relation* const selecting = beliefs_.find(predicates::select_option);

@@ -87,6 +87,20 @@ bool comes_first(const Plan& first, const Plan& second) {
   return same && second.context != nullptr && print(*first.context) == print(*second.context);
 }
 
+bool has_annotation(const Plan& plan, std::string_view name, std::size_t arity) {
+  if (plan.label == nullptr) return false;
+  const Node* const annots = plan.label->kind == Kind::list ? plan.label : plan.label->annots;
+  return annots != nullptr && std::ranges::any_of(annots->args, [&](const Node* annot) {
+           return annot->kind == Kind::literal && annot->text == name &&
+                  annot->args.size() == arity;
+         });
+}
+
+// Options of a policy: which of those that are applicable is chosen, is drawn.
+bool are_options(const Plan& first, const Plan& second) {
+  return has_annotation(first, "learned", 1) && has_annotation(second, "learned", 1);
+}
+
 using TriggerKey = std::tuple<TriggerOperator, TriggerKind, std::string_view, std::size_t>;
 
 void look_for_unreachable(Checking& checking, CheckedFile& file,
@@ -97,8 +111,9 @@ void look_for_unreachable(Checking& checking, CheckedFile& file,
     if (literal.kind != Kind::literal) continue;
     auto& rivals =
         earlier[{plan->trigger.op, plan->trigger.kind, literal.text, literal.args.size()}];
-    const auto first =
-        std::ranges::find_if(rivals, [&](const Plan* rival) { return comes_first(*rival, *plan); });
+    const auto first = std::ranges::find_if(rivals, [&](const Plan* rival) {
+      return !are_options(*rival, *plan) && comes_first(*rival, *plan);
+    });
     if (first != rivals.end()) {
       const auto line = file.file->source->position((*first)->trigger.literal->span.begin).line;
       checking.warn(file, literal.span,
@@ -144,13 +159,7 @@ bool always_fails(const ast::Formula& formula) {
          formula.node->kind == Kind::literal && traits_of(formula.node->text).fails;
 }
 
-bool is_atomic(const Plan& plan) {
-  if (plan.label == nullptr) return false;
-  const Node* const annots = plan.label->kind == Kind::list ? plan.label : plan.label->annots;
-  return annots != nullptr && std::ranges::any_of(annots->args, [](const Node* annot) {
-           return annot->kind == Kind::literal && annot->text == "atomic" && annot->args.empty();
-         });
-}
+bool is_atomic(const Plan& plan) { return has_annotation(plan, "atomic", 0); }
 
 bool waits(const Node& action) {
   const ActionTraits traits = traits_of(action.text);

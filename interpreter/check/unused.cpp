@@ -22,7 +22,8 @@ using ast::TriggerOperator;
 
 // Rules that the interpreter itself asks for, and goals that it posts.
 bool is_reserved(std::string_view name) {
-  return name.starts_with("kqml") || name.starts_with("jag_") || name == "select__option";
+  return name.starts_with("kqml") || name.starts_with("jag_") || name == "select__option" ||
+         name == "observation";
 }
 
 // A plan that `jaywalk test` runs, or that says itself where it comes from.

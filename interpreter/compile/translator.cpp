@@ -96,7 +96,7 @@ bool is_keyword(std::string_view name, std::size_t arity) {
   constexpr std::array<std::string_view, 14> kWords{
       "atomic", "breakpoint", "all_unifs", "default",   "this_ns", "self",   "percept",
       "tell",   "untell",     "achieve",   "unachieve", "askOne",  "askAll", "askHow"};
-  if (name == "source") return arity == 1;
+  if (name == "source" || name == "learned") return arity == 1;
   if (name == "tellHow" || name == "untellHow") return arity == 0;
   return arity == 0 && std::find(kWords.begin(), kWords.end(), name) != kWords.end();
 }

@@ -203,6 +203,18 @@ void ExplainingObserver::plan_tried(Agent& agent, const Plan&, bool applicable) 
   }
 }
 
+void ExplainingObserver::option_drawn(Agent&, const LearnedChoice& choice,
+                                      const DrawnOption& drawn) {
+  if (!recording_) return;
+  DrawnChoice made{.policy = std::string(choice.policy),
+                   .features = {choice.features.begin(), choice.features.end()},
+                   .chosen = drawn.chosen};
+  for (std::size_t i = 0; i < choice.options.size(); ++i) {
+    made.options.emplace_back(choice.options[i], drawn.probabilities[i]);
+  }
+  deliberations_.back().drawn = std::move(made);
+}
+
 void ExplainingObserver::plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                                      const Intention&) {
   if (!recording_) return;

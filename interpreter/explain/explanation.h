@@ -57,6 +57,16 @@ struct TriedPlan {
   std::size_t failed = 0;
 };
 
+/// A choice among options of a policy (agent/learned_choice.h).
+struct DrawnChoice {
+  std::string policy;
+  /// What was observed.
+  std::vector<double> features;
+  /// The options' labels and how probable each was.
+  std::vector<std::pair<std::string, double>> options;
+  std::size_t chosen = 0;
+};
+
 struct AskedBelief {
   std::string literal;
   /// "perceived in tick 3", "told by p2 in tick 1", ...
@@ -85,6 +95,8 @@ struct Deliberation {
   std::string event;
   std::optional<FailedFormula> failure;
   std::vector<TriedPlan> plans;
+  /// What was chosen was drawn, by a policy or by chance.
+  std::optional<DrawnChoice> drawn;
   std::vector<AskedBelief> beliefs;
   /// Of an event that has no plan: a plan that the programmer may have meant.
   std::string hint;
@@ -115,6 +127,7 @@ class ExplainingObserver : public ReasoningObserver {
   void plan_relevant(Agent& agent, const Plan& plan, const Event& event,
                      std::span<const Value> slots) override;
   void plan_tried(Agent& agent, const Plan& plan, bool applicable) override;
+  void option_drawn(Agent& agent, const LearnedChoice& choice, const DrawnOption& drawn) override;
   void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                    const Intention& intention) override;
   void no_plan(Agent& agent, const Event& event, bool had_candidates) override;

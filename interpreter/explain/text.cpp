@@ -4,6 +4,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "interpreter/explain/explanation.h"
 
@@ -83,15 +84,30 @@ void add_plan(std::string& out, std::size_t number, const TriedPlan& plan) {
   add_conditions(out, plan);
 }
 
+// "step observes [3, 12]: go 0.70 (drawn), stay 0.30".
+std::string drawn_text(const DrawnChoice& drawn) {
+  std::vector<std::string> options;
+  for (std::size_t i = 0; i < drawn.options.size(); ++i) {
+    options.push_back(fmt::format("{} {:.2f}{}", drawn.options[i].first, drawn.options[i].second,
+                                  i == drawn.chosen ? " (drawn)" : ""));
+  }
+  return fmt::format("  {} observes [{}]: {}\n", drawn.policy, fmt::join(drawn.features, ", "),
+                     fmt::join(options, ", "));
+}
+
 std::string conclusion(const Deliberation& deliberation) {
   const TriedPlan* const chosen = deliberation.chosen();
   if (chosen != nullptr) {
     const auto applicable = std::count_if(
         deliberation.plans.begin(), deliberation.plans.end(),
         [](const TriedPlan& plan) { return plan.state == TriedPlan::State::applicable; });
-    return fmt::format("  chosen: {} ({}), {}\n", chosen->trigger, chosen->where,
-                       applicable == 0 ? "the first that is applicable"
-                                       : "by the agent's own choice among several");
+    const std::string how = deliberation.drawn
+                                ? fmt::format("drawn by its policy {}", deliberation.drawn->policy)
+                            : applicable == 0 ? "the first that is applicable"
+                                              : "by the agent's own choice among several";
+    return fmt::format("{}  chosen: {} ({}), {}\n",
+                       deliberation.drawn ? drawn_text(*deliberation.drawn) : "", chosen->trigger,
+                       chosen->where, how);
   }
   const bool relevant = std::any_of(
       deliberation.plans.begin(), deliberation.plans.end(),

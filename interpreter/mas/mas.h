@@ -36,6 +36,7 @@
 namespace jaywalk {
 
 class Agent;
+class OptionPolicies;
 class ReasoningObserver;
 class Trace;
 struct Customisation;
@@ -111,6 +112,9 @@ struct MasOptions {
   bool measure_cpu = false;
   /// Looks at all agents as they reason (agent/observer.h); must outlive the system. Null: nobody.
   ReasoningObserver* observer = nullptr;
+  /// Says how probable options are that are labelled learned(P) (agent/learned_choice.h); must
+  /// outlive the system. Null: one is as probable as the other.
+  OptionPolicies* policies = nullptr;
   /// Asked now and then, on every thread that reasons and within queries and long actions, too:
   /// true ends the run (RunEnd::interrupted). Not set: never.
   std::function<bool()> interrupted;

@@ -69,6 +69,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] bool interrupted() override {
     return options_.interrupted && options_.interrupted();
   }
+  [[nodiscard]] OptionPolicies* policies() override { return options_.policies; }
   [[nodiscard]] ReasoningObserver* observer() override { return options_.observer; }
 
   // Society

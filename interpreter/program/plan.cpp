@@ -6,6 +6,7 @@ namespace jaywalk {
 
 void PlanList::add(const Plan& plan) {
   plans_.push_back(&plan);
+  has_learned_ = has_learned_ || !plan.policy.is_unset();
   if (plans_.size() <= kUnindexedPlans) return;
   const auto index = [this](std::size_t place) {
     const std::uint64_t key = plans_[place]->first_key;
@@ -20,6 +21,7 @@ void PlanList::add(const Plan& plan) {
 void PlanLibrary::insert(const Plan& plan) {
   if (plan.key.op == TriggerOperator::goal_state) ++goal_state_plans_;
   if (plan.key.kind == TriggerKind::belief) ++belief_plans_;
+  if (!plan.policy.is_unset()) ++learned_plans_;
   const TriggerKey message{TriggerOperator::add, TriggerKind::achieve, predicates::kqml_received};
   if (!plan.is_standard && !plan.any_predicate && plan.key == message) ++message_plans_;
   if (!plan.any_predicate) {
@@ -48,6 +50,7 @@ void PlanLibrary::rebuild() {
   goal_state_plans_ = 0;
   message_plans_ = 0;
   belief_plans_ = 0;
+  learned_plans_ = 0;
   for (const auto& plan : plans_) insert(*plan);
 }
 

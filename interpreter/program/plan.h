@@ -114,6 +114,9 @@ struct Plan {
   std::vector<Symbol> slot_names;
   bool atomic = false;
   bool all_unifs = false;
+  /// The policy that it is an option of: the atom P of its label's annotation learned(P); unset:
+  /// none.
+  Value policy;
   /// It belongs to every agent (the plans for messages), not to the program.
   bool is_standard = false;
   /// Of a sub-plan: which slots have the value of which slot of the enclosing plan.
@@ -137,6 +140,8 @@ class PlanList {
   [[nodiscard]] const std::vector<const Plan*>& plans() const { return plans_; }
   /// There is no index: it is as well to look at all of them.
   [[nodiscard]] bool is_short() const { return plans_.size() <= kUnindexedPlans; }
+  /// Some of the plans are options of a policy.
+  [[nodiscard]] bool has_learned() const { return has_learned_; }
 
   /// Calls `is_it(plan)` for the plans that may match a first argument with this argument_key (0:
   /// any plan), in order, until it returns true; false if it never does.
@@ -151,6 +156,7 @@ class PlanList {
   // Only of long lists.
   std::unordered_map<std::uint64_t, Places> by_first_key_;
   Places wild_;  // those that may match any first argument
+  bool has_learned_ = false;
 };
 
 /// Plans in order, and by what they are relevant for.
@@ -173,6 +179,8 @@ class PlanLibrary {
   }
   /// Plans for goal states, `^!g`, exist.
   [[nodiscard]] bool has_goal_state_plans() const { return goal_state_plans_ > 0; }
+  /// There are plans that are options of a policy.
+  [[nodiscard]] bool has_learned_plans() const { return learned_plans_ > 0; }
   /// There are plans for changes of belief.
   [[nodiscard]] bool has_belief_plans() const { return belief_plans_ > 0; }
   /// There are plans for messages, `+!kqml_received(...)`, beside the standard ones.
@@ -198,6 +206,7 @@ class PlanLibrary {
   std::size_t goal_state_plans_ = 0;
   std::size_t message_plans_ = 0;
   std::size_t belief_plans_ = 0;
+  std::size_t learned_plans_ = 0;
 };
 
 /// Shows the formulas of a plan the lists of plans for their events. REQUIRES: the library changes

@@ -268,6 +268,10 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   if (is_literal(parts.label)) {
     for (Value a = literal_parts(parts.label).annots; a.is_pair(); a = deref(a.pair()->tail)) {
       const Value annot = deref(a.pair()->head);
+      if (is_literal(annot) && predicate_of(annot) == predicates::learned) {
+        const Value policy = deref(literal_parts(annot).args.front());
+        if (policy.is_atom()) plan->policy = policy;
+      }
       if (!annot.is_atom()) continue;
       if (annot.atom_id() == predicates::atomic) plan->atomic = true;
       if (annot.atom_id() == predicates::all_unifs) plan->all_unifs = true;

@@ -20,6 +20,8 @@ TEST(CheckPlans, WarnsOfThoseBehindOneThatIsAlwaysChosen) {
            Row{"+!g(X) : b(X).\n+!g(X) : b(X) <- a.", "2:3"},
            Row{"-!g(_).\n-!g(X)[error(E)] <- a.", "2:3"},
            Row{"+!g(X,X).\n+!g(1,1).", "2:3"},
+           Row{"@a[learned(p)] +!g.\n+!g <- a.", "2:3"},
+           Row{"+!g.\n@a[learned(p)] +!g <- a.", "2:18"},
            Row{"+!h. {\n+!g.\n+!g <- a. }", "3:3"},
        }) {
     EXPECT_EQ(warnings_of("unreachable-plan", text), place + behind(*place - '1')) << text;
@@ -40,6 +42,7 @@ TEST(CheckPlans, IsSilentAboutThoseThatCanBeChosen) {
            "n::p. { begin namespace(m) } +!g. { end } +!g <- a.",
            "+!g. +!g <- a. +!h <- .remove_plan(l).",
            "+!g. +!g <- a. select__option(_,_,_,_).",
+           "@a[learned(p)] +!g <- a. @b[learned(p)] +!g <- b.",
            "{ begin ebdg(g) } +!g <- a. +!g <- b. { end }",
            "+!g([X|T]). +!g([]) <- a.",
            "+!g(\"a\"). +!g(\"b\").",

@@ -63,6 +63,7 @@ TEST(CheckUnused, WarnsOfRulesThatNothingAsksFor) {
            "!g. +!g <- X = p(1); ?X. p(X) :- q(X).",
            "!g. +!g. p(1).",
            "!g. +!g. select__option(_,_,_,_) :- true.",
+           "!g. @a[learned(p)] +!g. observation(p,[X]) :- q(X).",
            "!g. +!g <- .send(bob,tell,k). p(X) :- q(X).",
            "!g. +!g <- .term2string(T,\"p(1)\"); ?T. p(X) :- q(X).",
        }) {

@@ -1,0 +1,50 @@
+#pragma once
+
+// Choices that are learned. Plans that are labelled `@go[learned(step)]` are options of the policy
+// `step`: where the first plan that is applicable to an event is one of them, rule SelAppl draws
+// among all that are applicable, by probabilities that depend on what the agent observes. That is
+// what its rules for observation(step, Features) answer: numbers, always as many.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jaywalk {
+
+class Agent;
+
+/// What a policy is asked. Everything is good until the call returns.
+struct LearnedChoice {
+  const Agent& agent;
+  /// P of learned(P).
+  std::string_view policy;
+  /// The numbers that the agent observes.
+  std::span<const double> features;
+  /// The labels of the applicable plans, in their order; with `all_unifs`, a label for each
+  /// solution.
+  std::span<const std::string> options;
+};
+
+/// What became of a choice.
+struct DrawnOption {
+  /// Of each option; they add up to 1.
+  std::span<const double> probabilities;
+  std::size_t chosen = 0;
+};
+
+/// Policies of agents. Called on the threads on which agents reason.
+class OptionPolicies {
+ public:
+  virtual ~OptionPolicies() = default;
+
+  /// Sets how probable each option is, as numbers from 0 that add up to 1; at first all are the
+  /// same. Returns why the choice cannot be made, an unknown option, say; empty: it can.
+  [[nodiscard]] virtual std::string weigh(const LearnedChoice& choice,
+                                          std::span<double> probabilities) = 0;
+  /// One was drawn.
+  virtual void drawn(const LearnedChoice& /*choice*/, const DrawnOption& /*drawn*/) {}
+};
+
+}  // namespace jaywalk
