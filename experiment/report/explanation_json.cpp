@@ -47,6 +47,15 @@ ordered_json to_json(const TriedPlan& plan) {
   return result;
 }
 
+ordered_json to_json(const DrawnChoice& drawn) {
+  ordered_json options = ordered_json::object();
+  for (const auto& [label, probability] : drawn.options) options[label] = probability;
+  return {{"policy", drawn.policy},
+          {"features", drawn.features},
+          {"options", std::move(options)},
+          {"chosen", drawn.options[drawn.chosen].first}};
+}
+
 ordered_json failure_json(const Deliberation& deliberation) {
   const FailedFormula& failed = *deliberation.failure;
   return {{"tick", deliberation.tick}, {"agent", deliberation.agent}, {"failed", failed.formula},
@@ -74,6 +83,7 @@ std::string explanation_json(std::span<const Deliberation> deliberations) {
                        {"event", deliberation.event},
                        {"plans", std::move(plans)},
                        {"beliefs", std::move(beliefs)}};
+    if (deliberation.drawn) entry["drawn"] = to_json(*deliberation.drawn);
     if (!deliberation.hint.empty()) entry["hint"] = deliberation.hint;
     all.push_back(std::move(entry));
   }

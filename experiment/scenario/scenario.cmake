@@ -12,6 +12,7 @@ target_sources(jaywalk_experiment PRIVATE
   scenario/scenario_av.cpp
   scenario/scenario_avs.cpp
   scenario/scenario_defects.cpp
+  scenario/scenario_learning.cpp
   scenario/scenario_parameters.cpp
   scenario/scenario_presets.cpp
   scenario/scenario_reader.cpp

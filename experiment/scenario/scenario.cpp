@@ -198,6 +198,7 @@ class ScenarioBuilder {
     check_behaviours();
     if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
     if (!diagnostics_.has_errors()) read_programs();
+    finish_learning();
     if (draft_.assertions_file) {
       read_assertions();
     } else if (!draft_.judged.empty()) {
@@ -223,6 +224,38 @@ class ScenarioBuilder {
     }
   }
 
+  // The settings are those of the learner that is named; assertions that are rewarded are judged.
+  void finish_learning() {
+    LearningSpec& learning = draft_.scenario.learning;
+    learning.settings = draft_.learner_settings[learning.learner];
+    if (!draft_.rewarded.empty() && !draft_.assertions_file) {
+      report(diagnostics_, draft_.rewarded.front().second,
+             "assertions are rewarded, but none are judged", "name their file under 'assertions'");
+    }
+    for (const auto& [path, origin] : draft_.policy_files) {
+      constexpr std::size_t kMostBytes = std::size_t{1} << 28U;
+      Result<SourcePtr> source = options_.files.read(path, kMostBytes);
+      if (!source.ok()) {
+        report(diagnostics_, origin, fmt::format("no policy is at '{}'", path),
+               "jaywalk learn writes them");
+        continue;
+      }
+      draft_.scenario.sources.push_back(source.value());
+      draft_.scenario.policies.push_back(std::move(source).value());
+    }
+  }
+
+  // An assertion whose violation or robustness is rewarded has to be judged.
+  void check_rewarded() {
+    std::vector<std::string> ids;
+    for (const Assertion& assertion : draft_.scenario.assertions) ids.push_back(assertion.id);
+    for (const auto& [id, origin] : draft_.rewarded) {
+      if (std::ranges::find(ids, id) != ids.end()) continue;
+      report(diagnostics_, origin, fmt::format("no assertion '{}' is judged by this scenario", id),
+             did_you_mean(id, ids));
+    }
+  }
+
   void read_assertions() {
     Result<SourcePtr> source = options_.files.read(*draft_.assertions_file, kMaxScenarioBytes);
     if (!source.ok()) {
@@ -242,6 +275,7 @@ class ScenarioBuilder {
       select_assertions(all.value());
     }
     check_told_assertions();
+    check_rewarded();
   }
 
   void select_assertions(const std::vector<Assertion>& all) {

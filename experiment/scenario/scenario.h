@@ -18,6 +18,7 @@
 #include "env/crossing/parameters.h"
 #include "env/crossing/start_cells.h"
 #include "experiment/judge/assertions/assertion.h"
+#include "experiment/policy/learning_spec.h"
 #include "experiment/scenario/anchor.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/source_files.h"
@@ -113,6 +114,10 @@ struct Scenario {
   /// The programs of world.actors, in the same order.
   std::vector<BehaviourSpec> actors;
   ExperimentSpec experiment;
+  /// How `jaywalk learn` has agents learn, and the texts of policies that they have learned: a
+  /// behaviour's agents choose by the first one that has its options.
+  LearningSpec learning;
+  std::vector<SourcePtr> policies;
   /// Where the world is on the Earth, for stores.
   std::optional<Anchor> anchor;
   /// Start cells that take the place of spawning.

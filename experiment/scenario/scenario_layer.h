@@ -106,6 +106,8 @@ using PartReader = void(const ConfigNode& node, const std::string& path, const s
 /// The key `world` of a layer, and those of its keys that are read in files of their own.
 PartReader read_world, read_bands, read_map, read_crosswalks, read_obstacles, read_actors, read_av,
     read_simulator;
+/// The keys `learning` and `policy`.
+PartReader read_learning, read_policies;
 
 /// A program and its arguments, of which one that is a file beside the scenario is found there.
 [[nodiscard]] std::optional<std::vector<std::string>> read_command_words(

@@ -36,6 +36,14 @@ class LayerReader : LayerPart {
                   {"behaviours", method(&LayerReader::read_behaviours)},
                   {"assertions", method(&LayerReader::read_assertions)},
                   {"experiment", method(&LayerReader::read_experiment)},
+                  {"learning",
+                   [this](const ConfigNode& node, const std::string& path) {
+                     read_learning(node, path, folder_, draft_, diagnostics_);
+                   }},
+                  {"policy",
+                   [this](const ConfigNode& node, const std::string& path) {
+                     read_policies(node, path, folder_, draft_, diagnostics_);
+                   }},
               });
   }
 

@@ -27,6 +27,11 @@ struct ScenarioDraft {
   /// The file with assertions, and which of them to judge; all if none is named.
   std::optional<std::string> assertions_file;
   std::vector<std::pair<std::string, ValueOrigin>> judged;
+  /// The files of policies, and where each was named.
+  std::vector<std::pair<std::string, ValueOrigin>> policy_files;
+  /// Of learners by their names, and the assertions that rewards name.
+  std::map<std::string, LearnerSettings> learner_settings;
+  std::vector<std::pair<std::string, ValueOrigin>> rewarded;
   /// Where each key was given last, by its path.
   std::map<std::string, ValueOrigin> origins;
 };

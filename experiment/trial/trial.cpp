@@ -322,6 +322,11 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   mas_options.log = options.log;
   mas_options.measure_cpu = options.measure_cpu;
   mas_options.observer = options.observer;
+  mas_options.policies = options.policies;
+  std::optional<PolicyReader> policy;
+  if (options.policies == nullptr && prepared_.behaviours()[input.behaviour].policy != nullptr) {
+    mas_options.policies = &policy.emplace(prepared_.behaviours()[input.behaviour].policy);
+  }
   if (mas_ == nullptr) {
     mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), &crossing);
   } else {

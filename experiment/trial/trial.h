@@ -16,6 +16,7 @@
 #include "env/simulator/simulator.h"
 #include "env/vehicle/controller_processes.h"
 #include "experiment/judge/recording.h"
+#include "experiment/policy/policy.h"
 #include "experiment/scenario/scenario.h"
 #include "experiment/trial/covered_bins.h"
 #include "experiment/trial/test_result.h"
@@ -34,6 +35,8 @@ struct PreparedBehaviour {
   /// Lines of AgentSpeak, of the program and all that it includes, without blank ones and comments.
   std::uint64_t code_lines = 0;
   std::vector<Parameter> parameters;
+  /// What its agents choose by where plans are learned(P) (policy/policy.h); null: by chance.
+  std::shared_ptr<const Policy> policy;
   /// The texts that `program` and the team's were made from: programs and all that they include.
   std::vector<SourcePtr> sources;
   /// Programs of single agents, by number from 1; the others run `program`.
@@ -117,6 +120,8 @@ struct TrialOptions {
   Recording* record = nullptr;
   /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
   ReasoningObserver* observer = nullptr;
+  /// Whom agents ask that learn, in place of the behaviour's policy; null: that.
+  OptionPolicies* policies = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the trial is given up.

@@ -143,6 +143,42 @@ class Preparation {
   std::map<std::string, std::shared_ptr<const Program>> loaded_;
 };
 
+/// Policies to the behaviours that have their options. One that is for none is a mistake; who has
+/// none chooses by chance, and is said to.
+void give_policies(const Scenario& scenario, const SymbolTable& symbols,
+                   std::vector<PreparedBehaviour>& behaviours, Diagnostics& errors,
+                   Diagnostics& warnings) {
+  std::vector<std::vector<LearnedPlans>> plans;
+  for (const PreparedBehaviour& each : behaviours) {
+    plans.push_back(learned_plans(*each.program, symbols));
+  }
+  for (const SourcePtr& source : scenario.policies) {
+    auto policy = parse_policy(source);
+    if (!policy.ok()) {
+      errors.append(std::move(policy.diagnostics()));
+      continue;
+    }
+    std::string why;
+    bool is_used = false;
+    for (std::size_t i = 0; i < behaviours.size(); ++i) {
+      if (plans[i].empty()) continue;
+      const std::string problem = mismatch(*policy.value(), plans[i]);
+      if (why.empty()) why = fmt::format("{}: {}", behaviours[i].name, problem);
+      if (!problem.empty()) continue;
+      is_used = true;
+      if (behaviours[i].policy == nullptr) behaviours[i].policy = policy.value();
+    }
+    if (is_used) continue;
+    errors.error(source->name(), "the policy is for none of the behaviours",
+                 why.empty() ? "none of them has plans that are labelled learned(P)" : why);
+  }
+  for (std::size_t i = 0; i < behaviours.size() && !scenario.policies.empty(); ++i) {
+    if (plans[i].empty() || behaviours[i].policy != nullptr) continue;
+    warnings.warning(SourceSpan{}, "",
+                     fmt::format("{} has no policy and chooses by chance", behaviours[i].name));
+  }
+}
+
 }  // namespace
 
 IncludePath include_path(const Scenario& scenario) {
@@ -191,6 +227,7 @@ Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenar
   };
   std::vector<PreparedBehaviour> behaviours = prepare_all(scenario.behaviours);
   std::vector<PreparedBehaviour> actors = prepare_all(scenario.actors);
+  if (!errors.has_errors()) give_policies(scenario, *symbols, behaviours, errors, warnings);
   if (errors.has_errors()) return errors;
   return std::shared_ptr<const PreparedScenario>(
       new PreparedScenario(std::move(scenario), symbols, vocabulary, std::move(behaviours),

@@ -1,0 +1,54 @@
+#pragma once
+
+// What a test is worth to its agents, as a scenario's `learning.reward` says. Read
+// policy/learning_spec.h before.
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "env/crossing/crossing.h"
+#include "env/ground.h"
+#include "experiment/judge/assertions/assertion.h"
+#include "experiment/judge/recording.h"
+#include "experiment/learning/episodes.h"
+#include "experiment/policy/learning_spec.h"
+
+namespace jaywalk {
+
+/// Hands out what each tick brings, as it passes.
+class TickRewards {
+ public:
+  /// REQUIRES: both outlive it.
+  TickRewards(const LearningSpec& spec, EpisodeRecorder& episodes)
+      : spec_(spec), episodes_(episodes) {}
+  /// To be called before the first tick and after each.
+  void tick(const Crossing& crossing);
+
+ private:
+  const LearningSpec& spec_;
+  EpisodeRecorder& episodes_;
+  std::vector<double> scored_;  // so far, by agent
+  bool begun_ = false;
+};
+
+/// Whether some end of a test is rewarded that only its recording shows.
+[[nodiscard]] bool needs_recording(const RewardTerms& reward);
+
+/// A test that is over.
+struct FinishedTest {
+  const CrossingResult& outcome;
+  const Recording& recording;
+  const Ground& ground;
+  std::span<const Assertion> assertions;
+};
+
+/// Hands out what the end of the test brings: who met the precondition gets that, all get what is
+/// of the test. `covered` has the bins of situations that tests before covered, as "item bin", and
+/// receives the test's own.
+void add_end_rewards(const LearningSpec& spec, const FinishedTest& test,
+                     std::set<std::string>& covered, EpisodeRecorder& episodes);
+
+}  // namespace jaywalk

@@ -1,0 +1,68 @@
+#pragma once
+
+// Agents that learn: tests in generations, between which a policy learns from what its agents chose
+// and what came of it. Within a generation the policy stays as it is, and it learns in the tests'
+// order, so what is learned depends on no thread. Read policy/policy.h before.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "experiment/learning/rewards.h"
+#include "experiment/policy/policy.h"
+#include "experiment/trial/trial.h"
+
+namespace jaywalk {
+
+/// What is to learn, and in which tests.
+struct TrainingPlan {
+  std::shared_ptr<const PreparedScenario> prepared;
+  /// Index into its behaviours.
+  std::size_t behaviour = 0;
+  std::uint32_t agents = 1;
+  std::uint64_t seed = 0;
+  /// REQUIRES: at least 1.
+  unsigned threads = 1;
+  /// What the command line sets on top of the scenario, as --set has it.
+  std::vector<std::string> sets;
+  /// Asked in the middle of tests; true gives the generation up, of which nothing is learned then.
+  std::function<bool()> interrupted;
+};
+
+/// A policy that has learned nothing, for the plan; or what keeps its behaviour from learning.
+[[nodiscard]] Result<std::shared_ptr<Policy>> new_policy(const TrainingPlan& plan);
+
+/// Why the policy was not learned as the plan says, so that it cannot go on; empty if it was.
+[[nodiscard]] std::string why_not_the_same(const TrainingPlan& plan, const Policy& policy);
+
+class Training {
+ public:
+  /// Goes on with the test after those that the policy has learned from. REQUIRES:
+  /// why_not_the_same() is empty.
+  Training(TrainingPlan plan, std::shared_ptr<Policy> policy);
+
+  enum class End { learned, interrupted, failed };
+  /// Runs a generation, at most so many tests, and learns from it. `problem` says why it failed.
+  [[nodiscard]] End run_generation(std::uint64_t most, std::string& problem);
+
+  [[nodiscard]] const Policy& policy() const { return *policy_; }
+
+ private:
+  struct Lesson;
+  [[nodiscard]] std::vector<Lesson> run_tests(std::uint64_t count, std::string& problem);
+  void run_test(std::uint64_t number, Lesson& lesson);
+  [[nodiscard]] std::string learn(std::vector<Lesson>& lessons);
+  void note_point(const std::vector<Lesson>& lessons);
+
+  TrainingPlan plan_;
+  std::shared_ptr<Policy> policy_;
+  TrialRunners trials_;
+  Ground ground_;
+  double discount_;  // of a tick
+  std::set<std::string> covered_;
+};
+
+}  // namespace jaywalk

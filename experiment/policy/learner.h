@@ -1,0 +1,86 @@
+#pragma once
+
+// What learns from agents' choices, and says how probable each option is. A learner is a policy of
+// its own: what it has learned stands in a file (policy.h), and it goes on from there. Each is a
+// file and a row of learners.def.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "experiment/policy/learning_spec.h"
+
+namespace jaywalk {
+
+/// One choice of an agent, and what it led to until its next one.
+struct Transition {
+  std::vector<double> features;
+  /// The options that there were, by their numbers in the policy, and which of them was chosen, as
+  /// an index of these.
+  std::vector<std::uint32_t> options;
+  std::uint32_t chosen = 0;
+  /// Of the chosen one, when it was chosen.
+  double probability = 1;
+  /// What it brought until the agent's next choice or the end, discounted from the choice on.
+  double reward = 0;
+  /// What rewards from the next choice on count here, 0 to 1.
+  double discount = 1;
+};
+
+/// The choices of one agent in one test, in order. Nothing follows the last one.
+using Episode = std::vector<Transition>;
+
+/// What there is to choose from.
+struct PolicyShape {
+  /// The labels of the plans, in the program's order.
+  std::vector<std::string> options;
+  /// How many numbers are observed.
+  std::size_t features = 0;
+};
+
+class Learner {
+ public:
+  virtual ~Learner() = default;
+
+  /// Whether to try what is not known well, for the sake of learning.
+  enum class Mode { explore, exploit };
+
+  /// Sets how probable each of these options is. REQUIRES: numbers of the shape.
+  virtual void weigh(std::span<const double> features, std::span<const std::uint32_t> options,
+                     Mode mode, std::span<double> probabilities) const = 0;
+  /// What is expected from a choice on, discounted; 0: not known.
+  [[nodiscard]] virtual double value(std::span<const double> features) const = 0;
+  /// Learns from the episodes of one generation, in their order.
+  virtual void learn(std::span<const Episode> generation) = 0;
+  /// All that it has learned, so that restore() makes it the same to the last bit.
+  [[nodiscard]] virtual nlohmann::json state() const = 0;
+  /// Throws std::exception, and is of no use then, if that is not the state of such a learner.
+  virtual void restore(const nlohmann::json& state) = 0;
+};
+
+using MakeLearner = std::unique_ptr<Learner>(const PolicyShape& shape,
+                                             const LearnerSettings& settings, std::uint64_t seed);
+
+struct LearnerKind {
+  std::string_view name;
+  std::string_view summary;
+  MakeLearner* make = nullptr;
+};
+
+/// In the order of learners.def.
+[[nodiscard]] std::span<const LearnerKind> learner_kinds();
+/// Null: there is no such learner.
+[[nodiscard]] const LearnerKind* find_learner(std::string_view name);
+
+namespace learners {
+#define JAYWALK_LEARNER(function, name, summary) MakeLearner function;
+#include "experiment/policy/learners.def"
+#undef JAYWALK_LEARNER
+}  // namespace learners
+
+}  // namespace jaywalk
