@@ -59,6 +59,7 @@ CommandHelp help() {
                "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
                "== !=), as accuracy<40, or of an assertion ID.fail>0 (also\n"
                "pass, vacuous, unavoidable, exercised_pct); repeatable"},
+              kPolicyOption,
               {"situations", "", "print which situations the tests covered"},
               kCoverageOption,
               kTraceOption,

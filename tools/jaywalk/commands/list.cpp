@@ -16,6 +16,7 @@
 #include "experiment/export/exporter.h"
 #include "experiment/judge/metrics/metrics.h"
 #include "experiment/judge/signals/signals.h"
+#include "experiment/policy/learner.h"
 #include "experiment/scenario/scenario.h"
 #include "interpreter/check/check.h"
 #include "interpreter/logic/action.h"
@@ -212,6 +213,8 @@ constexpr std::array kKinds = {
          simulator_text},
     Kind{"metrics", "what --metrics measures of each test", metric_text},
     Kind{"signals", "what assertions speak of", signal_text},
+    Kind{"learners", "who can learn from agents' choices",
+         [] { return named_rows(learner_kinds()); }},
     Kind{"generators", "what search can look for tests with",
          [] { return named_rows(jaywalk::search::generators()); }},
     Kind{"suts", "systems that search can test",

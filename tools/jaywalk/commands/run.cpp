@@ -19,9 +19,9 @@ namespace jaywalk::command::run {
 namespace {
 
 /// Options that mean something for one kind of file only.
-constexpr std::array<std::string_view, 13> kForScenarios = {
-    "set",   "preset",     "behaviour", "agents", "test",    "watch", "speed",
-    "store", "assertions", "metrics",   "junit",  "fail-on", "strict"};
+constexpr std::array<std::string_view, 14> kForScenarios = {
+    "set",   "preset",     "behaviour", "agents", "test",    "watch",  "speed",
+    "store", "assertions", "metrics",   "junit",  "fail-on", "strict", "policy"};
 constexpr std::array<std::string_view, 5> kForPrograms = {"realtime", "threads", "ignore-java",
                                                           "allow-write", "max-memory"};
 
@@ -70,6 +70,7 @@ CommandHelp help() {
                "or installed one (jaywalk list behaviours) instead of the first"},
               {"agents", "N", "of a scenario: the number of pedestrians"},
               {"test", "N", "of a scenario: which test, from 0"},
+              kPolicyOption,
               {"watch", "", "of a scenario: draw the test tick by tick"},
               {"speed", "X", "of --watch: ticks a second (default 2)"},
               kCoverageOption,

@@ -13,6 +13,10 @@ ProgressLine::~ProgressLine() { clear(); }
 
 void ProgressLine::show(const Progress& progress) { draw(progress_text(progress, seconds())); }
 
+void ProgressLine::show(const Progress& progress, std::string_view how) {
+  draw(fmt::format("{}: {}", how, progress_text(progress, seconds())));
+}
+
 void ProgressLine::show(const search::SearchProgress& progress) {
   draw(progress_text(progress, seconds()));
 }

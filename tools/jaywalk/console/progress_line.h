@@ -20,6 +20,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress);
+  /// With how it goes before that.
+  void show(const Progress& progress, std::string_view how);
   void show(const search::SearchProgress& progress);
   void clear();
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/jaywalk/options/include_path.h"
 #include "tools/jaywalk/options/shipped.h"
@@ -21,6 +22,19 @@ constexpr std::array<std::pair<const char*, std::string_view>, 4> kLimitKeys = {
     {"max-inferences", "inferences"},
     {"max-memory", "memory_mb"},
     {"timeout", "time_s"},
+}};
+
+/// Options that are keys of the scenario: their names, the keys, and what stands around the value.
+struct KeyOfOption {
+  const char* option;
+  std::string_view key;
+  std::string_view begin;
+  std::string_view end;
+};
+constexpr std::array<KeyOfOption, 3> kKeysOfOptions = {{
+    {"defects", "experiment.defects", "", ""},
+    {"avs", "experiment.avs", "[", "]"},
+    {"learner", "learning.learner", "", ""},
 }};
 
 }  // namespace
@@ -55,13 +69,15 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
   }
   std::vector<std::string> sets = arguments.texts("set");
   std::map<std::string, SourcePtr> given_by;
-  if (const auto defects = arguments.text("defects")) {
-    sets.push_back("experiment.defects=" + *defects);
-    given_by[sets.back()] = std::make_shared<const Source>("--defects", *defects);
+  // As the scenario's key would have it, between these.
+  for (const auto& [option, key, begin, end] : kKeysOfOptions) {
+    const auto value = arguments.text(option);
+    if (!value) continue;
+    sets.push_back(fmt::format("{}={}{}{}", key, begin, *value, end));
+    given_by[sets.back()] = std::make_shared<const Source>(fmt::format("--{}", option), *value);
   }
-  if (const auto avs = arguments.text("avs")) {
-    sets.push_back("experiment.avs=[" + *avs + "]");
-    given_by[sets.back()] = std::make_shared<const Source>("--avs", *avs);
+  if (const auto policies = arguments.texts("policy"); !policies.empty()) {
+    sets.push_back(fmt::format("policy={}", nlohmann::json(policies).dump()));
   }
   sets.insert(sets.end(), more_sets.begin(), more_sets.end());
   return {.preset = arguments.text("preset"),

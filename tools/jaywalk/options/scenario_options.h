@@ -26,6 +26,11 @@ inline constexpr std::array kScenarioOptions = {
     OptionSpec{"no-check", "", "leave out the warnings of `jaywalk check`"},
 };
 
+/// What agents choose by whose plans are learned(P): the scenario's `policy`.
+inline constexpr OptionSpec kPolicyOption{
+    "policy", "FILE",
+    "what `jaywalk learn` has written, for the behaviour that it is of;\nrepeatable"};
+
 /// The limits of one test: the scenario's `experiment.limits`.
 inline constexpr std::array kLimitOptions = {
     OptionSpec{"max-cycles", "N",

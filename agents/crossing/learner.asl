@@ -1,0 +1,17 @@
+// Learner: in every tick one of a handful of steps, which one is learned (jaywalk learn). It is told
+// nothing of the road but how many rows it is from where the AV drives, and how far ahead of the AV.
+// Without a policy all steps that are possible are as probable as each other.
+
+{ include("shared/steps.asl") }
+
+!roam.
+
++!roam <- !step; !roam.
+
+@forward[learned(step)] +!step : free(forward)               <- move(forward).
+@back[learned(step)] +!step    : free(back)                  <- move(back).
+@across[learned(step)] +!step  : way_across(Way) & free(Way) <- move(Way).
+@stand[learned(step)] +!step                                 <- stay.
+
+observation(step, [Rows, Y - Front]) :-
+  at(X, Y) & av(Front) & zone_rows(First, Last) & rows_to(X, First, Last, Rows).

@@ -1,0 +1,16 @@
+// Team learner: as learner, one of several who are paid as a whole (learning.shared). They send no
+// messages; what each of them is for, it can learn by its own number.
+
+{ include("shared/steps.asl") }
+
+!roam.
+
++!roam <- !step; !roam.
+
+@forward[learned(step)] +!step : free(forward)               <- move(forward).
+@back[learned(step)] +!step    : free(back)                  <- move(back).
+@across[learned(step)] +!step  : way_across(Way) & free(Way) <- move(Way).
+@stand[learned(step)] +!step                                 <- stay.
+
+observation(step, [Me, Rows, Y - Front]) :-
+  id(Me) & at(X, Y) & av(Front) & zone_rows(First, Last) & rows_to(X, First, Last, Rows).
