@@ -37,7 +37,8 @@ std::vector<std::string> installed_pedestrians() {
 
 /// What is decided anew in every tick by chance, or at a tick of a given number.
 bool reckons_in_ticks(const std::string& name) {
-  return name == "random_action" || name == "random_behaviour" || name == "scripted";
+  return name == "random_action" || name == "random_behaviour" || name == "scripted" ||
+         name.starts_with("learner");
 }
 
 /// What is timed to tenths of a second, as the AV's braking is, comes too late at ticks of a

@@ -69,7 +69,7 @@ TEST(ScenarioDiagnostics, ListTheKeysWhenNoneIsClose) {
             "folder/test.yaml:2:14: error: unknown key 'repetitions' in 'experiment'\n"
             "  experiment: {repetitions: 5}\n"
             "               ^~~~~~~~~~~\n"
-            "  hint: the keys here are tests, agents, seed, feedback, defects, limits\n");
+            "  hint: the keys here are tests, agents, seed, feedback, defects, avs, limits\n");
 }
 
 TEST(ScenarioDiagnostics, NameTheOptionThatIsWrong) {
@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"# nothing\n", "folder/test.yaml: error: the scenario is empty"},
         Mistake{"- a\n",
                 "folder/test.yaml:1:1: error: expected keys and values (preset, world, behaviours, "
-                "assertions, experiment), found a list"},
+                "assertions, experiment, learning, policy), found a list"},
         Mistake{"world: {length: 1\n", "folder/test.yaml:2:1: error: end of map flow not found"},
         Mistake{"behaviours: [a.asl]\nbehaviours: [b.asl]\n",
                 "folder/test.yaml:2:1: error: the key 'behaviours' is given twice"},

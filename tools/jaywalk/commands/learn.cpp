@@ -202,7 +202,8 @@ CommandHelp help() {
       .examples =
           "  jaywalk learn scenarios/learning/steps.yaml --policy learned.json\n"
           "  jaywalk compare scenarios/learning/steps.yaml --policy learned.json --seed 1\n"
-          "  jaywalk learn scenarios/learning/steps.yaml --learner actor-critic --policy ac.json\n"};
+          "  jaywalk learn scenarios/learning/steps.yaml --learner actor-critic --policy "
+          "ac.json\n"};
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());
   help.options.insert(help.options.end(), kLimitOptions.begin(), kLimitOptions.end());
