@@ -214,7 +214,6 @@ class Agent final : public MachineSurroundings {
   void find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
                     std::vector<Option>& options);
   void intend(Option& option, const Event& event);
-  // Options of a policy (learned.cpp).
   [[nodiscard]] bool try_learned(const PlanList& plans, const Event& event,
                                  const std::shared_ptr<Scope>& scope, bool& had_candidates);
   [[nodiscard]] bool choose_learned(std::vector<Option>& options, const Event& event);
