@@ -41,4 +41,6 @@ ROWS = [
            "if [ -e ran ]; then rm ran; exit 1; fi; touch ran; while read -r x; do echo '{\"acceleration\":-1}'; done\n",
            "1 of 2 tests ended errored", 0, "--threads", "1"),
     compared("errored tests in JUnit", LOOP, "--assertions", "rules.yaml", "--junit", "out.xml"),
+    Row("one test that floods its memory", ["run", "s.yaml", "--max-memory", "16", "--no-check"], 1,
+        "memory", {"bad.asl": "!go(0). +!go(N) <- +b(N); !go(N+1).\n", "s.yaml": "behaviours: [bad.asl]\n"}, most=100_000),
 ]

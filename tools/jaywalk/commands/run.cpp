@@ -22,8 +22,8 @@ namespace {
 constexpr std::array<std::string_view, 14> kForScenarios = {
     "set",   "preset",     "behaviour", "agents", "test",    "watch",  "speed",
     "store", "assertions", "metrics",   "junit",  "fail-on", "strict", "policy"};
-constexpr std::array<std::string_view, 5> kForPrograms = {"realtime", "threads", "ignore-java",
-                                                          "allow-write", "max-memory"};
+constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "threads", "ignore-java",
+                                                          "allow-write"};
 
 bool refuse(std::span<const std::string_view> options, std::string_view kind,
             const Arguments& arguments, Console& console) {

@@ -55,11 +55,16 @@ std::vector<std::string> behaviours_of(const Arguments& arguments) {
   return {};
 }
 
-/// What --max-inferences sets, as `--set` would: so it is kept with a stored test.
+/// What these options set, as `--set` would: so it is kept with a stored test.
 std::vector<std::string> limits_of(const Arguments& arguments) {
-  const auto inferences = arguments.text("max-inferences");
-  if (!inferences) return {};
-  return {"experiment.limits.inferences=" + *inferences};
+  std::vector<std::string> sets;
+  if (const auto inferences = arguments.text("max-inferences")) {
+    sets.push_back("experiment.limits.inferences=" + *inferences);
+  }
+  if (const auto megabytes = arguments.text("max-memory")) {
+    sets.push_back("experiment.limits.memory_mb=" + *megabytes);
+  }
+  return sets;
 }
 
 std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
@@ -71,6 +76,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   request.input.test = arguments.number("test", 0, diagnostics).value_or(0);
   request.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
   (void)arguments.number("max-inferences", 0, diagnostics);
+  (void)arguments.number("max-memory", 0, diagnostics);
   request.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
   request.timeout_s = arguments.positive("timeout", diagnostics);
   request.speed = arguments.positive("speed", diagnostics).value_or(kDefaultSpeed);
