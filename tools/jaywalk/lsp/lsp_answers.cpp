@@ -11,7 +11,6 @@
 namespace jaywalk::lsp {
 namespace {
 
-using Json = nlohmann::json;
 using What = Use::What;
 
 // Kinds of completions and symbols, of diagnostics' severities.

@@ -4,24 +4,22 @@
 
 #include <span>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/jaywalk/lsp/lsp_document.h"
+#include "tools/jaywalk/lsp/lsp_json.h"
 #include "tools/jaywalk/lsp/lsp_text.h"
 
 namespace jaywalk::lsp {
 
 /// A Diagnostic of the protocol.
-[[nodiscard]] nlohmann::json json_of(const Diagnostic& diagnostic, const Document& document);
+[[nodiscard]] Json json_of(const Diagnostic& diagnostic, const Document& document);
 
 /// CompletionItems.
-[[nodiscard]] nlohmann::json completion_items(const Document& document, Position at);
+[[nodiscard]] Json completion_items(const Document& document, Position at);
 
 /// DocumentSymbols: plans with their sub-plans, beliefs, rules, goals, namespaces.
-[[nodiscard]] nlohmann::json symbols(const Document& document,
-                                     std::span<const ast::Component> components);
+[[nodiscard]] Json symbols(const Document& document, std::span<const ast::Component> components);
 
 /// TextEdits; none if the layout is fine, or the document has errors or is a project.
-[[nodiscard]] nlohmann::json formatting(const Document& document);
+[[nodiscard]] Json formatting(const Document& document);
 
 }  // namespace jaywalk::lsp

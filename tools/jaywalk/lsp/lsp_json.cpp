@@ -4,8 +4,6 @@
 
 namespace jaywalk::lsp {
 
-using Json = nlohmann::json;
-
 namespace {
 
 std::uint32_t number_of(const Json& json) {

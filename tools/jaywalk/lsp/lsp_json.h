@@ -11,13 +11,15 @@
 
 namespace jaywalk::lsp {
 
-[[nodiscard]] const nlohmann::json& part(const nlohmann::json& json, const char* name);
-[[nodiscard]] std::string text_of(const nlohmann::json& json);
-[[nodiscard]] Position position_of(const nlohmann::json& json);
-/// The URI of the document that a message is about.
-[[nodiscard]] std::string document_uri(const nlohmann::json& parameters);
+using Json = nlohmann::json;
 
-[[nodiscard]] nlohmann::json to_json(Position position);
-[[nodiscard]] nlohmann::json to_json(const Range& range);
+[[nodiscard]] const Json& part(const Json& json, const char* name);
+[[nodiscard]] std::string text_of(const Json& json);
+[[nodiscard]] Position position_of(const Json& json);
+/// The URI of the document that a message is about.
+[[nodiscard]] std::string document_uri(const Json& parameters);
+
+[[nodiscard]] Json to_json(Position position);
+[[nodiscard]] Json to_json(const Range& range);
 
 }  // namespace jaywalk::lsp

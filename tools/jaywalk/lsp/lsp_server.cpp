@@ -4,15 +4,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "tools/jaywalk/lsp/lsp_answers.h"
 #include "tools/jaywalk/lsp/lsp_json.h"
 
 namespace jaywalk::lsp {
 namespace {
-
-using Json = nlohmann::json;
 
 // Codes of JSON-RPC and of the protocol.
 constexpr int kParseError = -32700;
@@ -101,8 +98,7 @@ void Server::request(const Json& id, const std::string& method, const Json& para
 }
 
 // A discarded value: there is no such method.
-nlohmann::json Server::answer_of(const std::string& method, const Json& parameters,
-                                 std::string& problem) {
+Json Server::answer_of(const std::string& method, const Json& parameters, std::string& problem) {
   constexpr std::string_view kAboutDocuments = "textDocument/";
   if (!method.starts_with(kAboutDocuments)) return Json(Json::value_t::discarded);
   const std::string what = method.substr(kAboutDocuments.size());
@@ -139,7 +135,7 @@ nlohmann::json Server::answer_of(const std::string& method, const Json& paramete
 }
 
 // As the client writes the URI, if it has the file open.
-nlohmann::json Server::to_json(const Place& place) const {
+Json Server::to_json(const Place& place) const {
   const std::string file = file_of(place.path, include_path_.files);
   std::string uri = uri_of_path(file);
   for (const auto& [opened, document] : documents_) {
@@ -148,7 +144,7 @@ nlohmann::json Server::to_json(const Place& place) const {
   return {{"uri", std::move(uri)}, {"range", lsp::to_json(place.range)}};
 }
 
-nlohmann::json Server::to_json(const std::vector<Place>& places) const {
+Json Server::to_json(const std::vector<Place>& places) const {
   Json json = Json::array();
   for (const Place& place : places) json.push_back(to_json(place));
   return json;
@@ -179,7 +175,7 @@ Workspace Server::workspace(const Document& document) const {
   return {folders, open, with_open_texts()};
 }
 
-nlohmann::json Server::references(const Document& document, const Json& parameters) const {
+Json Server::references(const Document& document, const Json& parameters) const {
   const Json& declarations = part(part(parameters, "context"), "includeDeclaration");
   const bool all = !declarations.is_boolean() || declarations.get<bool>();
   const Use* const use = document.use_there(position_of(part(parameters, "position")));
@@ -196,8 +192,8 @@ bool Server::is_foreign(const std::string& file) const {
   });
 }
 
-nlohmann::json Server::renaming(const Document& document, Position at, const std::string& name,
-                                std::string& problem) const {
+Json Server::renaming(const Document& document, Position at, const std::string& name,
+                      std::string& problem) const {
   const Use* const use = document.use_there(at);
   if (!is_good_name(name)) {
     problem = fmt::format("'{}' cannot be the name of a goal or belief", name);

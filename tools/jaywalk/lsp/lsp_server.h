@@ -12,9 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "tools/jaywalk/lsp/lsp_document.h"
+#include "tools/jaywalk/lsp/lsp_json.h"
 #include "tools/jaywalk/lsp/lsp_workspace.h"
 
 namespace jaywalk::lsp {
@@ -38,8 +37,6 @@ class Server {
   [[nodiscard]] bool was_shut_down() const { return shut_down_; }
 
  private:
-  using Json = nlohmann::json;
-
   struct Opened {
     SourcePtr source;
     /// Of an earlier text, while that is in `changed_`; null until it has been checked.
