@@ -1,6 +1,7 @@
 #include "tests/fuzz/store_changes.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "experiment/scenario/files/sha256.h"
+#include "tests/fuzz/run_case.h"
 #include "tests/fuzz/texts.h"
 
 namespace jaywalk::fuzz {
@@ -171,6 +173,13 @@ std::string changed_bytes(Choices& choices, std::string& bytes) {
 }
 
 }  // namespace
+
+std::string sound_store(const std::string& name, const Case& maker) {
+  const std::string folder = std::string(std::getenv("JAYWALK_FUZZ_SCRATCH")) + "/" + name;
+  std::string path = folder + "/store.gpkg";
+  if (!std::filesystem::exists(path)) (void)run_case(maker, folder);
+  return path;
+}
 
 ChangedStore change_store(Choices& choices, const std::string& path, const std::string& sql) {
   if (sql.empty() && choices.once_in(3)) {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "tests/fuzz/target.h"
 #include "tests/helpers/generate.h"
 
 namespace jaywalk::fuzz {
@@ -15,6 +16,10 @@ struct ChangedStore {
   /// The statements that changed it, or which bytes were.
   std::string how;
 };
+
+/// The path of the store.gpkg that a case makes when it runs, a sound one; made once for each
+/// `name`.
+[[nodiscard]] std::string sound_store(const std::string& name, const Case& maker);
 
 /// Some change of the database in the file `path`, which stays as it is. `sql` begins the
 /// statements; they may fail.

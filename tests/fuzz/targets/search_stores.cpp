@@ -1,9 +1,4 @@
 // Stores of searches that were changed.
-
-#include <cstdlib>
-#include <filesystem>
-
-#include "tests/fuzz/run_case.h"
 #include "tests/fuzz/store_changes.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/texts.h"
@@ -27,20 +22,14 @@ std::vector<std::string> search(const std::string& mode) {
   return words;
 }
 
-/// A sound store, made when it is first needed.
-std::string sound_search_store() {
-  const std::string folder = std::string(std::getenv("JAYWALK_FUZZ_SCRATCH")) + "/search_stores";
-  std::string path = folder + "/store.gpkg";
-  if (std::filesystem::exists(path)) return path;
-  (void)run_case({.files = search_inputs(), .agents = {}, .commands = {search("")}, .input = {}},
-                 folder);
-  return path;
+Case search_case() {
+  return {.files = search_inputs(), .agents = {}, .commands = {search("")}, .input = {}};
 }
 
 }  // namespace
 
 Case make(Choices& choices) {
-  ChangedStore store = change_store(choices, sound_search_store(), {});
+  ChangedStore store = change_store(choices, sound_store("search_stores", search_case()), {});
   Case made{.files = search_inputs(), .agents = {}, .commands = {}, .input = {}};
   made.files["store.gpkg"] = std::move(store.bytes);
   made.files["how.sql"] = std::move(store.how);

@@ -1,9 +1,5 @@
 // Results stores that were changed, for every command that reads them.
 
-#include <cstdlib>
-#include <filesystem>
-
-#include "tests/fuzz/run_case.h"
 #include "tests/fuzz/store_changes.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/texts.h"
@@ -30,17 +26,11 @@ std::vector<std::string> comparison(std::vector<std::string> more) {
   return words;
 }
 
-/// A sound store, made when it is first needed.
-std::string sound_store() {
-  const std::string folder = std::string(std::getenv("JAYWALK_FUZZ_SCRATCH")) + "/stores";
-  std::string path = folder + "/store.gpkg";
-  if (std::filesystem::exists(path)) return path;
-  (void)run_case({.files = inputs(),
-                  .agents = {},
-                  .commands = {comparison({"--store", "store.gpkg"})},
-                  .input = {}},
-                 folder);
-  return path;
+Case comparison_case() {
+  return {.files = inputs(),
+          .agents = {},
+          .commands = {comparison({"--store", "store.gpkg"})},
+          .input = {}};
 }
 
 std::vector<std::string> reading_command(Choices& choices) {
@@ -73,7 +63,7 @@ std::vector<std::string> reading_command(Choices& choices) {
 Case make(Choices& choices) {
   static const Texts kCorpus = corpus("stores");
   const std::string sql = choices.once_in(4) ? one_of(choices, kCorpus) : std::string();
-  ChangedStore store = change_store(choices, sound_store(), sql);
+  ChangedStore store = change_store(choices, sound_store("stores", comparison_case()), sql);
   Case made{.files = inputs(), .agents = {}, .commands = {}, .input = {}};
   made.files["store.gpkg"] = std::move(store.bytes);
   made.files["how.sql"] = std::move(store.how);
