@@ -33,6 +33,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "env/process/tidy.h"
 #include "env/vehicle/controller_processes.h"
 #include "env/vehicle/models.h"
 
@@ -46,14 +47,6 @@ constexpr std::chrono::milliseconds kSettling{1};
 // Answers beyond a hundred times gravity are refused; what is less absurd is limited.
 constexpr double kAbsurdMps2 = 1000;
 
-/// Nanometres are noise of the arithmetic, and -0 is 0.
-double tidy(double value) {
-  constexpr double kDigits = 1e9;
-  return std::round(value * kDigits) / kDigits + 0.0;
-}
-
-nlohmann::json sides(double left_m, double right_m) { return {tidy(left_m), tidy(right_m)}; }
-
 nlohmann::json actors_of(const VehicleView& view) {
   nlohmann::json actors = nlohmann::json::array();
   for (const SeenActor& actor : view.actors) {
@@ -61,7 +54,7 @@ nlohmann::json actors_of(const VehicleView& view) {
                       {"kind", std::string(name(actor.kind))},
                       {"gap", tidy(actor.gap_m)},
                       {"far", tidy(actor.gap_m + actor.length_m)},
-                      {"sides", sides(actor.left_m, actor.right_m)},
+                      {"sides", tidy_pair(actor.left_m, actor.right_m)},
                       {"ahead", tidy(actor.speed_ahead_mps)},
                       {"right", tidy(actor.speed_right_mps)},
                       {"heading", tidy(actor.heading_rad)}});
@@ -76,16 +69,16 @@ void add_road(const VehicleView& view, nlohmann::json& json) {
   json["lanes"] = nlohmann::json::array();
   for (const SeenLane& lane : view.lanes) {
     json["lanes"].push_back(
-        {{"sides", sides(lane.left_m, lane.right_m)}, {"oncoming", lane.oncoming}});
+        {{"sides", tidy_pair(lane.left_m, lane.right_m)}, {"oncoming", lane.oncoming}});
     left_m = std::min(left_m, lane.left_m);
     right_m = std::max(right_m, lane.right_m);
   }
-  json["kerb"] = sides(left_m, right_m);
+  json["kerb"] = tidy_pair(left_m, right_m);
   json["obstacles"] = nlohmann::json::array();
   for (const SeenObstacle& each : view.obstacles) {
     json["obstacles"].push_back({{"gap", tidy(each.gap_m)},
                                  {"far", tidy(each.far_m)},
-                                 {"sides", sides(each.left_m, each.right_m)}});
+                                 {"sides", tidy_pair(each.left_m, each.right_m)}});
   }
   json["stop_lines"] = nlohmann::json::array();
   for (const StopLine& line : view.stop_lines) {
@@ -100,8 +93,8 @@ nlohmann::json to_json(const VehicleView& view) {
                       {"cruise", tidy(view.cruise_mps)},
                       {"front", tidy(view.front_m)},
                       {"length", tidy(view.length_m)},
-                      {"body", sides(view.left_m, view.right_m)},
-                      {"lane", sides(view.lane_left_m, view.lane_right_m)},
+                      {"body", tidy_pair(view.left_m, view.right_m)},
+                      {"lane", tidy_pair(view.lane_left_m, view.lane_right_m)},
                       {"range", tidy(view.range_m)},
                       {"actors", actors_of(view)}};
   add_road(view, json);

@@ -24,7 +24,7 @@ struct SumoTraffic {
 /// What SUMO calls the AV, and whom the world moves, by its index among the test's actors.
 inline constexpr std::string_view kSumoAv = "av";
 [[nodiscard]] std::string sumo_body(std::size_t actor);
-/// Whether SUMO is told of an actor, and as a person.
+/// Whether SUMO has the actor, too, as a person or vehicle that its own vehicles brake for.
 [[nodiscard]] bool is_body(const Actor& actor, const SumoSettings& settings);
 
 /// Those who are on the road when the test begins, and those who come in the minute after it, in

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kModels =
     "constant Krauss KraussOrig1 PWagner2009 BKerner IDM EIDM IDMM Wiedemann W99 ACC CACC";
 
-constexpr std::array kKeys{
+constexpr std::array kSumoKeys{
     SettingKey{.name = "model",
                .kind = SettingKind::choice,
                .meaning = "the AV's car-following model; `constant` never brakes",
@@ -54,7 +54,7 @@ constexpr std::array kKeys{
                .most = 1},
     SettingKey{.name = "brakes_for_pedestrians",
                .kind = SettingKind::flag,
-               .meaning = "`false`: SUMO is not told of pedestrians, so nobody brakes for them"},
+               .meaning = "`false`: pedestrians are left out of SUMO, so nobody brakes for them"},
     SettingKey{.name = "traffic", .kind = SettingKind::list, .meaning = "flows of other vehicles"},
     SettingKey{.name = "net",
                .kind = SettingKind::file,
@@ -154,7 +154,7 @@ std::optional<double> given(const SimulatorParameters& parameters, std::string_v
 
 }  // namespace
 
-std::span<const SettingKey> sumo_keys() { return kKeys; }
+std::span<const SettingKey> sumo_keys() { return kSumoKeys; }
 
 std::vector<SettingProblem> check_sumo(const SimulatorParameters& parameters) {
   std::vector<SettingProblem> problems;

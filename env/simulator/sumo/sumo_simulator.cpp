@@ -41,7 +41,7 @@ double heading(double angle_degrees) {
 }
 
 /// Steps of a tenth of a metre a hundred times are ten metres: what addition loses is put right.
-double tidy(double metres) {
+double to_micrometres(double metres) {
   constexpr double kMicrometres = 1e6;
   return std::round(metres * kMicrometres) / kMicrometres + 0.0;
 }
@@ -231,11 +231,11 @@ SimulatedVehicle SumoSimulator::vehicle_of(const TraciObject& object, double len
   const RoadFrame::Pose pose =
       map_.frame().to_world({place->points.front().x_m - std::cos(way) * length_m / 2,
                              place->points.front().y_m - std::sin(way) * length_m / 2, way});
-  vehicle.state = {.x_m = tidy(pose.x_m),
-                   .y_m = tidy(pose.y_m),
-                   .speed_mps = tidy(std::max(speed->number, 0.0)),
+  vehicle.state = {.x_m = to_micrometres(pose.x_m),
+                   .y_m = to_micrometres(pose.y_m),
+                   .speed_mps = to_micrometres(std::max(speed->number, 0.0)),
                    .heading_rad = pose.heading_rad};
-  if (acceleration != nullptr) vehicle.acceleration_mps2 = tidy(acceleration->number);
+  if (acceleration != nullptr) vehicle.acceleration_mps2 = to_micrometres(acceleration->number);
   // Those that have not come or are gone have places that are no numbers to speak of.
   vehicle.present = std::fabs(pose.x_m) < kFarM * 10 && std::fabs(pose.y_m) < kFarM * 10;
   return vehicle;
