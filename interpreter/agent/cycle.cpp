@@ -300,7 +300,10 @@ void Agent::push_means(Intention& intention, const Plan& plan, const Event& even
     means.scope =
         std::make_shared<Scope>(Scope{plan.subplans.get(), closed_off(work().frame), scope});
   }
-  if (plan.has_goal_condition) ++goal_conditions_;
+  if (plan.has_goal_condition) {
+    ++goal_conditions_;
+    changed_ = true;  // it may hold already: then no formula is executed
+  }
   if (plan.atomic) circumstance_.atomic_suspended = false;
 }
 

@@ -69,7 +69,6 @@ void Agent::stride(std::uint64_t last) {
       return true;
     });
     if (!completed) abandon_cycle(*error);
-    changed_ = true;
     machine().unifier().commit(0);
     machine().forget_temporary_code();
     if (finished_ > 0) forget_finished();
@@ -113,13 +112,16 @@ void Agent::plain_cycle(std::uint64_t last) {
   const bool is_news = c.atomic != nullptr || c.atomic_suspended || goal_conditions_ > 0;
   if (is_news || uses_subplans_) {
     act();
-  } else if (!c.running.empty()) {
-    Intention& intention = *c.running.front();
-    c.running.pop_front();
-    executing_ = &intention;
-    plain_steps(intention, last);
-    executing_ = nullptr;
+    return;
   }
+  changed_ = false;
+  if (c.running.empty()) return;
+  Intention& intention = *c.running.front();
+  c.running.pop_front();
+  executing_ = &intention;
+  plain_steps(intention, last);
+  executing_ = nullptr;
+  changed_ = true;
 }
 
 // Rule ClrInt, for means that need no more than a frame.
