@@ -37,11 +37,7 @@ Outcome setof(ActionCall& call) {
 }
 
 Outcome count(ActionCall& call) {
-  double number = 0;
-  call.solve(0, [&] {
-    ++number;
-    return true;
-  });
+  const auto number = static_cast<double>(call.count_answers(0));
   return call.count() == 1 ? Outcome::succeeded : call.result(1, Value::number(number));
 }
 

@@ -137,11 +137,21 @@ Outcome ActionCall::wrong_argument(std::size_t index, std::string_view expected)
 }
 
 void ActionCall::solve(std::size_t index, const std::function<bool()>& solution) {
-  if (index < goal_.queries.size() && goal_.action != nullptr && goal_.action->formula_args != 0) {
+  if (is_compiled(index)) {
     machine_.solve_all(goal_.queries[index], slots_, solution);
   } else {
     machine_.solve_all_terms(arg(index), solution);
   }
+}
+
+std::size_t ActionCall::count_answers(std::size_t index) {
+  if (is_compiled(index)) return machine_.count_all(goal_.queries[index], slots_);
+  std::size_t number = 0;
+  machine_.solve_all_terms(arg(index), [&] {
+    ++number;
+    return true;
+  });
+  return number;
 }
 
 Heap& ActionCall::heap() { return machine_.heap(); }

@@ -162,6 +162,8 @@ class ActionCall {
   /// Calls `solution` for each answer to the formula in an argument; it may return false to stop.
   /// Bindings are undone afterwards.
   void solve(std::size_t index, const std::function<bool()>& solution);
+  /// How many answers there are.
+  [[nodiscard]] std::size_t count_answers(std::size_t index);
 
   [[nodiscard]] Machine& machine() { return machine_; }
   [[nodiscard]] Heap& heap();
@@ -182,6 +184,12 @@ class ActionCall {
   }
 
  private:
+  /// The argument is a formula of the program's text.
+  [[nodiscard]] bool is_compiled(std::size_t index) const {
+    return index < goal_.queries.size() && goal_.action != nullptr &&
+           goal_.action->formula_args != 0;
+  }
+
   std::unique_ptr<ActionError> error_;
   Machine& machine_;
   const Goal& goal_;

@@ -36,7 +36,24 @@ bool has_percept_source(Value annots) {
   return false;
 }
 
+// Numbers and atoms are equal if their bits are; what else is equal to them has other bits.
+RowIndex::Bits telling_bits(Value value) {
+  value = deref(value);
+  if (value.is_number()) return Value::number(value.as_number() + 0.0).bits();
+  return value.is_atom() ? value.bits() : RowIndex::kVarious;
+}
+
 }  // namespace
+
+std::optional<std::size_t> Relation::count(std::size_t argument, Value value) {
+  value = deref(value);
+  const RowIndex::Bits bits = telling_bits(value);
+  if (rules_ > 0 || rows_.size() <= kUnindexedRows || bits == RowIndex::kVarious) {
+    return std::nullopt;
+  }
+  const RowIndex& index = index_of(argument);
+  return index.count(0) == 0 ? index.count(argument_key(value), bits) : std::nullopt;
+}
 
 std::uint32_t argument_key_of_cell(Value argument) {
   if (argument.is_text()) return mix_key(std::hash<std::string_view>{}(argument.text()->view()));
@@ -106,8 +123,12 @@ RowIndex& Relation::index_of(std::size_t argument) {
   if (arguments[argument] == nullptr) {
     arguments[argument] = std::make_unique<RowIndex>(first_seq_);
     for (const Row& r : rows_) {
-      arguments[argument]->add_newest(
-          r.is_hole() ? RowIndex::kHoleKey : argument_key(r.literal().structure()->arg(argument)));
+      if (r.is_hole()) {
+        arguments[argument]->add_newest(RowIndex::kHoleKey);
+      } else {
+        const Value value = r.literal().structure()->arg(argument);
+        arguments[argument]->add_newest(argument_key(value), telling_bits(value));
+      }
     }
   }
   return *arguments[argument];
@@ -120,8 +141,10 @@ void Relation::insert_in_indexes(const Row& r, std::int64_t seq, End end, Hash h
   for (std::size_t i = 0; i < indexes_->arguments.size(); ++i) {
     RowIndex* const index = indexes_->arguments[i].get();
     if (index == nullptr) continue;
-    const std::uint32_t key = argument_key(r.literal().structure()->arg(i));
-    end == End::oldest ? index->add_oldest(key) : index->add_newest(key);
+    const Value value = r.literal().structure()->arg(i);
+    const std::uint32_t key = argument_key(value);
+    const RowIndex::Bits bits = telling_bits(value);
+    end == End::oldest ? index->add_oldest(key, bits) : index->add_newest(key, bits);
   }
 }
 

@@ -142,6 +142,9 @@ class Relation {
     Hash hash = 0;
     return find(args, hash);
   }
+  /// How many facts have this value as an argument, if that is known without a look at each. A
+  /// relation of facts alone may know it of numbers and atoms.
+  [[nodiscard]] std::optional<std::size_t> count(std::size_t argument, Value value);
   void compact();
   /// Kept by belief update (belief_update.cpp): how many rows are percepts; whether the relation is
   /// among those that have some, and since when in the order of becoming so.

@@ -158,6 +158,18 @@ void Machine::solve_all(const Goal* entry, Value* slots, const std::function<boo
   }
 }
 
+std::size_t Machine::count_all(const Goal* entry, Value* slots) {
+  if (entry != nullptr && entry->next == nullptr && entry->is_plain) {
+    if (const std::optional<std::size_t> known = count_facts(*entry, slots)) return *known;
+  }
+  std::size_t number = 0;
+  solve_all(entry, slots, [&] {
+    ++number;
+    return true;
+  });
+  return number;
+}
+
 bool Machine::solve_term(Value formula) {
   auto code = std::make_unique<FormulaCode>();
   code->entry = FormulaCompiler(*code, *actions_, symbols_).compile(formula, nullptr);

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,8 @@ class Machine : public FunctionCaller {
   [[nodiscard]] bool solve(const Goal* entry, Value* slots);
   /// Every solution in turn; `solution` returns false to stop. No binding stays.
   void solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution);
+  /// The number of solutions; what facts alone answer is counted without a look at each of them.
+  [[nodiscard]] std::size_t count_all(const Goal* entry, Value* slots);
   /// A formula that is a term at run time.
   [[nodiscard]] bool solve_term(Value formula);
   void solve_all_terms(Value formula, const std::function<bool()>& solution);
@@ -210,6 +213,7 @@ class Machine : public FunctionCaller {
   bool query_facts(const Relation& relation, const Goal& goal);
   Tests query_in_place(const Goal& goal, Value* slots);
   bool retry_facts();
+  [[nodiscard]] std::optional<std::size_t> count_facts(const Goal& goal, const Value* slots);
   bool match_fact(Value fact, const Goal& goal, Value* slots);
   bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
     return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)

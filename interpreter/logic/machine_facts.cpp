@@ -101,6 +101,21 @@ Machine::Tests Machine::query_in_place(const Goal& goal, Value* slots) {
   return match_fact(fact, goal, slots) ? Tests::hold : Tests::fail;
 }
 
+// Where one argument at most is given and each of the others takes anything.
+std::optional<std::size_t> Machine::count_facts(const Goal& goal, const Value* slots) {
+  Relation* const relation = beliefs_->find(goal.predicate);
+  if (relation == nullptr) return 0;
+  if (relation->has_rules()) return std::nullopt;
+  const std::span<const Value> args = goal.args();
+  std::optional<std::size_t> given;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    if (value_of(args[i], slots).is_unset()) continue;
+    if (given) return std::nullopt;
+    given = i;
+  }
+  return given ? relation->count(*given, value_of(args[*given], slots)) : relation->size();
+}
+
 // The choice point stays as long as it has candidates left.
 bool Machine::retry_facts() {
   const Relation& relation = *choices_.back().relation;

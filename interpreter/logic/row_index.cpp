@@ -12,13 +12,19 @@ const RowIndex::Entry* RowIndex::find(std::uint32_t key) const {
   }
 }
 
-RowIndex::Entry& RowIndex::entry(std::uint32_t key) {
-  if (Entry* const known = find(key)) return *known;
+// To which a row with a value is added.
+RowIndex::Entry& RowIndex::entry(std::uint32_t key, Bits value) {
+  if (Entry* const known = find(key)) {
+    if (known->count == 0) known->value = value;
+    if (known->value != value) known->value = kVarious;
+    return *known;
+  }
   if (3 * (taken_ + 1) > 2 * table_.size()) grow();
   std::size_t i = place(key);
   while (table_[i].key != kFree) i = (i + 1) & (table_.size() - 1);
   ++taken_;
   table_[i].key = key;
+  table_[i].value = value;
   return table_[i];
 }
 
@@ -39,21 +45,21 @@ void RowIndex::grow() {
   }
 }
 
-void RowIndex::add_newest(std::uint32_t key) {
+void RowIndex::add_newest(std::uint32_t key, Bits value) {
   const std::int64_t seq = first_ + static_cast<std::int64_t>(links_.size());
   if (key == kHoleKey) {
     links_.push_back({});
     return;
   }
-  Entry& chain = entry(key);
+  Entry& chain = entry(key, value);
   links_.push_back({key, chain.newest});
   chain.newest = row_of(seq);
   if (chain.oldest == kNoRow) chain.oldest = chain.newest;
   ++chain.count;
 }
 
-void RowIndex::add_oldest(std::uint32_t key) {
-  Entry& chain = entry(key);
+void RowIndex::add_oldest(std::uint32_t key, Bits value) {
+  Entry& chain = entry(key, value);
   const std::int32_t row = row_of(first_ - 1);
   if (chain.count == 0) {
     chain.newest = row;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/helpers/generate.h"
 #include "tests/helpers/terms.h"
 
 namespace jaywalk {
@@ -240,6 +241,47 @@ TEST(Machine, AnswersFromAFewFactsAsFromAnyRows) {
     EXPECT_FALSE(answers.empty() && body != "f(X,[Y|_])") << body;
     EXPECT_EQ(terms.answers("few(1,Y)", "Y"), terms.answers("any(1,Y)", "Y")) << body;
   }
+}
+
+// What is counted without a look at each fact is what is found by looking.
+TEST(Machine, CountsFactsAsItFindsThem) {
+  const std::vector<std::string> values = {"0",    "-0",    "1",   "1.5",  "a", "b",
+                                           "a[k]", "\"a\"", "[1]", "s(1)", "W", "100000000000"};
+  const std::vector<std::string> queries = {"f(_,_)", "f(1,_)", "f(a,_)", "f(_,0)", "f(_,b)"};
+  test::Choices choices(7);
+  for (int round = 0; round < 40; ++round) {
+    test::Terms terms;
+    const std::size_t kinds = 1 + choices.below(values.size());
+    for (int i = 0; i < 40; ++i) {
+      (void)terms.beliefs.add(terms.term("f(" + values[choices.below(kinds)] + "," +
+                                         values[choices.below(values.size())] + ")[source(self)]"),
+                              Place::front);
+      Relation& relation = *terms.beliefs.relations().front();
+      const std::int64_t place =
+          relation.first_seq() + static_cast<std::int64_t>(choices.below(relation.size()));
+      if (i % 3 == 2 && !relation.row(place).is_hole()) terms.beliefs.erase(relation, place);
+      if (choices.once_in(4)) terms.beliefs.compact();
+    }
+    std::string rules;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const std::string number = std::to_string(i);
+      rules += "counted(" + number + ",N) :- .count(" + queries[i] + ",N). found(" + number +
+               ",N) :- .findall(x," + queries[i] + ",L) & .length(L,N). ";
+    }
+    terms.believe(rules);
+    const auto counted = terms.answers("counted(Query,N)", "Query=N");
+    EXPECT_EQ(counted, terms.answers("found(Query,N)", "Query=N"));
+    EXPECT_EQ(counted.size(), queries.size());
+  }
+}
+
+TEST(Machine, CountsFactsOfOneArgumentWithoutALookAtEach) {
+  test::Terms terms;
+  std::string program;
+  for (int i = 0; i < 1000; ++i) program += "bid(7," + std::to_string(i) + "). ";
+  terms.believe(program + "bids(T,N) :- .count(bid(T,_),N).");
+  EXPECT_THAT(terms.answers("bids(7,N)", "N"), ElementsAre("1000"));
+  EXPECT_LT(terms.machine.inferences(), 10);
 }
 
 TEST(Machine, FindsTheRuleByTheKindOfTheFirstArgument) {

@@ -51,5 +51,31 @@ TEST(RowIndex, KeepsManyKeysApart) {
   }
 }
 
+TEST(RowIndex, CountsTheRowsOfAValueUnlessOthersShareItsKey) {
+  constexpr RowIndex::Bits kValue = 70;
+  constexpr RowIndex::Bits kOther = 80;
+  RowIndex index(0);
+  index.add_newest(1, kValue);
+  index.add_newest(1, kValue);
+  EXPECT_EQ(index.count(1, kValue), 2);
+  EXPECT_EQ(index.count(1, kOther), std::nullopt);
+  EXPECT_EQ(index.count(3, kValue), 0);
+  index.erase(0);
+  EXPECT_EQ(index.count(1, kValue), 1);
+  index.add_newest(1, kOther);
+  EXPECT_EQ(index.count(1, kValue), std::nullopt);
+  EXPECT_EQ(index.count(1, kOther), std::nullopt);
+}
+
+TEST(RowIndex, CountsAgainOnceAllRowsOfAKeyHaveGone) {
+  RowIndex index(0);
+  index.add_newest(1, 70);
+  index.add_newest(1, 80);
+  index.erase(0);
+  index.erase(1);
+  index.add_newest(1, 80);
+  EXPECT_EQ(index.count(1, 80), 1);
+}
+
 }  // namespace
 }  // namespace jaywalk
