@@ -26,6 +26,55 @@ TEST(Generators, LearnWhereTestsFail) {
   EXPECT_GT(failures("graft", 400), 3 * random + 3);
 }
 
+/// Nine islands in the square, of which random tests hit one in ninety, a slope around
+/// each.
+class IslandsSut : public CornerSut {
+ public:
+  static constexpr double kRadius = 0.04;
+
+  /// The island that is nearest, and how far it is.
+  static std::pair<int, double> nearest(const std::vector<double>& values) {
+    std::pair<int, double> best{-1, 10};
+    for (int i = 0; i < 9; ++i) {
+      const double dx = values[0] - (-0.3 + 0.55 * (i % 3));
+      const double dy = values[1] - (-0.7 + 0.7 * (i / 3));
+      const double distance = std::hypot(dx, dy);
+      if (distance < best.second) best = {i, distance};
+    }
+    return best;
+  }
+
+  [[nodiscard]] std::unique_ptr<Sut> make() const override {
+    class Run : public Sut {
+     public:
+      Outcome run(const TestInput& input, std::size_t) override {
+        const double distance = nearest(input.values).second;
+        return {.simulated_s = 5, .measures = {std::max(0.0, 1 - 0.1 / kRadius * distance)}};
+      }
+    };
+    return std::make_unique<Run>();
+  }
+};
+
+/// On how many of the islands tests failed.
+std::size_t islands(std::string_view generator) {
+  SearchPlan plan = corner_plan(generator, 400);
+  plan.model = std::make_shared<IslandsSut>();
+  const SearchResults results = run_searches(plan, nullptr);
+  std::set<int> found;
+  for (const TestRow& row : results.runs[0].tests) {
+    if (row.test.failed) found.insert(IslandsSut::nearest(row.test.input.values).first);
+  }
+  return found.size();
+}
+
+// Its optimum is known: each island once.
+TEST(Prospect, FindsEveryKindOfFailure) {
+  EXPECT_EQ(islands("prospect"), 9U);
+  EXPECT_LT(islands("graft"), 9U);
+  EXPECT_LT(islands("random"), 9U);
+}
+
 SearchPlan road_plan(std::string_view generator, double virtual_s,
                      std::string_view controller = "paper-rate") {
   SearchPlan plan;
@@ -58,6 +107,45 @@ TEST(Generators, FindMoreFailingRoadsThanRandomOnes) {
   const double frenetic = road_failures("frenetic");
   EXPECT_GT(frenetic, 2 * random);
   EXPECT_GT(road_failures("graft"), 1.5 * frenetic);
+}
+
+/// Mean number of failing stretches that differ by more than 2 m, of four searches of two virtual
+/// hours.
+double distinct_failures(std::string_view generator) {
+  const SearchPlan plan = road_plan(generator, 7200);
+  const SearchResults results = run_searches(plan, nullptr);
+  double sum = 0;
+  for (const SearchRun& run : results.runs) {
+    sum += summarise(run, *plan.model).distinct_2m;
+  }
+  return sum / 4;
+}
+
+TEST(Prospect, FindsTwiceAsManyDistinctFailuresAsWhatCopiesThem) {
+  EXPECT_GT(distinct_failures("prospect"), 2 * distinct_failures("graft"));
+}
+
+// In every kind of space: tests as numbers, as vectors of roads, as sequences.
+TEST(Generators, ProposeTheSameForAnyNumberOfThreads) {
+  for (const GeneratorKind& kind : generators()) {
+    for (const bool roads : {false, true}) {
+      SearchPlan plan = roads ? road_plan(kind.name, 0) : corner_plan(kind.name, 0);
+      plan.budget = {.tests = 75, .virtual_s = 0};
+      plan.repetitions = 2;
+      std::vector<std::vector<TestInput>> proposed;
+      for (const unsigned threads : {1U, 2U}) {
+        plan.threads = threads;
+        const SearchResults results = run_searches(plan, nullptr);
+        std::vector<TestInput> inputs;
+        for (const SearchRun& run : results.runs) {
+          EXPECT_GE(run.tests.size(), 20U) << kind.name;
+          for (const TestRow& row : run.tests) inputs.push_back(row.test.input);
+        }
+        proposed.push_back(std::move(inputs));
+      }
+      EXPECT_TRUE(proposed[0] == proposed[1]) << kind.name << (roads ? " on roads" : "");
+    }
+  }
 }
 
 // An assistant that never fails would show nothing of a search, and neither would one that always

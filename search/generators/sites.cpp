@@ -1,0 +1,129 @@
+#include "search/generators/sites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace jaywalk::search {
+namespace {
+
+constexpr int kValuesBefore = 8;
+constexpr int kValuesAfter = 1;
+/// Ends farther away than this no longer matter; their distances are in these units of values.
+constexpr int kFarBeginning = 8;
+constexpr double kBeginningUnit = 4;
+constexpr int kFarEnd = 6;
+constexpr double kEndUnit = 2;
+
+constexpr double kShapeBefore_m = 40;
+constexpr double kShapeAfter_m = 10;
+constexpr double kShapeStep_m = 5;
+constexpr double kSurroundings_m = 30;
+
+/// A point of the chain of straight pieces, which go on beyond its ends.
+Point along(std::span<const double> xy, double steps) {
+  const auto last = static_cast<double>(xy.size() / 2 - 2);
+  const double piece = std::clamp(std::floor(steps), 0.0, last);
+  const double share = steps - piece;
+  const std::size_t i = 2 * static_cast<std::size_t>(piece);
+  return {xy[i] + share * (xy[i + 2] - xy[i]), xy[i + 1] + share * (xy[i + 3] - xy[i + 1])};
+}
+
+double separation(const lane::Polyline& a, const lane::Polyline& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const double dx = a[i].x_m - b[i].x_m;
+    const double dy = a[i].y_m - b[i].y_m;
+    most = std::max(most, dx * dx + dy * dy);
+  }
+  return std::sqrt(most);
+}
+
+double least_separation(const std::vector<lane::Polyline>& known, const lane::Polyline& shape) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const lane::Polyline& each : known) least = std::min(least, separation(each, shape));
+  return least;
+}
+
+/// 0 up to `from`, 1 from `to` on, even in between.
+double ramp(double value, double from, double to) {
+  return std::clamp((value - from) / (to - from), 0.0, 1.0);
+}
+
+}  // namespace
+
+std::vector<double> SiteView::features(const Site& site) const {
+  const std::vector<double>& values = site.input.values;
+  if (!sequences_) return values;
+  std::vector<double> features;
+  const int size = static_cast<int>(values.size());
+  for (int i = site.at() - kValuesBefore; i <= site.at() + kValuesAfter; ++i) {
+    features.push_back(i >= 0 && i < size ? values[static_cast<std::size_t>(i)] : 0);
+  }
+  features.push_back(std::min(size - site.at(), kFarEnd) / kEndUnit);
+  features.push_back(std::min(site.at(), kFarBeginning) / kBeginningUnit);
+  return features;
+}
+
+std::vector<learn::FeatureLength> SiteView::lengths() const {
+  if (!sequences_) return std::vector<learn::FeatureLength>(space_.dimension());
+  std::vector<learn::FeatureLength> lengths;
+  for (int i = -kValuesBefore; i <= 0; ++i) {
+    lengths.push_back({1, std::max(0.0, static_cast<double>(-i - 1))});
+  }
+  lengths.push_back({1.5, 0});
+  lengths.push_back({3, 0});
+  lengths.push_back({3, 0});
+  return lengths;
+}
+
+lane::Polyline SiteView::shape(const Site& site, const TestInput& points, double shift_m) const {
+  lane::Polyline shape;
+  if (!sequences_) {
+    for (const double value : site.input.values) shape.push_back({value * kVectorMetres, 0});
+    return shape;
+  }
+  const double step = sequences_->element_m;
+  const double place = site.place + shift_m / step;
+  const Point origin = along(points.values, place);
+  const Point before = along(points.values, place - kShapeStep_m / step);
+  const Point after = along(points.values, place + kShapeStep_m / step);
+  const double length = lane::distance(before, after);
+  const double c = (after.x_m - before.x_m) / length;
+  const double s = (after.y_m - before.y_m) / length;
+  for (double at = -kShapeBefore_m; at <= kShapeAfter_m; at += kShapeStep_m) {
+    const Point point = along(points.values, place + at / step);
+    const double dx = point.x_m - origin.x_m;
+    const double dy = point.y_m - origin.y_m;
+    shape.push_back({c * dx + s * dy, c * dy - s * dx});
+  }
+  return shape;
+}
+
+double SiteView::surroundings_m(const Site& site) const {
+  if (!sequences_) return 0;
+  const double step = sequences_->element_m;
+  const double length = static_cast<double>(site.input.values.size()) - 2;
+  return std::min(kSurroundings_m, step * site.place) +
+         std::clamp(step * (length - site.place), 0.0, kSurroundings_m);
+}
+
+void KnownFailures::add(const lane::Polyline& shape, double surroundings_m) {
+  if (least_separation(fine_, shape) > reach_m_ / 2) fine_.push_back(shape);
+  if (least_separation(coarse_, shape) > reach_m_) coarse_.push_back(shape);
+  surroundings_.push_back(surroundings_m);
+}
+
+double KnownFailures::novelty(const lane::Polyline& shape) const {
+  return (ramp(least_separation(fine_, shape), reach_m_ / 4, reach_m_ * 3 / 4) +
+          ramp(least_separation(coarse_, shape), reach_m_ / 2, reach_m_ * 5 / 4)) /
+         2;
+}
+
+double KnownFailures::surroundings_novelty_m(double surroundings_m) const {
+  double least = kMostDifference_m;
+  for (const double each : surroundings_) least = std::min(least, std::fabs(each - surroundings_m));
+  return least;
+}
+
+}  // namespace jaywalk::search

@@ -1,0 +1,72 @@
+#pragma once
+
+// Places on roads (or points of vector spaces) as `prospect` compares them: what a model learns
+// from, what shape the road has there, which failures are known. Read search/test_input.h before.
+
+#include <vector>
+
+#include "env/lane/road.h"
+#include "search/learn/severity_model.h"
+#include "search/test_input.h"
+
+namespace jaywalk::search {
+
+/// A test and the place where it failed or is expected to.
+struct Site {
+  TestInput input;
+  /// In values from the beginning; 0 in a vector, which fails as a whole.
+  double place = 0;
+
+  /// The value at the place. REQUIRES: a place within the input.
+  [[nodiscard]] int at() const { return static_cast<int>(place); }
+};
+
+/// What can be said of a site without executing it.
+class SiteView {
+ public:
+  explicit SiteView(const SearchSpace& space) : space_(space), sequences_(space.sequences()) {}
+
+  /// Of a sequence: the values from eight before the place to one after it, 0 where there are none,
+  /// how far the end is and how far the beginning. Of a vector: its values.
+  [[nodiscard]] std::vector<double> features(const Site& site) const;
+  /// Of these features: what lies farther back matters less.
+  [[nodiscard]] std::vector<learn::FeatureLength> lengths() const;
+
+  /// The road's points from 40 m before the place to 10 m after it, every 5 m, seen from there;
+  /// straight on beyond its ends. `shift_m`: a place so much farther along. Of a vector: its values
+  /// times kVectorMetres. REQUIRES: `points` are those of the site's input (as_points()), not none.
+  [[nodiscard]] lane::Polyline shape(const Site& site, const TestInput& points,
+                                     double shift_m = 0) const;
+  static constexpr double kVectorMetres = 5;
+
+  /// How much road there is within 30 m of the place; 0 for a vector.
+  [[nodiscard]] double surroundings_m(const Site& site) const;
+
+ private:
+  const SearchSpace& space_;
+  std::optional<SequenceBounds> sequences_;
+};
+
+/// The failures that are known, by their shapes: those that differ from every earlier one by more
+/// than half the reach, and those that differ by more than the reach.
+class KnownFailures {
+ public:
+  explicit KnownFailures(double reach_m) : reach_m_(reach_m) {}
+
+  void add(const lane::Polyline& shape, double surroundings_m);
+  /// 0 for a shape that would count for a copy of a known one, to 1 for one that would not even at
+  /// the whole reach.
+  [[nodiscard]] double novelty(const lane::Polyline& shape) const;
+  /// By how much a failure with so much road around it would differ in that from every known one,
+  /// in metres; at most kMostDifference_m.
+  [[nodiscard]] double surroundings_novelty_m(double surroundings_m) const;
+  static constexpr double kMostDifference_m = 10;
+
+ private:
+  double reach_m_;
+  std::vector<lane::Polyline> fine_;
+  std::vector<lane::Polyline> coarse_;
+  std::vector<double> surroundings_;
+};
+
+}  // namespace jaywalk::search
