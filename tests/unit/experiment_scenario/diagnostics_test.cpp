@@ -3,6 +3,7 @@
 #include <ostream>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "parse.h"
@@ -113,7 +114,9 @@ TEST_P(ScenarioMistakes, AreReportedOnceWithTheirPlace) {
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.diagnostics().error_count(), 1U);
   const std::string rendered = errors(result);
-  EXPECT_EQ(rendered.substr(0, rendered.find('\n')), GetParam().message);
+  // yaml-cpp 0.8 names the anchor, too, that is not defined.
+  EXPECT_THAT(rendered.substr(0, rendered.find('\n')),
+              testing::AnyOf(GetParam().message, GetParam().message + ": nowhere"));
 }
 
 std::string world(const std::string& content) {
