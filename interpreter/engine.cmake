@@ -53,6 +53,7 @@ jaywalk_add_library(engine
     agent/execute.cpp
     agent/failure.cpp
     agent/for_loops.cpp
+    agent/goal_copier.cpp
     agent/goals.cpp
     agent/intention.cpp
     agent/memory.cpp

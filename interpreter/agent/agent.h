@@ -327,7 +327,6 @@ class Agent final : public MachineSurroundings {
   void execute_fork(Intention& intention, const Step& step);
   void execute_join(Intention& intention);
   bool leave_failed_branch(Intention& intention);
-  class FreedRounds;
   Intention& copy_for_branch(Intention& intention);
   [[nodiscard]] Intention* find_intention(std::uint32_t id);
   // Rounds of `for` (for_loops.cpp).
@@ -383,7 +382,7 @@ class Agent final : public MachineSurroundings {
   using PlanMap = std::unordered_map<const Plan*, const Plan*>;
   void copy_beliefs(const Agent& original, Transfer& transfer);
   PlanMap copy_plans(const Agent& original, Transfer& transfer);
-  void copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans);
+  class GoalCopier;
 
   [[nodiscard]] OwnParts& own();
   [[nodiscard]] PlanLibrary& own_library();

@@ -1,45 +1,20 @@
 // `.clone`: an agent that begins as a copy of another.
 
-#include <algorithm>
-#include <map>
-
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_copier.h"
 #include "interpreter/agent/own_parts.h"
 #include "interpreter/logic/formula_compiler.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/transfer.h"
 
 namespace jaywalk {
-namespace {
-
-// Where a body stands among the bodies of its plan; the number of them if it is not the plan's own.
-std::size_t body_index(const Plan& plan, const Body* body) {
-  const auto found = std::find_if(plan.code.bodies.begin(), plan.code.bodies.end(),
-                                  [&](const Body& each) { return &each == body; });
-  return static_cast<std::size_t>(found - plan.code.bodies.begin());
-}
-
-// Loops refer to steps by address, scopes and bodies made at run time to the agent they belong to.
-bool can_be_copied(const Intention& intention) {
-  if (intention.fork != nullptr || intention.is_finished()) return false;
-  return std::all_of(intention.stack.begin(), intention.stack.end(), [](const auto& means) {
-    const auto is_own = [&](const Cursor& cursor) {
-      return cursor.code == nullptr &&
-             body_index(*means.plan, cursor.body) < means.plan->code.bodies.size();
-    };
-    return means.scope == nullptr && means.loops.empty() && is_own(means.cursor) &&
-           std::all_of(means.outer.begin(), means.outer.end(), is_own);
-  });
-}
-
-}  // namespace
-
 void Agent::copy_from(const Agent& original) {
   customisation_ = original.customisation_;
   settings_ = original.settings_;
   Transfer transfer(heap_);
   copy_beliefs(original, transfer);
-  copy_goals(original, transfer, copy_plans(original, transfer));
+  const PlanMap plans = copy_plans(original, transfer);
+  GoalCopier(original, *this, transfer, plans).copy();
   heap_.protect();
 }
 
@@ -94,47 +69,6 @@ Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
     own().library->add(copy);
   }
   return copies;
-}
-
-// Goals that are still events, and intentions that are running. What waits for time, an answer or
-// an action does not wait a second time.
-void Agent::copy_goals(const Agent& original, Transfer& transfer, const PlanMap& plans) {
-  std::map<const Intention*, Intention*> copies;
-  for (const auto& intention : original.circumstance_.intentions) {
-    const bool in_event = intention->state == Intention::State::in_event;
-    const bool running = intention->state == Intention::State::running;
-    if (intention.get() == original.executing_ || (!in_event && !running) ||
-        !can_be_copied(*intention) ||
-        !std::all_of(intention->stack.begin(), intention->stack.end(),
-                     [&](const IntendedMeans& means) { return plans.contains(means.plan); })) {
-      continue;  // (a plan that is in use may have been removed)
-    }
-    Intention& copy = new_intention();
-    copies.emplace(intention.get(), &copy);
-    copy.stack = intention->stack;
-    copy.values = intention->values;
-    copy.atomic_means = intention->atomic_means;
-    copy.visit_terms([&](Value& value) { value = transfer.copy(value); });
-    for (IntendedMeans& means : copy.stack) {
-      const Plan& plan = *plans.at(means.plan);
-      const auto move_to_copy = [&](Cursor& cursor) {
-        cursor.body = &plan.code.bodies[body_index(*means.plan, cursor.body)];
-      };
-      move_to_copy(means.cursor);
-      for (Cursor& cursor : means.outer) move_to_copy(cursor);
-      means.plan = &plan;
-    }
-    if (running) make_ready(copy);
-  }
-  for (Event event : original.circumstance_.events) {
-    if (event.intention != nullptr) {
-      const auto copy = copies.find(event.intention);
-      if (copy == copies.end()) continue;
-      event.intention = copy->second;
-    }
-    event.literal = transfer.copy(event.literal);
-    add_event(event);
-  }
 }
 
 }  // namespace jaywalk

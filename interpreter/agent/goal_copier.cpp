@@ -1,0 +1,181 @@
+#include "interpreter/agent/goal_copier.h"
+
+#include <algorithm>
+
+#include "interpreter/agent/freed_rounds.h"
+
+namespace jaywalk {
+namespace {
+
+// Where a body stands among the bodies of its plan; the number of them if it is not the plan's own.
+std::size_t body_index(const Plan& plan, const Body* body) {
+  const auto found = std::find_if(plan.code.bodies.begin(), plan.code.bodies.end(),
+                                  [&](const Body& each) { return &each == body; });
+  return static_cast<std::size_t>(found - plan.code.bodies.begin());
+}
+
+bool is_step_of(const Body& body, const Step* step) {
+  return !body.steps.empty() && step >= &body.steps.front() && step <= &body.steps.back();
+}
+
+// The same step of a copied plan.
+const Step* step_of_copy(const Plan& plan, const Plan& copy, const Step* step) {
+  for (std::size_t i = 0; i < plan.code.bodies.size(); ++i) {
+    const Body& body = plan.code.bodies[i];
+    if (is_step_of(body, step))
+      return &copy.code.bodies[i].steps[static_cast<std::size_t>(step - &body.steps.front())];
+  }
+  return step;
+}
+
+bool share_a_fork(const Intention& a, const Intention& b) {
+  for (const Fork* fork = a.fork.get(); fork != nullptr; fork = fork->outer.get()) {
+    for (const Fork* other = b.fork.get(); other != nullptr; other = other->outer.get()) {
+      if (fork == other) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void Agent::GoalCopier::copy() {
+  choose();
+  for (const auto& [id, intention] : chosen_) copy_intention(*intention);
+  for (const auto& [id, copy] : copies_) {
+    copy->fork = copy_of(copy->fork);
+    copy->origin = id_of_copy(copy->origin);
+  }
+  clone_.uses_subplans_ = clone_.uses_subplans_ || original_.uses_subplans_;
+  copy_events();
+}
+
+void Agent::GoalCopier::choose() {
+  for (const auto& intention : original_.circumstance_.intentions) {
+    if (is_copied(*intention)) chosen_.emplace(intention->id, intention.get());
+  }
+  // A fork without one of its branches would never be done. Forks within it go, too.
+  const auto cannot_join = [&](const auto& each) { return waits_in_fork(*each.second); };
+  while (std::erase_if(chosen_, cannot_join) > 0) {
+  }
+}
+
+bool Agent::GoalCopier::is_copied(const Intention& intention) const {
+  const bool is_ready =
+      intention.state == Intention::State::in_event || intention.state == Intention::State::running;
+  return is_ready && &intention != original_.executing_ && !intention.is_finished() &&
+         std::all_of(intention.stack.begin(), intention.stack.end(),
+                     [&](const IntendedMeans& means) { return has_copied_code(means); });
+}
+
+bool Agent::GoalCopier::has_copied_code(const IntendedMeans& means) const {
+  const auto is_of_plan = [&](const Cursor& cursor) {
+    return cursor.code == nullptr &&
+           body_index(*means.plan, cursor.body) < means.plan->code.bodies.size();
+  };
+  return copy_of(*means.plan) != nullptr && is_of_plan(means.cursor) &&
+         std::all_of(means.outer.begin(), means.outer.end(), is_of_plan);
+}
+
+// Some branch of its fork, or of one around that, is not copied.
+bool Agent::GoalCopier::waits_in_fork(const Intention& intention) const {
+  if (intention.fork == nullptr) return false;
+  return std::ranges::any_of(original_.circumstance_.intentions, [&](const auto& other) {
+    return other->state != Intention::State::finished && !chosen_.contains(other->id) &&
+           share_a_fork(intention, *other);
+  });
+}
+
+void Agent::GoalCopier::copy_intention(Intention& intention) {
+  Intention& copy = clone_.new_intention();
+  copies_.emplace(intention.id, &copy);
+  copy.stack = intention.stack;
+  copy.atomic_means = intention.atomic_means;
+  copy.fork = intention.fork;
+  copy.origin = intention.origin;
+  copy.shared = intention.shared;
+  copy_terms(intention, copy);
+  for (IntendedMeans& means : copy.stack) copy_code(means);
+  if (intention.state == Intention::State::running) {
+    clone_.make_ready(copy);
+  } else {
+    copy.state = Intention::State::in_event;
+  }
+}
+
+// What loops have bound is copied as places and values, so that the clone can undo it, too.
+void Agent::GoalCopier::copy_terms(Intention& intention, Intention& copy) {
+  const FreedRounds freed(intention);
+  copy.values = intention.values;
+  copy.visit_terms([&](Value& value) {
+    if (!value.is_slot()) value = transfer_.copy(value);
+  });
+  for (const FreedRounds::Held& held : freed.held()) {
+    const Value place = held.place.is_slot() ? held.place : transfer_.copy(held.place);
+    FreedRounds::cell_of(copy, held.means, place) = transfer_.copy(held.value);
+  }
+}
+
+void Agent::GoalCopier::copy_code(IntendedMeans& means) {
+  const Plan& plan = *means.plan;
+  const Plan& copy = *copy_of(plan);
+  const auto move_to_copy = [&](Cursor& cursor) {
+    cursor.body = &copy.code.bodies[body_index(plan, cursor.body)];
+  };
+  move_to_copy(means.cursor);
+  for (Cursor& cursor : means.outer) move_to_copy(cursor);
+  for (Loop& loop : means.loops) loop.step = step_of_copy(plan, copy, loop.step);
+  means.plan = &copy;
+  means.scope = copy_of(means.scope);
+  if (copy.has_goal_condition) {
+    ++clone_.goal_conditions_;
+    clone_.changed_ = true;
+  }
+}
+
+void Agent::GoalCopier::copy_events() {
+  for (Event event : original_.circumstance_.events) {
+    if (event.intention != nullptr) {
+      const auto copy = copies_.find(event.intention->id);
+      if (copy == copies_.end()) continue;
+      event.intention = copy->second;
+    }
+    event.literal = transfer_.copy(event.literal);
+    clone_.add_event(event);
+  }
+}
+
+std::shared_ptr<Fork> Agent::GoalCopier::copy_of(const std::shared_ptr<Fork>& fork) {
+  if (fork == nullptr) return nullptr;
+  std::shared_ptr<Fork>& copy = forks_[fork.get()];
+  if (copy != nullptr) return copy;
+  copy = std::make_shared<Fork>(*fork);
+  for (std::uint32_t& id : copy->branches) id = id_of_copy(id);
+  copy->outer = copy_of(fork->outer);
+  return copy;
+}
+
+std::shared_ptr<Scope> Agent::GoalCopier::copy_of(const std::shared_ptr<Scope>& scope) {
+  if (scope == nullptr) return nullptr;
+  std::shared_ptr<Scope>& copy = scopes_[scope.get()];
+  if (copy != nullptr) return copy;
+  copy = std::make_shared<Scope>(*scope);
+  for (Value& value : copy->frame) value = transfer_.copy(value);
+  copy->outer = copy_of(scope->outer);
+  return copy;
+}
+
+// Null: it was removed from the plan library. Plans of programs are shared, and stay.
+const Plan* Agent::GoalCopier::copy_of(const Plan& plan) const {
+  const auto copy = plans_.find(&plan);
+  if (copy != plans_.end()) return copy->second;
+  return plan.source.is_static() ? &plan : nullptr;
+}
+
+// 0, which is nobody's: the intention is not there any more.
+std::uint32_t Agent::GoalCopier::id_of_copy(std::uint32_t id) const {
+  const auto copy = copies_.find(id);
+  return copy == copies_.end() ? 0 : copy->second->id;
+}
+
+}  // namespace jaywalk
