@@ -15,11 +15,11 @@ using testing::HasSubstr;
 /// Asks a shell script questions 0, 1, 2… under the key `n`; it answers how many lines it has read.
 class Numbered : public testing::Test {
  protected:
-  void start(const std::string& script) {
+  void start(const std::string& script, milliseconds settling = milliseconds(500)) {
     process_ = std::make_unique<NumberedProcess>(NumberedProcess::Settings{
         .command = {"sh", "-c", "i=-1; while read line; do i=$((i+1)); " + script + "; done"},
         .key = "n",
-        .settling = milliseconds(500)});
+        .settling = settling});
   }
   JsonAnswer ask() { return process_->ask({{"x", 1}}, number_++, milliseconds(5000)); }
 
@@ -31,7 +31,7 @@ constexpr auto kPlain = R"(echo "{\"v\": $i}")";
 constexpr auto kRepeating = R"(echo "{\"n\": $i, \"v\": $i}")";
 
 TEST_F(Numbered, GetsTheAnswerToEachQuestion) {
-  start(R"(echo "{\"heard\": $line}")");
+  start(R"(echo "{\"heard\": $line}")", milliseconds(10));
   const JsonAnswer answer = ask();
   EXPECT_EQ(answer.error, "");
   EXPECT_EQ(answer.json["heard"]["n"], 0);

@@ -43,6 +43,13 @@ class Damage : public StoreTest {
     EXPECT_THAT(message_of(AssessmentWriter::open(path)), HasSubstr(why));
     EXPECT_TRUE(read_bytes(path) == before) << path << " was changed";
   }
+
+  /// Writes `damaged.gpkg`: the store `a.gpkg` after a change.
+  void damage(const char* sql) {
+    std::filesystem::copy_file(file("a.gpkg"), file("damaged.gpkg"),
+                               std::filesystem::copy_options::overwrite_existing);
+    run_sql(file("damaged.gpkg"), sql);
+  }
 };
 
 TEST_F(Damage, OfFilesThatAreNoStores) {
@@ -63,17 +70,15 @@ TEST_F(Damage, OfStoresOfAnotherVersion) {
 }
 
 TEST_F(Damage, OfATestThatThePlanDoesNotHave) {
-  for (const char* sql : {"UPDATE tests SET id = 49 WHERE id = 48",
-                          "UPDATE tests SET id = -1 WHERE "
-                          "id = 48"}) {
-    write(file("a.gpkg"), description(), cases());
-    run_sql(file("a.gpkg"), sql);
-    const std::string before = read_bytes(file("a.gpkg"));
-    EXPECT_THAT(message_of(ResultsWriter::resume(file("a.gpkg"), description())),
+  write(file("a.gpkg"), description(), cases());
+  for (const char* sql :
+       {"UPDATE tests SET id = 49 WHERE id = 48", "UPDATE tests SET id = -1 WHERE id = 48"}) {
+    damage(sql);
+    const std::string before = read_bytes(file("damaged.gpkg"));
+    EXPECT_THAT(message_of(ResultsWriter::resume(file("damaged.gpkg"), description())),
                 HasSubstr("the store is damaged: it has a test"));
-    EXPECT_TRUE(read_bytes(file("a.gpkg")) == before);
-    (void)ResultsReader::open(file("a.gpkg")).value()->comparison();
-    std::filesystem::remove(file("a.gpkg"));
+    EXPECT_TRUE(read_bytes(file("damaged.gpkg")) == before);
+    (void)ResultsReader::open(file("damaged.gpkg")).value()->comparison();
   }
 }
 
@@ -115,18 +120,16 @@ TEST_F(Damage, AnywhereIsNoticedBeforeAStoreIsContinued) {
 }
 
 TEST_F(Damage, OfADescriptionThatMakesNoSense) {
+  write(file("a.gpkg"), description(), cases());
   for (const char* sql :
        {"UPDATE experiment SET tests = 4611686018427387904", "UPDATE experiment SET shard = 9",
         "UPDATE experiment SET level = 'much'", "DELETE FROM experiment", "DELETE FROM behaviours",
         "UPDATE experiment SET tick_s = 0"}) {
-    write(file("a.gpkg"), description(), cases());
-    run_sql(file("a.gpkg"), sql);
-    expect_refused(file("a.gpkg"), "its description makes no sense");
-    std::filesystem::remove(file("a.gpkg"));
+    damage(sql);
+    expect_refused(file("damaged.gpkg"), "its description makes no sense");
   }
-  write(file("a.gpkg"), description(), cases());
-  run_sql(file("a.gpkg"), "UPDATE experiment SET tests = -1");
-  expect_refused(file("a.gpkg"), "its column 'tests' has a number out of range");
+  damage("UPDATE experiment SET tests = -1");
+  expect_refused(file("damaged.gpkg"), "its column 'tests' has a number out of range");
 }
 
 TEST_F(Damage, OfRowsIsTold) {
@@ -134,6 +137,7 @@ TEST_F(Damage, OfRowsIsTold) {
     const char* sql;
     const char* message;
   };
+  write(file("a.gpkg"), description(StoreLevel::all), cases());
   for (const Case& each : {
            Case{"UPDATE events SET actor = 9", "an event of test"},
            Case{"UPDATE events SET tick = 2000000000", "an event of test"},
@@ -152,13 +156,11 @@ TEST_F(Damage, OfRowsIsTold) {
            Case{"DELETE FROM observations WHERE actor = 0 AND tick = 2",
                 "the observations of test"},
        }) {
-    write(file("a.gpkg"), description(StoreLevel::all), cases());
-    run_sql(file("a.gpkg"), each.sql);
-    const auto store = ResultsReader::open(file("a.gpkg"));
+    damage(each.sql);
+    const auto store = ResultsReader::open(file("damaged.gpkg"));
     std::string messages;
     for (std::int64_t id = 1; id <= 48; ++id) messages += message_of(store.value()->recording(id));
     EXPECT_THAT(messages, HasSubstr(each.message)) << each.sql;
-    std::filesystem::remove(file("a.gpkg"));
   }
 }
 

@@ -226,11 +226,11 @@ TEST(ParserErrors, InStringsAreNotToldTwice) {
 
 TEST(ParserErrors, OfHugeFilesAreShort) {
   std::string text;
-  for (int i = 0; i < 200'000; ++i) text += "a b. ";
+  for (int i = 0; i < 5'000; ++i) text += "a b. ";
   Diagnostics diagnostics;
   const ast::File file = parse_agent(std::make_shared<const Source>("test", text), diagnostics);
-  EXPECT_EQ(diagnostics.error_count(), 200'000U);
-  EXPECT_LT(diagnostics.render().size(), 100'000U);
+  EXPECT_EQ(diagnostics.error_count(), 5'000U);
+  EXPECT_LT(diagnostics.render().size(), 100'000U) << "each error is a line of 25'000 characters";
 }
 
 }  // namespace

@@ -1,0 +1,96 @@
+// What SUMO is given, and which settings it takes; SUMO itself is not started.
+
+#include "env/simulator/sumo/sumo_network.h"
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "env/simulator/simulators.h"
+#include "env/simulator/sumo/road_frame.h"
+#include "env/simulator/sumo/sumo_process.h"
+#include "tests/unit/env/sumo_street.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr double kForwardRad = std::numbers::pi / 2;
+
+// Which lane is outermost depends on the side of traffic and the direction of the edge.
+TEST(SumoNetwork, HasLanesFromTheOuterSideOnEitherSideOfTraffic) {
+  SimulatedRoad road = street();
+  road.bands.insert(road.bands.begin() + 1, {AreaKind::lane, 2, 3, false});
+  const SumoNetworkPlan left = plan_sumo_network(road, -10, 100);
+  EXPECT_TRUE(left.left_hand);
+  ASSERT_EQ(left.lanes.size(), 3U);
+  EXPECT_EQ(left.lanes[0].edge, left.lanes[1].edge);
+  EXPECT_EQ(left.lanes[0].index, 0);
+  EXPECT_EQ(left.lanes[1].index, 1);
+  for (RoadBand& band : road.bands) band.oncoming = !band.oncoming;
+  const SumoNetworkPlan right = plan_sumo_network(road, -10, 100);
+  EXPECT_FALSE(right.left_hand);
+  EXPECT_EQ(right.lanes[0].index, 0);
+  EXPECT_TRUE(right.lanes[0].oncoming);
+}
+
+TEST(RoadFrame, LaysTheRoadAlongALine) {
+  // East for 100 m, then north.
+  const RoadFrame frame({{0, 0}, {100, 0}, {100, 100}}, 20, 6);
+  const RoadFrame::Pose east = frame.to_map({.x_m = 8, .y_m = 30, .heading_rad = kForwardRad});
+  EXPECT_NEAR(east.x_m, 50, 1e-9);
+  EXPECT_NEAR(east.y_m, -2, 1e-9);  // two metres to the right of the line
+  EXPECT_NEAR(east.heading_rad, 0, 1e-9);
+  const RoadFrame::Pose north = frame.to_map({.x_m = 6, .y_m = 130, .heading_rad = kForwardRad});
+  EXPECT_NEAR(north.x_m, 100, 1e-9);
+  EXPECT_NEAR(north.y_m, 50, 1e-9);
+  EXPECT_NEAR(north.heading_rad, kForwardRad, 1e-9);
+}
+
+TEST(RoadFrame, FindsWhatItHasPut) {
+  const RoadFrame frame({{0, 0}, {100, 0}, {100, 100}}, 20, 6);
+  for (const RoadFrame::Pose world : {RoadFrame::Pose{3, -40, 0}, RoadFrame::Pose{9, 50, 1},
+                                      RoadFrame::Pose{8, 110, 2}, RoadFrame::Pose{1, 400, 3}}) {
+    const RoadFrame::Pose again = frame.to_world(frame.to_map(world));
+    EXPECT_NEAR(again.x_m, world.x_m, 1e-9);
+    EXPECT_NEAR(again.y_m, world.y_m, 1e-9);
+    EXPECT_NEAR(again.heading_rad, world.heading_rad, 1e-9);
+  }
+}
+
+TEST(SumoSettings, AreCheckedWhereTheirTableCannot) {
+  SimulatorParameters parameters;
+  parameters.settings["route"] = text("a b");
+  SettingValue flows;
+  flows.maps = {{{"every", "0"}, {"sped", "9"}}, {{"model", "Kraus"}, {"lane", "1"}}};
+  parameters.settings["traffic"] = flows;
+  std::string said;
+  for (const SettingProblem& each : check_sumo(parameters)) said += each.message + '\n';
+  EXPECT_EQ(said,
+            "'route' is of a map, 'net'\n"
+            "'every' of a flow is a number from 0.5 to 3600\n"
+            "unknown key 'sped' of a flow\n"
+            "unknown model 'Kraus' of a flow\n");
+}
+
+TEST(Sumo, IsNamedByItsPackageWhereItIsMissing) {
+  const std::string problem = run_sumo_tool({"jaywalk_no_such_program"});
+  EXPECT_NE(problem.find("jaywalk_no_such_program"), std::string::npos);
+  EXPECT_NE(problem.find("Debian package 'sumo'"), std::string::npos);
+}
+
+TEST(Sumo, RefusesSignalsThatItsVehiclesWouldNotSee) {
+  SimulatorParameters parameters;
+  parameters.name = "sumo";
+  SimulatedRoad road = street();
+  road.ground.crosswalks.push_back({.zebra = false, .parts = {}, .begins_m = 30, .signals = {}});
+  const VehicleParameters vehicle;
+  const SimulatedTest test{.behaviour = "walking", .road = road, .vehicle = vehicle};
+  SimulatedStart start;
+  EXPECT_NE(make_sumo(parameters)->begin(test, start).find("no signals of the world"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace jaywalk
