@@ -54,6 +54,7 @@ TEST(Arguments, RefuseWhatIsNoOption) {
   for (const Case& c :
        {Case{{"--sed", "1"}, "did you mean '--seed'?"}, Case{{"--see", "1"}, "unknown option"},
         Case{{"--xyzzy"}, "--help names the options"}, Case{{"-q"}, "unknown option"},
+        Case{{"--sed=1"}, "--sed: error: unknown option\n  hint: did you mean '--seed'?"},
         Case{{"--seed"}, "needs a value"}, Case{{"--quiet=1"}, "takes no value"}}) {
     const auto arguments = parse(c.words);
     ASSERT_FALSE(arguments.ok()) << c.words.front();

@@ -136,7 +136,8 @@ Result<Arguments> parse_arguments(std::span<const std::string> words,
     }
     return arguments;
   } catch (const po::unknown_option& error) {
-    const std::string name = error.get_option_name();
+    const std::string written = error.get_option_name();
+    const std::string name = written.substr(0, written.find('='));
     diagnostics.error(name, "unknown option", unknown_hint(name, options));
   } catch (const po::error_with_option_name& error) {
     const std::string name = error.get_option_name();
