@@ -2,15 +2,18 @@
 
 #include "tools/jaywalk/commands/command.h"
 
-#include <algorithm>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/helpers/run_command.h"
+
 namespace jaywalk {
 namespace {
 
+using test::CommandRun;
+using test::run_command;
 using testing::HasSubstr;
 
 /// A program of two plans.
@@ -20,39 +23,16 @@ std::string program() {
   return path;
 }
 
-struct Outcome {
-  ExitCode code = ExitCode::success;
-  std::string output;
-  std::string errors;
-};
-
-Outcome run(const std::vector<std::string>& words) {
-  const auto found = std::ranges::find(commands(), "plans", &Command::name);
-  const auto arguments = parse_arguments(words, found->help().options);
-  EXPECT_TRUE(arguments);
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Outcome outcome;
-  {
-    Console console;
-    outcome.code = found->execute(arguments.value(), console);
-    EXPECT_TRUE(console.finish());
-  }
-  outcome.output = testing::internal::GetCapturedStdout();
-  outcome.errors = testing::internal::GetCapturedStderr();
-  return outcome;
-}
-
 TEST(CommandTutorial, HasACommandThatCounts) {
   const std::string path = program();
-  EXPECT_EQ(run({path, path}).output, "2 " + path + "\n2 " + path + "\n");
-  const Outcome total = run({"--total", path, path});
+  EXPECT_EQ(run_command({"plans", path, path}).output, "2 " + path + "\n2 " + path + "\n");
+  const CommandRun total = run_command({"plans", "--total", path, path});
   EXPECT_EQ(total.output, "4\n");
   EXPECT_EQ(total.code, ExitCode::success);
 }
 
 TEST(CommandTutorial, HasACommandThatSaysWhatIsWrong) {
-  const Outcome outcome = run({"--total", "no_such.asl"});
+  const CommandRun outcome = run_command({"plans", "--total", "no_such.asl"});
   EXPECT_EQ(outcome.code, ExitCode::usage);
   EXPECT_THAT(outcome.errors, HasSubstr("no_such.asl"));
   EXPECT_EQ(outcome.output, "");
