@@ -18,6 +18,8 @@ constexpr double kStep_m = 2.5;
 constexpr double kPieces_m = 30;
 constexpr double kSameTurn_deg = 0.3;
 constexpr double kSameLength_m = 0.2;
+/// More than what sums of costs in different orders differ by.
+constexpr double kRounding = 1e-9;
 
 /// A line by its arc length, straight on beyond its ends.
 class ArcLine {
@@ -174,22 +176,48 @@ double edit_distance(std::span<const RoadPiece> a, std::span<const RoadPiece> b)
   return costs.back();
 }
 
+namespace {
+
+/// What it costs at most to make one sequence of the other: each piece is replaced by that of the
+/// same number, from the beginning or from the end, and the rest is inserted.
+double most_edit_distance(std::span<const RoadPiece> a, std::span<const RoadPiece> b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  const std::size_t more = b.size() - a.size();
+  double from_beginning = 0;
+  double from_end = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    from_beginning += replacement_cost(a[i], b[i]);
+    from_end += replacement_cost(a[i], b[i + more]);
+  }
+  return std::min(from_beginning, from_end) + static_cast<double>(more);
+}
+
+}  // namespace
+
 double sparseness(std::span<const FailingStretch> stretches) {
   const std::size_t count = std::min(stretches.size(), kMostCompared);
   if (count < 2) return 0;
-  const auto chosen = [&](std::size_t i) -> const FailingStretch& {
-    return stretches[i * stretches.size() / count];
+  const auto pieces = [&](std::size_t i) -> const std::vector<RoadPiece>& {
+    return stretches[i * stretches.size() / count].pieces;
   };
   std::vector<double> farthest(count);
+  double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i + 1; j < count; ++j) {
-      const double distance = edit_distance(chosen(i).pieces, chosen(j).pieces);
+    // Only those that may be farther than the farthest so far are compared, what may be the
+    // farthest first.
+    std::vector<std::pair<double, std::size_t>> others;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (j != i) others.emplace_back(most_edit_distance(pieces(i), pieces(j)) + kRounding, j);
+    }
+    std::ranges::sort(others, std::greater<>{});
+    for (const auto& [most, j] : others) {
+      if (most <= farthest[i]) break;
+      const double distance = edit_distance(pieces(std::min(i, j)), pieces(std::max(i, j)));
       farthest[i] = std::max(farthest[i], distance);
       farthest[j] = std::max(farthest[j], distance);
     }
+    sum += farthest[i];
   }
-  double sum = 0;
-  for (const double each : farthest) sum += each;
   return sum / static_cast<double>(count);
 }
 

@@ -2,7 +2,9 @@
 
 // A search's own source of random numbers. One seed gives the same numbers on every machine.
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 #include "env/grid/random.h"
@@ -19,6 +21,12 @@ using networks::Random;
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
   }
   return mix(seed, hash);
+}
+
+/// From the standard normal distribution (Box and Muller 1958).
+[[nodiscard]] inline double standard_normal(Random& random) {
+  const double radius = std::sqrt(-2 * std::log(1 - random.uniform(0, 1)));
+  return radius * std::cos(2 * std::numbers::pi * random.uniform(0, 1));
 }
 
 }  // namespace jaywalk::search

@@ -1,6 +1,7 @@
 #include "env/lane/polygon.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -31,7 +32,25 @@ bool apart(const Box& a, const Box& b) {
 
 const Point& corner(const Quad& quad, std::size_t i) { return quad[i % 4]; }
 
+/// Whether the line from one point to another has both of `own` on one side and the other
+/// quadrilateral on the other one, by more than rounding.
+bool parts(const Point& from, const Point& to, std::span<const Point, 2> own, const Quad& other) {
+  constexpr double kCertain = 1e-6;
+  const double sign = cross(from, to, own[0]) > 0 ? 1 : -1;
+  return std::ranges::all_of(own, [&](const Point& p) { return sign * cross(from, to, p) > 0; }) &&
+         std::ranges::all_of(other,
+                             [&](const Point& p) { return sign * cross(from, to, p) < -kCertain; });
+}
+
+/// Whether the far side of the first or the near side of the second lies between them: so it is
+/// with most of those that are near each other on a road.
+bool parted(const Quad& a, const Quad& b) {
+  return parts(a[1], a[2], std::array{a[0], a[3]}, b) ||
+         parts(b[0], b[3], std::array{b[1], b[2]}, a);
+}
+
 bool touch(const Quad& a, const Quad& b) {
+  if (parted(a, b)) return false;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
       if (segments_touch(corner(a, i), corner(a, i + 1), corner(b, j), corner(b, j + 1))) {
@@ -59,6 +78,27 @@ bool neighbours_overlap(const Quad& a, const Quad& b) {
          segments_touch(a[3], a[0], b[0], b[1]) || segments_touch(a[3], a[0], b[1], b[2]) ||
          segments_touch(a[3], a[0], b[2], b[3]) || segments_touch(a[2], a[3], b[0], b[1]) ||
          segments_touch(a[2], a[3], b[1], b[2]);
+}
+
+/// Whether two quadrilaterals that are no neighbours touch. From one to the next, a quadrilateral
+/// moves by a piece of the middle line at most; where two are far apart, as many as that takes to
+/// come near are passed over.
+bool others_touch(const Road& road, std::span<const Quad> quads, std::span<const Box> boxes) {
+  double longest = 0;
+  double reach = 0;  // of a quadrilateral, from the middle line's point
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    longest = std::max(longest, distance(road.middle[i], road.middle[i + 1]));
+    for (const Point& each : quads[i]) reach = std::max(reach, distance(road.middle[i], each));
+  }
+  constexpr double kSafety = 1.001;
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    for (std::size_t j = i + 2; j < quads.size();) {
+      if (!apart(boxes[i], boxes[j]) && touch(quads[i], quads[j])) return true;
+      const double gap = distance(road.middle[i], road.middle[j]) - kSafety * 2 * reach;
+      j += 1 + static_cast<std::size_t>(std::max(0.0, gap / (kSafety * longest) - 1));
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -107,12 +147,7 @@ bool overlaps_itself(const Road& road) {
   for (std::size_t i = 0; i + 1 < quads.size(); ++i) {
     if (neighbours_overlap(quads[i], quads[i + 1])) return true;
   }
-  for (std::size_t i = 0; i < quads.size(); ++i) {
-    for (std::size_t j = i + 2; j < quads.size(); ++j) {
-      if (!apart(boxes[i], boxes[j]) && touch(quads[i], quads[j])) return true;
-    }
-  }
-  return false;
+  return others_touch(road, quads, boxes);
 }
 
 Polyline outline(const Road& road) {

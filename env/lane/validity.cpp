@@ -44,6 +44,12 @@ bool passes_bounds(std::span<const Point> line, double map) {
 /// Whether the outline touches the map's boundary or has the map's corner within.
 bool touches_boundary(const Road& road, double map) {
   const Polyline ring = outline(road);
+  // What lies strictly inside, as most roads do, touches nothing.
+  if (std::ranges::all_of(ring, [map](const Point& point) {
+        return 0 < point.x_m && point.x_m < map && 0 < point.y_m && point.y_m < map;
+      })) {
+    return false;
+  }
   const Quad square{Point{map, 0}, Point{map, map}, Point{0, map}, Point{0, 0}};
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& next = ring[(i + 1) % ring.size()];

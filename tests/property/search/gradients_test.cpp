@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "search/learn/adversary.h"
+#include "search/learn/autoencoder.h"
 
 namespace jaywalk::search::learn {
 namespace {
@@ -169,6 +169,34 @@ TEST_P(Gradients, OfTheAnalyzersLossByItsInputAgreeWithFiniteDifferences) {
   EXPECT_LT(result.share_left_out(), 0.5);
 }
 
+TEST_P(Gradients, OfTheAutoencodersLossAgreeWithFiniteDifferences) {
+  Autoencoder coder(4, {}, random_);
+  const Matrix x = noise(4, 6, random_);
+  const Matrix latent_noise = noise(4, 6, random_);
+  const auto loss = [&] { return static_cast<double>(coder.add_loss_gradient(x, latent_noise)); };
+  for (Layer* layer : coder.layers()) layer->clear_gradients();
+  loss();
+  std::vector<Matrix> weights;
+  std::vector<Vector> biases;
+  for (Layer* layer : coder.layers()) {
+    weights.push_back(layer->weight_gradient);
+    biases.push_back(layer->bias_gradient);
+  }
+  Comparison result(1e-2F);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    Layer& layer = *coder.layers()[k];
+    // A sample of the weights: there are ten thousands.
+    for (Eigen::Index i = 0; i < weights[k].size(); i += 1 + weights[k].size() / 40) {
+      result.add(static_cast<double>(weights[k].data()[i]), layer.weights.data()[i], loss);
+    }
+    for (Eigen::Index i = 0; i < biases[k].size(); i += 1 + biases[k].size() / 20) {
+      result.add(static_cast<double>(biases[k][i]), layer.bias[i], loss);
+    }
+  }
+  EXPECT_LT(result.relative_error(), 0.02);
+  EXPECT_LT(result.share_left_out(), 0.5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, Gradients, testing::Range(1, 21));
 
 TEST(Training, IsReproducibleFromTheSeed) {
@@ -191,6 +219,29 @@ TEST(Training, MovesTheAnalyzerTowardsTheFitness) {
   const float before = analyzer.train(x, y);
   for (int i = 0; i < 300; ++i) analyzer.train(x, y);
   EXPECT_LT(analyzer.train(x, y), 0.1F * before);
+}
+
+// Points on a circle, of which one number of the latent two says all.
+TEST(Training, MovesTheAutoencoderTowardsTheTests) {
+  Random random(5);
+  Autoencoder coder(2, {.rate = 1e-3F, .beta1 = 0.9F, .beta2 = 0.999F}, random);
+  Matrix circle(2, 64);
+  for (Eigen::Index i = 0; i < 64; ++i) {
+    const double angle = random.uniform(0, 6.28);
+    circle.col(i) << static_cast<float>(0.7 * std::cos(angle)),
+        static_cast<float>(0.7 * std::sin(angle));
+  }
+  for (int i = 0; i < 1500; ++i) coder.train(circle, random);
+  EXPECT_LT((coder.decode(coder.encode(circle)) - circle).cwiseAbs().maxCoeff(), 0.15F);
+  // What is drawn in the latent space looks like the samples.
+  double off = 0;
+  for (int i = 0; i < 200; ++i) {
+    Matrix latent(2, 1);
+    latent << static_cast<float>(standard_normal(random)),
+        static_cast<float>(standard_normal(random));
+    off += std::fabs(static_cast<double>(coder.decode(latent).norm()) - 0.7) / 200;
+  }
+  EXPECT_LT(off, 0.2);
 }
 
 TEST(Training, MovesTheWassersteinGeneratorTowardsTheTests) {

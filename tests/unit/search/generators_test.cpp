@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -24,6 +25,59 @@ TEST(Generators, LearnWhereTestsFail) {
   EXPECT_LT(random, 20);
   EXPECT_GT(failures("wogan", 400), 3 * random + 3);
   EXPECT_GT(failures("graft", 400), 3 * random + 3);
+  for (const char* evolving : {"ga", "rilast", "cma-es"}) {
+    EXPECT_GT(failures(evolving, 400), 20 * random) << evolving;
+  }
+}
+
+/// The largest fitness of each cell of a raster of the square, added up.
+double illuminated(std::string_view generator, std::size_t cells) {
+  SearchPlan plan = corner_plan(generator, 600);
+  if (generator == "map-elites") plan.generators[0].values[1] = static_cast<double>(cells);
+  const SearchResults results = run_searches(plan, nullptr);
+  std::map<std::pair<int, int>, double> best;
+  const double width = 2.0 / static_cast<double>(cells);
+  for (const TestRow& row : results.runs[0].tests) {
+    const std::vector<double>& values = row.test.input.values;
+    double& cell = best[{static_cast<int>((values[0] + 1) / width * 0.9999),
+                         static_cast<int>((values[1] + 1) / width * 0.9999)}];
+    cell = std::max(cell, row.test.fitness);
+  }
+  double sum = 0;
+  for (const auto& [place, fitness] : best) sum += fitness;
+  return sum;
+}
+
+// Its optimum is known: the nearest place to the corner in each of the cells, 48 of which have
+// valid places, their left column from -0.5 on.
+TEST(MapElites, FindsTheBestOfEachKind) {
+  double optimum = 0;
+  for (int i = 2; i < 8; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      optimum += std::max(0.0, 1 - std::hypot(2 - 0.25 * (i + 1), 2 - 0.25 * (j + 1)) / 2);
+    }
+  }
+  const double found = illuminated("map-elites", 8);
+  EXPECT_GT(found, 0.93 * optimum);
+  EXPECT_GT(found, illuminated("random", 8));
+  EXPECT_GT(found, illuminated("ga", 8) + 2) << "which leaves all but the best alone";
+}
+
+// Where there are no roads it spreads.
+TEST(AmbieGen, SpreadsItsTestsOverASpaceOfVectors) {
+  const auto least_distance = [](std::string_view generator) {
+    const SearchResults results = run_searches(corner_plan(generator, 6), nullptr);
+    double least = 10;
+    for (const TestRow& one : results.runs[0].tests) {
+      for (const TestRow& other : results.runs[0].tests) {
+        if (&one == &other) continue;
+        least = std::min(least, euclidean_distance(one.test.input.values, other.test.input.values));
+      }
+    }
+    return least;
+  };
+  EXPECT_GT(least_distance("ambiegen"), 0.5);
+  EXPECT_LT(least_distance("random"), 0.5);
 }
 
 /// Nine islands in the square, of which random tests hit one in ninety, a slope around
@@ -107,6 +161,9 @@ TEST(Generators, FindMoreFailingRoadsThanRandomOnes) {
   const double frenetic = road_failures("frenetic");
   EXPECT_GT(frenetic, 2 * random);
   EXPECT_GT(road_failures("graft"), 1.5 * frenetic);
+  for (const char* peer : {"ga", "rilast", "cma-es", "map-elites"}) {
+    EXPECT_GT(road_failures(peer), 1.3 * random) << peer;
+  }
 }
 
 /// Mean number of failing stretches that differ by more than 2 m, of four searches of two virtual
@@ -131,6 +188,11 @@ TEST(Generators, ProposeTheSameForAnyNumberOfThreads) {
     for (const bool roads : {false, true}) {
       SearchPlan plan = roads ? road_plan(kind.name, 0) : corner_plan(kind.name, 0);
       plan.budget = {.tests = 75, .virtual_s = 0};
+      // Some prepare for long before their first test.
+      for (std::size_t i = 0; i < kind.parameters.size(); ++i) {
+        const std::string_view name = kind.parameters[i].name;
+        if (name == "generations" || name == "epochs") plan.generators[0].values[i] = 3;
+      }
       plan.repetitions = 2;
       std::vector<std::vector<TestInput>> proposed;
       for (const unsigned threads : {1U, 2U}) {
