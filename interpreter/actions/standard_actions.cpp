@@ -9,8 +9,12 @@ namespace jaywalk {
 namespace actions {
 
 std::vector<Value> elements(Value list) {
+  list = deref(list);
+  std::size_t count = 0;
+  for (Value rest = list; rest.is_pair(); rest = deref(rest.pair()->tail)) ++count;
   std::vector<Value> found;
-  for (list = deref(list); list.is_pair(); list = deref(list.pair()->tail)) {
+  found.reserve(count);  // of a list that takes much memory no more than needed
+  for (; list.is_pair(); list = deref(list.pair()->tail)) {
     found.push_back(deref(list.pair()->head));
   }
   return found;

@@ -36,8 +36,13 @@ Outcome concat_lists(ActionCall& call) {
     }
     // The last list is shared, not copied.
     if (i + 1 == last) return call.result(last, call.heap().list(all, call.arg(i)));
-    const std::vector<Value> part = elements(call.arg(i));
-    all.insert(all.end(), part.begin(), part.end());
+    std::vector<Value> part = elements(call.arg(i));
+    if (all.empty()) {
+      all = std::move(part);
+    } else {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    call.machine().check_memory(all.capacity() * sizeof(Value) + all.size() * sizeof(Pair));
   }
   return Outcome::succeeded;  // a lone list
 }

@@ -89,6 +89,7 @@ class Printer {
         break;
     }
     const TermWalk::Level level(walk_);
+    check_length();
     if (value.is_object()) {
       object(*value.object()->object);
     } else if (value.is_pair()) {
@@ -99,6 +100,11 @@ class Printer {
   }
 
  private:
+  // A term that shares its parts may be small, and its text longer than any memory.
+  void check_length() const {
+    if (out_.size() > kMaxTextBytes) throw HeapExhausted{};
+  }
+
   // What has no name gets a number, in the order of the text: that of its making would tell how the
   // engine came to it, which differs with and without observers. Not in line: the stack it takes
   // would be taken on every level of a term.
@@ -150,6 +156,7 @@ class Printer {
     for (value = deref(value); value.is_pair(); value = deref(value.pair()->tail)) {
       walk.visit(value);
       walk_.visit();
+      check_length();
       if (!first) out_ += ',';
       first = false;
       term(value.pair()->head);

@@ -2,6 +2,7 @@
 
 // Terms as text, exactly as Jason prints them.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@
 
 namespace jaywalk {
 
+/// No term and no action makes a longer text.
+inline constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20U;
+
 /// Java's text of a double where it is whole and fits a long, as an integer: `3`, `0.1`,
 /// `1.23456785E7`, `1.0E20`, `NaN`, `Infinity`; -0.0 is `0`.
 void append_number(std::string& out, double value);
@@ -17,6 +21,7 @@ void append_number(std::string& out, double value);
 
 /// Appends a term. Strings stand in quotes, their content as it is; bound variables are followed,
 /// unbound ones have their names, or are `_1`, `_2`, ... in the order of the text.
+/// Throws HeapExhausted if the text is longer than kMaxTextBytes, as the following do.
 void append_term(std::string& out, Value term, const SymbolTable& symbols);
 [[nodiscard]] std::string term_text(Value term, const SymbolTable& symbols);
 

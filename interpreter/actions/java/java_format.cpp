@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/actions/java/java_text.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk::actions {
 namespace {

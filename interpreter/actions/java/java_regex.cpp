@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "interpreter/actions/java/java_text.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk::actions {
 namespace {

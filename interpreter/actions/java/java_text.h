@@ -10,9 +10,6 @@
 
 namespace jaywalk::actions {
 
-/// No action makes a longer text.
-inline constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20U;
-
 /// The character that begins at a byte; `size` receives its bytes. A byte that begins no character
 /// stands for itself.
 [[nodiscard]] char32_t character_at(std::string_view text, std::size_t byte, std::size_t& size);

@@ -31,6 +31,10 @@ ROWS = [
     held("goals without end, handled", f"!top. +!top <- !go. +!go <- !go; a. {HANDLED.replace('-!go', '-!top')}\n", "limit: the agent's " + FULL),
     held("a term that doubles", "!go. +!go <- !d(x). +!d(T) <- !d(f(T,T)); a.\n", "2000 deep"),
     held("a list without end", "!go. +!go <- !l([]). +!l(L) <- !l([x|L]); a.\n", most=3_000_000),
+    program("a list that doubles", "!go. +!go <- !l([1,2,3]). +!l(L) <- .concat(L,L,M); !l(M).\n", 0, "memory",
+            *BOUND, most_mb=MB * 1.5),  # the message has texts of the list
+    program("the text of a term that shares its parts", "!go(a,0). +!go(T,N) : N < 60 <- !go(t(T,T),N+1). +!go(T,_) <- .print(T).\n", 0, "memory limit",
+            *BOUND, most_mb=MB * 2.2),  # a text has 64 MB of its own, twice while it grows
     held("solutions without end", "!go. +!go <- .findall(f(X,Y,X), .range(X,1,1000) & .range(Y,1,1000), _).\n", "memory"),
     held("plans without end", "!go(0). +!go(N) <- .concat(\"+!p\",N,\" <- true.\",S); .add_plan(S); !go(N+1).\n"),
     stormy("intentions without end", "!go. +!go <- !!go; !!go."),
