@@ -6,6 +6,7 @@
 #include "interpreter/actions/java/java_regex.h"
 #include "interpreter/actions/java/java_text.h"
 #include "interpreter/compile/term_reader.h"
+#include "interpreter/logic/machine.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk::actions {

@@ -12,11 +12,13 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/drops.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
+#include "interpreter/support/text.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 
@@ -36,7 +38,7 @@ void Agent::cycle() {
 }
 
 void Agent::abandon_cycle(const ActionError& error) {
-  log(error.message);
+  log(shortened(error.message, kLongestLogged));
   report_limit(error, executing_ == nullptr ? std::string() : formula_place(*executing_));
   if (executing_ != nullptr && executing_->state != Intention::State::finished) {
     ActionError ignored;  // a goal may be nested too deeply to be told
@@ -261,7 +263,7 @@ bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const 
 void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
   heap_.release(unused);
   const std::string where = "the context of " + plan_name(plan);
-  log(fmt::format("in {}: {}", where, error.message));
+  log(fmt::format("in {}: {}", where, shortened(error.message, kLongestLogged)));
   report_limit(error, where);
 }
 

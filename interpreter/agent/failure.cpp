@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/drops.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
+#include "interpreter/support/text.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 
@@ -145,8 +147,10 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
     log(fmt::format(
         "{}no failure event was generated: {}{}{}{}{}",
         cause.line == 0 ? "" : fmt::format("{}:{}:{}: ", cause.file, cause.line, cause.column),
-        error.id, error.message.empty() ? "" : ": " + error.message, code.is_unset() ? "" : " in ",
-        code.is_unset() ? "" : term_text(code, symbols_), drop_details(intention, cause)));
+        error.id, error.message.empty() ? "" : ": " + shortened(error.message, kLongestLogged),
+        code.is_unset() ? "" : " in ",
+        code.is_unset() ? "" : shortened(term_text(code, symbols_), kLongestLogged),
+        drop_details(intention, cause)));
   }
   const bool of_belief = !intention.is_finished() && !intention.top().is_goal();
   if (of_belief && settings_.unwanted == ReasoningSettings::Unwanted::requeue) {
@@ -248,14 +252,14 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
                  failure_literal(event.literal, error, event.literal, 0, nullptr), nullptr, 0});
     } else {
       (void)note_drop(nullptr, error, event.literal);
-      log(error.message);
+      log(shortened(error.message, kLongestLogged));
     }
     return;
   }
   Intention& intention = *event.intention;
   if (is_failure) {  // a plan for the failure exists, but is not applicable
     (void)note_drop(&intention, error, event.literal);
-    log("could not finish intention: " + error.message);
+    log("could not finish intention: " + shortened(error.message, kLongestLogged));
     drop(intention);
     return;
   }
