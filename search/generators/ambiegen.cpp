@@ -42,6 +42,7 @@ constexpr std::array kParameters = {
 
 constexpr std::size_t kBest = 5;
 constexpr int kMostRoads = 10'000;
+constexpr int kMostPairs = 1000;  // for the children of a generation
 
 struct Road {
   RoadElements elements;
@@ -111,13 +112,19 @@ class AmbieGen : public Generator {
     const std::vector<Road> best(
         roads.begin(), roads.begin() + static_cast<std::ptrdiff_t>(std::min(kBest, roads.size())));
     const auto count = roads.size() + static_cast<std::size_t>(values_[kChildren]);
-    while (roads.size() < count) {
+    const auto is_new = [&](const Road& child) {
+      return std::ranges::none_of(
+          roads, [&](const Road& each) { return each.elements == child.elements; });
+    };
+    // Copies would fill the first front; where nothing else comes any more, there are fewer.
+    for (int pair = 0; pair < kMostPairs && roads.size() < count; ++pair) {
       RoadElements a = roads[tournament(standings, random_)].elements;
       RoadElements b = roads[tournament(standings, random_)].elements;
       if (random_.uniform(0, 1) < values_[kCrossover]) cross(a, b);
       for (RoadElements* child : {&a, &b}) {
         if (random_.uniform(0, 1) < values_[kMutation]) mutate(*child);
-        if (roads.size() < count) roads.push_back(judged(std::move(*child), best, asking));
+        Road made = judged(std::move(*child), best, asking);
+        if (roads.size() < count && is_new(made)) roads.push_back(std::move(made));
       }
     }
   }

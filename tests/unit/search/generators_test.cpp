@@ -166,6 +166,17 @@ TEST(Generators, FindMoreFailingRoadsThanRandomOnes) {
   }
 }
 
+TEST(AmbieGen, ExecutesNoRoadTwiceOfOneFront) {
+  SearchPlan plan = road_plan("ambiegen", 0);
+  plan.budget = {.tests = 40, .virtual_s = 0};
+  plan.repetitions = 1;
+  plan.generators[0].values[2] = 30;  // generations: in one front then are more than 40
+  const SearchResults results = run_searches(plan, nullptr);
+  std::set<std::vector<double>> roads;
+  for (const TestRow& row : results.runs[0].tests) roads.insert(row.test.input.values);
+  EXPECT_EQ(roads.size(), 40U);
+}
+
 /// Mean number of failing stretches that differ by more than 2 m, of four searches of two virtual
 /// hours.
 double distinct_failures(std::string_view generator) {
