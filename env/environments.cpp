@@ -5,9 +5,15 @@
 #include <iterator>
 #include <sstream>
 
-#include "env/crossing/vocabulary.h"
+#include "env/world/world_section.h"
 
 namespace jaywalk {
+
+// Each row's function, which is in the world's own folder.
+#define JAYWALK_WORLD(name) EnvironmentKind name##_world();
+#include "env/environments.def"
+#undef JAYWALK_WORLD
+
 namespace {
 
 // "a b" of "Other: x; Name: a b".
@@ -26,12 +32,11 @@ std::vector<std::string> words_behind(std::string_view name, std::string_view li
 }  // namespace
 
 std::span<const EnvironmentKind> environments() {
-#define JAYWALK_ENVIRONMENT(name, summary, percepts, actions) \
-  EnvironmentKind{name, summary, percepts, actions},
-  static constexpr std::array kEnvironments{
+  static const std::array kEnvironments{
+#define JAYWALK_WORLD(name) name##_world(),
 #include "env/environments.def"
+#undef JAYWALK_WORLD
   };
-#undef JAYWALK_ENVIRONMENT
   return kEnvironments;
 }
 
@@ -40,6 +45,18 @@ const EnvironmentKind* find_environment(std::string_view name) {
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const EnvironmentKind& kind) { return kind.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+std::shared_ptr<const WorldSpec> default_world() {
+  return environments().front().section()->finish();
+}
+
+std::vector<Preset> presets() {
+  std::vector<Preset> all;
+  for (const EnvironmentKind& kind : environments()) {
+    all.insert(all.end(), kind.presets.begin(), kind.presets.end());
+  }
+  return all;
 }
 
 std::string description(const EnvironmentWord& word) {

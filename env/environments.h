@@ -1,13 +1,16 @@
 #pragma once
 
-// The worlds that a scenario can name, with the words by which agents perceive and act in them.
-// Each is a row of environments.def; the rows also feed `list environments`, the reference and the
-// checker, which suggests the right word for a misspelt one.
+// The worlds that a scenario can name, with the words by which agents perceive and act in them and
+// with how they are read. Each is a row of environments.def; the rows also feed `list
+// environments`, the reference and the checker, which suggests the right word for a misspelt one.
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "env/world/preset.h"
 
 namespace jaywalk {
 
@@ -21,16 +24,30 @@ struct EnvironmentWord {
   std::string_view needs = {};
 };
 
+class WorldSection;
+class WorldSpec;
+
 struct EnvironmentKind {
   std::string_view name;
   std::string_view summary;
   std::span<const EnvironmentWord> percepts;
   std::span<const EnvironmentWord> actions;
+  /// The first one is what a scenario begins with that names none; there may be none at all.
+  std::span<const Preset> presets;
+  /// What reads a scenario's key `world` (world/world_section.h).
+  std::unique_ptr<WorldSection> (*section)() = nullptr;
 };
 
+/// The first one is the world of scenarios that name none.
 [[nodiscard]] std::span<const EnvironmentKind> environments();
 /// Null if there is none of that name.
 [[nodiscard]] const EnvironmentKind* find_environment(std::string_view name);
+
+/// The first world as its defaults have it.
+[[nodiscard]] std::shared_ptr<const WorldSpec> default_world();
+
+/// The presets of all worlds.
+[[nodiscard]] std::vector<Preset> presets();
 
 /// The meaning, and the keys that a percept needs.
 [[nodiscard]] std::string description(const EnvironmentWord& word);

@@ -79,4 +79,18 @@ double distance_m(std::span<const Point> first, std::span<const Point> second) {
   return std::hypot(shortest.way.x_m, shortest.way.y_m);
 }
 
+BoxSize size_of(ActorKind kind) {
+  switch (kind) {
+    case ActorKind::vehicle:
+      return {4.5, 1.8};
+    case ActorKind::pedestrian:
+      return {kPedestrianSizeM, kPedestrianSizeM};
+    case ActorKind::cyclist:
+      return {1.8, 0.6};
+    case ActorKind::signal:
+      return {0.3, 0.3};
+  }
+  return {};
+}
+
 }  // namespace jaywalk

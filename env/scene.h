@@ -20,6 +20,16 @@ enum class ActorKind { vehicle, pedestrian, cyclist, signal };
 /// `vehicle`, `pedestrian`, …: the word that stores and exports use.
 [[nodiscard]] std::string_view name(ActorKind kind);
 
+/// The side of the box that stands for a pedestrian, in metres.
+inline constexpr double kPedestrianSizeM = 0.5;
+
+/// The box of an actor of that kind, where nothing else is known of it.
+struct BoxSize {
+  double length_m = 0;
+  double width_m = 0;
+};
+[[nodiscard]] BoxSize size_of(ActorKind kind);
+
 /// Who takes part; the same during a whole test.
 struct Actor {
   /// Unique in the test: `av`, or the agent's name.

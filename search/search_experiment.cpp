@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "env/config/reader.h"
 #include "experiment/scenario/scenario_layer.h"
-#include "experiment/scenario/scenario_reader.h"
+#include "experiment/scenario/scenario_yaml.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {

@@ -13,16 +13,9 @@
 #include "env/crossing/simulated_drive.h"
 #include "env/vehicle/sight.h"
 #include "env/vehicle/vehicle.h"
+#include "env/world/world.h"
 
 namespace jaywalk {
-
-/// The AV has touched somebody, for the first time.
-struct Collision {
-  /// Index of the body.
-  std::size_t body = 0;
-  int tick = 0;
-  double impact_mps = 0;
-};
 
 class Av {
  public:

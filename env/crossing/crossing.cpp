@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace jaywalk {
 namespace {
@@ -38,13 +39,6 @@ std::vector<RoadUser> bodies_at(const CrossingParameters& parameters,
 
 }  // namespace
 
-double CrossingResult::score() const {
-  if (pedestrians.empty()) return 0;
-  double sum = 0;
-  for (const PedestrianOutcome& outcome : pedestrians) sum += outcome.reward - outcome.cost;
-  return sum / static_cast<double>(pedestrians.size());
-}
-
 Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabulary& vocabulary,
                    std::vector<Position> start, int head_start)
     : parameters_(parameters),
@@ -61,8 +55,8 @@ Crossing::Crossing(const CrossingParameters& parameters, const CrossingVocabular
       max_ticks_(max_ticks(parameters)),
       origin_(zone_origin_at(parameters, head_start)) {
   result_.start = positions_;
-  result_.pedestrians.resize(positions_.size());
-  result_.end = end_reason();
+  result_.agents.resize(positions_.size());
+  note_end();
 }
 
 std::string_view name(EndReason reason) {
@@ -80,10 +74,10 @@ ActionResult Crossing::act(const ActionRequest& action) {
     return refusal("unknown action, expected move(Way), move(Way,Cells), stay or show(Colour)");
   }
   RoadUser& body = bodies_[index];
-  if (body.kind == ActorKind::signal) return refusal("a signal does not move");
   if (std::exchange(body.acted_in, ticks_ + 1) == ticks_ + 1) {
     return refusal("a second step in the same tick");
   }
+  if (body.kind == ActorKind::signal) return refusal("a signal does not move");
   ActionResult result = move(body, action.args);
   if (index < pedestrians_) positions_[index] = cell(body.place);
   return result;
@@ -125,7 +119,7 @@ void Crossing::execute(std::span<const ActionRequest> actions, std::span<ActionR
   for (std::size_t i = 0; i < actions.size(); ++i) {
     results[i] = act(actions[i]);
     const auto agent = static_cast<std::size_t>(actions[i].agent);
-    if (results[i].succeeded && agent < pedestrians_) ++result_.pedestrians[agent].actions;
+    if (results[i].succeeded && agent < pedestrians_) ++result_.agents[agent].actions;
   }
 }
 
@@ -135,7 +129,7 @@ void Crossing::charge_costs() {
                           ? scoring.road_cost
                           : scoring.pavement_cost + scoring.road_cost;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
-    result_.pedestrians[i].cost += layout_.is_road(positions_[i]) ? road : scoring.pavement_cost;
+    result_.agents[i].cost += layout_.is_road(positions_[i]) ? road : scoring.pavement_cost;
   }
 }
 
@@ -160,9 +154,9 @@ void Crossing::sweep_zone() {
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (!in_zone(positions_[i], cells)) continue;
     const bool first = positions_[i].y == *result_.hit_cell;
-    if (first) result_.hit_by.push_back(i);
+    if (first) result_.met_by.push_back(i);
     if (first || parameters_.scoring.rewarded == Rewarded::zone) {
-      result_.pedestrians[i].reward = parameters_.scoring.reward;
+      result_.agents[i].reward = parameters_.scoring.reward;
     }
   }
 }
@@ -180,7 +174,7 @@ void Crossing::advance() {
   }
   drive();
   result_.all_ticks = ticks_;
-  result_.end = end_reason();
+  note_end();
 }
 
 std::size_t Crossing::first_traffic() const { return pedestrians_ + parameters_.actors.size(); }
@@ -191,7 +185,7 @@ void Crossing::begin(DriveBriefing briefing) {
   for (const Actor& each : av_.simulated()->traffic()) bodies_.push_back({.kind = each.kind});
   move_traffic();
   origin_ = zone_origin_at(parameters_, av_.driven());
-  result_.end = end_reason();
+  note_end();
 }
 
 void Crossing::move_traffic() {
@@ -236,8 +230,13 @@ std::optional<EndReason> Crossing::end_reason() const {
   return std::nullopt;
 }
 
+void Crossing::note_end() {
+  const auto reason = end_reason();
+  result_.end = reason ? name(*reason) : std::string_view();
+}
+
 void Crossing::end() {
-  DriveEnd end{.why = result_.end ? name(*result_.end) : std::string_view(), .impact_mps = {}};
+  DriveEnd end{.why = result_.end, .impact_mps = {}};
   if (!result_.collisions.empty()) end.impact_mps = result_.collisions.front().impact_mps;
   av_.end(end);
 }
@@ -284,6 +283,28 @@ Scene Crossing::scene() const {
     scene.push_back(av_.simulated()->traffic_state(i - first_traffic()));
   }
   return scene;
+}
+
+std::vector<WorldEvent> Crossing::events() const {
+  std::vector<WorldEvent> events;
+  for (const SignalChange& each : result_.signals) {
+    events.push_back({each.tick, each.body + 1, "signal", std::string(name(each.colour))});
+  }
+  return events;
+}
+
+std::string Crossing::describe_result() const {
+  if (!result_.success) return World::describe_result();
+  std::vector<std::size_t> numbers;
+  for (const std::size_t index : result_.met_by) numbers.push_back(index + 1);
+  return fmt::format("precondition met in tick {} at cell {} by pedestrian{} {}, score {:.2f}",
+                     result_.ticks, *result_.hit_cell, numbers.size() == 1 ? "" : "s",
+                     fmt::join(numbers, ", "), result_.score());
+}
+
+bool Crossing::last_action_failed(std::size_t agent) const {
+  if (agent >= bodies_.size()) return false;
+  return bodies_[agent].acted_in == ticks_ && bodies_[agent].stepped_in != ticks_;
 }
 
 }  // namespace jaywalk

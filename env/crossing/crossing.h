@@ -24,16 +24,9 @@
 #include "env/crossing/road_user.h"
 #include "env/crossing/vocabulary.h"
 #include "env/scene.h"
-#include "interpreter/environment/environment.h"
+#include "env/world/world.h"
 
 namespace jaywalk {
-
-struct PedestrianOutcome {
-  double cost = 0;
-  double reward = 0;
-  /// How many of its actions were carried out.
-  std::uint32_t actions = 0;
-};
 
 /// A signal begins to show another colour in a tick. The bodies are the pedestrians and then the
 /// other actors.
@@ -43,40 +36,26 @@ struct SignalChange {
   SignalColour colour = SignalColour::green;
 };
 
+/// The world's name.
+inline constexpr std::string_view kCrossing = "crossing";
+
 /// Why a test has ended.
 enum class EndReason { precondition, collision, road_end, time_limit };
 
 /// `precondition`, `collision`, `road_end` or `time_limit`.
 [[nodiscard]] std::string_view name(EndReason reason);
 
-/// What came of a test.
-struct CrossingResult {
-  /// The precondition was met.
-  bool success = false;
-  /// The ticks that it took, until success or in all.
-  int ticks = 0;
-  /// Those of the whole test, and why it has ended; empty while it goes on.
-  int all_ticks = 0;
-  std::optional<EndReason> end;
+/// What came of a test; the agents are the pedestrians. Nobody is stopped by a collision.
+struct CrossingResult : WorldResult {
   /// The nearest occupied cell of the zone when the precondition was met, and the zone's origin.
   std::optional<int> hit_cell;
   std::optional<int> hit_origin;
-  /// Each agent's, in their order, as the next two.
-  std::vector<PedestrianOutcome> pedestrians;
   std::vector<Position> start;
-  /// Who was in the hit cell, as indices.
-  std::vector<std::size_t> hit_by;
-  /// Whom the AV has touched, each once, in the order of time. The bodies are the pedestrians and
-  /// then the other actors. Nobody is stopped by it: assertions judge it.
-  std::vector<Collision> collisions;
   /// In the order of time; all signals are green before.
   std::vector<SignalChange> signals;
-
-  /// Rewards less costs, as mean over all agents.
-  [[nodiscard]] double score() const;
 };
 
-class Crossing final : public Environment {
+class Crossing final : public World {
  public:
   /// One agent for each start cell, then one for each actor of the parameters; AgentId is the
   /// index. The AV begins `head_start` cells ahead of where the parameters let it start. REQUIRES:
@@ -89,11 +68,11 @@ class Crossing final : public Environment {
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;
   void advance() override;
   [[nodiscard]] bool finished() const override { return end_reason().has_value(); }
-  [[nodiscard]] double tick_ms() const override { return parameters_.tick_s * 1000; }
+  [[nodiscard]] double tick_s() const override { return parameters_.tick_s; }
 
   [[nodiscard]] const CrossingParameters& parameters() const { return parameters_; }
-  /// Ticks that have passed.
-  [[nodiscard]] int ticks() const { return ticks_; }
+  [[nodiscard]] std::string_view kind() const override { return kCrossing; }
+  [[nodiscard]] int ticks() const override { return ticks_; }
   /// The pedestrians' cells.
   [[nodiscard]] std::span<const Position> positions() const { return positions_; }
   /// The pedestrians, then the other actors, then the traffic of a simulator, which has no agents.
@@ -109,29 +88,29 @@ class Crossing final : public Environment {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
-  /// What the AV's controller or simulator receives before the test, as far as the caller knows it.
   /// Of a simulator's own traffic there are bodies and actors from then on.
-  void begin(DriveBriefing briefing);
-  /// Tells the AV's controller how the test ended. REQUIRES: it is finished.
-  void end();
-  /// What the author of the AV's controller should know; usually empty.
-  [[nodiscard]] std::string note() const { return av_.note(); }
-  /// Why the test cannot go on (a controller or simulator died, say); empty while all is well.
-  [[nodiscard]] std::string failure() const { return av_.failure(); }
+  void begin(DriveBriefing briefing) override;
+  void end() override;
+  [[nodiscard]] std::string note() const override { return av_.note(); }
+  [[nodiscard]] std::string failure() const override { return av_.failure(); }
   /// The AV, named `av`, the pedestrians p1, p2, … in the agents' order, then the other bodies.
-  [[nodiscard]] std::vector<Actor> actors() const;
-  /// Where they are now.
-  [[nodiscard]] Scene scene() const;
+  [[nodiscard]] std::vector<Actor> actors() const override;
+  [[nodiscard]] Scene scene() const override;
+  /// The signals' new colours.
+  [[nodiscard]] std::vector<WorldEvent> events() const override;
   /// Once the test is finished: the cells of the last tick's drive that came after what ended it.
   /// With `av.carry_over` they are the next test's head start; 0 without.
-  [[nodiscard]] int left_over() const;
-  /// What has come of the test so far; final once it is finished.
-  [[nodiscard]] const CrossingResult& result() const { return result_; }
+  [[nodiscard]] int left_over() const override;
+  [[nodiscard]] const CrossingResult& result() const override { return result_; }
+  /// With the cell that the precondition was met in.
+  [[nodiscard]] std::string describe_result() const override;
+  [[nodiscard]] bool last_action_failed(std::size_t agent) const override;
 
  private:
   class Perceiver;
 
   [[nodiscard]] std::optional<EndReason> end_reason() const;
+  void note_end();
   ActionResult act(const ActionRequest& action);
   ActionResult move(RoadUser& body, std::span<const Value> args);
   ActionResult show(std::size_t agent, std::span<const Value> args);

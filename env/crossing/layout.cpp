@@ -22,12 +22,6 @@ Interval clipped(Interval cells, int count) {
 
 }  // namespace
 
-std::string_view name(Surface ground) {
-  static constexpr std::array<std::string_view, 4> kNames{"pavement", "lane", "crosswalk",
-                                                          "blocked"};
-  return kNames[static_cast<std::size_t>(ground)];
-}
-
 std::optional<Surface> find_surface(char letter) {
   const auto found = std::ranges::find(kLetters, letter, &SurfaceLetter::letter);
   if (found == kLetters.end()) return std::nullopt;

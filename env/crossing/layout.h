@@ -13,13 +13,9 @@
 #include <vector>
 
 #include "env/crossing/parameters.h"
+#include "env/world/ground_plan.h"
 
 namespace jaywalk {
-
-enum class Surface : unsigned char { pavement, lane, crosswalk, blocked };
-
-/// `pavement`, `lane`, `crosswalk` or `blocked`: the word that agents perceive.
-[[nodiscard]] std::string_view name(Surface ground);
 
 class Layout {
  public:

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "env/crossing/layout.h"
+#include "env/vehicle/section.h"
 
 namespace jaywalk {
 namespace {
@@ -52,26 +53,6 @@ void check_simulator(const CrossingParameters& parameters, std::vector<Parameter
   if (!av.vehicle.defects.empty()) refuse("defect");
   if (av.twin) refuse("twin");
   if (av.carry_over) refuse("carry_over");
-}
-
-// Whoever does not brake can neither brake wrongly nor show how it is done rightly.
-void check_defects(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
-  const AvParameters& av = parameters.av;
-  if (!parameters.simulator.name.empty()) return;
-  if (!av.vehicle.defects.empty() && av.vehicle.model == "constant") {
-    found.push_back({"world.av.defect",
-                     "the AV's model 'constant' does not brake, so that no defect of it shows"});
-  }
-  if (!av.twin) return;
-  if (av.twin->model == "constant") {
-    found.push_back({"world.av.twin",
-                     "the model 'constant' does not brake, so that it is nobody's "
-                     "healthy twin"});
-  }
-  if (av.vehicle.model == "constant") {
-    found.push_back({"world.av.twin",
-                     "the AV's model 'constant' does not brake, so that it has no healthy twin"});
-  }
 }
 
 void check_zone(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
@@ -208,15 +189,6 @@ bool is_steady(const CrossingParameters& parameters) {
   return parameters.av.vehicle.model == "constant" && parameters.simulator.name.empty();
 }
 
-VehicleParameters healthy_twin(const AvParameters& av) {
-  VehicleParameters twin = av.twin.value_or(av.vehicle);
-  twin.defects.clear();
-  twin.range_m = av.vehicle.range_m;
-  twin.period_s = av.vehicle.period_s;
-  twin.keeps_process = av.vehicle.keeps_process;
-  return twin;
-}
-
 Grid grid(const CrossingParameters& parameters) {
   int rows = 0;
   for (const Band& band : parameters.bands) rows += band.rows;
@@ -302,7 +274,9 @@ std::vector<ParameterProblem> problems(const CrossingParameters& parameters) {
   std::vector<ParameterProblem> found;
   check_av(parameters, found);
   check_simulator(parameters, found);
-  check_defects(parameters, found);
+  if (parameters.simulator.name.empty()) {
+    check_defects(parameters.av.vehicle, parameters.av.twin, found);
+  }
   check_zone(parameters, found);
   check_carry_over(parameters, found);
   check_spawn(parameters, found);

@@ -9,15 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "env/config/parameter_problem.h"
 #include "env/grid/grid.h"
 #include "env/scene.h"
 #include "env/simulator/parameters.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
-
-/// The side of the box that stands for a pedestrian in scenes, in metres.
-inline constexpr double kPedestrianSizeM = 0.5;
 
 enum class BandKind { pavement, lane };
 
@@ -41,7 +39,7 @@ struct AvParameters {
   /// How it drives.
   VehicleParameters vehicle;
   /// How it would drive if it were healthy, where defects alone do not say so: the twin of a
-  /// controller of one's own. Its sensors and its period are the vehicle's (see healthy_twin).
+  /// controller of one's own. Its sensors and its period are the vehicle's (see section.h there).
   std::optional<VehicleParameters> twin;
   /// The cell of the leading edge before the first tick; may lie before the grid.
   int start = 0;
@@ -192,10 +190,6 @@ struct CrossingParameters {
 
 /// It keeps its speed whatever is in its way: no model brakes, no simulator drives.
 [[nodiscard]] bool is_steady(const CrossingParameters& parameters);
-/// The vehicle's parameters by which kills are measured: those of the named twin, else its own
-/// without defects.
-[[nodiscard]] VehicleParameters healthy_twin(const AvParameters& av);
-
 [[nodiscard]] Grid grid(const CrossingParameters& parameters);
 /// The rows of each band, in the same order.
 [[nodiscard]] std::vector<Interval> band_rows(const CrossingParameters& parameters);
@@ -216,12 +210,7 @@ struct CrossingParameters {
 /// The same when the AV's leading edge is so many cells ahead of where it started.
 [[nodiscard]] int zone_origin_at(const CrossingParameters& parameters, double driven);
 
-/// What does not fit together. `path` names the parameter as scenarios spell it, `world.av.rows`.
-struct ParameterProblem {
-  std::string path;
-  std::string message;
-};
-
+/// What does not fit together.
 [[nodiscard]] std::vector<ParameterProblem> problems(const CrossingParameters& parameters);
 
 }  // namespace jaywalk

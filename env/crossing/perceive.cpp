@@ -49,7 +49,7 @@ class Crossing::Perceiver {
     add(at, self().place.x, self().place.y);
     add(CrossingPercept::av, world_.origin_);
     if (gives(precondition_met)) {
-      for (const std::size_t hit : world_.result_.hit_by) {
+      for (const std::size_t hit : world_.result_.met_by) {
         add(precondition_met, static_cast<double>(hit + 1));
       }
     }

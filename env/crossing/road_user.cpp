@@ -44,20 +44,6 @@ std::string_view name(CrosswalkKind kind) {
   return kind == CrosswalkKind::zebra ? "zebra" : "signalled";
 }
 
-BoxSize size_of(ActorKind kind) {
-  switch (kind) {
-    case ActorKind::vehicle:
-      return {4.5, 1.8};
-    case ActorKind::pedestrian:
-      return {kPedestrianSizeM, kPedestrianSizeM};
-    case ActorKind::cyclist:
-      return {1.8, 0.6};
-    case ActorKind::signal:
-      return {0.3, 0.3};
-  }
-  return {};
-}
-
 double heading_rad(Direction direction) {
   using std::numbers::pi;
   switch (direction) {

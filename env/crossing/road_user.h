@@ -41,12 +41,6 @@ struct RoadUser {
 };
 
 /// The box that stands for a body, in metres: its length is along its heading.
-struct BoxSize {
-  double length_m = 0;
-  double width_m = 0;
-};
-[[nodiscard]] BoxSize size_of(ActorKind kind);
-
 [[nodiscard]] double heading_rad(Direction direction);
 /// The direction nearest to a heading.
 [[nodiscard]] Direction nearest_direction(double heading_rad);

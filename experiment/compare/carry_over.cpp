@@ -7,7 +7,7 @@
 namespace jaywalk {
 
 TestOrder test_order(const Scenario& scenario) {
-  return scenario.world.av.carry_over ? TestOrder::chained : TestOrder::any;
+  return scenario.world->carries_over() ? TestOrder::chained : TestOrder::any;
 }
 
 CarryOver::CarryOver(const ExperimentPlan& plan)

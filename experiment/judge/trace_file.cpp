@@ -5,12 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "env/crossing/road_user.h"
+#include "env/scene.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
@@ -357,7 +358,7 @@ class TraceParser {
         if (columns_[kHeading]) continue;
         state.heading_rad = way > 0 ? std::atan2(dy, dx)
                             : t > 0 ? scenes[t - 1][i].heading_rad
-                                    : heading_rad(Direction::forward);
+                                    : std::numbers::pi / 2;
       }
     }
   }

@@ -50,8 +50,8 @@ double of_new_bins(const FinishedTest& test, std::set<std::string>& covered) {
 
 }  // namespace
 
-void TickRewards::tick(const Crossing& crossing) {
-  const std::vector<PedestrianOutcome>& all = crossing.result().pedestrians;
+void TickRewards::tick(const World& world) {
+  const std::vector<AgentOutcome>& all = world.result().agents;
   scored_.resize(all.size());
   std::vector<double> rewards(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -88,8 +88,8 @@ void add_end_rewards(const LearningSpec& spec, const FinishedTest& test,
       of_all += reward.natural_steps * (natural ? natural->value : 1);
     }
   }
-  std::vector<double> rewards(test.outcome.pedestrians.size(), of_all);
-  for (const std::size_t agent : test.outcome.hit_by) {
+  std::vector<double> rewards(test.outcome.agents.size(), of_all);
+  for (const std::size_t agent : test.outcome.met_by) {
     if (agent < rewards.size()) rewards[agent] += reward.precondition;
   }
   if (spec.is_shared) share(rewards);

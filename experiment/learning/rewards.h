@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "env/crossing/crossing.h"
 #include "env/ground.h"
+#include "env/world/world.h"
 #include "experiment/judge/assertions/assertion.h"
 #include "experiment/judge/recording.h"
 #include "experiment/learning/episodes.h"
@@ -25,7 +25,7 @@ class TickRewards {
   TickRewards(const LearningSpec& spec, EpisodeRecorder& episodes)
       : spec_(spec), episodes_(episodes) {}
   /// To be called before the first tick and after each.
-  void tick(const Crossing& crossing);
+  void tick(const World& world);
 
  private:
   const LearningSpec& spec_;
@@ -39,7 +39,7 @@ class TickRewards {
 
 /// A test that is over.
 struct FinishedTest {
-  const CrossingResult& outcome;
+  const WorldResult& outcome;
   const Recording& recording;
   const Ground& ground;
   std::span<const Assertion> assertions;

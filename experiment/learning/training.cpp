@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/compare/experiment.h"
 #include "experiment/scenario/files/sha256.h"
 
@@ -45,7 +44,7 @@ PolicyOrigin origin_of(const TrainingPlan& plan) {
 struct Training::Lesson {
   std::optional<EpisodeRecorder> episodes;
   Recording recording;
-  CrossingResult outcome;
+  WorldResult outcome;
   bool errored = false;
   bool interrupted = false;
   std::string message;
@@ -78,8 +77,9 @@ Training::Training(TrainingPlan plan, std::shared_ptr<Policy> policy)
     : plan_(std::move(plan)),
       policy_(std::move(policy)),
       trials_(*plan_.prepared),
-      ground_(ground(plan_.prepared->scenario().world)),
-      discount_(std::pow(policy_->origin().spec.discount, plan_.prepared->scenario().world.tick_s)),
+      ground_(plan_.prepared->scenario().world->ground()),
+      discount_(
+          std::pow(policy_->origin().spec.discount, plan_.prepared->scenario().world->tick_s())),
       covered_(policy_->origin().covered.begin(), policy_->origin().covered.end()) {}
 
 void Training::run_test(std::uint64_t number, Lesson& lesson) {
@@ -93,7 +93,7 @@ void Training::run_test(std::uint64_t number, Lesson& lesson) {
                          .test = number,
                          .vehicle = vehicles > 1 ? 1 + number % (vehicles - 1) : 0};
   const TrialOptions options{
-      .observe = [&](const Crossing& crossing, const Mas&) { rewards.tick(crossing); },
+      .observe = [&](const World& world, const Mas&) { rewards.tick(world); },
       .record = needs_recording(spec.reward) ? &lesson.recording : nullptr,
       .policies = &*lesson.episodes,
       .interrupted = plan_.interrupted};

@@ -7,7 +7,6 @@
 #include <optional>
 #include <thread>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/trial/plan_coverage.h"
 #include "interpreter/support/start_threads.h"
 
@@ -102,7 +101,7 @@ Result<std::vector<SituationRow>> stored_situations(const ResultsReader& store,
   if (!total) return total.diagnostics();
   const auto prepared = store.prepared();
   if (!prepared) return prepared.diagnostics();
-  const Ground where = ground(prepared.value()->scenario().world);
+  const Ground where = prepared.value()->scenario().world->ground();
   Progress now{.done = 0, .total = total.value()};
   std::vector<SituationRow> rows;
   for (const TestFilter& cell : cells) {

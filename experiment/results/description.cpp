@@ -114,7 +114,7 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
                                     .vehicles = plan.vehicles,
                                     .tests = plan.tests,
                                     .seed = seed,
-                                    .tick_s = scenario.world.tick_s,
+                                    .tick_s = scenario.world->tick_s(),
                                     .anchor = scenario.anchor,
                                     .version = JAYWALK_VERSION};
   for (std::size_t i = 0; i < prepared.behaviours().size(); ++i) {

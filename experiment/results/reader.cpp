@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "env/config/reader.h"
 #include "experiment/compare/avs/av_ranking.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/compare/per_test.h"
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
 #include "experiment/results/stored_rows.h"
-#include "experiment/scenario/scenario_reader.h"
 #include "experiment/trial/covered_bins.h"
 #include "experiment/trial/tested_vehicles.h"
 
@@ -24,14 +24,7 @@ constexpr std::int64_t kMostHeadStart = 9'999;
 
 /// The command that its tests start, of the AV, its twin or its simulator; empty: none.
 std::string command_of(const Scenario& scenario) {
-  const AvParameters& av = scenario.world.av;
-  std::vector<std::string> words = av.vehicle.command;
-  if (words.empty() && av.twin) words = av.twin->command;
-  for (const auto& [key, value] : scenario.world.simulator.settings) {
-    // A file that a setting names is a word, too, but is not started.
-    if (words.empty() && value.text.empty()) words = value.command;
-  }
-  return fmt::format("{}", fmt::join(words, " "));
+  return fmt::format("{}", fmt::join(scenario.world->command(), " "));
 }
 
 }  // namespace

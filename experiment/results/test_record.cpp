@@ -28,7 +28,7 @@ TestRecord make_test_record(const TestCase& test, const TestResult& result,
                     .result = result,
                     .outcome = outcome_of(trial),
                     .recording = std::move(recording)};
-  for (const PedestrianOutcome& outcome : trial.outcome.pedestrians) {
+  for (const AgentOutcome& outcome : trial.outcome.agents) {
     record.scores.push_back(
         {.cost = outcome.cost, .reward = outcome.reward, .actions = outcome.actions});
   }

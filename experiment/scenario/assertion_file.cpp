@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "env/config/reader.h"
 #include "experiment/judge/assertions/assertion.h"
 #include "experiment/judge/metrics/metrics.h"
-#include "experiment/scenario/scenario_reader.h"
+#include "experiment/scenario/scenario.h"
+#include "experiment/scenario/scenario_yaml.h"
 
 namespace jaywalk {
 namespace {

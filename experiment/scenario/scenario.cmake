@@ -8,17 +8,8 @@ target_sources(jaywalk_experiment PRIVATE
   scenario/files/write_file.cpp
   scenario/number_list.cpp
   scenario/scenario.cpp
-  scenario/scenario_actors.cpp
-  scenario/scenario_av.cpp
-  scenario/scenario_avs.cpp
-  scenario/scenario_defects.cpp
   scenario/scenario_learning.cpp
-  scenario/scenario_parameters.cpp
-  scenario/scenario_presets.cpp
-  scenario/scenario_reader.cpp
-  scenario/scenario_road.cpp
   scenario/scenario_schema.cpp
-  scenario/scenario_simulator.cpp
   scenario/scenario_world.cpp
   scenario/scenario_yaml.cpp)
 target_link_libraries(jaywalk_experiment PRIVATE yaml-cpp PkgConfig::libmd)

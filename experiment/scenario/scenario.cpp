@@ -8,10 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "env/simulator/simulator.h"
+#include "env/environments.h"
 #include "experiment/scenario/files/program_copies.h"
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
+#include "experiment/scenario/scenario_yaml.h"
 
 namespace jaywalk {
 namespace {
@@ -20,13 +21,6 @@ bool is_behaviour_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-';
   });
-}
-
-const Preset* find_preset(std::string_view name) {
-  const std::span<const Preset> all = presets();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Preset& each) { return each.name == name; });
-  return found == all.end() ? nullptr : &*found;
 }
 
 ConfigNode map_of(std::string key, ConfigNode value) {
@@ -43,7 +37,7 @@ class ScenarioBuilder {
       : source_(std::move(source)), options_(options) {}
 
   Result<Scenario> build() {
-    if (!parse_layers()) return std::move(diagnostics_);
+    if (!parse_layers() || !choose_world()) return std::move(diagnostics_);
     read_preset();
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     read_layer(file_, folder, draft_, diagnostics_);
@@ -79,10 +73,40 @@ class ScenarioBuilder {
     return !diagnostics_.has_errors();
   }
 
-  // The preset's name is in any layer; the option --preset counts before the file's.
+  // The world's name is in any layer; it decides what the others mean.
+  bool choose_world() {
+    const auto named_in = [](const ConfigNode& layer) {
+      const ConfigNode* const world = layer.find("world");
+      return world == nullptr ? nullptr : world->find("environment");
+    };
+    const ConfigNode* named = named_in(file_);
+    for (const ConfigNode& setting : settings_) {
+      if (const ConfigNode* const value = named_in(setting)) named = value;
+    }
+    world_ = &environments().front();
+    if (named != nullptr) {
+      const ConfigReader reader(diagnostics_);
+      const auto name = reader.text(*named, "the name of an environment");
+      if (!name) return false;
+      world_ = find_environment(*name);
+      if (world_ == nullptr) {
+        std::vector<std::string> names;
+        for (const EnvironmentKind& kind : environments()) names.emplace_back(kind.name);
+        report(diagnostics_, named->origin, fmt::format("unknown environment '{}'", *name),
+               did_you_mean(*name, names));
+        return false;
+      }
+    }
+    draft_.world_kind = world_->name;
+    draft_.world = world_->section();
+    return true;
+  }
+
+  // The preset's name is in any layer; the option --preset counts before the file's. Without one
+  // it is the world's first, if it has any.
   void read_preset() {
     ConfigNode named;
-    named.text = "paper";
+    if (!world_->presets.empty()) named.text = world_->presets.front().name;
     if (const ConfigNode* value = file_.find("preset")) named = *value;
     if (options_.preset) {
       named = {ConfigNode::Kind::scalar, *options_.preset, {{}, "--preset"}, {}, {}};
@@ -90,12 +114,16 @@ class ScenarioBuilder {
     for (const ConfigNode& setting : settings_) {
       if (const ConfigNode* value = setting.find("preset")) named = *value;
     }
-    const Preset* preset = find_preset(named.text);
-    if (preset == nullptr) {
+    if (named.kind == ConfigNode::Kind::null && named.text.empty()) return;
+    const auto preset = std::ranges::find(world_->presets, named.text, &Preset::name);
+    if (preset == world_->presets.end()) {
       std::vector<std::string> names;
-      for (const Preset& each : presets()) names.emplace_back(each.name);
+      for (const Preset& each : world_->presets) names.emplace_back(each.name);
       std::string hint = did_you_mean(named.text, names);
-      if (hint.empty()) hint = "`jaywalk list presets` shows them";
+      if (hint.empty()) {
+        hint = names.empty() ? fmt::format("the world {} has none", world_->name)
+                             : "`jaywalk list presets` shows them";
+      }
       report(diagnostics_, named.origin, fmt::format("unknown preset '{}'", named.text),
              std::move(hint));
       return;
@@ -119,6 +147,7 @@ class ScenarioBuilder {
       const ConfigNode* const value = preset_behaviours_.find(behaviour.name);
       if (value == nullptr) continue;
       ScenarioDraft preset;
+      preset.world_kind = world_->name;
       preset.scenario.behaviours.emplace_back().name = behaviour.name;
       read_layer(map_of("behaviours", map_of(behaviour.name, *value)), "", preset, diagnostics_);
       for (ParameterSetting& setting : preset.scenario.behaviours.front().parameters) {
@@ -141,7 +170,7 @@ class ScenarioBuilder {
   }
 
   std::optional<BehaviourSpec> find_behaviour(const std::string& wanted) {
-    const std::string path = program_path("", wanted);
+    const std::string path = program_path("", wanted, world_->name);
     std::vector<std::string> names;
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
       if (behaviour.name == wanted || behaviour.program == path) return behaviour;
@@ -155,7 +184,7 @@ class ScenarioBuilder {
       behaviour.origin.option = option;
       return behaviour;
     }
-    const std::string folder(kInstalledBehaviours);
+    const std::string folder = installed_behaviours(world_->name);
     for (const std::string& installed : options_.files.installed_in(folder)) {
       names.push_back(behaviour_name(installed));
     }
@@ -168,35 +197,17 @@ class ScenarioBuilder {
   }
 
   [[nodiscard]] ValueOrigin origin_of(std::string path) const {
-    while (true) {
-      const auto found = draft_.origins.find(path);
-      if (found != draft_.origins.end()) return found->second;
-      const std::size_t dot = path.rfind('.');
-      if (dot == std::string::npos) return {{}, source_->name()};
-      path.resize(dot);
-    }
+    return jaywalk::origin_of(draft_.origins, std::move(path), source_->name());
   }
 
   void finish() {
     Scenario& scenario = draft_.scenario;
-    CrossingParameters& world = scenario.world;
-    const double mps_to_cells = world.tick_s / world.cell_m;
-    if (draft_.speed_mps) world.av.speed = *draft_.speed_mps * mps_to_cells;
-    if (draft_.pedestrian_mps) world.pedestrians.speed = *draft_.pedestrian_mps * mps_to_cells;
-    for (std::size_t i = 0; i < draft_.actor_mps.size(); ++i) {
-      if (draft_.actor_mps[i]) world.actors[i].speed = *draft_.actor_mps[i] * mps_to_cells;
-    }
-    for (ParameterProblem& problem : problems(world)) {
-      report(diagnostics_, origin_of(problem.path), std::move(problem.message),
-             fmt::format("the key is {}", problem.path));
-    }
-    if (world.av.vehicle.model == "external") check_external();
-    if (!world.simulator.name.empty()) check_simulator();
+    const std::string folder;
+    const SectionContext context{folder, options_.files, draft_.origins, diagnostics_};
+    draft_.world->check(scenario.name, context);
     check_avs();
-    check_command(world.av.vehicle, "world.av");
-    if (world.av.twin) check_command(*world.av.twin, "world.av.twin");
     check_behaviours();
-    if (draft_.start_cells_file && !diagnostics_.has_errors()) read_start_cells();
+    if (!diagnostics_.has_errors()) draft_.world->read_files(context, scenario.sources);
     if (!diagnostics_.has_errors()) read_programs();
     finish_learning();
     if (draft_.assertions_file) {
@@ -205,18 +216,25 @@ class ScenarioBuilder {
       report(diagnostics_, draft_.judged.front().second, "assertions to judge, but no file of them",
              "name it under 'assertions.file'");
     }
+    if (!diagnostics_.has_errors()) finish_world();
+  }
+
+  void finish_world() {
+    Scenario& scenario = draft_.scenario;
+    scenario.world = draft_.world->finish();
+    for (WorldAgent& agent : draft_.world->agents()) {
+      BehaviourSpec& program = scenario.actors.emplace_back();
+      program.name = std::move(agent.name);
+      program.program = std::move(agent.program);
+      program.parameters = std::move(agent.parameters);
+      program.origin = std::move(agent.origin);
+    }
   }
 
   void read_programs() {
     Scenario& scenario = draft_.scenario;
-    std::vector<std::vector<std::string>*> commands{&scenario.world.av.vehicle.command};
-    if (auto& twin = scenario.world.av.twin) commands.push_back(&twin->command);
-    auto& settings = scenario.world.simulator.settings;
-    for (auto& [key, value] : settings) commands.push_back(&value.command);
+    const std::vector<std::vector<std::string>*> commands = draft_.world->commands();
     auto programs = keep_programs(commands, options_.files, scenario.sources);
-    for (auto& [key, value] : settings) {
-      if (!value.text.empty() && !value.command.empty()) value.text = value.command.front();
-    }
     if (programs.ok()) {
       scenario.programs = std::move(programs).value();
     } else {
@@ -316,28 +334,8 @@ class ScenarioBuilder {
     }
   }
 
-  // A controller of one's own has its own reaction and brakes as it likes.
-  void check_external() {
-    for (const char* key : {"reaction", "deceleration", "acceleration", "standoff"}) {
-      const auto given = draft_.origins.find(fmt::format("world.av.{}", key));
-      if (given == draft_.origins.end()) continue;
-      report(diagnostics_, given->second,
-             fmt::format("'{}' has no meaning for the model external", key),
-             "it is for the program to decide; what a vehicle can do limits its answers");
-    }
-  }
-
-  void check_simulator() {
-    const SimulatorParameters& simulator = draft_.scenario.world.simulator;
-    for (SettingProblem& problem : find_simulator(simulator.name)->check(simulator)) {
-      const std::string path = "world.simulator";
-      report(diagnostics_, origin_of(problem.key.empty() ? path : path + "." + problem.key),
-             std::move(problem.message), std::move(problem.hint));
-    }
-  }
-
   void check_avs() {
-    const std::vector<std::string> names = av_model_names(draft_.scenario.world.simulator);
+    const std::vector<std::string> names = draft_.world->av_models();
     for (const std::string& name : draft_.scenario.experiment.avs) {
       if (std::ranges::find(names, name) != names.end()) continue;
       std::string hint = did_you_mean(name, names);
@@ -348,13 +346,6 @@ class ScenarioBuilder {
       report(diagnostics_, origin_of("experiment.avs"),
              fmt::format("unknown model '{}' of the AV", name), std::move(hint));
     }
-  }
-
-  void check_command(const VehicleParameters& vehicle, const std::string& path) {
-    if (vehicle.model != "external" || !vehicle.command.empty()) return;
-    if (draft_.origins.contains(path + ".command")) return;  // already diagnosed
-    report(diagnostics_, origin_of(path + ".model"), "no 'command' to start the controller with",
-           "for example command: [python3, controller.py]");
   }
 
   void check_behaviours() {
@@ -376,24 +367,10 @@ class ScenarioBuilder {
     }
   }
 
-  void read_start_cells() {
-    Result<SourcePtr> source = options_.files.read(*draft_.start_cells_file);
-    if (!source.ok()) {
-      diagnostics_.append(std::move(source.diagnostics()));
-      return;
-    }
-    Result<StartCells> cells = parse_start_cells(source.value(), grid(draft_.scenario.world));
-    if (!cells.ok()) {
-      diagnostics_.append(std::move(cells.diagnostics()));
-      return;
-    }
-    draft_.scenario.sources.push_back(source.value());
-    draft_.scenario.start_cells = std::move(cells).value();
-  }
-
   SourcePtr source_;
   const ScenarioOptions& options_;
   Diagnostics diagnostics_;
+  const EnvironmentKind* world_ = nullptr;
   ConfigNode file_;
   std::vector<ConfigNode> settings_;
   ScenarioDraft draft_;

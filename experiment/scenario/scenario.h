@@ -12,11 +12,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "env/crossing/parameters.h"
-#include "env/crossing/start_cells.h"
+#include "env/config/parameter_settings.h"
+#include "env/environments.h"
+#include "env/world/world_spec.h"
 #include "experiment/judge/assertions/assertion.h"
 #include "experiment/policy/learning_spec.h"
 #include "experiment/scenario/anchor.h"
@@ -26,22 +26,6 @@
 namespace jaywalk {
 
 class ProgramCopies;
-
-/// Where a value was given: a place in a file, or an option (`--set world.length=80`).
-struct ValueOrigin {
-  SourceSpan where;
-  std::string option;
-};
-
-/// A number or the name of an atom.
-using ParameterValue = std::variant<double, std::string>;
-
-/// What takes the place of a program's initial beliefs of that name: `radius: 15` is radius(15).
-struct ParameterSetting {
-  std::string name;
-  std::vector<ParameterValue> values;
-  ValueOrigin origin;
-};
 
 /// Parameters of some agents only, by their numbers, from 1.
 struct AgentSettings {
@@ -108,10 +92,12 @@ struct IncludeFolders {
 struct Scenario {
   /// The file's name.
   std::string name;
-  std::string preset = "paper";
-  CrossingParameters world;
+  /// Empty if it began with none.
+  std::string preset;
+  /// What the scenario's world has read of it; shared, since it does not change.
+  std::shared_ptr<const WorldSpec> world = default_world();
   std::vector<BehaviourSpec> behaviours;
-  /// The programs of world.actors, in the same order.
+  /// The programs of the world's other agents, in their order.
   std::vector<BehaviourSpec> actors;
   ExperimentSpec experiment;
   /// How `jaywalk learn` has agents learn, and the texts of policies that they have learned: a
@@ -120,8 +106,6 @@ struct Scenario {
   std::vector<SourcePtr> policies;
   /// Where the world is on the Earth, for stores.
   std::optional<Anchor> anchor;
-  /// Start cells that take the place of spawning.
-  std::optional<StartCells> start_cells;
   /// What tests are judged by.
   std::vector<Assertion> assertions;
   /// The texts that it was read from (programs are read when it is prepared), and where they and
@@ -149,9 +133,6 @@ struct ScenarioOptions {
   IncludeFolders include;
 };
 
-/// Where the installed behaviours are, among the installed programs (source_files.h).
-inline constexpr std::string_view kInstalledBehaviours = "$jaywalk/crossing";
-
 /// A scenario larger than this is refused.
 inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;
 
@@ -160,19 +141,5 @@ inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;
 /// The same for a text in memory; programs are found relative to the folder in the source's name.
 [[nodiscard]] Result<Scenario> parse_scenario(const SourcePtr& source,
                                               const ScenarioOptions& options = {});
-
-/// Whether the published results are of the world and the parameters that a preset describes.
-enum class PresetResults { published, other };
-
-/// Values that a scenario begins with, by name. `text` is what a scenario would say; what it says
-/// of behaviours goes to those of these names that the scenario has.
-struct Preset {
-  std::string_view name;
-  std::string_view summary;
-  std::string_view text;
-  PresetResults results = PresetResults::other;
-};
-
-[[nodiscard]] std::span<const Preset> presets();
 
 }  // namespace jaywalk

@@ -81,7 +81,7 @@ class LayerReader : LayerPart {
       read_behaviour(node, path, behaviour);
 
     } else if (const auto program = reader_.text(node, "the path of an AgentSpeak program")) {
-      behaviour.program = program_path(folder_, *program);
+      behaviour.program = program_path(folder_, *program, draft_.world_kind);
     }
     if (behaviour.program.empty()) return;
     if (behaviour.name.empty()) behaviour.name = behaviour_name(behaviour.program);
@@ -107,7 +107,7 @@ class LayerReader : LayerPart {
                   {"program",
                    [&](const ConfigNode& value, const std::string&) {
                      if (const auto program = reader_.text(value, "the path of a program")) {
-                       behaviour.program = program_path(folder_, *program);
+                       behaviour.program = program_path(folder_, *program, draft_.world_kind);
                      }
                    }},
                   {"name",
@@ -137,7 +137,7 @@ class LayerReader : LayerPart {
       member.origin = entry.value.origin;
       const auto program = reader_.text(entry.value, "the path of a program");
       if (!program || !read_numbers(entry.key, entry.origin, member.agents)) continue;
-      member.program = program_path(folder_, *program);
+      member.program = program_path(folder_, *program, draft_.world_kind);
       behaviour.team.push_back(std::move(member));
     }
     if (behaviour.program.empty() && !behaviour.team.empty()) {
@@ -268,20 +268,6 @@ class LayerReader : LayerPart {
 void read_layer(const ConfigNode& root, const std::string& folder, ScenarioDraft& draft,
                 Diagnostics& diagnostics) {
   LayerReader(folder, draft, diagnostics).read(root);
-}
-
-std::string path_in(const std::string& folder, const std::string& path) {
-  return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
-}
-
-std::string program_path(const std::string& folder, const std::string& text) {
-  if (text.starts_with(kLibraryPrefix)) return text;
-  if (text.ends_with(".asl") || text.find('/') != std::string::npos) return path_in(folder, text);
-  return installed_behaviour(text);
-}
-
-std::string installed_behaviour(std::string_view name) {
-  return fmt::format("{}/{}.asl", kInstalledBehaviours, name);
 }
 
 std::string behaviour_name(const std::string& program) {

@@ -7,7 +7,7 @@
 namespace jaywalk {
 
 Result<std::string> simulator_version(const Scenario& scenario) {
-  const SimulatorParameters& parameters = scenario.world.simulator;
+  const SimulatorParameters& parameters = scenario.world->simulator();
   if (parameters.name.empty()) return std::string();
   Simulators simulators;
   SimulatorIdentity identity;

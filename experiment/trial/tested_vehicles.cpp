@@ -13,7 +13,7 @@ std::vector<TestedVehicle> by_models(const Scenario& scenario) {
   std::vector<TestedVehicle> vehicles;
   for (const std::string& model : scenario.experiment.avs) {
     TestedVehicle& vehicle = vehicles.emplace_back(
-        TestedVehicle{model, scenario.world.av.vehicle, scenario.world.simulator});
+        TestedVehicle{model, scenario.world->vehicle(), scenario.world->simulator()});
     if (vehicle.simulator.name.empty()) {
       vehicle.parameters.model = model;
     } else {
@@ -30,11 +30,11 @@ bool compares_models(const std::vector<std::string>& vehicles) {
 }
 
 std::vector<TestedVehicle> tested_vehicles(const Scenario& scenario) {
-  const VehicleParameters& given = scenario.world.av.vehicle;
-  const SimulatorParameters& simulator = scenario.world.simulator;
+  const VehicleParameters& given = scenario.world->vehicle();
+  const SimulatorParameters& simulator = scenario.world->simulator();
   if (!scenario.experiment.avs.empty()) return by_models(scenario);
   if (scenario.experiment.defects.empty()) return {{std::string(kGivenVehicle), given, simulator}};
-  VehicleParameters healthy = healthy_twin(scenario.world.av);
+  VehicleParameters healthy = scenario.world->healthy_vehicle();
   std::vector<TestedVehicle> vehicles{{std::string(kHealthyVehicle), healthy, simulator}};
   if (given != healthy) vehicles.push_back({std::string(kGivenVehicle), given, simulator});
   for (const VehicleDefect& defect : scenario.experiment.defects) {

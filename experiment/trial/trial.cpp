@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/spawn.h"
 #include "env/grid/random.h"
 #include "experiment/trial/covered_bins.h"
 #include "interpreter/agent/agent.h"
@@ -80,8 +79,8 @@ std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TrialIn
   for (std::uint32_t number = 1; number <= input.agents; ++number) {
     const auto own = behaviour.team.find(number);
     AgentSpec& spec = specs.emplace_back(AgentSpec{
-        fmt::format("p{}", number), own == behaviour.team.end() ? behaviour.program : own->second,
-        behaviour.parameters});
+        prepared.scenario().world->agent_name(number),
+        own == behaviour.team.end() ? behaviour.program : own->second, behaviour.parameters});
     set_own_parameters(behaviour, number, spec);
   }
   for (const PreparedBehaviour& actor : prepared.actors()) {
@@ -142,7 +141,7 @@ std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
                      outcome.agent.empty() ? "an agent" : "agent " + outcome.agent);
 }
 
-void record_events(const Crossing& crossing, const TrialInput& input, const TrialResult& result,
+void record_events(const World& world, const TrialInput& input, const TrialResult& result,
                    Recording& recording) {
   if (!input.feedback.empty()) {
     recording.add(RecordedEvent{
@@ -152,19 +151,19 @@ void record_events(const Crossing& crossing, const TrialInput& input, const Tria
     recording.add(RecordedEvent{
         .tick = 0, .actor = {}, .kind = "head_start", .text = fmt::format("{}", input.head_start)});
   }
-  for (const SignalChange& each : crossing.result().signals) {
+  for (WorldEvent& each : world.events()) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
-                                .actor = static_cast<std::uint32_t>(each.body + 1),
-                                .kind = "signal",
-                                .text = std::string(name(each.colour))});
+                                .actor = static_cast<std::uint32_t>(each.actor),
+                                .kind = std::move(each.kind),
+                                .text = std::move(each.text)});
   }
-  for (const std::size_t pedestrian : crossing.result().hit_by) {
-    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(crossing.result().ticks),
-                                .actor = static_cast<std::uint32_t>(pedestrian + 1),
+  for (const std::size_t agent : world.result().met_by) {
+    recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(world.result().ticks),
+                                .actor = static_cast<std::uint32_t>(agent + 1),
                                 .kind = "precondition",
                                 .text = {}});
   }
-  for (const Collision& each : crossing.result().collisions) {
+  for (const Collision& each : world.result().collisions) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
                                 .actor = static_cast<std::uint32_t>(each.body + 1),
                                 .kind = "collision",
@@ -178,10 +177,10 @@ void record_events(const Crossing& crossing, const TrialInput& input, const Tria
   }
 }
 
-/// REQUIRES: the agents are those of the crossing, then perhaps others that they have created.
-TestTroubles troubles_of(const Mas& mas, const CrossingResult& outcome) {
-  TestTroubles troubles{.agents = mas.agent_count(), .pedestrians = outcome.pedestrians.size()};
-  for (const PedestrianOutcome& each : outcome.pedestrians) troubles.idle += each.actions == 0;
+/// REQUIRES: the agents are those of the world, then perhaps others that they have created.
+TestTroubles troubles_of(const Mas& mas, const WorldResult& outcome) {
+  TestTroubles troubles{.agents = mas.agent_count(), .pedestrians = outcome.agents.size()};
+  for (const AgentOutcome& each : outcome.agents) troubles.idle += each.actions == 0;
   for (std::uint32_t number = 0; number < mas.agent_count(); ++number) {
     if (!mas.is_alive(AgentId{number})) continue;
     for (const DropCause& cause : mas.agent(AgentId{number}).drops()) {
@@ -196,19 +195,19 @@ void give_up(std::string why, TrialResult& result) {
   result.message = std::move(why);
 }
 
-void run_to_the_end(Mas& mas, const Crossing& crossing, const TrialOptions& options,
+void run_to_the_end(Mas& mas, const World& world, const TrialOptions& options,
                     const TestDeadline& deadline, TrialResult& result) {
   const auto observe = [&] {
-    if (options.observe) options.observe(crossing, mas);
-    if (options.record != nullptr) options.record->add(crossing.scene());
+    if (options.observe) options.observe(world, mas);
+    if (options.record != nullptr) options.record->add(world.scene());
   };
   observe();
-  while (!crossing.finished()) {
-    if (!mas.step() && !crossing.finished()) {
+  while (!world.finished()) {
+    if (!mas.step() && !world.finished()) {
       return give_up(describe(mas.outcome(), deadline), result);
     }
     observe();
-    if (std::string failure = crossing.failure(); !failure.empty()) {
+    if (std::string failure = world.failure(); !failure.empty()) {
       return give_up(std::move(failure), result);
     }
     if (deadline.passed()) return give_up(deadline.message(), result);
@@ -230,28 +229,31 @@ TrialResult without_memory(const TrialOptions& options) {
 }
 
 /// What the controller makes of the end may be wrong, too.
-void end_drive(Crossing& crossing, TrialResult& result) {
-  crossing.end();
-  if (std::string failure = crossing.failure(); !failure.empty()) {
+void end_drive(World& world, TrialResult& result) {
+  world.end();
+  if (std::string failure = world.failure(); !failure.empty()) {
     give_up(std::move(failure), result);
   }
 }
 
 }  // namespace
 
-std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input) {
-  if (!input.starts.empty()) return input.starts;
-  if (!scenario.start_cells) {
-    return spawn(scenario.world, input.agents, seed_for(input, Purpose::start_cells));
-  }
-  const auto test = scenario.start_cells->find(input.test);
-  if (test == scenario.start_cells->end() || test->second.size() < input.agents) return {};
-  return {test->second.begin(), test->second.begin() + input.agents};
+WorldStart start_of(const TrialInput& input) {
+  return {.agents = input.agents,
+          .test = input.test,
+          .seed = seed_for(input, Purpose::start_cells),
+          .head_start = input.head_start,
+          .cells = input.starts};
 }
 
-StartCells start_cells(const Scenario& scenario, std::uint32_t agents, std::uint64_t seed,
-                       std::uint64_t tests) {
-  StartCells cells;
+std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input) {
+  return scenario.world->start_cells(start_of(input));
+}
+
+std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scenario,
+                                                           std::uint32_t agents, std::uint64_t seed,
+                                                           std::uint64_t tests) {
+  std::map<std::uint64_t, std::vector<Position>> cells;
   for (std::uint64_t test = 0; test < tests; ++test) {
     cells[test] = start_cells(scenario, {.agents = agents, .seed = seed, .test = test});
   }
@@ -264,22 +266,18 @@ std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) 
                        prepared.behaviours().size());
   }
   if (input.agents == 0) return "a test needs at least one agent";
-  if (start_cells(prepared.scenario(), input).empty()) {
-    return fmt::format("test {} has fewer than {} start cells in the scenario's file", input.test,
-                       input.agents);
-  }
-  return {};
+  return prepared.scenario().world->obstacle(start_of(input));
 }
 
 TestOutcome outcome_of(const TrialResult& trial) {
-  const CrossingResult& of = trial.outcome;
+  const WorldResult& of = trial.outcome;
   TestOutcome outcome{.ticks = static_cast<std::uint32_t>(of.all_ticks)};
   if (!trial.completed) {
     outcome.ended_by = kErrored;
     return outcome;
   }
   if (of.success) outcome.precondition_ticks = static_cast<std::uint32_t>(of.ticks);
-  if (of.end) outcome.ended_by = name(*of.end);
+  if (!of.end.empty()) outcome.ended_by = of.end;
   if (!of.collisions.empty()) outcome.impact_mps = of.collisions.front().impact_mps;
   return outcome;
 }
@@ -308,8 +306,7 @@ void TrialRunner::add_agents(const TrialInput& input) {
 
 TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& options) {
   assert(obstacle(prepared_, input).empty() && "the caller has asked for obstacles");
-  Crossing crossing(prepared_.world(input.vehicle), prepared_.vocabulary(),
-                    start_cells(prepared_.scenario(), input), input.head_start);
+  const std::unique_ptr<World> world = prepared_.world(input.vehicle).make(start_of(input));
   MasOptions mas_options;
   mas_options.seed = seed_for(input, Purpose::agents);
   mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
@@ -328,30 +325,30 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
     mas_options.policies = &policy.emplace(prepared_.behaviours()[input.behaviour].policy);
   }
   if (mas_ == nullptr) {
-    mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), &crossing);
+    mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), world.get());
   } else {
-    mas_->restart(std::move(mas_options), &crossing);
+    mas_->restart(std::move(mas_options), world.get());
   }
   add_agents(input);
-  crossing.begin({.test = input.test,
-                  .seed = input.seed,
-                  .behaviour = prepared_.behaviours()[input.behaviour].name,
-                  .agents = input.agents,
-                  .processes = &processes_,
-                  .simulators = &simulators_});
+  world->begin({.test = input.test,
+                .seed = input.seed,
+                .behaviour = prepared_.behaviours()[input.behaviour].name,
+                .agents = input.agents,
+                .processes = &processes_,
+                .simulators = &simulators_});
 
   TrialResult result;
   if (options.record != nullptr) {
-    *options.record = Recording(prepared_.scenario().world.tick_s, crossing.actors());
+    *options.record = Recording(prepared_.scenario().world->tick_s(), world->actors());
   }
-  run_to_the_end(*mas_, crossing, options, deadline, result);
+  run_to_the_end(*mas_, *world, options, deadline, result);
   result.interrupted = !result.completed && options.interrupted && options.interrupted();
-  if (result.completed) end_drive(crossing, result);
-  result.note = crossing.note();
-  if (options.record != nullptr) record_events(crossing, input, result, *options.record);
-  result.outcome = crossing.result();
+  if (result.completed) end_drive(*world, result);
+  result.note = world->note();
+  if (options.record != nullptr) record_events(*world, input, result, *options.record);
+  result.outcome = world->result();
   // A chain goes on as if a new one began.
-  result.left_over = result.completed ? crossing.left_over() : 0;
+  result.left_over = result.completed ? world->left_over() : 0;
   result.cycles = mas_->outcome().cycles;
   result.troubles = troubles_of(*mas_, result.outcome);
   if (!result.completed) result.troubles.error = result.message;

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "env/crossing/crossing.h"
 #include "env/simulator/simulator.h"
 #include "env/vehicle/controller_processes.h"
+#include "env/world/world_spec.h"
 #include "experiment/judge/recording.h"
 #include "experiment/policy/policy.h"
 #include "experiment/scenario/scenario.h"
@@ -64,26 +64,27 @@ class PreparedScenario {
   /// The texts of all files that it was made from, each once, in the order in which they were read:
   /// with copies of these (ScenarioOptions::files) it can be made again.
   [[nodiscard]] const std::vector<SourcePtr>& inputs() const { return inputs_; }
-  [[nodiscard]] const CrossingVocabulary& vocabulary() const { return vocabulary_; }
   /// The AVs that tests can be run with (tested_vehicles.h), by name, and the world with each.
   [[nodiscard]] const std::vector<std::string>& vehicles() const { return vehicles_; }
-  [[nodiscard]] const CrossingParameters& world(std::size_t vehicle) const {
-    return worlds_[vehicle];
-  }
+  [[nodiscard]] const PreparedWorld& world(std::size_t vehicle) const { return *worlds_[vehicle]; }
 
  private:
+  struct PreparedVehicle {
+    std::string name;
+    std::unique_ptr<const PreparedWorld> world;
+  };
+
   PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
-                   CrossingVocabulary vocabulary, std::vector<PreparedBehaviour> behaviours,
-                   std::vector<PreparedBehaviour> actors, std::vector<SourcePtr> inputs);
+                   std::vector<PreparedBehaviour> behaviours, std::vector<PreparedBehaviour> actors,
+                   std::vector<SourcePtr> inputs, std::vector<PreparedVehicle> vehicles);
 
   Scenario scenario_;
   std::shared_ptr<const SymbolTable> symbols_;
-  CrossingVocabulary vocabulary_;
   std::vector<PreparedBehaviour> behaviours_;
   std::vector<PreparedBehaviour> actors_;
   std::vector<SourcePtr> inputs_;
   std::vector<std::string> vehicles_;
-  std::vector<CrossingParameters> worlds_;
+  std::vector<std::unique_ptr<const PreparedWorld>> worlds_;
 };
 
 struct TrialInput {
@@ -93,14 +94,14 @@ struct TrialInput {
   /// The experiment's seed and the test's number, from 0.
   std::uint64_t seed = 0;
   std::uint64_t test = 0;
-  /// What the pedestrians believe of earlier tests: the beliefs covered(Item, Bin, Times).
+  /// What the agents believe of earlier tests: the beliefs covered(Item, Bin, Times).
   std::vector<CoveredBin> feedback;
-  /// Cells that the AV is ahead of its start: what the test before has left over (carry_over.h).
+  /// What the test before has left over, in a world in which that matters (carry_over.h).
   int head_start = 0;
   /// Index into the prepared scenario's vehicles.
   std::size_t vehicle = 0;
-  /// Where the pedestrians start, if that is not for the scenario to say. REQUIRES: as many as
-  /// agents, or none.
+  /// The cells where the agents start, if that is not for the scenario to say. REQUIRES: as many as
+  /// agents, or none; a world that has cells.
   std::vector<Position> starts;
   /// These take the place of what the scenario sets for all agents of the behaviour. REQUIRES: the
   /// programs have such initial beliefs.
@@ -108,15 +109,14 @@ struct TrialInput {
 };
 
 /// Looks at a trial as it runs: called before the first tick and after each.
-using TrialObserver = std::function<void(const Crossing& crossing, const Mas& mas)>;
+using TrialObserver = std::function<void(const World& world, const Mas& mas)>;
 
 struct TrialOptions {
   TrialObserver observe;
-  /// Receives every scene of the test, and its events: `precondition`, of each pedestrian that was
-  /// the first in the zone, `collision`, of the one the AV touched, `signal`, the colour that one
-  /// begins to show, `errored`, why the test came to no end of its own, `feedback`, what the
-  /// pedestrians believed of earlier tests, and `head_start`, the AV's if it has one. Null:
-  /// nothing is recorded.
+  /// Receives every scene of the test, and its events: `precondition`, of each agent that met it,
+  /// `collision`, of the one the AV touched, the world's own (World::events), `errored`, why the
+  /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
+  /// `head_start`, if there was one. Null: nothing is recorded.
   Recording* record = nullptr;
   /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
   ReasoningObserver* observer = nullptr;
@@ -137,8 +137,8 @@ struct TrialOptions {
 };
 
 struct TrialResult {
-  CrossingResult outcome;
-  /// The head start of the next test (Crossing::left_over).
+  WorldResult outcome;
+  /// The head start of the next test (World::left_over).
   int left_over = 0;
   /// The test came to an end of its own; otherwise it is errored and `message` says why and where:
   /// which agent ran away, reached a limit or stopped it, or what the AV's controller did.
@@ -200,13 +200,18 @@ class TrialRunners {
 [[nodiscard]] TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
                                     const TrialOptions& options = {});
 
-/// The start cells of a trial: the scenario's own or those drawn from mix(mix(seed, test), 0). They
-/// do not depend on the behaviour.
+/// How the world begins the trial's test. The seed for where agents start is mix(mix(seed, test),
+/// 0); it does not depend on the behaviour.
+[[nodiscard]] WorldStart start_of(const TrialInput& input);
+
+/// The start cells of a trial, in a world that has cells: the scenario's own or drawn ones.
 [[nodiscard]] std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input);
 
-/// Those of the tests from 0, as a file could hold them (print_start_cells).
-[[nodiscard]] StartCells start_cells(const Scenario& scenario, std::uint32_t agents,
-                                     std::uint64_t seed, std::uint64_t tests);
+/// Those of the tests from 0, by number (print_start_cells).
+[[nodiscard]] std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scenario,
+                                                                         std::uint32_t agents,
+                                                                         std::uint64_t seed,
+                                                                         std::uint64_t tests);
 
 /// Why the trial cannot run (a behaviour or start cells that do not exist); empty if it can.
 [[nodiscard]] std::string obstacle(const PreparedScenario& prepared, const TrialInput& input);

@@ -32,7 +32,8 @@ class Preparation {
  public:
   Preparation(const Scenario& scenario, SymbolTable& symbols, std::vector<SourcePtr>& inputs,
               Diagnostics& diagnostics)
-      : symbols_(symbols),
+      : world_(scenario.world->kind()),
+        symbols_(symbols),
         inputs_(inputs),
         diagnostics_(diagnostics),
         include_path_(include_path(scenario)) {}
@@ -70,7 +71,7 @@ class Preparation {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
     // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
     if (!include_path_.files.has(path)) {
-      const std::string folder(kInstalledBehaviours);
+      const std::string folder = installed_behaviours(world_);
       report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path),
              did_you_mean(path, include_path_.files.installed_in(folder)));
       return nullptr;
@@ -135,6 +136,7 @@ class Preparation {
     return false;
   }
 
+  std::string_view world_;
   SymbolTable& symbols_;
   std::vector<SourcePtr>& inputs_;
   Diagnostics& diagnostics_;
@@ -192,28 +194,30 @@ IncludePath include_path(const Scenario& scenario) {
 }
 
 PreparedScenario::PreparedScenario(Scenario scenario, std::shared_ptr<const SymbolTable> symbols,
-                                   CrossingVocabulary vocabulary,
                                    std::vector<PreparedBehaviour> behaviours,
                                    std::vector<PreparedBehaviour> actors,
-                                   std::vector<SourcePtr> inputs)
+                                   std::vector<SourcePtr> inputs,
+                                   std::vector<PreparedVehicle> vehicles)
     : scenario_(std::move(scenario)),
       symbols_(std::move(symbols)),
-      vocabulary_(vocabulary),
       behaviours_(std::move(behaviours)),
       actors_(std::move(actors)),
       inputs_(std::move(inputs)) {
-  for (TestedVehicle& vehicle : tested_vehicles(scenario_)) {
+  for (PreparedVehicle& vehicle : vehicles) {
     vehicles_.push_back(std::move(vehicle.name));
-    worlds_.push_back(scenario_.world);
-    worlds_.back().av.vehicle = std::move(vehicle.parameters);
-    worlds_.back().simulator = std::move(vehicle.simulator);
+    worlds_.push_back(std::move(vehicle.world));
   }
 }
 
 Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenario scenario,
                                                                           Diagnostics& warnings) {
   const auto symbols = std::make_shared<SymbolTable>();
-  const CrossingVocabulary vocabulary(*symbols);
+  std::vector<PreparedVehicle> vehicles;
+  for (TestedVehicle& vehicle : tested_vehicles(scenario)) {
+    const auto world =
+        scenario.world->with(std::move(vehicle.parameters), std::move(vehicle.simulator));
+    vehicles.push_back({std::move(vehicle.name), world->prepare(*symbols)});
+  }
   Diagnostics errors;
   std::vector<SourcePtr> inputs = scenario.sources;
   const auto prepare_all = [&](const std::vector<BehaviourSpec>& specs) {
@@ -230,8 +234,8 @@ Result<std::shared_ptr<const PreparedScenario>> PreparedScenario::prepare(Scenar
   if (!errors.has_errors()) give_policies(scenario, *symbols, behaviours, errors, warnings);
   if (errors.has_errors()) return errors;
   return std::shared_ptr<const PreparedScenario>(
-      new PreparedScenario(std::move(scenario), symbols, vocabulary, std::move(behaviours),
-                           std::move(actors), std::move(inputs)));
+      new PreparedScenario(std::move(scenario), symbols, std::move(behaviours), std::move(actors),
+                           std::move(inputs), std::move(vehicles)));
 }
 
 }  // namespace jaywalk

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "env/config/parameter_settings.h"
+#include "env/crossing/world.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/trial/tested_vehicles.h"
 #include "search/suts/crossing_run.h"
@@ -268,9 +270,16 @@ class CrossingReader {
 
   /// Where pedestrians may start; nothing after reporting that they cannot start there.
   std::optional<CrossingStarts> start_space(const Scenario& scenario) {
+    const CrossingSpec* const crossing = find_crossing(*scenario.world);
+    if (crossing == nullptr) {
+      reader_.error(setup_.node.origin,
+                    fmt::format("the scenario's world is {}; tests of the crossing are searched",
+                                scenario.world->kind()));
+      return std::nullopt;
+    }
     if (starts_ == Starts::chance) return CrossingStarts{};
-    if (starts_ == Starts::given) return given_starts(scenario);
-    const CrossingParameters& world = scenario.world;
+    if (starts_ == Starts::given) return given_starts(*crossing);
+    const CrossingParameters& world = crossing->parameters();
     CrossingStarts starts{.searched = settings_.agents, .rows = pavement_rows(world)};
     for (int cell = 0; cell < world.length; ++cell) starts.cells.push_back(cell);
     if (!choose(rows_, starts.rows, "no pavement has the row") ||
@@ -292,10 +301,10 @@ class CrossingReader {
     return true;
   }
 
-  std::optional<CrossingStarts> given_starts(const Scenario& scenario) {
+  std::optional<CrossingStarts> given_starts(const CrossingSpec& crossing) {
     CrossingStarts starts;
-    if (scenario.start_cells) {
-      for (const auto& [test, cells] : *scenario.start_cells) {
+    if (crossing.given_starts() != nullptr) {
+      for (const auto& [test, cells] : *crossing.given_starts()) {
         if (cells.size() < settings_.agents) continue;
         starts.given.emplace_back(cells.begin(), cells.begin() + settings_.agents);
       }
@@ -315,7 +324,7 @@ class CrossingReader {
       reader_.error(setup_.node.origin, "without assertions nothing blames an AV with defects",
                     "'assertions' names a file of them, as assertions/crossing.yaml");
     }
-    const bool brakes = scenario.world.av.vehicle.model != "constant";
+    const bool brakes = scenario.world->vehicle().model != "constant";
     if (!brakes) {
       reader_.error(setup_.node.origin, "the AV is of the model constant: no defect shows in it",
                     "set world.av.model in the scenario to one that brakes");

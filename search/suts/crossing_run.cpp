@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/judge/metrics/metrics.h"
@@ -115,7 +114,7 @@ std::string CrossingRun::prepare(const TestInput& input) {
   trials_ = nullptr;  // it refers to the scenario
   prepared_ = std::move(prepared).value();
   trials_ = std::make_unique<TrialRunner>(*prepared_);
-  ground_ = ground(prepared_->scenario().world);
+  ground_ = prepared_->scenario().world->ground();
   return {};
 }
 

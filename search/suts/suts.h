@@ -1,16 +1,16 @@
 #pragma once
 
 // How the SUT of an experiment is read; what each SUT's file defines, from the table. Read
-// experiment/scenario/scenario_reader.h and search/sut.h before.
+// env/config/reader.h and search/sut.h before.
 
 #include <memory>
 #include <span>
 #include <string>
 
+#include "env/config/reader.h"
 #include "env/number_parameter.h"
 #include "env/vehicle/vehicle.h"
 #include "experiment/scenario/scenario.h"
-#include "experiment/scenario/scenario_reader.h"
 #include "search/sut.h"
 
 namespace jaywalk::search {

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "env/crossing/spawn.h"
+#include "env/crossing/world.h"
 #include "env/grid/random.h"
 #include "experiment/trial/trial.h"
 #include "interpreter/support/random.h"
@@ -31,8 +32,8 @@ struct Ending {
 };
 
 /// What of the world does not change.
-struct World {
-  explicit World(const CrossingParameters& parameters)
+struct HandWorld {
+  explicit HandWorld(const CrossingParameters& parameters)
       : own(parameters),
         all(grid(parameters)),
         lane(av_lane(parameters)),
@@ -52,7 +53,7 @@ struct Pedestrian {
   int across = 0;  // the way across the road; 0: not yet
 };
 
-void step(Pedestrian& one, const World& world, int av_cell, bool first_tick) {
+void step(Pedestrian& one, const HandWorld& world, int av_cell, bool first_tick) {
   const int rows = std::max({world.lane.first - one.at.x, one.at.x - world.lane.last, 0});
   if (one.across == 0 && !first_tick && std::abs(one.at.y - av_cell) + rows < kRadius) {
     one.across = one.at.x < world.zone.first ? 1 : -1;
@@ -67,7 +68,7 @@ void step(Pedestrian& one, const World& world, int av_cell, bool first_tick) {
   one.at.y += one.along;
 }
 
-Ending run_by_hand(const World& world, std::uint32_t agents, std::uint64_t test) {
+Ending run_by_hand(const HandWorld& world, std::uint32_t agents, std::uint64_t test) {
   const std::uint64_t seed = mix(0, test);
   std::vector<Pedestrian> pedestrians;
   for (const Position cell : spawn(world.own, agents, mix(seed, 0))) pedestrians.push_back({cell});
@@ -121,7 +122,7 @@ int compare(std::uint64_t tests, std::uint32_t agents) {
   Diagnostics warnings;
   const auto prepared = PreparedScenario::prepare(std::move(scenario), warnings);
   if (!prepared) return EXIT_FAILURE;
-  const World world(prepared.value()->scenario().world);
+  const HandWorld world(crossing_parameters(*prepared.value()->scenario().world));
   constexpr int kRepeatByHand = 50;  // it takes microseconds
   const auto [by_hand, hand_us] = measure(
       tests, kRepeatByHand, [&](std::uint64_t test) { return run_by_hand(world, agents, test); });

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/judge/signals/signals.h"
 #include "scenarios.h"
 
@@ -52,7 +51,7 @@ Counts judge_collisions(const World& world, const std::vector<std::string>& vehi
   };
   const auto driven = with(vehicle);
   const auto healthy = with({"world.av.model=careful-competent"});
-  const Ground on = ground(driven->scenario().world);
+  const Ground on = driven->scenario().world->ground();
   Counts counts;
   for (std::uint64_t test = 0; test < tests; ++test) {
     const TrialInput input{.behaviour = behaviour(*driven, world.behaviour),

@@ -21,8 +21,9 @@ using Path = std::vector<std::vector<Position>>;
 Path path_of(const PreparedScenario& prepared, const TrialInput& input) {
   Path path;
   TrialOptions options;
-  options.observe = [&](const Crossing& crossing, const Mas&) {
-    path.emplace_back(crossing.positions().begin(), crossing.positions().end());
+  options.observe = [&](const World& world, const Mas&) {
+    const auto positions = find_crossing(world)->positions();
+    path.emplace_back(positions.begin(), positions.end());
   };
   const TrialResult result = run_trial(prepared, input, options);
   EXPECT_TRUE(result.completed) << result.message;
@@ -39,14 +40,16 @@ Direction step_between(Position from, Position to) {
 
 // What the specification says, given the ways in which the agents set out.
 Path expected_path(Behaviour kind, const PreparedScenario& prepared, const Path& observed) {
-  Crossing world(prepared.scenario().world, prepared.vocabulary(), observed[0]);
+  SymbolTable symbols;
+  const CrossingVocabulary vocabulary(symbols);
+  Crossing world(crossing_parameters(*prepared.scenario().world), vocabulary, observed[0]);
   reference::Pedestrians pedestrians(kind, world, 0);
   for (std::size_t i = 0; i < observed[0].size(); ++i) {
     pedestrians.walk(i, step_between(observed[0][i], observed[1][i]));
   }
   Path path{observed[0]};
   while (!world.finished()) {
-    reference::tick(world, prepared.vocabulary(), pedestrians.decide());
+    reference::tick(world, vocabulary, pedestrians.decide());
     path.emplace_back(world.positions().begin(), world.positions().end());
   }
   return path;

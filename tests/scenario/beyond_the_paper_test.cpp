@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
+#include "env/crossing/world.h"
 #include "experiment/judge/situations/situations.h"
 #include "scenarios.h"
 
@@ -66,7 +66,7 @@ TEST(ABrakingAv, IsMetMoreOftenByWhoRecalculates) {  // F6
 
 TEST(ABrakingAv, DoesNotWaitForWhoWaitsForIt) {  // F6
   const auto prepared = scenario("braking");
-  const double limit_s = prepared->scenario().world.time_limit_s;
+  const double limit_s = crossing_parameters(*prepared->scenario().world).time_limit_s;
   bool slowed = false;
   for (const std::string name : {"proximity", "intersect", "recalculating"}) {
     for (std::uint64_t test = 0; test < 40; ++test) {
@@ -122,9 +122,9 @@ TEST(PerceptionByFeatures, DoesNotGrowWithTheMapOrTheCrowd) {  // F3
   const auto percepts = [](const std::vector<std::string>& sets, std::size_t pedestrians) {
     const auto prepared = scenario("features", sets);
     const std::vector<Position> start(pedestrians, {2, 30});
-    const Crossing world(prepared->scenario().world, prepared->vocabulary(), start);
+    const auto world = prepared->world(0).make({.cells = start});
     Percepts seen;
-    world.perceive(AgentId{0}, seen);
+    world->perceive(AgentId{0}, seen);
     return seen.size();
   };
   EXPECT_EQ(percepts({}, 200), percepts({"world.length=100", "world.road_end=99"}, 1));
@@ -146,7 +146,7 @@ TEST(Personality, DecidesHowOftenTheAvIsExercised) {  // F4
 
 std::uint64_t bins_covered(const PreparedScenario& prepared, const std::string& name,
                            std::uint64_t seed) {
-  const Ground on = ground(prepared.scenario().world);
+  const Ground on = prepared.scenario().world->ground();
   SituationCoverage coverage;
   for (std::uint64_t test = 0; test < 160; ++test) {
     coverage.add(covered_bins(run(prepared, name, 3, test, seed).recording, on));
@@ -171,13 +171,15 @@ constexpr std::size_t kLight = 6;
 /// scenarios/traffic.yaml without some of its actors.
 std::shared_ptr<const PreparedScenario> traffic_without(const std::string& actor) {
   Scenario scenario = testing_scenario::scenario("traffic")->scenario();
-  auto& actors = scenario.world.actors;
+  CrossingParameters parameters = crossing_parameters(*scenario.world);
+  auto& actors = parameters.actors;
   for (std::size_t i = 0; i < actors.size(); ++i) {
     if (actors[i].name != actor) continue;
     actors.erase(actors.begin() + static_cast<std::ptrdiff_t>(i));
     scenario.actors.erase(scenario.actors.begin() + static_cast<std::ptrdiff_t>(i));
     break;
   }
+  scenario.world = std::make_shared<CrossingSpec>(std::move(parameters));
   Diagnostics warnings;
   return PreparedScenario::prepare(std::move(scenario), warnings).value();
 }
@@ -225,8 +227,8 @@ TEST(Traffic, MakesTheAvFollowTheCyclistAndStopAtTheRedLight) {  // F12
 
 TEST(Traffic, LeavesAtTheEndOfTheRoad) {  // F12
   const auto prepared = scenario("traffic");
-  const double limit_s = prepared->scenario().world.time_limit_s;
-  const double road_m = prepared->scenario().world.length * prepared->scenario().world.cell_m;
+  const double limit_s = crossing_parameters(*prepared->scenario().world).time_limit_s;
+  const double road_m = prepared->scenario().world->plan().length_m();
   for (const std::uint64_t seed : {0U, 1U}) {
     for (std::uint64_t test = 0; test < kTrafficTests; ++test) {
       const Recording recording = run(*prepared, "proximity", 3, test, seed).recording;
@@ -244,7 +246,7 @@ TEST(AParkedCar, HidesWhoStepsOutBehindIt) {
   const auto first_slow_tick = [](const std::vector<std::string>& sets) {
     const auto prepared = scenario("zebra", sets);
     Scenario copy = prepared->scenario();
-    copy.start_cells = StartCells{{0, {{1, 29}}}};
+    testing_scenario::start_from(copy, {{0, {{1, 29}}}});
     Diagnostics warnings;
     const auto placed = PreparedScenario::prepare(std::move(copy), warnings);
     const Recording recording = run(*placed.value(), "proximity", 1, 0).recording;
@@ -257,7 +259,7 @@ TEST(AParkedCar, HidesWhoStepsOutBehindIt) {
 
 TEST(AMap, KeepsPedestriansOutOfHouses) {  // F7
   const auto prepared = scenario("junction");
-  const Layout layout(prepared->scenario().world);
+  const Layout layout(crossing_parameters(*prepared->scenario().world));
   for (std::uint64_t test = 0; test < 10; ++test) {
     const Seen seen = run(*prepared, "by_features", 5, test);
     for (const Position start : seen.outcome.start) {

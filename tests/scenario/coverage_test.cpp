@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/compare/feedback.h"
 #include "experiment/judge/situations/situations.h"
 #include "experiment/trial/plan_coverage.h"
@@ -98,7 +97,7 @@ struct FeedbackRun {
 /// 1000 tests of scenarios/coverage_feedback.yaml; a generation of 0: without feedback.
 FeedbackRun feedback_run(std::uint64_t generation, unsigned threads, std::uint64_t tests = 1000) {
   const auto prepared = scenario("coverage_feedback");
-  const Ground on = ground(prepared->scenario().world);
+  const Ground on = prepared->scenario().world->ground();
   const ExperimentPlan plan{
       .behaviours = {"coverage_directed"}, .agents = {1}, .tests = tests, .threads = threads};
   SituationTable table(plan);

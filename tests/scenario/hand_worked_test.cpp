@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/world.h"
 #include "scenarios.h"
 
 namespace jaywalk {
@@ -81,7 +82,7 @@ TEST(HandWorked, ElectionOfTheLowestIdAmongEquals) {
   const auto prepared = paper_from({{1, 20}, {1, 20}}, {forward("election")});
   const CrossingResult result = outcome(*prepared, "election", 2);
   expect(result, 4, 22, (88 - 4) / 2.0);
-  EXPECT_EQ(result.hit_by, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(result.met_by, (std::vector<std::size_t>{0}));
 }
 
 // p2 is nearer though its id is higher: in tick 2 f = 6, p1 at (1,23) d = 18; p2 at (1,19) d = 14:
@@ -91,7 +92,7 @@ TEST(HandWorked, ElectionOfTheNearest) {
   const auto prepared = paper_from({{1, 22}, {1, 18}}, {forward("election")});
   const CrossingResult result = outcome(*prepared, "election", 2);
   expect(result, 4, 19, (84 - 4) / 2.0);
-  EXPECT_EQ(result.hit_by, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(result.met_by, (std::vector<std::size_t>{1}));
 }
 
 // p1 as in Intersect, elected in tick 2 with entry in 5 ticks. p2 at (1,24) -> 25 in tick 2: one
@@ -101,7 +102,7 @@ TEST(HandWorked, ElectionByIntersect) {
   const auto prepared = paper_from({{0, 30}, {1, 24}}, {forward("election_by_intersect")});
   const CrossingResult result = outcome(*prepared, "election_by_intersect", 2);
   expect(result, 5, 25, (79 - 5) / 2.0);
-  EXPECT_EQ(result.hit_by, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(result.met_by, (std::vector<std::size_t>{1}));
 }
 
 // Crossing at once from (1,12): row 2 in tick 1, row 3 in tick 2, whose zone is 7 to 12. 100 - 5
@@ -125,8 +126,8 @@ std::vector<int> rows_of_a_crosser(Position start) {
       paper_from({start}, {"behaviours.random_behaviour.parameters.crossing_probability=1"});
   std::vector<int> rows;
   TrialOptions options;
-  options.observe = [&](const Crossing& crossing, const Mas&) {
-    rows.push_back(crossing.positions()[0].x);
+  options.observe = [&](const World& world, const Mas&) {
+    rows.push_back(find_crossing(world)->positions()[0].x);
   };
   const TrialResult result = run_trial(
       *prepared, {.behaviour = behaviour(*prepared, "random_behaviour"), .agents = 1}, options);
@@ -147,8 +148,8 @@ TEST(HandWorked, WalkersTurnRoundAtTheEndOfTheGrid) {
                              "behaviours.random_behaviour.parameters.first_way=forward"});
   std::vector<int> cells;
   TrialOptions options;
-  options.observe = [&](const Crossing& crossing, const Mas&) {
-    cells.push_back(crossing.positions()[0].y);
+  options.observe = [&](const World& world, const Mas&) {
+    cells.push_back(find_crossing(world)->positions()[0].y);
   };
   (void)run_trial(*prepared, {.behaviour = behaviour(*prepared, "random_behaviour"), .agents = 1},
                   options);

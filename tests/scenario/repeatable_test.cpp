@@ -103,8 +103,10 @@ TEST(Trials, StartAllBehavioursAlike) {
   const auto prepared = paper();
   std::vector<std::vector<Position>> starts;
   for (std::size_t index = 0; index < prepared->behaviours().size(); ++index) {
-    starts.push_back(run_trial(*prepared, {.behaviour = index, .agents = 6, .seed = 2, .test = 7})
-                         .outcome.start);
+    CrossingResult result;
+    (void)run_trial(*prepared, {.behaviour = index, .agents = 6, .seed = 2, .test = 7},
+                    {.observe = testing_scenario::observing(result)});
+    starts.push_back(result.start);
   }
   for (const std::vector<Position>& start : starts) EXPECT_EQ(start, starts[0]);
 }
@@ -120,8 +122,10 @@ TEST(Trials, RunAlikeFromStartCellsThatWereWrittenAndRead) {
   ASSERT_NE(read, nullptr);
   for (std::uint64_t test = 0; test < 10; ++test) {
     const TrialInput input{.behaviour = 0, .agents = 3, .seed = 5, .test = test};
-    const CrossingResult expected = run_trial(*drawn, input).outcome;
-    const CrossingResult result = run_trial(*read, input).outcome;
+    CrossingResult expected;
+    CrossingResult result;
+    (void)run_trial(*drawn, input, {.observe = testing_scenario::observing(expected)});
+    (void)run_trial(*read, input, {.observe = testing_scenario::observing(result)});
     EXPECT_EQ(result.start, expected.start);
     EXPECT_EQ(result.score(), expected.score());
   }

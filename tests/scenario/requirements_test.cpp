@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/compare/findings.h"
 #include "experiment/compare/measures/measures.h"
 #include "experiment/results/store/placement.h"
@@ -20,7 +19,7 @@ using testing_scenario::verdicts;
 constexpr std::uint64_t kRequirementTests = 60;
 
 double mean_naturalness(const PreparedScenario& prepared, const std::string& name) {
-  const Ground on = ground(prepared.scenario().world);
+  const Ground on = prepared.scenario().world->ground();
   double sum = 0;
   for (std::uint64_t test = 0; test < 100; ++test) {
     const Recording recording = run(prepared, name, 3, test).recording;

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
-
 namespace jaywalk::testing_scenario {
+
+void start_from(Scenario& scenario, StartCells cells) {
+  scenario.world = std::make_shared<CrossingSpec>(
+      crossing_parameters(*scenario.world), std::make_shared<const StartCells>(std::move(cells)));
+}
+
 namespace {
 
 std::shared_ptr<const PreparedScenario> prepare(Result<Scenario> scenario,
@@ -15,7 +19,7 @@ std::shared_ptr<const PreparedScenario> prepare(Result<Scenario> scenario,
     ADD_FAILURE() << scenario.diagnostics().render();
     return nullptr;
   }
-  if (!start.empty()) scenario.value().start_cells = StartCells{{0, start}};
+  if (!start.empty()) start_from(scenario.value(), StartCells{{0, start}});
   Diagnostics warnings;
   auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
   EXPECT_TRUE(warnings.empty()) << warnings.render();
@@ -58,11 +62,17 @@ std::size_t behaviour(const PreparedScenario& prepared, const std::string& name)
   return 0;
 }
 
+TrialObserver observing(CrossingResult& result) {
+  return [&result](const World& world, const Mas&) { result = find_crossing(world)->result(); };
+}
+
 CrossingResult outcome(const PreparedScenario& prepared, const std::string& name,
                        std::uint32_t agents, std::uint64_t test) {
   TrialOptions options;
   std::string log;
   options.log = [&](std::string_view line) { (log += line) += '\n'; };
+  CrossingResult seen;
+  options.observe = observing(seen);
   const TrialResult result = run_trial(prepared,
                                        {.behaviour = behaviour(prepared, name),
                                         .agents = agents,
@@ -71,7 +81,7 @@ CrossingResult outcome(const PreparedScenario& prepared, const std::string& name
                                        options);
   EXPECT_TRUE(result.completed) << result.message;
   EXPECT_EQ(log, "");
-  return result.outcome;
+  return seen;
 }
 
 Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
@@ -80,9 +90,8 @@ Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_
   const TrialResult result = run_trial(
       prepared,
       {.behaviour = behaviour(prepared, name), .agents = agents, .seed = seed, .test = test},
-      {.record = &seen.recording});
+      {.observe = observing(seen.outcome), .record = &seen.recording});
   EXPECT_TRUE(result.completed) << result.message;
-  seen.outcome = result.outcome;
   return seen;
 }
 
@@ -90,7 +99,7 @@ VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name
                        std::string_view assertion, std::uint64_t tests, std::uint32_t agents) {
   const auto& assertions = prepared.scenario().assertions;
   const auto judged = std::ranges::find(assertions, assertion, &Assertion::id);
-  const Ground on = ground(prepared.scenario().world);
+  const Ground on = prepared.scenario().world->ground();
   VerdictCounts counts;
   for (std::uint64_t test = 0; test < tests; ++test) {
     const Recording recording = run(prepared, name, agents, test).recording;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "env/crossing/world.h"
 #include "experiment/compare/findings.h"
 #include "experiment/trial/trial.h"
 
@@ -28,6 +29,12 @@ namespace jaywalk::testing_scenario {
 
 /// The index of a behaviour by its name.
 [[nodiscard]] std::size_t behaviour(const PreparedScenario& prepared, const std::string& name);
+
+/// Gives start cells to a scenario of the crossing.
+void start_from(Scenario& scenario, StartCells cells);
+
+/// Keeps what has come of a test of the crossing. `result` must outlive the trial.
+[[nodiscard]] TrialObserver observing(CrossingResult& result);
 
 /// Runs a trial that must come to its end.
 [[nodiscard]] CrossingResult outcome(const PreparedScenario& prepared, const std::string& name,

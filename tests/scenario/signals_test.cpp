@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "scenarios.h"
 
 namespace jaywalk::testing_scenario {
@@ -15,7 +14,7 @@ namespace {
 TEST(Signals, SeeThePreconditionWhenTheWorldDoes) {
   const auto prepared = paper();
   ASSERT_TRUE(prepared);
-  const Ground ground_of_paper = ground(prepared->scenario().world);
+  const Ground ground_of_paper = prepared->scenario().world->ground();
   int successes = 0;
   for (std::size_t behaviour = 0; behaviour < prepared->behaviours().size(); ++behaviour) {
     for (std::uint64_t test = 0; test < 100; ++test) {
@@ -30,7 +29,7 @@ TEST(Signals, SeeThePreconditionWhenTheWorldDoes) {
         const auto inside = view.values(SignalId::in_zone, user);
         // A test ends when somebody gets into the zone.
         EXPECT_TRUE(std::ranges::all_of(inside.first(last), [](double in) { return in == 0; }));
-        const bool hit = std::ranges::count(trial.outcome.hit_by, user - 1) > 0;
+        const bool hit = std::ranges::count(trial.outcome.met_by, user - 1) > 0;
         if (hit) {
           EXPECT_EQ(inside[last], 1) << "behaviour " << behaviour << ", test " << test;
         }

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/layout.h"
-
 namespace jaywalk::picture {
 namespace {
 
@@ -50,12 +48,11 @@ Colour faded(Colour colour) {
 
 }  // namespace
 
-TestPicture::TestPicture(std::string title, const CrossingParameters& world,
-                         const Recording& recording, const Recording* twin)
-    : title_(std::move(title)), world_(world), recording_(recording), twin_(twin) {
-  const Grid size = grid(world);
-  length_m_ = size.cells * world.cell_m;
-  breadth_m_ = size.rows * world.cell_m;
+TestPicture::TestPicture(std::string title, GroundPlan plan, const Recording& recording,
+                         const Recording* twin)
+    : title_(std::move(title)), plan_(std::move(plan)), recording_(recording), twin_(twin) {
+  length_m_ = plan_.length_m();
+  breadth_m_ = plan_.breadth_m();
   shown_m_ = std::min(length_m_, kLongest_m);
   // A square map is shown smaller rather than as a tower.
   scale_ = std::min((kWidth - 2 * kMargin) / shown_m_, kTallest / breadth_m_);
@@ -71,16 +68,15 @@ Place TestPicture::place(double x_m, double y_m, double left_m) const {
 }
 
 void TestPicture::draw_ground(Canvas& canvas, double left_m) const {
-  const Layout layout(world_);
-  const Grid size = layout.grid();
-  const double cell = world_.cell_m;
+  const Grid size = plan_.grid;
+  const double cell = plan_.cell_m;
   const int first = std::max(0, static_cast<int>(left_m / cell));
   const int last = std::min(size.cells, static_cast<int>(std::ceil((left_m + shown_m_) / cell)));
   for (int row = 0; row < size.rows; ++row) {
     for (int y = first; y < last;) {
-      const Surface here = layout.at({row, y});
+      const Surface here = plan_.at({row, y});
       int end = y + 1;
-      while (end < last && layout.at({row, end}) == here) ++end;
+      while (end < last && plan_.at({row, end}) == here) ++end;
       const double from = std::max(y * cell, left_m);
       const double to = std::min(end * cell, left_m + shown_m_);
       const Place corner = place(row * cell, from, left_m);
@@ -94,9 +90,9 @@ void TestPicture::draw_ground(Canvas& canvas, double left_m) const {
     }
   }
   int rows = 0;
-  for (std::size_t i = 0; i + 1 < world_.bands.size() && world_.map.empty(); ++i) {
-    rows += world_.bands[i].rows;
-    if (world_.bands[i].kind != BandKind::lane || world_.bands[i + 1].kind != BandKind::lane) {
+  for (std::size_t i = 0; i + 1 < plan_.bands.size() && !plan_.is_drawn; ++i) {
+    rows += plan_.bands[i].rows;
+    if (plan_.bands[i].kind != AreaKind::lane || plan_.bands[i + 1].kind != AreaKind::lane) {
       continue;
     }
     canvas.line(place(rows * cell, left_m, left_m), place(rows * cell, left_m + shown_m_, left_m),

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "env/crossing/parameters.h"
+#include "env/world/ground_plan.h"
 #include "experiment/judge/recording.h"
 #include "tools/picture/canvas.h"
 
@@ -13,9 +13,9 @@ namespace jaywalk::picture {
 
 class TestPicture {
  public:
-  /// All must outlive it. `title` stands above, `twin`, the same test with the healthy AV, behind,
-  /// faintly; null: there is none.
-  TestPicture(std::string title, const CrossingParameters& world, const Recording& recording,
+  /// The recordings must outlive it. `title` stands above, `twin`, the same test with the healthy
+  /// AV, behind, faintly; null: there is none.
+  TestPicture(std::string title, GroundPlan plan, const Recording& recording,
               const Recording* twin = nullptr);
 
   /// REQUIRES: a tick that the recording has.
@@ -33,7 +33,7 @@ class TestPicture {
   [[nodiscard]] Place place(double x_m, double y_m, double left_m) const;
 
   std::string title_;
-  const CrossingParameters& world_;
+  GroundPlan plan_;
   const Recording& recording_;
   const Recording* twin_;
   double length_m_ = 0;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "env/environments.h"
 #include "experiment/compare/published/published.h"
 #include "experiment/compare/published/published_programs.h"
 #include "experiment/scenario/files/sha256.h"
@@ -38,12 +39,12 @@ PublishedSetting setting_of(const Preset& preset, const std::vector<std::string>
   return {&preset, scenario.ok() ? std::move(scenario).value() : Scenario{}};
 }
 
-std::optional<PublishedSetting> setting_with(const CrossingParameters& world,
+std::optional<PublishedSetting> setting_with(const WorldSpec& world,
                                              const std::vector<std::string>& behaviours) {
   for (const Preset& preset : presets()) {
     if (preset.results == PresetResults::other) continue;
     PublishedSetting setting = setting_of(preset, behaviours);
-    if (setting.scenario.world == world) return setting;
+    if (setting.scenario.world->same_as(world)) return setting;
   }
   return std::nullopt;
 }
@@ -117,7 +118,7 @@ std::string why_not(const PreparedBehaviour& behaviour, const BehaviourSpec& pub
 /// What makes all of a scenario another experiment, its world apart.
 std::string why_none(const Scenario& scenario) {
   if (scenario.experiment.feedback > 0) return "pedestrians know what earlier tests covered";
-  if (scenario.start_cells) return "start cells are given";
+  if (scenario.world->has_given_starts()) return "start cells are given";
   return {};
 }
 
@@ -130,12 +131,12 @@ PublishedRows published_rows(const PreparedScenario& prepared) {
     if (has_published_figures(behaviour.name)) names.push_back(behaviour.name);
   }
   if (names.empty()) return rows;
-  const auto setting = setting_with(prepared.scenario().world, names);
+  const auto setting = setting_with(*prepared.scenario().world, names);
   rows.left_out = setting ? why_none(prepared.scenario())
                           : fmt::format("the world is not a published one (presets {})",
                                         fmt::join(published_presets(), ", "));
   if (!rows.left_out.empty()) return rows;
-  if (prepared.scenario().world.av.carry_over) rows.quirks = PublishedQuirks::repeated;
+  if (prepared.scenario().world->carries_over()) rows.quirks = PublishedQuirks::repeated;
   std::vector<std::string> others;
   for (const PreparedBehaviour& behaviour : prepared.behaviours()) {
     const auto published =

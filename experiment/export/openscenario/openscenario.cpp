@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "env/crossing/world.h"
 #include "experiment/export/exporters.h"
 #include "experiment/export/openscenario/opendrive.h"
 #include "experiment/export/openscenario/openscenario_text.h"
@@ -68,7 +69,15 @@ class Export {
   ExportedFiles run() {
     const auto prepared = request_.store.prepared();
     if (!prepared.ok()) return prepared.diagnostics();
-    const CrossingParameters& world = prepared.value()->scenario().world;
+    const CrossingSpec* const crossing = find_crossing(*prepared.value()->scenario().world);
+    if (crossing == nullptr) {
+      diagnostics_.error("openscenario",
+                         fmt::format("tests of the world {} cannot be exported so",
+                                     prepared.value()->scenario().world->kind()),
+                         "it writes the roads of the crossing alone");
+      return diagnostics_;
+    }
+    const CrossingParameters& world = crossing->parameters();
     const RoadPlan plan = plan_roads(world);
     write("road.xodr", to_opendrive(plan, world.cell_m));
     for (const std::string& each : plan.unsaid) warn("road.xodr", each);

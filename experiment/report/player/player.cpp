@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "env/crossing/layout.h"
 #include "experiment/report/player/player.html.h"
 #include "interpreter/agent/agent.h"
 #include "interpreter/support/markup.h"
@@ -20,16 +19,15 @@ using nlohmann::json;
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
 /// What lies on the bands: stretches of cells that are something else than their band.
-json patches(const CrossingParameters& parameters) {
-  const Layout layout(parameters);
+json patches(const GroundPlan& plan) {
   json result = json::array();
-  for (int row = 0; row < layout.grid().rows; ++row) {
-    const bool pavement = band_kind(parameters, row) == BandKind::pavement;
+  for (int row = 0; row < plan.grid.rows; ++row) {
+    const bool pavement = plan.band_of(row).kind == AreaKind::pavement;
     const Surface usual = pavement ? Surface::pavement : Surface::lane;
-    for (int y = 0; y < layout.grid().cells;) {
-      const Surface here = layout.at({row, y});
+    for (int y = 0; y < plan.grid.cells;) {
+      const Surface here = plan.at({row, y});
       int end = y + 1;
-      while (end < layout.grid().cells && layout.at({row, end}) == here) ++end;
+      while (end < plan.grid.cells && plan.at({row, end}) == here) ++end;
       if (here != usual) result.push_back({std::string(name(here)), row, y, 1, end - y});
       y = end;
     }
@@ -37,18 +35,17 @@ json patches(const CrossingParameters& parameters) {
   return result;
 }
 
-json world(const CrossingParameters& parameters) {
+json world(const GroundPlan& plan) {
   json bands = json::array();
-  for (const Band& band : parameters.bands) {
+  for (const PlanBand& band : plan.bands) {
     bands.push_back(
-        {{"kind", band.kind == BandKind::pavement ? "pavement" : "lane"}, {"rows", band.rows}});
+        {{"kind", band.kind == AreaKind::pavement ? "pavement" : "lane"}, {"rows", band.rows}});
   }
-  const Grid size = grid(parameters);
-  return {{"rows", size.rows},
-          {"cells", size.cells},
-          {"cell_m", parameters.cell_m},
+  return {{"rows", plan.grid.rows},
+          {"cells", plan.grid.cells},
+          {"cell_m", plan.cell_m},
           {"bands", std::move(bands)},
-          {"patches", patches(parameters)}};
+          {"patches", patches(plan)}};
 }
 
 json scenes(const Recording& recording) {
@@ -131,12 +128,12 @@ void MindRecorder::plan_chosen(Agent& agent, const Plan& plan, const Event& even
                   std::filesystem::path(plan.file).filename().string(), plan.line));
 }
 
-std::string render_player(const std::string& title, const CrossingParameters& parameters,
+std::string render_player(const std::string& title, const GroundPlan& plan,
                           const Recording& recording, const MindRecorder& minds,
                           const std::optional<Recording>& twin) {
   const json data{{"title", title},
                   {"tick_s", recording.tick_s()},
-                  {"world", world(parameters)},
+                  {"world", world(plan)},
                   {"actors", actors(recording)},
                   {"scenes", scenes(recording)},
                   {"twin", twin ? scenes(*twin) : json::array()},

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "env/crossing/crossing.h"
+#include "env/world/ground_plan.h"
 #include "experiment/judge/recording.h"
 #include "interpreter/agent/observer.h"
 #include "interpreter/mas/mas.h"
@@ -47,8 +47,7 @@ class MindRecorder : public ReasoningObserver {
 
 /// The page of one test. `title` is shown above it, `twin`, the same test with the healthy AV,
 /// behind it, faintly.
-[[nodiscard]] std::string render_player(const std::string& title,
-                                        const CrossingParameters& parameters,
+[[nodiscard]] std::string render_player(const std::string& title, const GroundPlan& plan,
                                         const Recording& recording, const MindRecorder& minds,
                                         const std::optional<Recording>& twin = {});
 

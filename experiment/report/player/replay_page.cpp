@@ -31,13 +31,13 @@ Result<std::string> replay_page(const ResultsReader& store, const StoredTest& te
   TrialOptions options;
   options.record = &recording;
   options.observer = &minds;
-  options.observe = [&](const Crossing&, const Mas& mas) { minds.observe(mas); };
+  options.observe = [&](const World&, const Mas& mas) { minds.observe(mas); };
   auto result = store.rerun(test.id, options);
   if (!result) return std::move(result.diagnostics());
   const auto twin = twin_recording(store, test);
   if (!twin) return twin.diagnostics();
-  return render_player(name_of(store, test), prepared.value()->scenario().world, recording, minds,
-                       twin.value());
+  return render_player(name_of(store, test), prepared.value()->scenario().world->plan(), recording,
+                       minds, twin.value());
 }
 
 }  // namespace jaywalk

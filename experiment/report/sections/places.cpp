@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/report/charts/axis.h"
 #include "experiment/report/charts/road.h"
 #include "experiment/report/html.h"
@@ -32,9 +31,8 @@ Places places_of(const ReportData& data, const std::string& behaviour) {
 /// Squares of the world's cells, coarser where there would be too many to see.
 double square_size(const ReportData& data) {
   constexpr double kMostSquares = 140;
-  const CrossingParameters& world = data.prepared->scenario().world;
-  const double length_m = grid(world).cells * world.cell_m;
-  return world.cell_m * std::max(1.0, std::ceil(length_m / world.cell_m / kMostSquares));
+  const GroundPlan plan = data.prepared->scenario().world->plan();
+  return plan.cell_m * std::max(1.0, std::ceil(plan.length_m() / plan.cell_m / kMostSquares));
 }
 
 Places coarsened(const Places& places, double size_m) {
@@ -90,7 +88,7 @@ std::string heat(const Places& places, double size_m, std::uint64_t most, std::u
 std::string section::places(const ReportData& data) {
   if (!data.prepared || data.facts.empty()) return {};
   const double size_m = square_size(data);
-  const Ground ground = jaywalk::ground(data.prepared->scenario().world);
+  const Ground ground = data.prepared->scenario().world->ground();
   const RoadPicture road(ground);
   std::string figures;
   for (const std::string& behaviour : behaviours_of(data.comparison)) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/report/charts/road.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
@@ -66,7 +65,7 @@ std::string command(const ReportData& data, const ReplayLink& link) {
 
 std::string section::replays(const ReportData& data) {
   if (data.replays.empty() || !data.prepared) return {};
-  const Ground ground = jaywalk::ground(data.prepared->scenario().world);
+  const Ground ground = data.prepared->scenario().world->ground();
   const RoadPicture road(ground);
   std::string figures;
   for (const ReplayLink& link : data.replays) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "env/environments.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/published/agreement.h"
 #include "tests/scenario/scenarios.h"

@@ -129,11 +129,11 @@ TEST_F(CrossingTest, RewardsEverybodyInTheFirstCellHitAndNobodyElse) {
   tick(crossing, {});
   const CrossingResult& result = crossing.result();
   EXPECT_EQ(result.hit_cell, 3);
-  EXPECT_EQ(result.hit_by, (std::vector<std::size_t>{0, 1}));
-  EXPECT_DOUBLE_EQ(result.pedestrians[0].reward, 100);
-  EXPECT_DOUBLE_EQ(result.pedestrians[1].reward, 100);
-  EXPECT_DOUBLE_EQ(result.pedestrians[2].reward, 0);
-  EXPECT_DOUBLE_EQ(result.pedestrians[3].cost, 1);
+  EXPECT_EQ(result.met_by, (std::vector<std::size_t>{0, 1}));
+  EXPECT_DOUBLE_EQ(result.agents[0].reward, 100);
+  EXPECT_DOUBLE_EQ(result.agents[1].reward, 100);
+  EXPECT_DOUBLE_EQ(result.agents[2].reward, 0);
+  EXPECT_DOUBLE_EQ(result.agents[3].cost, 1);
   EXPECT_DOUBLE_EQ(result.score(), 46);
 }
 
@@ -285,7 +285,7 @@ TEST_F(CrossingTest, ReportsThePreconditionToTheAgentsInTheAftermath) {
   tick(crossing, {});
   EXPECT_TRUE(crossing.finished());
   EXPECT_EQ(crossing.result().ticks, 1);
-  EXPECT_DOUBLE_EQ(crossing.result().pedestrians[1].cost, 5);
+  EXPECT_DOUBLE_EQ(crossing.result().agents[1].cost, 5);
 }
 
 // Hit in the last cell of the sweep nothing is left of the tick; two cells earlier, two are.

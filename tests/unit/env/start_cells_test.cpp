@@ -1,4 +1,4 @@
-#include "env/crossing/start_cells.h"
+#include "env/grid/start_cells.h"
 
 #include <gtest/gtest.h>
 

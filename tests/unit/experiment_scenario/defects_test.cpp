@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/world.h"
+#include "env/vehicle/section.h"
 #include "parse.h"
 
 namespace jaywalk {
@@ -22,8 +24,10 @@ AvParameters av_with(std::vector<std::string> sets) {
   sets.insert(sets.begin(), "world.av.model=braking");
   const Result<Scenario> result = with(std::move(sets));
   EXPECT_TRUE(result.ok()) << errors(result);
-  return result.ok() ? result.value().world.av : AvParameters{};
+  return result.ok() ? crossing_parameters(*result.value().world).av : AvParameters{};
 }
+
+VehicleParameters twin_of(const AvParameters& av) { return healthy_twin(av.vehicle, av.twin); }
 
 std::string errors_of(const std::string& av) {
   return errors(parse("behaviours: [walk.asl]\nworld:\n  av: {model: braking, " + av + "}\n"));
@@ -97,25 +101,24 @@ TEST(ScenarioTwin, IsTheVehicleWithoutItsDefectsIfNoneIsNamed) {
   const AvParameters av = av_with({"world.av.defect=latency", "world.av.reaction=0.7"});
   VehicleParameters expected = av.vehicle;
   expected.defects.clear();
-  EXPECT_EQ(healthy_twin(av), expected);
-  EXPECT_EQ(healthy_twin(av).reaction_s, 0.7);
+  EXPECT_EQ(twin_of(av), expected);
+  EXPECT_EQ(twin_of(av).reaction_s, 0.7);
 }
 
 TEST(ScenarioTwin, IsAModelACommandOrKeys) {
-  EXPECT_EQ(healthy_twin(av_with({"world.av.twin=careful-competent"})).model, "careful-competent");
-  const VehicleParameters command = healthy_twin(av_with({"world.av.twin=[python3, healthy.py]"}));
+  EXPECT_EQ(twin_of(av_with({"world.av.twin=careful-competent"})).model, "careful-competent");
+  const VehicleParameters command = twin_of(av_with({"world.av.twin=[python3, healthy.py]"}));
   EXPECT_EQ(command.model, "external");
   EXPECT_EQ(command.command, (std::vector<std::string>{"python3", "healthy.py"}));
-  const VehicleParameters keys =
-      healthy_twin(av_with({"world.av.twin={model: idm, deceleration: 5}"}));
+  const VehicleParameters keys = twin_of(av_with({"world.av.twin={model: idm, deceleration: 5}"}));
   EXPECT_EQ(keys.model, "idm");
   EXPECT_EQ(keys.deceleration_mps2, 5);
 }
 
 TEST(ScenarioTwin, HasTheSensorsAndThePeriodOfTheVehicleAndNothingElseOfIt) {
   const VehicleParameters twin =
-      healthy_twin(av_with({"world.av.twin=aeb", "world.av.range=30", "world.av.period=0.5",
-                            "world.av.reaction=2", "world.av.defect=latency"}));
+      twin_of(av_with({"world.av.twin=aeb", "world.av.range=30", "world.av.period=0.5",
+                       "world.av.reaction=2", "world.av.defect=latency"}));
   EXPECT_EQ(twin.range_m, 30);
   EXPECT_EQ(twin.period_s, 0.5);
   EXPECT_EQ(twin.reaction_s, std::nullopt);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "env/crossing/world.h"
+#include "env/environments.h"
 #include "experiment/scenario/scenario.h"
 #include "parse.h"
 
@@ -26,7 +28,7 @@ TEST(Presets, AreAllReadable) {
 }
 
 TEST(Presets, DraftCountsTheDraftsMoney) {
-  const ScoringParameters scoring = preset("draft").world.scoring;
+  const ScoringParameters scoring = crossing_parameters(*preset("draft").world).scoring;
   EXPECT_EQ(scoring.reward, 20);
   EXPECT_EQ(scoring.pavement_cost, 1);
   EXPECT_EQ(scoring.road_cost, 7);
@@ -34,14 +36,14 @@ TEST(Presets, DraftCountsTheDraftsMoney) {
 }
 
 TEST(Presets, PublishedTestsTheSameCellsFromFurtherBack) {
-  const CrossingParameters world = preset("published").world;
+  const CrossingParameters world = crossing_parameters(*preset("published").world);
   EXPECT_EQ(world.av.start, -8);
   EXPECT_EQ(zone_origin(world, 0), 0);
   EXPECT_EQ(zone_ahead(world), (Interval{1, 6}));
 }
 
 TEST(Presets, PublishedLiteralMovesTheZoneAndTheDeadZones) {
-  const CrossingParameters world = preset("published-literal").world;
+  const CrossingParameters world = crossing_parameters(*preset("published-literal").world);
   EXPECT_EQ(world.av.start, 0);
   EXPECT_EQ(zone_origin(world, 0), 0);
   EXPECT_EQ(zone_ahead(world), (Interval{9, 14}));
@@ -66,7 +68,7 @@ TEST(Presets, SetParametersOfTheBehavioursThatTheScenarioHas) {
       "behaviours: [random_behaviour.asl, proximity.asl,\n"
       "  {program: mine.asl, name: election, parameters: {radius_limit: inclusive}}]\n";
   const Scenario read = parse(text, options).value();
-  EXPECT_TRUE(read.world.av.carry_over);
+  EXPECT_TRUE(read.world->carries_over());
   EXPECT_EQ(parameters(read, "random_behaviour"), std::vector<std::string>{"first_way=back"});
   EXPECT_TRUE(parameters(read, "proximity").empty());
   EXPECT_EQ(parameters(read, "election"), std::vector<std::string>{"radius_limit=inclusive"})
@@ -93,10 +95,10 @@ TEST(Presets, AreOverriddenByTheFileAndTheFileBySettings) {
   ScenarioOptions options;
   options.preset = "draft";
   const std::string text = "behaviours: [a.asl]\nworld: {scoring: {reward: 30}}\n";
-  EXPECT_EQ(parse(text, options).value().world.scoring.reward, 30);
-  EXPECT_EQ(parse(text, options).value().world.scoring.road_cost, 7);
+  EXPECT_EQ(crossing_parameters(*parse(text, options).value().world).scoring.reward, 30);
+  EXPECT_EQ(crossing_parameters(*parse(text, options).value().world).scoring.road_cost, 7);
   options.sets = {"world.scoring.reward=40"};
-  EXPECT_EQ(parse(text, options).value().world.scoring.reward, 40);
+  EXPECT_EQ(crossing_parameters(*parse(text, options).value().world).scoring.reward, 40);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/crossing/world.h"
 #include "parse.h"
 
 namespace jaywalk {
@@ -14,7 +15,7 @@ using testing_scenario::with;
 CrossingParameters world_with(std::vector<std::string> sets) {
   const Result<Scenario> result = with(std::move(sets));
   EXPECT_TRUE(result.ok()) << errors(result);
-  return result.ok() ? result.value().world : CrossingParameters{};
+  return result.ok() ? crossing_parameters(*result.value().world) : CrossingParameters{};
 }
 
 TEST(Scenario, BeginsWithTheCaseStudysValues) {
@@ -26,7 +27,7 @@ TEST(Scenario, BeginsWithTheCaseStudysValues) {
   EXPECT_EQ(scenario.experiment.agents,
             (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20}));
   EXPECT_EQ(scenario.experiment.seed, 0U);
-  EXPECT_EQ(zone_ahead(scenario.world), (Interval{1, 6}));
+  EXPECT_EQ(zone_ahead(crossing_parameters(*scenario.world)), (Interval{1, 6}));
 }
 
 TEST(Scenario, ReadsEveryKeyOfTheWorld) {
@@ -52,7 +53,7 @@ experiment:
   {tests: 10, agents: "1..3,7", seed: 42, limits: {cycles: 9, inferences: 8, memory_mb: 7, time_s: 0.5}}
 )");
   ASSERT_TRUE(result.ok()) << errors(result);
-  const CrossingParameters& world = result.value().world;
+  const CrossingParameters& world = crossing_parameters(*result.value().world);
   EXPECT_EQ(world.length, 80);
   EXPECT_EQ(world.cell_m, 1);
   EXPECT_EQ(world.tick_s, 0.5);

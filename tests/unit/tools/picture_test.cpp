@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "env/crossing/world.h"
 #include "tools/picture/gif.h"
 #include "tools/picture/test_picture.h"
 
@@ -33,7 +34,7 @@ bool is_dark(std::uint32_t colour) {
 TEST(TestPicture, ShowsTheAvWhereItIs) {
   const CrossingParameters world;
   const Recording recording = crossing();
-  const TestPicture picture("a test", world, recording);
+  const TestPicture picture("a test", CrossingSpec(world).plan(), recording);
   // 99 m are drawn on 928 pixels, from 16 pixels on; rows begin 64 pixels below the upper edge.
   const double scale = 928.0 / 99;
   for (const std::size_t tick : {0U, 1U, 2U}) {
@@ -49,7 +50,7 @@ TEST(TestPicture, ShowsTheAvWhereItIs) {
 TEST(TestPicture, ColoursWhoMetThePrecondition) {
   const CrossingParameters world;
   const Recording recording = crossing();
-  const TestPicture picture("a test", world, recording);
+  const TestPicture picture("a test", CrossingSpec(world).plan(), recording);
   const double scale = 928.0 / 99;
   const auto red_of = [&](std::size_t tick, double x_m) {
     return (pixel(picture.draw(tick).image(), 16 + 24 * scale, 64 + x_m * scale) >> 16U) & 0xFFU;
@@ -64,16 +65,17 @@ TEST(TestPicture, FollowsTheAvOnALongRoad) {
   Recording recording(1,
                       {{.name = "av", .kind = ActorKind::vehicle, .length_m = 4.5, .width_m = 3}});
   recording.add(std::vector<ActorState>{{6, 1500, 9, 1.5707963267948966}});
-  const Image image = TestPicture("far", world, recording).draw(0).image();
+  const Image image = TestPicture("far", CrossingSpec(world).plan(), recording).draw(0).image();
   EXPECT_TRUE(is_dark(pixel(image, 16 + 928.0 / 3, 64 + 5 * 928.0 / 160)));
 }
 
 TEST(TestPicture, IsWrittenAsPng) {
   const CrossingParameters world;
   const Recording recording = crossing();
-  const std::string png = TestPicture("a test", world, recording).draw(0).png();
+  const std::string png =
+      TestPicture("a test", CrossingSpec(world).plan(), recording).draw(0).png();
   EXPECT_THAT(png, testing::StartsWith("\x89PNG\r\n"));
-  EXPECT_EQ(png, TestPicture("a test", world, recording).draw(0).png());
+  EXPECT_EQ(png, TestPicture("a test", CrossingSpec(world).plan(), recording).draw(0).png());
 }
 
 struct CloseInput {

@@ -30,7 +30,7 @@ Result<std::vector<Deliberation>> deliberations(const ResultsReader& store, cons
   std::uint32_t tick = 0;
   TrialOptions options;
   options.observer = &observer;
-  options.observe = [&](const Crossing&, const Mas&) { observer.set_tick(++tick); };
+  options.observe = [&](const World&, const Mas&) { observer.set_tick(++tick); };
   const auto result = store.rerun(test.id, options);
   if (!result.ok()) return result.diagnostics();
   return observer.deliberations();

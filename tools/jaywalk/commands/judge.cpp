@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"
 #include "experiment/export/junit.h"
@@ -85,7 +84,7 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
     return ExitCode::failed;
   }
   const TestFindings findings =
-      assess(request.inquiry, recording.value(), ground(request.prepared->scenario().world));
+      assess(request.inquiry, recording.value(), request.prepared->scenario().world->ground());
   console.print(render_findings(request.inquiry, findings, recording.value().actors()));
   if (const auto path = arguments.text("junit")) {
     const std::string name = fmt::format("test {}", id);
@@ -124,7 +123,7 @@ void judge_test(const Request& request, const StoredTest& stored, const Ground& 
 
 /// Looks at every test of the store.
 ExitCode judge_all(const Request& request, Judged judged, Console& console) {
-  const Ground on = ground(request.prepared->scenario().world);
+  const Ground on = request.prepared->scenario().world->ground();
   const InterruptGuard interrupt;
   ProgressLine line(console);
   Progress progress{.done = 0, .total = request.store->count()};

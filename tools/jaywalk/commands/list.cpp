@@ -181,11 +181,13 @@ std::string first_words(const SourcePtr& source) {
 std::string behaviour_text() {
   const SourceFiles files = files_on_disk();
   std::vector<Row> rows;
-  for (const std::string& name : files.installed_in(kInstalledBehaviours)) {
-    const auto source = files.read(name);
-    if (!source) continue;
-    const std::size_t slash = name.rfind('/') + 1;
-    rows.push_back({name.substr(slash, name.size() - slash - 4), first_words(source.value())});
+  for (const EnvironmentKind& world : environments()) {
+    for (const std::string& name : files.installed_in(installed_behaviours(world.name))) {
+      const auto source = files.read(name);
+      if (!source) continue;
+      const std::size_t slash = name.rfind('/') + 1;
+      rows.push_back({name.substr(slash, name.size() - slash - 4), first_words(source.value())});
+    }
   }
   return columns("", rows);
 }

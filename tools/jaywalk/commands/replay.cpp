@@ -28,8 +28,8 @@ ExitCode play(const ResultsReader& store, const StoredTest& test, double speed, 
   Viewer viewer(name_of(store, test), speed, interrupt, console);
   TrialOptions options;
   options.print = [&](std::string_view line) { viewer.add_line(line); };
-  options.observe = [&](const Crossing& crossing, const Mas& mas) {
-    if (!interrupt.interrupted()) viewer.show(crossing, mas);
+  options.observe = [&](const World& world, const Mas& mas) {
+    if (!interrupt.interrupted()) viewer.show(world, mas);
   };
   const auto result = store.rerun(test.id, options);
   if (result.ok()) return ExitCode::success;

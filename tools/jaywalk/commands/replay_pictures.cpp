@@ -59,8 +59,9 @@ ExitCode write_pictures(const ResultsReader& store, const StoredTest& test,
   }
   const auto tick = tick_of(recording.value(), wanted, console);
   if (!tick) return ExitCode::usage;
-  const picture::TestPicture picture(name_of(store, test), prepared.value()->scenario().world,
-                                     recording.value(), twin.value() ? &*twin.value() : nullptr);
+  const picture::TestPicture picture(name_of(store, test),
+                                     prepared.value()->scenario().world->plan(), recording.value(),
+                                     twin.value() ? &*twin.value() : nullptr);
   bool written = true;
   if (const auto path = arguments.text("png")) {
     written = write(*path, picture.draw(*tick).png(), console);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/scenario/number_list.h"
 #include "experiment/trial/simulator_version.h"
@@ -57,7 +56,7 @@ void check_defects(const Request& request, Diagnostics& diagnostics) {
     diagnostics.error("--defects", "without assertions nothing blames an AV",
                       "--assertions names a file of them, as scenarios/assertions/crossing.yaml");
   }
-  if (request.prepared->world(0).av.vehicle.model == "constant") {
+  if (request.prepared->world(0).spec().vehicle().model == "constant") {
     diagnostics.error("--defects", "the AV is of the model constant: no defect shows in it",
                       "set world.av.model to one that brakes (jaywalk list vehicles)");
   }
@@ -127,10 +126,10 @@ Diagnostics excesses(const Request& request) {
 std::string first_obstacle(const Request& request) {
   for (const std::uint32_t agents : request.plan.agents) {
     for (std::uint64_t test = 0; test < request.plan.tests; ++test) {
-      // Obstacles are the same for all behaviours, and only given start cells can be too few.
+      // Obstacles are the same for all behaviours, and only given starts can be too few.
       std::string why =
           obstacle(*request.prepared, {.agents = agents, .seed = request.seed, .test = test});
-      if (!why.empty() || !request.prepared->scenario().start_cells) return why;
+      if (!why.empty() || !request.prepared->scenario().world->has_given_starts()) return why;
     }
   }
   return {};
@@ -200,7 +199,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
   if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
   request.inquiry = std::move(*inquiry);
-  request.ground = ground(request.prepared->scenario().world);
+  request.ground = request.prepared->scenario().world->ground();
   auto simulator = simulator_version(request.prepared->scenario());
   if (!simulator.ok()) {
     console.report(simulator.diagnostics());

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "env/grid/start_cells.h"
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/export/csv.h"
 #include "experiment/export/json.h"

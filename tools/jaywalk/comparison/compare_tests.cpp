@@ -81,7 +81,7 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   std::optional<TestTrace> trace;
   if (listeners.trace != nullptr) {
     observers.add(trace.emplace());
-    options.observe = [&](const Crossing& crossing, const Mas& mas) { trace->tick(crossing, mas); };
+    options.observe = [&](const World& world, const Mas& mas) { trace->tick(world, mas); };
     trace->begin(request.plan.behaviours[test.behaviour], input);
   }
   options.observer = observers.get();

@@ -37,7 +37,7 @@ std::size_t crosswalk_of(const Crossing& crossing, std::size_t body) {
 }
 
 bool is_hit(const CrossingResult& result, std::size_t body) {
-  return std::ranges::find(result.hit_by, body) != result.hit_by.end() ||
+  return std::ranges::find(result.met_by, body) != result.met_by.end() ||
          std::ranges::any_of(result.collisions,
                              [body](const Collision& each) { return each.body == body; });
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "env/crossing/crossing.h"
+#include "env/crossing/world.h"
 
 namespace jaywalk {
 

@@ -22,11 +22,11 @@ void fit_to_terminal(FrameOptions& options) {
 
 }  // namespace
 
-void Viewer::show(const Crossing& crossing, const Mas& mas) {
+void Viewer::show(const World& world, const Mas& mas) {
   const bool live = console_.output_is_terminal();
   FrameOptions options{.title = title_, .colour = console_.output_colour()};
   if (live) fit_to_terminal(options);
-  const std::string frame = draw_frame(crossing, mas, printed_, options);
+  const std::string frame = draw_frame(world, mas, printed_, options);
   printed_.clear();
   if (live && lines_ > 0) {
     pause();

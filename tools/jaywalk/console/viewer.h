@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "env/crossing/crossing.h"
+#include "env/world/world.h"
 #include "interpreter/mas/mas.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/console/interrupt.h"
@@ -25,7 +25,7 @@ class Viewer {
   /// Shown below the next frame.
   void add_line(std::string_view line) { printed_.emplace_back(line); }
 
-  void show(const Crossing& crossing, const Mas& mas);
+  void show(const World& world, const Mas& mas);
 
  private:
   void pause() const;

@@ -132,7 +132,7 @@ std::string body_line(const Crossing& crossing, const Mas& mas, std::size_t body
   const std::string intentions = intentions_of(mas, static_cast<AgentId>(body));
   if (body < pedestrians) {
     const Position at = crossing.positions()[body];
-    const PedestrianOutcome& outcome = crossing.result().pedestrians[body];
+    const AgentOutcome& outcome = crossing.result().agents[body];
     return fmt::format("{} at {:>2},{:<3} score {:>4}  {}", letter, at.x, at.y,
                        outcome.reward - outcome.cost, intentions);
   }
@@ -195,8 +195,50 @@ std::vector<std::string> last_lines(const std::vector<std::string>& printed, std
 
 }  // namespace
 
-std::string draw_frame(const Crossing& crossing, const Mas& mas,
-                       const std::vector<std::string>& printed, const FrameOptions& options) {
+namespace {
+
+/// Of a world without a picture of its own: where everybody is, in metres.
+std::string draw_places(const World& world, const Mas& mas, const std::vector<std::string>& printed,
+                        const FrameOptions& options) {
+  const std::vector<Actor> actors = world.actors();
+  const Scene scene = world.scene();
+  const WorldResult& result = world.result();
+  std::vector<std::string> lines{options.title};
+  std::string tick = fmt::format("tick {}: AV at {:.1f} m, {:.1f} m/s", world.ticks(), scene[0].y_m,
+                                 scene[0].speed_mps);
+  for (const Collision& each : result.collisions) {
+    tick += fmt::format(", collision with {}", actors[each.body + 1].name);
+  }
+  if (result.success) tick += ", precondition met";
+  lines.push_back(std::move(tick));
+  const std::size_t room = static_cast<std::size_t>(std::max(options.rows - 3, 2));
+  for (std::size_t i = 1; i < actors.size() && i < room; ++i) {
+    const auto id = static_cast<AgentId>(i - 1);
+    const bool has_agent = i - 1 < mas.agent_count();
+    lines.push_back(
+        fmt::format("{:>4} {:>+7.1f} m ahead, {:>5.1f} m from the left, {:>5.1f} m/s  {}",
+                    actors[i].name, scene[i].y_m - scene[0].y_m, scene[i].x_m, scene[i].speed_mps,
+                    has_agent ? intentions_of(mas, id) : ""));
+  }
+  for (std::string& said : last_lines(printed, std::max(room / 2, std::size_t{1}))) {
+    lines.push_back(std::move(said));
+  }
+  std::string text;
+  for (const std::string& line : lines) {
+    std::string shown = fitted(line, options.columns);
+    shown.erase(shown.find_last_not_of(' ') + 1);
+    text += shown + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string draw_frame(const World& world, const Mas& mas, const std::vector<std::string>& printed,
+                       const FrameOptions& options) {
+  const Crossing* const known = find_crossing(world);
+  if (known == nullptr) return draw_places(world, mas, printed, options);
+  const Crossing& crossing = *known;
   constexpr int kLeastForAgents = 4;
   const std::vector<std::string> meanings = legend_lines(crossing, options.columns);
   const int bodies = static_cast<int>(crossing.bodies().size());
@@ -219,18 +261,6 @@ std::string draw_frame(const Crossing& crossing, const Mas& mas,
   add(body_lines(crossing, mas, left - std::min(left, said.size())));
   add(said);
   return text;
-}
-
-std::string describe_result(const CrossingResult& result) {
-  if (!result.success) {
-    return fmt::format("precondition not met in {} ticks, score {:.2f}", result.ticks,
-                       result.score());
-  }
-  std::vector<std::string> names;
-  for (const std::size_t index : result.hit_by) names.push_back(std::to_string(index + 1));
-  return fmt::format("precondition met in tick {} at cell {} by pedestrian{} {}, score {:.2f}",
-                     result.ticks, *result.hit_cell, names.size() == 1 ? "" : "s",
-                     fmt::join(names, ", "), result.score());
 }
 
 }  // namespace jaywalk

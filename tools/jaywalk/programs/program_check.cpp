@@ -22,9 +22,6 @@ bool lies_in_project(const std::string& path) {
   return find_project_folder(fs::path(path).parent_path().string()).has_value();
 }
 
-/// The world of all scenarios.
-constexpr std::string_view kScenarioWorld = "crossing";
-
 /// Each once, in the order of the scenario.
 std::vector<std::string> programs_of(const Scenario& scenario) {
   std::vector<std::string> programs;
@@ -72,7 +69,7 @@ void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& fou
       vocabulary.settings = settings_of(scenario, program);
       mark_absent_percepts(scenario, vocabulary);
     };
-    check_loaded(tree, find_environment(kScenarioWorld), complete, of_program);
+    check_loaded(tree, find_environment(scenario.world->kind()), complete, of_program);
     add_news(of_program, checked, found);
   }
 }

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "env/crossing/vocabulary.h"
+#include "env/environments.h"
 #include "interpreter/check/index/program_index.h"
 #include "interpreter/check/index/uses.h"
 #include "interpreter/check/words.h"
@@ -152,10 +152,10 @@ const EnvironmentKind* environment_of(const SourceTree& program) {
 }
 
 void mark_absent_percepts(const Scenario& scenario, Vocabulary& vocabulary) {
-  const auto given = given_percepts(scenario.world);
-  assert(vocabulary.percepts.size() == given.size() && "they are the crossing's");
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    if (!given[i]) vocabulary.percepts[i].absent_without = kCrossingPercepts[i].needs;
+  const auto percepts = find_environment(scenario.world->kind())->percepts;
+  assert(vocabulary.percepts.size() == percepts.size() && "they are the world's");
+  for (const std::size_t i : scenario.world->absent_percepts()) {
+    vocabulary.percepts[i].absent_without = percepts[i].needs;
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/export/junit.h"
 #include "experiment/judge/trace_file.h"
 #include "experiment/report/tables/verdict_table.h"
@@ -88,7 +87,7 @@ ExitCode judge_trace(const std::string& path, const Arguments& arguments, Consol
   const auto recording = read_trace(path, console);
   if (!recording) return ExitCode::usage;
 
-  const TestFindings findings = assess(*inquiry, *recording, ground(scenario->world));
+  const TestFindings findings = assess(*inquiry, *recording, scenario->world->ground());
   const std::string name = std::filesystem::path(path).stem().string();
   if (!arguments.has("quiet")) {
     console.print(render_findings(*inquiry, findings, recording->actors()));

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/export/junit.h"
 #include "experiment/report/tables/troubles_text.h"
@@ -206,11 +205,11 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
       console.print(fmt::format("{}\n", line));
     }
   };
-  if (watch) {
-    options.observe = [&](const Crossing& crossing, const Mas& mas) {
-      if (!interrupt.interrupted()) viewer.show(crossing, mas);
-    };
-  }
+  std::string outcome;
+  options.observe = [&](const World& world, const Mas& mas) {
+    if (watch && !interrupt.interrupted()) viewer.show(world, mas);
+    if (world.finished()) outcome = world.describe_result();
+  };
   const auto store_path = arguments.text("store");
   std::unique_ptr<ResultsWriter> store;
   Recording recording;
@@ -231,9 +230,9 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   TestTrace trace;
   if (trace_file) {
     observers.add(trace);
-    options.observe = [&trace, show = options.observe](const Crossing& crossing, const Mas& mas) {
-      trace.tick(crossing, mas);
-      if (show) show(crossing, mas);
+    options.observe = [&trace, show = options.observe](const World& world, const Mas& mas) {
+      trace.tick(world, mas);
+      show(world, mas);
     };
     trace.begin(request->prepared->behaviours()[request->input.behaviour].name, request->input);
   }
@@ -261,7 +260,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   TestFindings findings;
   std::string found;
   if (asks(request->inquiry)) {
-    findings = assess(request->inquiry, recording, ground(request->prepared->scenario().world));
+    findings = assess(request->inquiry, recording, request->prepared->scenario().world->ground());
     found = render_findings(request->inquiry, findings, recording.actors());
     if (found.ends_with('\n')) found.pop_back();
   }
@@ -269,7 +268,6 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     store_test(*request, result, std::move(recording), findings, *store);
     if (!finish_store(*store, *store_path, console)) return ExitCode::failed;
   }
-  const std::string outcome = describe_result(result.outcome);
   if (watch) {
     console.print(fmt::format("{}\n{}{}", outcome, found, found.empty() ? "" : "\n"));
   } else {

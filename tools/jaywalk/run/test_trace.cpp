@@ -14,28 +14,23 @@ void TestTrace::begin(std::string_view behaviour, const TrialInput& input) {
           {"seed", input.seed}});
 }
 
-void TestTrace::tick(const Crossing& crossing, const Mas& mas) {
-  const auto ticks = static_cast<std::uint64_t>(crossing.ticks());
+void TestTrace::tick(const World& world, const Mas& mas) {
+  const auto ticks = static_cast<std::uint64_t>(world.ticks());
   // Whoever had failed in the tick before has heard of it by now.
   for (auto it = actions_.begin(); it != actions_.end();) {
-    if (it->second.when >= ticks && !crossing.finished()) {
+    if (it->second.when >= ticks && !world.finished()) {
       ++it;
       continue;
     }
-    // Of the last tick nobody hears any more: a step that led nowhere has failed.
-    if (it->second.when >= ticks && it->second.text.starts_with("move(")) {
-      const std::size_t bodies = std::min<std::size_t>(crossing.bodies().size(), mas.agent_count());
-      for (std::size_t i = 0; i < bodies; ++i) {
-        if (mas.agent_name(static_cast<AgentId>(i)) != it->first) continue;
-        it->second.failed = crossing.bodies()[i].stepped_in != crossing.ticks();
-      }
+    // Of the last tick nobody hears any more.
+    for (std::size_t i = 0; it->second.when >= ticks && i < mas.agent_count(); ++i) {
+      if (mas.agent_name(static_cast<AgentId>(i)) != it->first) continue;
+      it->second.failed = it->second.failed || world.last_action_failed(i);
     }
     write(it->second, it->first);
     it = actions_.erase(it);
   }
-  append({{"kind", "tick"},
-          {"tick", crossing.ticks()},
-          {"time_s", crossing.ticks() * crossing.parameters().tick_s}});
+  append({{"kind", "tick"}, {"tick", world.ticks()}, {"time_s", world.ticks() * world.tick_s()}});
   tick_ = ticks + 1;
 }
 

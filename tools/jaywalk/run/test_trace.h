@@ -19,7 +19,7 @@ class TestTrace final : public AgentTrace {
 
   void begin(std::string_view behaviour, const TrialInput& input);
   /// As TrialOptions::observe: before the first tick and after each.
-  void tick(const Crossing& crossing, const Mas& mas);
+  void tick(const World& world, const Mas& mas);
   void end(const TrialResult& result);
   /// The lines so far.
   [[nodiscard]] const std::string& lines() const { return lines_; }

@@ -1,7 +1,7 @@
 // What a scenario may ask for, where several of its keys ask alike; generous, but safe to multiply.
 #pragma once
 
-#include "experiment/scenario/scenario_layer.h"
+#include "env/config/reader.h"
 
 namespace jaywalk {
 

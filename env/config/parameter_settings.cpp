@@ -1,11 +1,13 @@
-// The parameters of a program: initial beliefs that a scenario sets.
+#include "env/config/parameter_settings.h"
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
-#include "experiment/scenario/scenario_layer.h"
+#include "interpreter/support/source_files.h"
 
 namespace jaywalk {
 namespace {
@@ -72,6 +74,25 @@ void read_parameters(const ConfigNode& node, const ConfigReader& reader,
     std::erase_if(settings, [&](const ParameterSetting& old) { return old.name == entry.key; });
     settings.push_back(std::move(setting));
   }
+}
+
+std::string path_in(const std::string& folder, const std::string& path) {
+  return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
+}
+
+std::string installed_behaviours(std::string_view world) {
+  return fmt::format("{}{}", kLibraryPrefix, world);
+}
+
+std::string installed_behaviour(std::string_view world, std::string_view name) {
+  return fmt::format("{}/{}.asl", installed_behaviours(world), name);
+}
+
+std::string program_path(const std::string& folder, const std::string& text,
+                         std::string_view world) {
+  if (text.starts_with(kLibraryPrefix)) return text;
+  if (text.ends_with(".asl") || text.find('/') != std::string::npos) return path_in(folder, text);
+  return installed_behaviour(world, text);
 }
 
 }  // namespace jaywalk

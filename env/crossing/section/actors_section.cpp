@@ -2,26 +2,28 @@
 
 #include <fmt/format.h>
 
-#include "experiment/scenario/scenario_layer.h"
-#include "experiment/scenario/scenario_ranges.h"
+#include "env/config/parameter_settings.h"
+#include "env/config/ranges.h"
+#include "env/crossing/crossing.h"
+#include "env/crossing/section/draft.h"
 
 namespace jaywalk {
 namespace {
 
-class ActorsReader : LayerPart {
+class ActorsReader : CrossingPart {
  public:
-  ActorsReader(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
-      : LayerPart(folder, draft, diagnostics) {}
+  ActorsReader(const SectionContext& context, CrossingDraft& draft)
+      : CrossingPart(context, draft) {}
 
-  // What an actor is stands in the world, whose program it runs in the scenario; in the same order.
+  // What an actor is stands in the world, what it runs beside it; in the same order.
   void read_actors(const ConfigNode& node, const std::string& path) {
-    std::vector<BehaviourSpec>& programs = draft_.scenario.actors;
+    std::vector<WorldAgent>& programs = draft_.agents;
     programs.clear();
     draft_.actor_mps.clear();
     read_list<ActorParameters>(
         node, path, "a list of actors, {kind: cyclist, program: cyclist.asl, start: [2, 60]}",
         world().actors, [&](const ConfigNode& item, ActorParameters& actor) {
-          BehaviourSpec& program = programs.emplace_back();
+          WorldAgent& program = programs.emplace_back();
           program.origin = item.origin;
           std::optional<double>& mps = draft_.actor_mps.emplace_back();
           read_actor(item, path, actor, program, mps);
@@ -34,7 +36,7 @@ class ActorsReader : LayerPart {
 
  private:
   void read_actor(const ConfigNode& item, const std::string& path, ActorParameters& actor,
-                  BehaviourSpec& program, std::optional<double>& mps) {
+                  WorldAgent& program, std::optional<double>& mps) {
     require(item, {"kind", "program"});
     const bool is_signal = item.find("crosswalk") != nullptr;
     if (!is_signal) require(item, {"start"});
@@ -56,7 +58,7 @@ class ActorsReader : LayerPart {
                {"program",
                 [&](const ConfigNode& value, const std::string&) {
                   if (const auto file = reader_.text(value, "the path of a program")) {
-                    program.program = program_path(folder_, *file);
+                    program.program = program_path(context_.folder, *file, kCrossing);
                   }
                 }},
                {"start",
@@ -82,9 +84,9 @@ class ActorsReader : LayerPart {
 
 }  // namespace
 
-void read_actors(const ConfigNode& node, const std::string& path, const std::string& folder,
-                 ScenarioDraft& draft, Diagnostics& diagnostics) {
-  ActorsReader(folder, draft, diagnostics).read_actors(node, path);
+void read_actors(const ConfigNode& node, const std::string& path, const SectionContext& context,
+                 CrossingDraft& draft) {
+  ActorsReader(context, draft).read_actors(node, path);
 }
 
 }  // namespace jaywalk

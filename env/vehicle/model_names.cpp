@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "env/simulator/simulator.h"
-#include "experiment/scenario/scenario_layer.h"
+#include "env/vehicle/section.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 
 #include "env/vehicle/defects.h"
-#include "experiment/scenario/scenario_layer.h"
+#include "env/vehicle/section.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
 
 /// Where a part of the node's text stands, if the text was written as it is read (not quoted, say).
-ValueOrigin origin_of(const ConfigNode& node, std::string_view part, std::size_t offset) {
+ValueOrigin origin_of_part(const ConfigNode& node, std::string_view part, std::size_t offset) {
   ValueOrigin origin = node.origin;
   if (!origin.where.source) return origin;
   Span& span = origin.where.span;
@@ -33,7 +33,7 @@ std::vector<ConfigNode> parts_of(const ConfigNode& node) {
         part.empty() ? begin : static_cast<std::size_t>(part.data() - text.data());
     parts.push_back(node);
     parts.back().text = part;
-    parts.back().origin = origin_of(node, part, offset);
+    parts.back().origin = origin_of_part(node, part, offset);
     if (end == text.size()) return parts;
     begin = end + 1;
   }

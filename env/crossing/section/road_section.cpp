@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "env/config/ranges.h"
 #include "env/crossing/layout.h"
-#include "experiment/scenario/scenario_layer.h"
-#include "experiment/scenario/scenario_ranges.h"
+#include "env/crossing/section/draft.h"
 
 namespace jaywalk {
 namespace {
@@ -15,10 +15,9 @@ constexpr IntegerRange kCellsFromZero{0, 99'999};
 constexpr IntegerRange kBandRows{1, 100};
 constexpr std::size_t kMaxBands = 50;
 
-class RoadReader : LayerPart {
+class RoadReader : CrossingPart {
  public:
-  RoadReader(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
-      : LayerPart(folder, draft, diagnostics) {}
+  RoadReader(const SectionContext& context, CrossingDraft& draft) : CrossingPart(context, draft) {}
 
   void read_bands(const ConfigNode& node, const std::string& path) {
     if (node.kind != ConfigNode::Kind::list || node.items.empty() ||
@@ -28,7 +27,7 @@ class RoadReader : LayerPart {
                          "{kind: lane, rows: 4, direction: forward}");
       return;
     }
-    draft_.origins[path] = node.origin;
+    note_origin(node, path);
     std::vector<Band> bands;
     for (const ConfigNode& item : node.items) {
       Band band;
@@ -50,7 +49,7 @@ class RoadReader : LayerPart {
 
   // The first cells of a map's rows are the bands; so the AV's lane is where its row begins.
   void read_map(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    note_origin(node, path);
     std::vector<std::string> lines;
     if (const auto text = reader_.text(node, "lines of . > < x and #")) {
       for (std::size_t at = 0; at < text->size();) {
@@ -132,24 +131,24 @@ class RoadReader : LayerPart {
 
 }  // namespace
 
-void read_bands(const ConfigNode& node, const std::string& path, const std::string& folder,
-                ScenarioDraft& draft, Diagnostics& diagnostics) {
-  RoadReader(folder, draft, diagnostics).read_bands(node, path);
+void read_bands(const ConfigNode& node, const std::string& path, const SectionContext& context,
+                CrossingDraft& draft) {
+  RoadReader(context, draft).read_bands(node, path);
 }
 
-void read_map(const ConfigNode& node, const std::string& path, const std::string& folder,
-              ScenarioDraft& draft, Diagnostics& diagnostics) {
-  RoadReader(folder, draft, diagnostics).read_map(node, path);
+void read_map(const ConfigNode& node, const std::string& path, const SectionContext& context,
+              CrossingDraft& draft) {
+  RoadReader(context, draft).read_map(node, path);
 }
 
-void read_crosswalks(const ConfigNode& node, const std::string& path, const std::string& folder,
-                     ScenarioDraft& draft, Diagnostics& diagnostics) {
-  RoadReader(folder, draft, diagnostics).read_crosswalks(node, path);
+void read_crosswalks(const ConfigNode& node, const std::string& path, const SectionContext& context,
+                     CrossingDraft& draft) {
+  RoadReader(context, draft).read_crosswalks(node, path);
 }
 
-void read_obstacles(const ConfigNode& node, const std::string& path, const std::string& folder,
-                    ScenarioDraft& draft, Diagnostics& diagnostics) {
-  RoadReader(folder, draft, diagnostics).read_obstacles(node, path);
+void read_obstacles(const ConfigNode& node, const std::string& path, const SectionContext& context,
+                    CrossingDraft& draft) {
+  RoadReader(context, draft).read_obstacles(node, path);
 }
 
 }  // namespace jaywalk

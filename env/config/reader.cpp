@@ -1,4 +1,4 @@
-#include "experiment/scenario/scenario_reader.h"
+#include "env/config/reader.h"
 
 #include <algorithm>
 #include <charconv>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "env/crossing/parameters.h"
+#include "env/grid/grid.h"
 #include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {

@@ -1,28 +1,29 @@
-// The key `world.simulator`: a simulator's name, or its name with keys of its own. What keys there
-// are is known to its row of simulators.def alone.
+#include "env/simulator/section.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "env/config/parameter_settings.h"
 #include "env/simulator/simulator.h"
-#include "experiment/scenario/scenario_layer.h"
 
 namespace jaywalk {
 namespace {
 
 constexpr NumberRange kStep{0.001, 3600};
 
-class SimulatorReader : LayerPart {
+class SimulatorReader : SectionReader {
  public:
-  SimulatorReader(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
-      : LayerPart(folder, draft, diagnostics) {}
+  SimulatorReader(const SectionContext& context, SimulatorParameters& parameters)
+      : SectionReader(context), parameters_(parameters) {}
 
   void read(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    note_origin(node, path);
     if (node.kind == ConfigNode::Kind::scalar) return read_name(node);
     if (const ConfigNode* const name = node.find("name")) read_name(*name);
-    const SimulatorKind* const kind = find_simulator(parameters().name);
+    const SimulatorKind* const kind = find_simulator(parameters_.name);
     if (node.kind == ConfigNode::Kind::map && kind == nullptr) {
       // A wrong name has been reported.
       if (node.find("name") == nullptr) {
@@ -32,11 +33,11 @@ class SimulatorReader : LayerPart {
     }
     std::vector<ConfigKey> keys{
         {"name", [](const ConfigNode&, const std::string&) {}},
-        {"step", number(parameters().step_s, kStep)},
+        {"step", number(parameters_.step_s, kStep)},
     };
     for (const SettingKey& key : kind == nullptr ? std::span<const SettingKey>() : kind->keys) {
       keys.push_back({key.name, [this, &key](const ConfigNode& value, const std::string& where) {
-                        draft_.origins[where] = value.origin;
+                        note_origin(value, where);
                         read_setting(key, value);
                       }});
     }
@@ -44,12 +45,10 @@ class SimulatorReader : LayerPart {
   }
 
  private:
-  SimulatorParameters& parameters() { return world().simulator; }
-
   // Another simulator has other keys; `none` is the world by itself.
   void read_name(const ConfigNode& node) {
     const std::optional<std::string> name = reader_.text(node, "the name of a simulator");
-    if (!name || *name == parameters().name) return;
+    if (!name || *name == parameters_.name) return;
     std::vector<std::string> names{"none"};
     for (const SimulatorKind& kind : simulator_kinds()) names.emplace_back(kind.name);
     if (std::ranges::find(names, *name) == names.end()) {
@@ -57,17 +56,17 @@ class SimulatorReader : LayerPart {
                     did_you_mean(*name, names));
       return;
     }
-    parameters() = {};
-    if (*name != "none") parameters().name = *name;
+    parameters_ = {};
+    if (*name != "none") parameters_.name = *name;
   }
 
   void read_setting(const SettingKey& key, const ConfigNode& node) {
     SettingValue value;
     // A map changes single values of what was there.
-    const SettingValue* const before = parameters().find(key.name);
+    const SettingValue* const before = parameters_.find(key.name);
     if (before != nullptr && key.kind == SettingKind::map) value = *before;
     if (read_value(key, node, value)) {
-      parameters().settings.insert_or_assign(std::string(key.name), std::move(value));
+      parameters_.settings.insert_or_assign(std::string(key.name), std::move(value));
     }
   }
 
@@ -86,8 +85,7 @@ class SimulatorReader : LayerPart {
       case SettingKind::file:
         return read_file(node, value);
       case SettingKind::command:
-        return keep(read_command_words(node, folder_, draft_.scenario.files, reader_),
-                    value.command);
+        return keep(read_command_words(node, context_, reader_), value.command);
       case SettingKind::map:
         value.maps.resize(1);
         return read_map(node, value.maps.front());
@@ -118,10 +116,9 @@ class SimulatorReader : LayerPart {
   bool read_file(const ConfigNode& node, SettingValue& value) {
     const std::optional<std::string> name = reader_.text(node, "the path of a file");
     if (!name) return false;
-    value.text = path_in(folder_, *name);
+    value.text = path_in(context_.folder, *name);
     std::error_code ignored;
-    if (!draft_.scenario.files.has(value.text) &&
-        !std::filesystem::is_regular_file(value.text, ignored)) {
+    if (!context_.files.has(value.text) && !std::filesystem::is_regular_file(value.text, ignored)) {
       reader_.error(node.origin, fmt::format("no file is at '{}'", value.text));
       return false;
     }
@@ -151,35 +148,25 @@ class SimulatorReader : LayerPart {
       return read_map(item, value.maps.emplace_back());
     });
   }
+
+  SimulatorParameters& parameters_;
 };
 
 }  // namespace
 
-void read_simulator(const ConfigNode& node, const std::string& path, const std::string& folder,
-                    ScenarioDraft& draft, Diagnostics& diagnostics) {
-  SimulatorReader(folder, draft, diagnostics).read(node, path);
+void read_simulator(const ConfigNode& node, const std::string& path, const SectionContext& context,
+                    SimulatorParameters& parameters) {
+  SimulatorReader(context, parameters).read(node, path);
 }
 
-std::optional<std::vector<std::string>> read_command_words(const ConfigNode& node,
-                                                           const std::string& folder,
-                                                           const SourceFiles& files,
-                                                           const ConfigReader& reader) {
-  std::vector<std::string> command;
-  if (node.kind != ConfigNode::Kind::list || node.items.empty()) {
-    reader.unexpected(node, "a program and its arguments as [python3, controller.py]");
-    return std::nullopt;
+void check_simulator(const SimulatorParameters& parameters, const std::string& scenario,
+                     const SectionContext& context) {
+  for (SettingProblem& problem : find_simulator(parameters.name)->check(parameters)) {
+    const std::string path = "world.simulator";
+    const std::string key = problem.key.empty() ? path : path + "." + problem.key;
+    report(context.diagnostics, origin_of(context.origins, key, scenario),
+           std::move(problem.message), std::move(problem.hint));
   }
-  for (const ConfigNode& item : node.items) {
-    const auto word = reader.text(item, "a word of a command");
-    if (!word) return std::nullopt;
-    std::string beside = path_in(folder, *word);
-    // Without a slash a program would be looked for as the shell does.
-    if (beside.find('/') == std::string::npos) beside.insert(0, "./");
-    std::error_code ignored;
-    const bool found = files.has(beside) || std::filesystem::is_regular_file(beside, ignored);
-    command.push_back(found ? beside : *word);
-  }
-  return command;
 }
 
 }  // namespace jaywalk

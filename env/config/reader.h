@@ -1,7 +1,7 @@
 #pragma once
 
 // Typed values out of a scenario's nodes: each function reports what it found and what it expected.
-// Read scenario_yaml.h before.
+// Read node.h before.
 
 #include <array>
 #include <functional>
@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "env/config/node.h"
 #include "env/grid/grid.h"
-#include "experiment/scenario/scenario_yaml.h"
 
 namespace jaywalk {
 

@@ -1,14 +1,13 @@
-// The presets: which values the sources of the case study give where they disagree. Each is what a
-// scenario would say, on top of `paper`, whose values are the defaults of CrossingParameters.
+#include "env/crossing/section/presets.h"
 
 #include <array>
-
-#include "experiment/scenario/scenario.h"
 
 namespace jaywalk {
 namespace {
 
-constexpr std::array kPresets{
+// Which values the sources of the case study give where they disagree. Each is what a scenario
+// would say, on top of `paper`, whose values are the defaults of CrossingParameters.
+constexpr std::array kCrossingPresets{
     Preset{"paper", "the case study as its authors' program has it: the defaults", "",
            PresetResults::published},
     Preset{"draft", "the draft's money: reward 20, pavement 1, road 7 on top of it",
@@ -43,6 +42,6 @@ behaviours:
 
 }  // namespace
 
-std::span<const Preset> presets() { return kPresets; }
+std::span<const Preset> crossing_presets() { return kCrossingPresets; }
 
 }  // namespace jaywalk

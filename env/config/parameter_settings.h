@@ -1,0 +1,46 @@
+#pragma once
+
+// The parameters of a program: initial beliefs that a scenario sets, and where programs are. Read
+// reader.h before.
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "env/config/reader.h"
+
+namespace jaywalk {
+
+/// A number or the name of an atom.
+using ParameterValue = std::variant<double, std::string>;
+
+/// What takes the place of a program's initial beliefs of that name: `radius: 15` is radius(15).
+struct ParameterSetting {
+  std::string name;
+  std::vector<ParameterValue> values;
+  ValueOrigin origin;
+};
+
+/// Reads `{radius: 15, odds: [1, 11]}`; a name that is there already is given its new values.
+void read_parameters(const ConfigNode& node, const ConfigReader& reader,
+                     std::vector<ParameterSetting>& settings);
+
+/// Whether a text can be an atom of AgentSpeak.
+[[nodiscard]] bool is_atom(std::string_view text);
+
+/// `folder`/`path`, or `path` if that is absolute.
+[[nodiscard]] std::string path_in(const std::string& folder, const std::string& path);
+
+/// Where the installed behaviours of a world are, among the installed programs (source_files.h):
+/// `$jaywalk/crossing` of `crossing`.
+[[nodiscard]] std::string installed_behaviours(std::string_view world);
+/// `$jaywalk/crossing/proximity.asl` for `proximity` in `crossing`.
+[[nodiscard]] std::string installed_behaviour(std::string_view world, std::string_view name);
+
+/// The file of a program: as path_in, or an installed one, by its name in `$jaywalk/` or, without
+/// folder and `.asl`, as a behaviour of the world (`proximity`).
+[[nodiscard]] std::string program_path(const std::string& folder, const std::string& text,
+                                       std::string_view world);
+
+}  // namespace jaywalk

@@ -1,0 +1,49 @@
+#pragma once
+
+// A crossing world while a scenario's section is being read, and what the readers of its parts
+// share. Read ../parameters.h and env/world/world_section.h before.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "env/config/section_reader.h"
+#include "env/crossing/parameters.h"
+#include "env/grid/start_cells.h"
+#include "env/world/world_section.h"
+
+namespace jaywalk {
+
+struct CrossingDraft {
+  CrossingParameters world;
+  /// In metres per second; takes the place of the speed in cells per tick.
+  std::optional<double> speed_mps;
+  /// The same of pedestrians, and of each actor.
+  std::optional<double> pedestrian_mps;
+  std::vector<std::optional<double>> actor_mps;
+  /// Whose bodies are the world's actors, in the same order.
+  std::vector<WorldAgent> agents;
+  /// The file with start cells, and what is in it.
+  std::optional<std::string> start_cells_file;
+  std::shared_ptr<const StartCells> start_cells;
+};
+
+class CrossingPart : protected SectionReader {
+ protected:
+  CrossingPart(const SectionContext& context, CrossingDraft& draft)
+      : SectionReader(context), draft_(draft) {}
+
+  [[nodiscard]] CrossingParameters& world() { return draft_.world; }
+
+  CrossingDraft& draft_;
+};
+
+/// Reads the value of a key into the draft.
+using CrossingPartReader = void(const ConfigNode& node, const std::string& path,
+                                const SectionContext& context, CrossingDraft& draft);
+
+/// The keys that are read in files of their own.
+CrossingPartReader read_bands, read_map, read_crosswalks, read_obstacles, read_actors, read_av;
+
+}  // namespace jaywalk

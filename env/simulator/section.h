@@ -1,0 +1,20 @@
+#pragma once
+
+// The key `world.simulator` of a scenario: a simulator's name, or its name with keys of its own.
+// What keys there are is known to its row of simulators.def alone.
+
+#include <string>
+
+#include "env/config/section_reader.h"
+#include "env/simulator/parameters.h"
+
+namespace jaywalk {
+
+/// Reads one layer into the parameters.
+void read_simulator(const ConfigNode& node, const std::string& path, const SectionContext& context,
+                    SimulatorParameters& parameters);
+/// Reports what the simulator finds wrong. REQUIRES: one is named.
+void check_simulator(const SimulatorParameters& parameters, const std::string& scenario,
+                     const SectionContext& context);
+
+}  // namespace jaywalk

@@ -1,0 +1,169 @@
+#include "env/vehicle/section.h"
+
+#include <fmt/format.h>
+
+#include "env/config/ranges.h"
+#include "env/vehicle/defects.h"
+
+namespace jaywalk {
+namespace {
+
+constexpr NumberRange kMetresFar{0, 1e6};
+constexpr NumberRange kStandoff{0, 100};
+constexpr NumberRange kAcceleration{0.01, 100};
+
+// A controller of one's own has its own reaction and brakes as it likes.
+void check_external(const SectionContext& context) {
+  for (const char* key : {"reaction", "deceleration", "acceleration", "standoff"}) {
+    const auto given = context.origins.find(fmt::format("world.av.{}", key));
+    if (given == context.origins.end()) continue;
+    report(context.diagnostics, given->second,
+           fmt::format("'{}' has no meaning for the model external", key),
+           "it is for the program to decide; what a vehicle can do limits its answers");
+  }
+}
+
+void check_command(const VehicleParameters& vehicle, const std::string& path,
+                   const std::string& scenario, const SectionContext& context) {
+  if (vehicle.model != "external" || !vehicle.command.empty()) return;
+  if (context.origins.contains(path + ".command")) return;  // already diagnosed
+  report(context.diagnostics, origin_of(context.origins, path + ".model", scenario),
+         "no 'command' to start the controller with",
+         "for example command: [python3, controller.py]");
+}
+
+}  // namespace
+
+void VehicleSection::add_keys(VehicleParameters& vehicle, std::optional<VehicleParameters>& twin,
+                              std::vector<ConfigKey>& keys) {
+  keys.insert(
+      keys.end(),
+      {
+          {"model", [&, this](const ConfigNode& value,
+                              const std::string& key) { read_model(value, key, vehicle); }},
+          {"reaction", optional_number(vehicle.reaction_s, kWindow)},
+          {"deceleration", optional_number(vehicle.deceleration_mps2, kAcceleration)},
+          {"acceleration", number(vehicle.acceleration_mps2, kAcceleration)},
+          {"range", number(vehicle.range_m, kMetresFar)},
+          {"standoff", number(vehicle.standoff_m, kStandoff)},
+          {"period", number(vehicle.period_s, kWindow)},
+          {"command", [&, this](const ConfigNode& value,
+                                const std::string& key) { read_command(value, key, vehicle); }},
+          {"process", choice<bool>(vehicle.keeps_process, {{"test", false}, {"kept", true}})},
+          {"defect", [&, this](const ConfigNode& value,
+                               const std::string& key) { read_defects(value, key, vehicle); }},
+          {"twin", [&, this](const ConfigNode& value,
+                             const std::string& key) { read_twin(value, key, twin); }},
+      });
+}
+
+void VehicleSection::read_model(const ConfigNode& node, const std::string& path,
+                                VehicleParameters& vehicle) {
+  note_origin(node, path);
+  const std::optional<std::string> name = reader_.text(node, "how the AV drives");
+  if (!name) return;
+  if (find_vehicle_model(*name) != nullptr) {
+    vehicle.model = *name;
+    return;
+  }
+  std::vector<std::string> names;
+  for (const VehicleModel& model : vehicle_models()) names.emplace_back(model.name);
+  reader_.error(node.origin, fmt::format("unknown model '{}' of the AV", *name),
+                did_you_mean(*name, names));
+}
+
+// One defect or a list of them, which takes the place of what was there.
+void VehicleSection::read_defects(const ConfigNode& node, const std::string& path,
+                                  VehicleParameters& vehicle) {
+  note_origin(node, path);
+  std::vector<VehicleDefect> defects;
+  const bool is_list = node.kind == ConfigNode::Kind::list;
+  if (is_list && node.items.size() > kMaxItems) {
+    reader_.unexpected(node, fmt::format("{} defects at most", kMaxItems));
+    return;
+  }
+  for (const ConfigNode& item : is_list ? node.items : std::vector{node}) {
+    if (auto defect = read_defect(item, reader_)) defects.push_back(std::move(*defect));
+  }
+  vehicle.defects = std::move(defects);
+}
+
+// A model, a command, or some of the keys that say how an AV drives.
+void VehicleSection::read_twin(const ConfigNode& node, const std::string& path,
+                               std::optional<VehicleParameters>& target) {
+  note_origin(node, path);
+  VehicleParameters twin;
+  if (node.kind == ConfigNode::Kind::list) {
+    twin.model = "external";
+    read_command(node, path, twin);
+  } else if (node.kind == ConfigNode::Kind::scalar) {
+    read_model(node, path, twin);
+  } else {
+    if (target) twin = *target;
+    read_twin_keys(node, path, twin);
+  }
+  target = std::move(twin);
+}
+
+void VehicleSection::read_twin_keys(const ConfigNode& node, const std::string& path,
+                                    VehicleParameters& twin) {
+  if (node.kind != ConfigNode::Kind::map) {
+    reader_.unexpected(node, "the healthy twin: a model, a command or keys and values");
+    return;
+  }
+  read_keys(node, path,
+            {
+                {"model", [&](const ConfigNode& value,
+                              const std::string& key) { read_model(value, key, twin); }},
+                {"reaction", optional_number(twin.reaction_s, kWindow)},
+                {"deceleration", optional_number(twin.deceleration_mps2, kAcceleration)},
+                {"acceleration", number(twin.acceleration_mps2, kAcceleration)},
+                {"standoff", number(twin.standoff_m, kStandoff)},
+                {"command", [&](const ConfigNode& value,
+                                const std::string& key) { read_command(value, key, twin); }},
+            });
+}
+
+void VehicleSection::read_command(const ConfigNode& node, const std::string& path,
+                                  VehicleParameters& vehicle) {
+  note_origin(node, path);
+  auto command = read_command_words(node, context_, reader_);
+  if (command) vehicle.command = *std::move(command);
+}
+
+void check_vehicle(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,
+                   const std::string& scenario, const SectionContext& context) {
+  if (vehicle.model == "external") check_external(context);
+  check_command(vehicle, "world.av", scenario, context);
+  if (twin) check_command(*twin, "world.av.twin", scenario, context);
+}
+
+void check_defects(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,
+                   std::vector<ParameterProblem>& found) {
+  if (!vehicle.defects.empty() && vehicle.model == "constant") {
+    found.push_back({"world.av.defect",
+                     "the AV's model 'constant' does not brake, so that no defect of it shows"});
+  }
+  if (!twin) return;
+  if (twin->model == "constant") {
+    found.push_back({"world.av.twin",
+                     "the model 'constant' does not brake, so that it is nobody's "
+                     "healthy twin"});
+  }
+  if (vehicle.model == "constant") {
+    found.push_back({"world.av.twin",
+                     "the AV's model 'constant' does not brake, so that it has no healthy twin"});
+  }
+}
+
+VehicleParameters healthy_twin(const VehicleParameters& vehicle,
+                               const std::optional<VehicleParameters>& given) {
+  VehicleParameters twin = given.value_or(vehicle);
+  twin.defects.clear();
+  twin.range_m = vehicle.range_m;
+  twin.period_s = vehicle.period_s;
+  twin.keeps_process = vehicle.keeps_process;
+  return twin;
+}
+
+}  // namespace jaywalk

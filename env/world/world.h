@@ -1,0 +1,103 @@
+#pragma once
+
+// The seam between a world and all that runs tests in it: a world is what agents perceive and do
+// (Environment), what it looks like from outside (env/scene.h), the events of a test, what ends it
+// and what it scores. Trials, stores, metrics, assertions and pages know worlds by this file alone;
+// how a scenario describes one is in world_spec.h.
+//
+// The agents under comparison come first, by their numbers, then a world's other agents. Actors are
+// the scene's: the first is the automated vehicle (AV) under test, then the agents in their order,
+// then perhaps others without agents.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "env/scene.h"
+#include "env/vehicle/vehicle.h"
+#include "interpreter/environment/environment.h"
+
+namespace jaywalk {
+
+/// What a test has brought one of the agents under comparison.
+struct AgentOutcome {
+  double cost = 0;
+  double reward = 0;
+  /// How many of its actions were carried out.
+  std::uint32_t actions = 0;
+};
+
+/// The AV has touched somebody, for the first time.
+struct Collision {
+  /// Index of the agent, or of whoever comes after the agents; the actor's less one.
+  std::size_t body = 0;
+  int tick = 0;
+  double impact_mps = 0;
+};
+
+/// What came of a test.
+struct WorldResult {
+  /// The precondition of the assertion under test was met.
+  bool success = false;
+  /// The ticks that it took, until success or in all.
+  int ticks = 0;
+  /// Those of the whole test, and what has ended it, a word of the world's; empty while it goes on.
+  int all_ticks = 0;
+  std::string_view end;
+  /// Of each agent under comparison, in their order.
+  std::vector<AgentOutcome> agents;
+  /// Who met the precondition, as indices of agents.
+  std::vector<std::size_t> met_by;
+  /// Whom the AV has touched, each once, in the order of time. Assertions judge it.
+  std::vector<Collision> collisions;
+
+  /// Rewards less costs, as mean over all agents.
+  [[nodiscard]] double score() const;
+};
+
+/// Something that happened, for recordings: a signal's new colour, a lane that was changed.
+struct WorldEvent {
+  int tick = 0;
+  /// Index into the actors.
+  std::size_t actor = 0;
+  std::string kind;
+  std::string text;
+};
+
+/// The world of one test.
+class World : public Environment {
+ public:
+  /// The name of its row of environments.def.
+  [[nodiscard]] virtual std::string_view kind() const = 0;
+  [[nodiscard]] virtual double tick_s() const = 0;
+  [[nodiscard]] double tick_ms() const final { return tick_s() * 1000; }
+  /// Ticks that have passed.
+  [[nodiscard]] virtual int ticks() const = 0;
+  /// What the AV's controller or simulator receives before the test, as far as the caller knows it.
+  /// There may be more actors from then on.
+  virtual void begin(DriveBriefing briefing) = 0;
+  /// Tells the AV's controller how the test ended. REQUIRES: it is finished.
+  virtual void end() = 0;
+  /// What the author of the AV's controller should know; usually empty.
+  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Why the test cannot go on (a controller or simulator died, say); empty while all is well.
+  [[nodiscard]] virtual std::string failure() const { return {}; }
+  /// The same during the whole test, and where they are now.
+  [[nodiscard]] virtual std::vector<Actor> actors() const = 0;
+  [[nodiscard]] virtual Scene scene() const = 0;
+  /// What the world alone knows to have happened, in the order of time; what is in result() is not
+  /// among it.
+  [[nodiscard]] virtual std::vector<WorldEvent> events() const { return {}; }
+  /// What has come of the test so far; final once it is finished.
+  [[nodiscard]] virtual const WorldResult& result() const = 0;
+  /// The same in words: `precondition met in tick 5 by v1, score 12.00`.
+  [[nodiscard]] virtual std::string describe_result() const;
+  /// The agent's last action led nowhere, though no tick follows in which it would hear of that.
+  [[nodiscard]] virtual bool last_action_failed(std::size_t /*agent*/) const { return false; }
+  /// Of a world whose tests depend on each other: what the next one is given as its head start.
+  [[nodiscard]] virtual int left_over() const { return 0; }
+};
+
+}  // namespace jaywalk

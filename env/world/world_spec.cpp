@@ -1,0 +1,16 @@
+#include "env/world/world_spec.h"
+
+#include <fmt/format.h>
+
+namespace jaywalk {
+
+std::string WorldSpec::agent_name(std::uint32_t number) const { return fmt::format("p{}", number); }
+
+const SimulatorParameters& WorldSpec::simulator() const {
+  static const SimulatorParameters kNone;
+  return kNone;
+}
+
+std::vector<std::string> WorldSpec::command() const { return vehicle().command; }
+
+}  // namespace jaywalk

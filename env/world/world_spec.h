@@ -1,0 +1,91 @@
+#pragma once
+
+// A world as a scenario describes it: what is the same in all tests. It is read by the world's own
+// WorldSection, layer upon layer (world_section.h), and is immutable then; bound to the symbols of
+// a scenario's programs it makes the worlds of single tests. Read world.h before.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "env/grid/grid.h"
+#include "env/ground.h"
+#include "env/simulator/parameters.h"
+#include "env/vehicle/vehicle.h"
+#include "env/world/ground_plan.h"
+#include "env/world/world.h"
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+/// What a world is given to begin a test with.
+struct WorldStart {
+  /// How many agents are compared, without the world's others.
+  std::uint32_t agents = 1;
+  /// The test's number, and the seed for where agents start, which is the same for all behaviours.
+  std::uint64_t test = 0;
+  std::uint64_t seed = 0;
+  /// What the test before has left over (World::left_over).
+  int head_start = 0;
+  /// The cells where the agents start, of a world that has cells; empty: the world says.
+  std::vector<Position> cells = {};
+};
+
+class WorldSpec;
+
+/// A world whose words are symbols; shared by tests on all threads.
+class PreparedWorld {
+ public:
+  virtual ~PreparedWorld() = default;
+  [[nodiscard]] virtual const WorldSpec& spec() const = 0;
+  /// REQUIRES: there is no obstacle (WorldSpec::obstacle). What is made must not outlive this.
+  [[nodiscard]] virtual std::unique_ptr<World> make(const WorldStart& start) const = 0;
+};
+
+class WorldSpec {
+ public:
+  virtual ~WorldSpec() = default;
+  /// The name of its row of environments.def.
+  [[nodiscard]] virtual std::string_view kind() const = 0;
+  [[nodiscard]] virtual double tick_s() const = 0;
+  [[nodiscard]] virtual Ground ground() const = 0;
+  /// What pictures show of it.
+  [[nodiscard]] virtual GroundPlan plan() const = 0;
+  /// Of the agents under comparison, by number, from 1.
+  [[nodiscard]] virtual std::string agent_name(std::uint32_t number) const;
+
+  /// How the AV is driven, and how it would be if it were healthy (VehicleDefect).
+  [[nodiscard]] virtual const VehicleParameters& vehicle() const = 0;
+  [[nodiscard]] virtual VehicleParameters healthy_vehicle() const = 0;
+  /// Who moves the vehicles in the world's place; its name is empty if nobody does.
+  [[nodiscard]] virtual const SimulatorParameters& simulator() const;
+  /// The same world with another AV.
+  [[nodiscard]] virtual std::shared_ptr<const WorldSpec> with(
+      VehicleParameters vehicle, SimulatorParameters simulator) const = 0;
+  /// The words of the program that tests start; none if they start none.
+  [[nodiscard]] virtual std::vector<std::string> command() const;
+
+  /// Every test comes out the same in both.
+  [[nodiscard]] virtual bool same_as(const WorldSpec& other) const = 0;
+  /// Tests are given what those before have left over, so that they have to run in order.
+  [[nodiscard]] virtual bool carries_over() const { return false; }
+  /// Of the row's percepts those that agents do not have in it, as indices.
+  [[nodiscard]] virtual std::vector<std::size_t> absent_percepts() const { return {}; }
+
+  /// The cells where agents start; none of a world without cells, or where there are too few.
+  [[nodiscard]] virtual std::vector<Position> start_cells(const WorldStart& /*start*/) const {
+    return {};
+  }
+  /// The scenario gives them, rather than that they are drawn.
+  [[nodiscard]] virtual bool has_given_starts() const { return false; }
+  /// Why a test cannot begin so; empty if it can.
+  [[nodiscard]] virtual std::string obstacle(const WorldStart& /*start*/) const { return {}; }
+
+  /// Ready for tests; `symbols` is not shared yet. REQUIRES: this is owned by a shared pointer.
+  [[nodiscard]] virtual std::unique_ptr<const PreparedWorld> prepare(
+      SymbolTable& symbols) const = 0;
+};
+
+}  // namespace jaywalk
