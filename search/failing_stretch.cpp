@@ -12,10 +12,7 @@
 namespace jaywalk::search {
 namespace {
 
-constexpr double kBefore_m = 40;
-constexpr double kAfter_m = 10;
 constexpr double kStep_m = 2.5;
-constexpr double kPieces_m = 30;
 constexpr double kSameTurn_deg = 0.3;
 constexpr double kSameLength_m = 0.2;
 /// More than what sums of costs in different orders differ by.
@@ -73,8 +70,8 @@ lane::Polyline aligned(const ArcLine& line, double worst_m) {
   const double c = std::cos(line.heading(worst_m));
   const double s = std::sin(line.heading(worst_m));
   lane::Polyline points;
-  for (int i = 0; i <= static_cast<int>((kBefore_m + kAfter_m) / kStep_m); ++i) {
-    const Point point = line.at(worst_m - kBefore_m + i * kStep_m);
+  for (int i = 0; i <= static_cast<int>((kStretchBefore_m + kStretchAfter_m) / kStep_m); ++i) {
+    const Point point = line.at(worst_m - kStretchBefore_m + i * kStep_m);
     const double dx = point.x_m - origin.x_m;
     const double dy = point.y_m - origin.y_m;
     points.push_back({c * dx + s * dy, c * dy - s * dx});
@@ -135,12 +132,14 @@ std::optional<Point> worst_place(const ExecutedTest& test, const SutModel& model
   return worst->line.at(worst->arc_m);
 }
 
-double separation_m(const FailingStretch& a, const FailingStretch& b) {
+double separation_m(const lane::Polyline& a, const lane::Polyline& b) {
   double most = 0;
-  for (std::size_t i = 0; i < std::min(a.line.size(), b.line.size()); ++i) {
-    most = std::max(most, lane::distance(a.line[i], b.line[i]));
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const double dx = a[i].x_m - b[i].x_m;
+    const double dy = a[i].y_m - b[i].y_m;
+    most = std::max(most, dx * dx + dy * dy);
   }
-  return most;
+  return std::sqrt(most);
 }
 
 std::size_t distinct(std::span<const FailingStretch> stretches, double reach_m) {

@@ -21,6 +21,11 @@ struct RoadPiece {
   double length_m = 0;
 };
 
+/// How far a stretch reaches before the worst point and after it, and its pieces to either side.
+inline constexpr double kStretchBefore_m = 40;
+inline constexpr double kStretchAfter_m = 10;
+inline constexpr double kPieces_m = 30;
+
 /// The road around the point where the largest share of the car was out of its lane.
 struct FailingStretch {
   /// From 40 m before that point to 10 m after it, a point every 2.5 m, moved and turned so that
@@ -43,8 +48,11 @@ struct FailingStretch {
 /// that is not measured.
 [[nodiscard]] std::optional<Point> worst_place(const ExecutedTest& test, const SutModel& model);
 
-/// The largest distance between two points of the same number, in metres.
-[[nodiscard]] double separation_m(const FailingStretch& a, const FailingStretch& b);
+/// The largest distance between two points of the same number of two stretches' lines, in metres.
+[[nodiscard]] double separation_m(const lane::Polyline& a, const lane::Polyline& b);
+[[nodiscard]] inline double separation_m(const FailingStretch& a, const FailingStretch& b) {
+  return separation_m(a.line, b.line);
+}
 
 /// How many clusters the stretches make (run_summary.h) if two are the same up to `reach_m`.
 [[nodiscard]] std::size_t distinct(std::span<const FailingStretch> stretches, double reach_m);

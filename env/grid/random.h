@@ -27,6 +27,9 @@ class SplitMix64 {
     return value % bound;
   }
 
+  /// Uniform in [0, 1), in steps of 2^-53.
+  [[nodiscard]] constexpr double share() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+
   /// The finaliser: every bit of the result depends on every bit of `value`.
   [[nodiscard]] static constexpr std::uint64_t mixed(std::uint64_t value) {
     value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;

@@ -30,12 +30,6 @@ class PreparedMotorway final : public PreparedWorld {
   MotorwayVocabulary vocabulary_;
 };
 
-/// From 0 to 1, the same on every machine.
-double draw_share(SplitMix64& random) {
-  constexpr std::uint64_t kParts = std::uint64_t{1} << 30U;
-  return static_cast<double>(random.below(kParts)) / static_cast<double>(kParts);
-}
-
 bool has_room(const std::vector<MotorwayVehicle>& others, const MotorwayVehicle& vehicle) {
   const double apart = size_of(ActorKind::vehicle).length_m + kStartGapM;
   return std::ranges::none_of(others, [&](const MotorwayVehicle& other) {
@@ -69,7 +63,7 @@ std::vector<MotorwayVehicle> MotorwaySpec::spawn(const WorldStart& start) const 
     for (int tries = 0; tries < kDraws; ++tries) {
       vehicle.lane = lanes[random.below(lanes.size())];
       const double range_m = p.drivers.start_to_m - p.drivers.start_from_m;
-      vehicle.front_m = p.av.start_m + p.drivers.start_from_m + draw_share(random) * range_m;
+      vehicle.front_m = p.av.start_m + p.drivers.start_from_m + random.share() * range_m;
       if (has_room(vehicles, vehicle)) break;
     }
     vehicle.x_m = middle_of_lane(p, vehicle.lane);

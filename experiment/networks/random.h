@@ -23,7 +23,7 @@ class Random {
   }
   /// Uniform in [low, high).
   [[nodiscard]] double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(source_.next() >> 11U) * 0x1.0p-53);
+    return low + (high - low) * source_.share();
   }
   [[nodiscard]] bool coin() { return (source_.next() >> 63U) != 0; }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "search/failing_stretch.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -15,10 +17,8 @@ constexpr double kBeginningUnit = 4;
 constexpr int kFarEnd = 6;
 constexpr double kEndUnit = 2;
 
-constexpr double kShapeBefore_m = 40;
-constexpr double kShapeAfter_m = 10;
+/// Coarser than a failing stretch, as many shapes are compared for each test.
 constexpr double kShapeStep_m = 5;
-constexpr double kSurroundings_m = 30;
 
 /// A point of the chain of straight pieces, which go on beyond its ends.
 Point along(std::span<const double> xy, double steps) {
@@ -29,19 +29,9 @@ Point along(std::span<const double> xy, double steps) {
   return {xy[i] + share * (xy[i + 2] - xy[i]), xy[i + 1] + share * (xy[i + 3] - xy[i + 1])};
 }
 
-double separation(const lane::Polyline& a, const lane::Polyline& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    const double dx = a[i].x_m - b[i].x_m;
-    const double dy = a[i].y_m - b[i].y_m;
-    most = std::max(most, dx * dx + dy * dy);
-  }
-  return std::sqrt(most);
-}
-
 double least_separation(const std::vector<lane::Polyline>& known, const lane::Polyline& shape) {
   double least = std::numeric_limits<double>::infinity();
-  for (const lane::Polyline& each : known) least = std::min(least, separation(each, shape));
+  for (const lane::Polyline& each : known) least = std::min(least, separation_m(each, shape));
   return least;
 }
 
@@ -91,7 +81,7 @@ lane::Polyline SiteView::shape(const Site& site, const TestInput& points, double
   const double length = lane::distance(before, after);
   const double c = (after.x_m - before.x_m) / length;
   const double s = (after.y_m - before.y_m) / length;
-  for (double at = -kShapeBefore_m; at <= kShapeAfter_m; at += kShapeStep_m) {
+  for (double at = -kStretchBefore_m; at <= kStretchAfter_m; at += kShapeStep_m) {
     const Point point = along(points.values, place + at / step);
     const double dx = point.x_m - origin.x_m;
     const double dy = point.y_m - origin.y_m;
@@ -104,8 +94,8 @@ double SiteView::surroundings_m(const Site& site) const {
   if (!sequences_) return 0;
   const double step = sequences_->element_m;
   const double length = static_cast<double>(site.input.values.size()) - 2;
-  return std::min(kSurroundings_m, step * site.place) +
-         std::clamp(step * (length - site.place), 0.0, kSurroundings_m);
+  return std::min(kPieces_m, step * site.place) +
+         std::clamp(step * (length - site.place), 0.0, kPieces_m);
 }
 
 void KnownFailures::add(const lane::Polyline& shape, double surroundings_m) {

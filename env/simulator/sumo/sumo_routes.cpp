@@ -23,12 +23,6 @@ constexpr std::size_t kMostVehicles = 500;
 // It is put there whoever is near: the world says where everybody begins.
 constexpr std::string_view kUnchecked = " insertionChecks=\"none\"";
 
-/// Uniform from 0 to 1, without 1.
-double uniform(SplitMix64& random) {
-  constexpr double kSteps = 9007199254740992.0;  // 2^53
-  return static_cast<double>(random.next() >> 11U) / kSteps;
-}
-
 /// Where the world's y of a way's place is.
 double y_on(const SumoWay& way, double position_m) {
   return way.oncoming ? way.zero_m - position_m : position_m - way.zero_m;
@@ -59,9 +53,9 @@ class Drawing {
     const SumoWay& way = map_.flow_way(number);
     SplitMix64 random(mix(mix(mix(test_.seed, test_.test), kTrafficSeed), number));
     // From one to the next half to one and a half of the average.
-    const auto gap = [&] { return flow.every_s * (0.5 + uniform(random)); };
+    const auto gap = [&] { return flow.every_s * (0.5 + random.share()); };
     // Seconds since they entered; the network's begin is as far as its end.
-    const double first_s = flow.every_s * uniform(random);
+    const double first_s = flow.every_s * random.share();
     for (double since_s = first_s; since_s * flow.speed_mps + flow.length_m < way.length_m;
          since_s += gap()) {
       const double position_m = since_s * flow.speed_mps + flow.length_m;

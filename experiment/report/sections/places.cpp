@@ -1,4 +1,4 @@
-// Where on the road pedestrians met the precondition.
+// Where on the road agents met the precondition.
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ double opacity(std::uint64_t count, std::uint64_t most) {
   return std::max(0.06, std::sqrt(static_cast<double>(count) / static_cast<double>(most)));
 }
 
-/// What the colours of a picture stand for: samples with their numbers of pedestrians.
+/// What the colours of a picture stand for: samples with their numbers of agents.
 std::string scale(std::uint64_t most, const RoadPicture& road) {
   std::string drawn;
   double x = 6;
@@ -64,7 +64,7 @@ std::string scale(std::uint64_t most, const RoadPicture& road) {
     drawn += svg_text(x + 18, road.legend_line() + 4, "start", label) + '\n';
     x += 30 + 7 * static_cast<double>(label.size());
   }
-  return drawn + svg_text(x, road.legend_line() + 4, "start", "pedestrians") + '\n';
+  return drawn + svg_text(x, road.legend_line() + 4, "start", "agents") + '\n';
 }
 
 std::string heat(const Places& places, double size_m, std::uint64_t most, std::uint64_t all,
@@ -103,14 +103,14 @@ std::string section::places(const ReportData& data) {
     }
     const std::string said =
         all == 0 ? "nobody met it"
-                 : fmt::format("{}; most at {:g} m along the road", plural(all, "pedestrian"),
+                 : fmt::format("{}; most at {:g} m along the road", plural(all, "agent"),
                                (hottest.second + 0.5) * size_m);
     figures += figure(fmt::format("{}<small>{}</small>", escaped(behaviour), said),
                       road.draw("where the precondition was met: " + behaviour,
                                 heat(places, size_m, most, all, road)));
   }
   const std::string explanation = fmt::format(
-      "The more pedestrians met the precondition in a square of {:g} m, the stronger its colour, "
+      "The more agents met the precondition in a square of {:g} m, the stronger its colour, "
       "for all numbers of agents together; each picture has a scale of its own, which grows as the "
       "root of the number. The automated vehicle drives from left to right.",
       size_m);

@@ -93,7 +93,7 @@ std::string section::situations(const ReportData& data) {
     items += details(fmt::format("{}: {}", item.name, item.summary), bins_of(rows, i));
   }
   return paragraph(fmt::format(
-             "Where, when and how the precondition was met, in bins, seen from the pedestrian who "
+             "Where, when and how the precondition was met, in bins, seen from the agent that "
              "met it first; of each behaviour with each number of agents the first {} tests. "
              "<code>jaywalk coverage {}</code> counts all of them.",
              kTests, escaped(data.store_path))) +

@@ -54,11 +54,11 @@ std::vector<std::string> trouble_sentences(const Troubles& troubles) {
   }
   if (troubles.never_acted()) {
     sentences.push_back(
-        fmt::format("its agents never acted: no action of {} pedestrian{} was carried out",
+        fmt::format("its agents never acted: no action of {} agent{} was carried out",
                     troubles.pedestrians, troubles.pedestrians == 1 ? "" : "s"));
   } else if (troubles.idle > 0) {
     sentences.push_back(
-        fmt::format("{} of {} pedestrians never acted", troubles.idle, troubles.pedestrians));
+        fmt::format("{} of {} agents never acted", troubles.idle, troubles.pedestrians));
   }
   if (troubles.dropping > 0) {
     sentences.push_back(

@@ -98,7 +98,7 @@ TEST(Troubles, AreToldOfEachBehaviourThatHasAny) {
   EXPECT_TRUE(is_troubled(found));
   EXPECT_EQ(render_troubles(found),
             "What happened to agents (in all tests together)\n"
-            "  bad: 2 of 6 pedestrians never acted\n"
+            "  bad: 2 of 6 agents never acted\n"
             "  bad: 4 of 6 agents dropped an intention\n"
             "    4 agents: action_failed, x.asl:4:3, move(rigth)\n"
             "    2 agents: no_relevant, go\n");

@@ -135,9 +135,11 @@ std::string first_obstacle(const Request& request) {
   return {};
 }
 
-}  // namespace
-
-namespace {
+/// Whether agents start in cells, where nothing keeps tests from being run.
+bool has_cells(const Request& request) {
+  const TrialInput first{.agents = request.plan.agents.front(), .seed = request.seed, .test = 0};
+  return !start_cells(request.prepared->scenario(), first).empty();
+}
 
 /// The kills of other files; false after reporting what is wrong with them.
 bool read_other_kills(const Arguments& arguments, Request& request, Console& console) {
@@ -218,6 +220,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     if (!has_defects && arguments.has(option)) request.pointless.emplace_back(option);
   }
   request.per_test = arguments.has("per-test");
+  request.writes_starts = arguments.has("starts");
   request.situations = arguments.has("situations") || defaults.feedback > 0;
   return request;
 }
@@ -228,8 +231,16 @@ bool can_be_run(const Request& request, Console& console) {
     return false;
   }
   const std::string why = first_obstacle(request);
-  if (!why.empty()) console.error(why);
-  return why.empty();
+  if (!why.empty()) {
+    console.error(why);
+    return false;
+  }
+  if (!request.writes_starts || has_cells(request)) return true;
+  Diagnostics diagnostics;
+  diagnostics.error("--starts", "agents of this world do not start in cells",
+                    "it is for worlds with a grid, as that of scenarios/paper.yaml");
+  console.report(diagnostics);
+  return false;
 }
 
 ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {

@@ -41,6 +41,8 @@ struct Request {
   std::vector<KillLine> other_kills;
   /// So are the single tests.
   bool per_test = false;
+  /// The cells where agents start are written.
+  bool writes_starts = false;
 };
 
 /// Nothing after reporting what is wrong.
