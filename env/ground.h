@@ -43,6 +43,9 @@ struct Ground {
   /// The speed at which the AV drives there while nothing is in its way; empty if that is not
   /// known.
   std::optional<double> cruise_mps;
+  /// From tick to tick road users go evenly from one place to the next; if not, all of a tick's
+  /// move is made when it begins.
+  bool moves_evenly = false;
 
   /// Null if the AV drives outside all lanes.
   [[nodiscard]] const Area* av_lane() const;

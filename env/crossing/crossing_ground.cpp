@@ -88,6 +88,7 @@ Ground ground(const CrossingParameters& parameters) {
   for (std::size_t i = 0; i < parameters.crosswalks.size(); ++i) {
     result.crosswalks.push_back(ground_crosswalk(parameters, layout, i));
   }
+  result.moves_evenly = !parameters.simulator.name.empty();
   result.cruise_mps = parameters.av.speed * parameters.cell_m / parameters.tick_s;
   return result;
 }

@@ -60,12 +60,18 @@ class Surroundings {
  public:
   explicit Surroundings(const TestView& view) : view_(view), lane_(risk_strip(view)) {}
 
-  /// To be called when a tick begins.
-  void set_tick(std::size_t tick) {
+  /// To be called when a tick begins, or where others move evenly, at any share of it; then 1 is
+  /// its end.
+  void set_time(std::size_t tick, double share) {
     others_.clear();
     for (const ActorIndex user : view_.road_users()) {
       const Actor& actor = view_.recording().actors()[user];
-      const ActorState state = state_beyond(view_, user, tick);
+      ActorState state = state_beyond(view_, user, tick);
+      if (view_.ground().moves_evenly) {
+        const ActorState from = state_beyond(view_, user, tick - 1);
+        state.x_m = from.x_m + share * (state.x_m - from.x_m);
+        state.y_m = from.y_m + share * (state.y_m - from.y_m);
+      }
       others_.push_back(
           {user, actor.kind, surrounding(box(actor, state)), state.speed_mps, state.heading_rad});
     }
@@ -145,7 +151,7 @@ bool has_reason(const VehicleView& view) {
 std::size_t first_tick(const TestView& view, Surroundings& around) {
   if (view.ground().cruise_mps) return 1;
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
-    around.set_tick(tick);
+    around.set_time(tick, 1);
     if (has_reason(around.look(view.state(kAv, tick - 1), 0, view.tick_s(), 0))) return tick;
   }
   return view.ticks();
@@ -186,9 +192,10 @@ std::vector<ActorState> careful_drive(const TestView& view) {
   double driven = way.driven_at(first - 1);
   bool is_over = false;
   for (std::size_t tick = first; tick < view.ticks() || (tick < end && !is_over); ++tick) {
-    around.set_tick(tick);
     ActorState car = states.back();
     for (int period = 0; period < periods; ++period) {
+      const bool moved = period == 0 || view.ground().moves_evenly;
+      if (moved) around.set_time(tick, static_cast<double>(period) / periods);
       const double time_s = static_cast<double>(tick - 1) * view.tick_s() + period * period_s;
       const VehicleView seen = around.look(car, time_s, period_s, cruise);
       const double change = driver.decide(seen).acceleration_mps2 * period_s;

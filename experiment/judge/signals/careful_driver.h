@@ -12,8 +12,8 @@ namespace jaywalk {
 
 /// The AV's state at every tick of the record, and after its end until that driver stands or has
 /// nobody ahead. All others move as recorded, whatever the driver does, and after the record ends
-/// as they did last; as in the world, a tick's moves are made when it begins, and then the driver
-/// drives for as long as the tick lasts.
+/// as they did last. As in the world (Ground::moves_evenly), they go evenly during a tick, or a
+/// tick's moves are made when it begins, and then the driver drives for as long as the tick lasts.
 ///
 /// The driver begins as the AV does, with the ground's cruising speed. Where that is not known, it
 /// drives as the AV did until the first risk, and cruises at the speed that it has then.

@@ -144,6 +144,20 @@ TEST(Signals, ACarefulAndCompetentDriverNeedsTimeToPerceiveAndRoomToBrake) {
       << "who stays on the pavement is no risk";
 }
 
+TEST(Signals, ThatDriverSeesOthersWhereTheyAreWithinATick) {
+  // Who goes evenly is over the lane from 1.1875 s on, which is seen at 1.2 s: 0.05 s before
+  // the 1.25 s of which the surprise is told, and 0.5 m.
+  Ground ground = road();
+  const auto avoidable = [&](double gap_m) {
+    const Recording recording = surprise(gap_m);
+    return TestView(recording, ground).values(SignalId::avoidable, 1)[0];
+  };
+  EXPECT_EQ(avoidable(20.3), 1);
+  ground.moves_evenly = true;
+  EXPECT_EQ(avoidable(20.6), 1);
+  EXPECT_EQ(avoidable(20.3), 0);
+}
+
 TEST(Signals, TheNearestMayChange) {
   const Ground ground = road();
   const Recording two =
