@@ -1,5 +1,7 @@
 // Overtake: pass the AV and return to its lane with a distance that nobody has to brake for.
 
+{ include("shared/looking.asl") }
+
 // Seconds of the AV's drive between its front and the own rear.
 distance(2).
 
@@ -10,8 +12,9 @@ beside(right) :- lane(N) & av(A, _, _) & A = N + 1.
 
 +tick(_) <- !drive.
 
++!drive : held_up <- brake(4).
 +!drive : changing(_) <- keep.
-+!drive : beside(Way) & lead(M) & wanted(W) & M >= W <- change_lane(Way).
++!drive : beside(Way) & not occupied(Way) & lead(M) & wanted(W) & M >= W <- change_lane(Way).
 +!drive : speed(V) & av(_, _, Own) & V < Own + 6 <- accelerate(2).
 +!drive <- keep.
 -!drive <- true.

@@ -70,6 +70,10 @@ void Motorway::perceive(AgentId agent, Percepts& percepts) const {
     add(vehicle, i + 1, lane_of(other), ahead, other.speed_mps);
   }
   for (const std::size_t each : result_.met_by) add(precondition_met, each + 1);
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    const bool seen = std::fabs(vehicles_[i].front_m - self.front_m) <= parameters_.drivers.sight_m;
+    if (vehicles_[i].crashed && seen) add(crashed, i + 1);
+  }
   add(id, index + 1);
   add(lanes, parameters_.lanes);
   add(road_length, parameters_.length_m);
@@ -82,7 +86,7 @@ void Motorway::perceive(AgentId agent, Percepts& percepts) const {
 void Motorway::execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) {
   assert(actions.size() == results.size());
   for (MotorwayVehicle& each : vehicles_) {
-    each.acceleration_mps2 = 0;
+    each.acceleration_mps2 = each.crashed ? -parameters_.drivers.braking_mps2 : 0;
     each.failed = false;
   }
   for (std::size_t i = 0; i < actions.size(); ++i) {
@@ -97,6 +101,7 @@ void Motorway::execute(std::span<const ActionRequest> actions, std::span<ActionR
 // Why it cannot be done; empty if it is.
 std::string Motorway::act(const ActionRequest& action, MotorwayVehicle& vehicle) {
   using enum MotorwayAction;
+  if (vehicle.crashed) return "it has crashed";
   if (action.predicate == vocabulary_.action(keep)) return {};
   if (action.predicate == vocabulary_.action(MotorwayAction::change_lane)) {
     return this->change_lane(action.args[0], vehicle);
@@ -189,6 +194,7 @@ void Motorway::drive(double step_s, double av_acceleration_mps2) {
   av_speed_mps_ = motion.speed;
   av_front_m_ += motion.way;
   for (MotorwayVehicle& each : vehicles_) drive(step_s, each);
+  crash();
   touch();
   if (!result_.success) look_for_precondition();
 }
@@ -208,6 +214,26 @@ void Motorway::drive(double step_s, MotorwayVehicle& vehicle) const {
   } else {
     vehicle.x_m += std::copysign(step, target - vehicle.x_m);
   }
+}
+
+void Motorway::crash() {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    for (std::size_t j = i + 1; j < vehicles_.size(); ++j) {
+      if (vehicles_[i].crashed && vehicles_[j].crashed) continue;
+      if (!box_of(vehicles_[i]).overlaps(box_of(vehicles_[j]))) continue;
+      wreck(i, j);
+      wreck(j, i);
+    }
+  }
+}
+
+void Motorway::wreck(std::size_t index, std::size_t other) {
+  MotorwayVehicle& vehicle = vehicles_[index];
+  if (vehicle.crashed) return;
+  vehicle.crashed = true;
+  vehicle.changing = false;
+  vehicle.acceleration_mps2 = -parameters_.drivers.braking_mps2;
+  events_.push_back({ticks_, index + 1, "crash", fmt::format("with v{}", other + 1)});
 }
 
 void Motorway::touch() {

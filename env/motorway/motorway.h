@@ -6,6 +6,9 @@
 //
 // Tick t: all agents perceive what tick t - 1 left; their actions take effect at once; then all
 // vehicles drive for a tick in steps of at most 0.1 s, the AV deciding as often as its model wants.
+//
+// Agents' vehicles that touch have crashed: both brake to a stand as hard as they can, change lanes
+// no further and obey no more; they stay where they stand. The test goes on.
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +27,7 @@ namespace jaywalk {
 /// The world's name.
 inline constexpr std::string_view kMotorway = "motorway";
 
-/// A vehicle that an agent drives. Agents' vehicles do not hinder each other.
+/// A vehicle that an agent drives.
 struct MotorwayVehicle {
   /// Its middle from the left, its front along the road.
   double x_m = 0;
@@ -34,6 +37,9 @@ struct MotorwayVehicle {
   /// The lane that it keeps or is on its way to.
   int lane = 1;
   bool changing = false;
+  /// It has touched another agent's vehicle.
+  bool crashed = false;
+  /// Its agent's last action could not be done.
   bool failed = false;
 };
 
@@ -61,7 +67,7 @@ class Motorway final : public World {
   /// The AV, named `av`, then v1, v2, … in the agents' order.
   [[nodiscard]] std::vector<Actor> actors() const override;
   [[nodiscard]] Scene scene() const override;
-  /// Changes of lanes, as they begin.
+  /// Changes of lanes, as they begin (`lane_change`), and crashes (`crash`).
   [[nodiscard]] std::vector<WorldEvent> events() const override { return events_; }
   [[nodiscard]] const WorldResult& result() const override { return result_; }
   [[nodiscard]] bool last_action_failed(std::size_t agent) const override {
@@ -78,6 +84,8 @@ class Motorway final : public World {
   [[nodiscard]] double decide(double time_s, double period_s);
   void drive(double step_s, double av_acceleration_mps2);
   void drive(double step_s, MotorwayVehicle& vehicle) const;
+  void crash();
+  void wreck(std::size_t index, std::size_t other);
   void touch();
   void look_for_precondition();
   void settle();

@@ -30,11 +30,20 @@ class PreparedMotorway final : public PreparedWorld {
   MotorwayVocabulary vocabulary_;
 };
 
-bool has_room(const std::vector<MotorwayVehicle>& others, const MotorwayVehicle& vehicle) {
-  const double apart = size_of(ActorKind::vehicle).length_m + kStartGapM;
-  return std::ranges::none_of(others, [&](const MotorwayVehicle& other) {
-    return other.lane == vehicle.lane && std::fabs(other.front_m - vehicle.front_m) < apart;
-  });
+/// From front to front of two vehicles of a lane, of which the AV may be one.
+double apart_m(const MotorwayParameters& parameters) {
+  return std::max(size_of(ActorKind::vehicle).length_m, parameters.av.length_m) + kStartGapM;
+}
+
+/// The fronts of those who are in a lane already, the AV's too.
+std::vector<double> fronts_in(int lane, const MotorwayParameters& parameters,
+                              const std::vector<MotorwayVehicle>& vehicles) {
+  std::vector<double> fronts;
+  if (lane == parameters.av.lane) fronts.push_back(parameters.av.start_m);
+  for (const MotorwayVehicle& each : vehicles) {
+    if (each.lane == lane) fronts.push_back(each.front_m);
+  }
+  return fronts;
 }
 
 }  // namespace
@@ -60,11 +69,17 @@ std::vector<MotorwayVehicle> MotorwaySpec::spawn(const WorldStart& start) const 
   std::vector<MotorwayVehicle> vehicles;
   for (std::uint32_t i = 0; i < start.agents; ++i) {
     MotorwayVehicle vehicle{.speed_mps = p.av.speed_mps};
-    for (int tries = 0; tries < kDraws; ++tries) {
+    bool has_room = false;
+    for (int tries = 0; tries < kDraws && !has_room; ++tries) {
       vehicle.lane = lanes[random.below(lanes.size())];
       const double range_m = p.drivers.start_to_m - p.drivers.start_from_m;
       vehicle.front_m = p.av.start_m + p.drivers.start_from_m + random.share() * range_m;
-      if (has_room(vehicles, vehicle)) break;
+      has_room = std::ranges::none_of(fronts_in(vehicle.lane, p, vehicles), [&](double front_m) {
+        return std::fabs(front_m - vehicle.front_m) < apart_m(p);
+      });
+    }
+    if (!has_room) {
+      vehicle.front_m = std::ranges::min(fronts_in(vehicle.lane, p, vehicles)) - apart_m(p);
     }
     vehicle.x_m = middle_of_lane(p, vehicle.lane);
     vehicles.push_back(vehicle);
@@ -83,6 +98,7 @@ Ground MotorwaySpec::ground() const {
                             .of_av = lane == parameters_.av.lane});
   }
   ground.cruise_mps = parameters_.av.speed_mps;
+  ground.moves_evenly = true;
   return ground;
 }
 

@@ -18,7 +18,7 @@ class MotorwaySpec final : public WorldSpec, public std::enable_shared_from_this
 
   [[nodiscard]] const MotorwayParameters& parameters() const { return parameters_; }
   /// Where the agents' vehicles begin: in another lane than the AV's where there is one, at a place
-  /// drawn evenly, not over another one where there is room.
+  /// drawn evenly; behind all others of the lane where there is no room between them.
   [[nodiscard]] std::vector<MotorwayVehicle> spawn(const WorldStart& start) const;
 
   [[nodiscard]] std::string_view kind() const override { return kMotorway; }

@@ -53,7 +53,7 @@ struct Person {
   }
 };
 
-struct Scene {
+struct DefectScene {
   std::vector<Person> people;
   std::vector<StopLine> lines;
   std::vector<SeenObstacle> obstacles;
@@ -66,7 +66,7 @@ struct Drive {
 };
 
 Drive drive(const std::string& model, const std::vector<VehicleDefect>& defects,
-            const Scene& scene) {
+            const DefectScene& scene) {
   VehicleParameters parameters;
   parameters.model = model;
   parameters.defects = defects;
@@ -127,20 +127,20 @@ Person returns(double ahead_m, double again_s) {
   return {2, ahead_m, {{1, 1.5}, {3, 0}, {3.8, -1.5}, {again_s, 0}, {again_s + 2.2, 1.5}}};
 }
 
-const Scene kBystander{.people = {stands(0, 40)}};
-const Scene kBrink{.people = {steps_in(kBrinkM)}};
-const Scene kStander{.people = {stands(5.25, 40)}};
-const Scene kNearStander{.people = {stands(5.25, 20)}};
-const Scene kSetsOut{.people = {sets_out(kBrinkM + 9)}};
-const Scene kFromTheRight{.people = {{9.5, kBrinkM, {{2, -1.5}}}}};
-const Scene kClosedLine{.lines = {{40, true}}};
-const Scene kPair{.people = {stands(2.4, kBrinkM), steps_in(kBrinkM, 1.5)}};
+const DefectScene kBystander{.people = {stands(0, 40)}};
+const DefectScene kBrink{.people = {steps_in(kBrinkM)}};
+const DefectScene kStander{.people = {stands(5.25, 40)}};
+const DefectScene kNearStander{.people = {stands(5.25, 20)}};
+const DefectScene kSetsOut{.people = {sets_out(kBrinkM + 9)}};
+const DefectScene kFromTheRight{.people = {{9.5, kBrinkM, {{2, -1.5}}}}};
+const DefectScene kClosedLine{.lines = {{40, true}}};
+const DefectScene kPair{.people = {stands(2.4, kBrinkM), steps_in(kBrinkM, 1.5)}};
 
 struct Case {
   std::string defect;
   std::string model;
-  Scene exposed;  // the healthy twin hits nobody, the defective one does
-  Scene idle;     // both drive the same
+  DefectScene exposed;  // the healthy twin hits nobody, the defective one does
+  DefectScene idle;     // both drive the same
 };
 
 void PrintTo(const Case& each, std::ostream* out) { *out << each.defect; }
