@@ -66,6 +66,13 @@ double front_y(const ActorState& state, double length_m) {
 
 }  // namespace
 
+SimulatedSite simulated_site(const CrossingParameters& parameters) {
+  const Interval rows = parameters.av.rows;
+  return {.road = road_of(parameters),
+          .av_left_m = rows.first * parameters.cell_m,
+          .av_right_m = (rows.last + 1) * parameters.cell_m};
+}
+
 SimulatedDrive::SimulatedDrive(const CrossingParameters& parameters)
     : parameters_(parameters), road_(road_of(parameters)) {}
 

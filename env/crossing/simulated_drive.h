@@ -16,6 +16,9 @@ namespace jaywalk {
 
 struct Collision;
 
+/// What the simulator is asked whether it can simulate. REQUIRES: parameters without problems().
+[[nodiscard]] SimulatedSite simulated_site(const CrossingParameters& parameters);
+
 class SimulatedDrive {
  public:
   /// The parameters must outlive it.

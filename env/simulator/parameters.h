@@ -78,6 +78,8 @@ struct SettingProblem {
   std::string key;
   std::string message;
   std::string hint = {};
+  /// The key is one of the world's, as `crosswalks`.
+  bool of_world = false;
 };
 
 }  // namespace jaywalk

@@ -159,10 +159,10 @@ void read_simulator(const ConfigNode& node, const std::string& path, const Secti
   SimulatorReader(context, parameters).read(node, path);
 }
 
-void check_simulator(const SimulatorParameters& parameters, const std::string& scenario,
-                     const SectionContext& context) {
-  for (SettingProblem& problem : find_simulator(parameters.name)->check(parameters)) {
-    const std::string path = "world.simulator";
+void check_simulator(const SimulatorParameters& parameters, const SimulatedSite* site,
+                     const std::string& scenario, const SectionContext& context) {
+  for (SettingProblem& problem : find_simulator(parameters.name)->check(parameters, site)) {
+    const std::string path = problem.of_world ? "world" : "world.simulator";
     const std::string key = problem.key.empty() ? path : path + "." + problem.key;
     report(context.diagnostics, origin_of(context.origins, key, scenario),
            std::move(problem.message), std::move(problem.hint));

@@ -10,11 +10,14 @@
 
 namespace jaywalk {
 
+struct SimulatedSite;
+
 /// Reads one layer into the parameters.
 void read_simulator(const ConfigNode& node, const std::string& path, const SectionContext& context,
                     SimulatorParameters& parameters);
-/// Reports what the simulator finds wrong. REQUIRES: one is named.
-void check_simulator(const SimulatorParameters& parameters, const std::string& scenario,
-                     const SectionContext& context);
+/// Reports what the simulator finds wrong; of the site only if that is all right by itself, else it
+/// is null. REQUIRES: a simulator is named.
+void check_simulator(const SimulatorParameters& parameters, const SimulatedSite* site,
+                     const std::string& scenario, const SectionContext& context);
 
 }  // namespace jaywalk

@@ -43,6 +43,13 @@ struct SimulatedRoad {
   Ground ground;
 };
 
+/// Where the tests of a scenario take place, and the sides of the AV that drives there.
+struct SimulatedSite {
+  SimulatedRoad road;
+  double av_left_m = 0;
+  double av_right_m = 0;
+};
+
 /// Somebody whom the world moves, as it goes from the begin of a tick to its end.
 struct SimulatedBody {
   /// Index into the actors of the test.
@@ -120,7 +127,7 @@ struct SimulatedTick {
 struct SimulatorIdentity {
   std::string name;
   std::string version;
-  /// What it simulates on, if that is a file or was made (a hash, say); empty if there is none.
+  /// What it simulates on: the path of a file, or how it was made; empty if there is none.
   std::string network;
   /// The same test gives the same, whatever was simulated before it.
   bool deterministic = true;
@@ -155,8 +162,9 @@ struct SimulatorKind {
   std::string_view summary;
   /// The keys of the scenario's `world.simulator`, besides `name` and `step`.
   std::span<const SettingKey> keys;
-  /// What does not fit together; usually nothing.
-  std::vector<SettingProblem> (*check)(const SimulatorParameters&);
+  /// What does not fit together, or what it cannot simulate of the site; usually nothing. Null:
+  /// something is wrong with the site itself.
+  std::vector<SettingProblem> (*check)(const SimulatorParameters&, const SimulatedSite*);
   std::unique_ptr<Simulator> (*make)(const SimulatorParameters&);
 };
 

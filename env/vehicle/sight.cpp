@@ -5,10 +5,9 @@
 #include <numbers>
 
 namespace jaywalk {
-namespace {
 
-// The line from one point to another passes through the rectangle (Liang and Barsky).
-bool passes(Point from, Point to, const Rectangle& through) {
+// After Liang and Barsky.
+bool stands_between(const Rectangle& through, Point from, Point to) {
   double enters = 0;
   double leaves = 1;
   const auto clip = [&](double distance, double towards) {
@@ -24,8 +23,6 @@ bool passes(Point from, Point to, const Rectangle& through) {
          clip(from.y_m - through.near, -dy) && clip(through.far - from.y_m, dy) && enters < leaves;
 }
 
-}  // namespace
-
 std::optional<SeenActor> see(const Sight& sight, const RoadUserBox& other) {
   const double gap = other.box.near - sight.front_m;
   const bool in_range = gap <= sight.range_m && other.box.far > sight.front_m - sight.length_m;
@@ -33,7 +30,7 @@ std::optional<SeenActor> see(const Sight& sight, const RoadUserBox& other) {
   const Point eye{(sight.body.left_m + sight.body.right_m) / 2, sight.front_m};
   const Point target = other.box.middle();
   const bool hidden = std::ranges::any_of(
-      sight.obstacles, [&](const Rectangle& each) { return passes(eye, target, each); });
+      sight.obstacles, [&](const Rectangle& each) { return stands_between(each, eye, target); });
   if (hidden) return std::nullopt;
   return SeenActor{other.id,
                    other.kind,

@@ -36,6 +36,9 @@ struct RoadUserBox {
   double heading_rad = 0;
 };
 
+/// The line from one point to the other passes through the rectangle.
+[[nodiscard]] bool stands_between(const Rectangle& through, Point from, Point to);
+
 /// Empty if it is behind the vehicle, out of range or hidden: an obstacle stands between the middle
 /// of the vehicle's front and the middle of the box.
 [[nodiscard]] std::optional<SeenActor> see(const Sight& sight, const RoadUserBox& other);

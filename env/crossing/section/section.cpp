@@ -4,11 +4,13 @@
 #include "env/crossing/section/section.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "env/config/ranges.h"
 #include "env/crossing/section/draft.h"
+#include "env/crossing/simulated_drive.h"
 #include "env/crossing/world.h"
 #include "env/simulator/section.h"
 #include "env/vehicle/section.h"
@@ -204,11 +206,16 @@ class CrossingSection final : public WorldSection {
     for (std::size_t i = 0; i < draft_.actor_mps.size(); ++i) {
       if (draft_.actor_mps[i]) world.actors[i].speed = *draft_.actor_mps[i] * mps_to_cells;
     }
-    for (ParameterProblem& problem : problems(world)) {
+    std::vector<ParameterProblem> found = problems(world);
+    if (!world.simulator.name.empty()) {
+      std::optional<SimulatedSite> site;
+      if (found.empty()) site = simulated_site(world);
+      check_simulator(world.simulator, site ? &*site : nullptr, scenario, context);
+    }
+    for (ParameterProblem& problem : found) {
       report(context.diagnostics, origin_of(context.origins, problem.path, scenario),
              std::move(problem.message), fmt::format("the key is {}", problem.path));
     }
-    if (!world.simulator.name.empty()) check_simulator(world.simulator, scenario, context);
     check_vehicle(world.av.vehicle, world.av.twin, scenario, context);
   }
 

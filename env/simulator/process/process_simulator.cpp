@@ -168,7 +168,8 @@ class ProcessSimulator final : public Simulator {
 
 std::span<const SettingKey> process_keys() { return kProcessKeys; }
 
-std::vector<SettingProblem> check_process(const SimulatorParameters& parameters) {
+std::vector<SettingProblem> check_process(const SimulatorParameters& parameters,
+                                          const SimulatedSite* /*site*/) {
   const SettingValue* const command = parameters.find("command");
   if (command != nullptr && !command->command.empty()) return {};
   return {{.key = {},

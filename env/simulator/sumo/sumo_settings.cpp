@@ -152,11 +152,76 @@ std::optional<double> given(const SimulatorParameters& parameters, std::string_v
   return value->number;
 }
 
+/// Between which sides the AV or a flow's vehicles drive on the network that is made from bands.
+struct DrivenStrip {
+  double left_m = 0;
+  double right_m = 0;
+};
+
+std::vector<RoadBand> lanes_of(const SimulatedRoad& road) {
+  std::vector<RoadBand> lanes;
+  std::ranges::copy_if(road.bands, std::back_inserter(lanes),
+                       [](const RoadBand& band) { return band.kind == AreaKind::lane; });
+  return lanes;
+}
+
+void check_flow_lane(const SumoFlow& flow, const std::vector<RoadBand>& lanes,
+                     std::vector<DrivenStrip>& driven, std::vector<SettingProblem>& problems) {
+  const auto number = static_cast<std::size_t>(std::max(flow.lane, 1));
+  if (number > lanes.size()) {
+    problems.push_back({"traffic", fmt::format("a flow has lane {}, but there are only {}", number,
+                                               lanes.size())});
+    return;
+  }
+  const double middle = (lanes[number - 1].left_m + lanes[number - 1].right_m) / 2;
+  driven.push_back({middle - flow.width_m / 2, middle + flow.width_m / 2});
+}
+
+void check_bands(const SumoSettings& settings, const SimulatedSite& site,
+                 std::vector<SettingProblem>& problems) {
+  if (site.road.bands.empty()) {
+    problems.push_back({"map", "SUMO's network is made from bands, and a drawn ground has none",
+                        "give the world bands, or SUMO a map (world.simulator.net)", true});
+    return;
+  }
+  const std::vector<RoadBand> lanes = lanes_of(site.road);
+  const double middle = (site.av_left_m + site.av_right_m) / 2;
+  if (std::ranges::none_of(lanes, [&](const RoadBand& lane) {
+        return !lane.oncoming && lane.left_m <= middle && middle <= lane.right_m;
+      })) {
+    problems.push_back({"av.rows", "SUMO's AV drives in a lane that leads forward", {}, true});
+  }
+  std::vector<DrivenStrip> driven{{site.av_left_m, site.av_right_m}};
+  for (const SumoFlow& flow : settings.traffic) check_flow_lane(flow, lanes, driven, problems);
+  for (const Rectangle& obstacle : site.road.ground.obstacles) {
+    if (std::ranges::none_of(driven, [&](const DrivenStrip& strip) {
+          return strip.left_m < obstacle.right && obstacle.left < strip.right_m;
+        })) {
+      continue;
+    }
+    problems.push_back(
+        {"obstacles",
+         fmt::format("SUMO's vehicles would drive through the obstacle at {:g} m", obstacle.near),
+         "obstacles beside where vehicles drive hide pedestrians from the AV", true});
+  }
+}
+
+void check_site(const SumoSettings& settings, const SimulatedSite& site,
+                std::vector<SettingProblem>& problems) {
+  if (std::ranges::any_of(site.road.ground.crosswalks,
+                          [](const GroundCrosswalk& each) { return !each.zebra; })) {
+    problems.push_back({"crosswalks", "SUMO's vehicles see no signals of the world's",
+                        "give SUMO a map that has signals (world.simulator.net)", true});
+  }
+  if (settings.net.empty()) check_bands(settings, site, problems);
+}
+
 }  // namespace
 
 std::span<const SettingKey> sumo_keys() { return kSumoKeys; }
 
-std::vector<SettingProblem> check_sumo(const SimulatorParameters& parameters) {
+std::vector<SettingProblem> check_sumo(const SimulatorParameters& parameters,
+                                       const SimulatedSite* site) {
   std::vector<SettingProblem> problems;
   const bool has_net = parameters.find("net") != nullptr;
   for (const std::string_view key : {"route", "begin"}) {
@@ -182,6 +247,7 @@ std::vector<SettingProblem> check_sumo(const SimulatorParameters& parameters) {
       }
     }
   }
+  if (problems.empty() && site != nullptr) check_site(sumo_settings(parameters), *site, problems);
   return problems;
 }
 

@@ -4,8 +4,11 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "env/simulator/simulators.h"
@@ -66,7 +69,7 @@ TEST(SumoSettings, AreCheckedWhereTheirTableCannot) {
   flows.maps = {{{"every", "0"}, {"sped", "9"}}, {{"model", "Kraus"}, {"lane", "1"}}};
   parameters.settings["traffic"] = flows;
   std::string said;
-  for (const SettingProblem& each : check_sumo(parameters)) said += each.message + '\n';
+  for (const SettingProblem& each : check_sumo(parameters, nullptr)) said += each.message + '\n';
   EXPECT_EQ(said,
             "'route' is of a map, 'net'\n"
             "'every' of a flow is a number from 0.5 to 3600\n"
@@ -80,16 +83,50 @@ TEST(Sumo, IsNamedByItsPackageWhereItIsMissing) {
   EXPECT_NE(problem.find("Debian package 'sumo'"), std::string::npos);
 }
 
-TEST(Sumo, RefusesSignalsThatItsVehiclesWouldNotSee) {
-  SimulatorParameters parameters;
-  parameters.name = "sumo";
+/// What SUMO cannot simulate of a street on which the AV drives from 4.5 to 7.5 m; no more than one
+/// thing each time.
+std::string unfit(const SimulatorParameters& parameters, SimulatedRoad road) {
+  const SimulatedSite site{std::move(road), 4.5, 7.5};
+  std::string said;
+  for (const SettingProblem& each : check_sumo(parameters, &site)) {
+    said += fmt::format("{}{}: {}\n", each.of_world ? "world." : "", each.key, each.message);
+  }
+  return said;
+}
+
+TEST(Sumo, RefusesWhatItsVehiclesWouldNotSee) {
+  const SimulatorParameters parameters{.name = "sumo", .settings = {}};
+  EXPECT_EQ(unfit(parameters, street()), "");
   SimulatedRoad road = street();
   road.ground.crosswalks.push_back({.zebra = false, .parts = {}, .begins_m = 30, .signals = {}});
-  const VehicleParameters vehicle;
-  const SimulatedTest test{.behaviour = "walking", .road = road, .vehicle = vehicle};
-  SimulatedStart start;
-  EXPECT_NE(make_sumo(parameters)->begin(test, start).find("no signals of the world"),
-            std::string::npos);
+  EXPECT_EQ(unfit(parameters, road),
+            "world.crosswalks: SUMO's vehicles see no signals of the world's\n");
+  road.ground.crosswalks.front().zebra = true;
+  EXPECT_EQ(unfit(parameters, road), "");
+  road.ground.obstacles = {{3, 4.5, 40, 45}, {9, 10.5, 40, 45}};
+  EXPECT_EQ(unfit(parameters, road), "") << "beside where the AV drives";
+  road.ground.obstacles = {{6, 7.5, 40, 45}};
+  EXPECT_EQ(unfit(parameters, road),
+            "world.obstacles: SUMO's vehicles would drive through the obstacle at 40 m\n");
+}
+
+TEST(Sumo, RefusesRoadsThatAreNoNetwork) {
+  SimulatorParameters parameters{.name = "sumo", .settings = {}};
+  SimulatedRoad road = street();
+  road.bands.clear();
+  EXPECT_THAT(unfit(parameters, road), testing::StartsWith("world.map: "));
+  road = street();
+  road.bands[1].oncoming = true;
+  EXPECT_THAT(unfit(parameters, road), testing::StartsWith("world.av.rows: "));
+  SettingValue flows;
+  flows.maps = {{{"lane", "3"}}};
+  parameters.settings["traffic"] = flows;
+  EXPECT_EQ(unfit(parameters, street()), "traffic: a flow has lane 3, but there are only 2\n");
+  flows.maps = {{{"lane", "2"}}};
+  parameters.settings["traffic"] = flows;
+  road = street();
+  road.ground.obstacles = {{11, 12, 20, 25}};
+  EXPECT_THAT(unfit(parameters, road), testing::StartsWith("world.obstacles: "));
 }
 
 }  // namespace

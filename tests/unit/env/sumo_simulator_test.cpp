@@ -62,9 +62,10 @@ class WithSumo : public testing::Test {
   }
 
   /// Somebody 60 m ahead begins to cross with the first tick after `waits`, up to `last_x_m`.
-  static Drive drive(Simulator& simulator, double waits, double last_x_m,
-                     std::uint64_t number = 0) {
-    const SimulatedRoad road = street();
+  static Drive drive(Simulator& simulator, double waits, double last_x_m, std::uint64_t number = 0,
+                     std::vector<Rectangle> obstacles = {}) {
+    SimulatedRoad road = street();
+    road.ground.obstacles = std::move(obstacles);
     const VehicleParameters vehicle;
     const std::array actors{Actor{"p1", ActorKind::pedestrian, 0.5, 0.5}};
     const std::array starts{ActorState{.x_m = 1, .y_m = 60}};
@@ -127,6 +128,23 @@ TEST_F(WithSumo, NobodyBrakesForPedestriansOfWhomSumoIsNotTold) {
   const Drive stood = drive(*simulator, 0, 6);
   ASSERT_EQ(stood.error, "");
   EXPECT_EQ(stood.fronts_m.back(), 1.5 + 9 * 11);
+}
+
+TEST_F(WithSumo, NobodyBrakesForWhomAnObstacleHidesFromTheAv) {
+  const auto simulator = make_sumo(with("Krauss"));
+  const std::vector<Rectangle> wall{{3, 9, 57, 59}};
+  const Drive hidden = drive(*simulator, 0, 6, 0, wall);
+  ASSERT_EQ(hidden.error, "");
+  EXPECT_EQ(hidden.fronts_m[4], 1.5 + 9 * 5) << "they come into sight at 59 m, too late";
+  EXPECT_GT(*std::ranges::max_element(hidden.fronts_m), 60);
+  // Who crosses behind something is seen later.
+  const Drive open = drive(*simulator, 2, 17);
+  const Drive behind = drive(*simulator, 2, 17, 0, {{0.5, 7.5, 52, 57}});
+  const auto brakes = [](const Drive& each) {
+    return std::ranges::find_if(each.speeds_mps, [](double mps) { return mps < 8.9; }) -
+           each.speeds_mps.begin();
+  };
+  EXPECT_LT(brakes(open), brakes(behind));
 }
 
 TEST_F(WithSumo, ATestIsTheSameWhateverCameBefore) {
