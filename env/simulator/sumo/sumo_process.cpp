@@ -160,6 +160,13 @@ TraciAnswer SumoProcess::ask(const TraciMessage& message) {
   return answer;
 }
 
+std::vector<TraciAnswer> SumoProcess::ask(std::span<const TraciMessage> messages) {
+  std::vector<TraciAnswer> answers = client_.ask(messages, kAnswerLimit);
+  if (answers.empty() || answers.back().error.empty()) return answers;
+  answers.back().error = with_last_words(std::move(answers.back().error));
+  return answers;
+}
+
 /// Ends it.
 std::string SumoProcess::with_last_words(std::string what) {
   const bool refused = client_.is_connected();

@@ -28,6 +28,7 @@ class SumoProcess {
   /// As TraciClient::ask. After any error the process is ended, and how it ended is part of the
   /// error if that says more. REQUIRES: it is running.
   [[nodiscard]] TraciAnswer ask(const TraciMessage& message);
+  [[nodiscard]] std::vector<TraciAnswer> ask(std::span<const TraciMessage> messages);
   void end();
   /// `SUMO 1.15.0`.
   [[nodiscard]] const std::string& version() const { return version_; }

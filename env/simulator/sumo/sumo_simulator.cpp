@@ -74,6 +74,7 @@ class SumoSimulator final : public Simulator {
   [[nodiscard]] TraciMessage first_message(const SimulatedTest& test) const;
   [[nodiscard]] bool is_hidden(const ActorState& state) const;
   void move(const SimulatedBody& body, double share, TraciMessage& message) const;
+  [[nodiscard]] TraciMessage step_message(const SimulatedTick& tick, int step) const;
   [[nodiscard]] SimulatedScene scene_of(const TraciAnswer& answer) const;
   [[nodiscard]] SimulatedVehicle vehicle_of(const TraciObject& object, double length_m) const;
   [[nodiscard]] std::string ask(const TraciMessage& message, TraciAnswer& answer);
@@ -216,19 +217,29 @@ void SumoSimulator::move(const SimulatedBody& body, double share, TraciMessage& 
                               traci_byte(kAnywhere)}));
 }
 
+TraciMessage SumoSimulator::step_message(const SimulatedTick& tick, int step) const {
+  TraciMessage message;
+  const double share = static_cast<double>(step) / steps_;
+  for (const SimulatedBody& body : tick.bodies) move(body, share, message);
+  message.step();
+  return message;
+}
+
 std::string SumoSimulator::advance(const SimulatedTick& tick, std::vector<SimulatedScene>& scenes) {
   scenes.clear();
   if (!sumo_.is_running()) return "SUMO is not running";
-  TraciAnswer answer;
-  for (int i = 1; i <= steps_; ++i) {
-    const double share = static_cast<double>(i) / steps_;
-    TraciMessage message;
-    for (const SimulatedBody& body : tick.bodies) move(body, share, message);
-    message.step();
-    if (std::string problem = ask(message, answer); !problem.empty()) return problem;
-    scenes.push_back(scene_of(answer));
-    scenes.back().time_s = tick.begin_s + share * tick.length_s;
-    av_ = scenes.back().av.state;
+  // Where everybody goes is known beforehand, but for who is hidden from where the AV will be.
+  const int at_once = obstacles_.empty() ? steps_ : 1;
+  for (int step = 0; step < steps_;) {
+    std::vector<TraciMessage> messages;
+    for (int i = 1; i <= at_once; ++i) messages.push_back(step_message(tick, step + i));
+    for (const TraciAnswer& answer : sumo_.ask(messages)) {
+      if (!answer.error.empty()) return "SUMO: " + answer.error;
+      ++step;
+      scenes.push_back(scene_of(answer));
+      scenes.back().time_s = tick.begin_s + static_cast<double>(step) / steps_ * tick.length_s;
+      av_ = scenes.back().av.state;
+    }
   }
   return {};
 }

@@ -1,7 +1,6 @@
 #include "env/simulator/sumo/traci_client.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <netinet/in.h>
@@ -19,6 +18,10 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
+/// How much is read at a time at least.
+constexpr std::size_t kChunk = 1 << 16;
+/// No more than fits into the sockets' buffers, so that neither side waits for the other to read.
+constexpr std::size_t kMostUnanswered = 1 << 14;
 constexpr std::string_view kClosed = "it closed the connection";
 
 sockaddr_in loopback(int port) {
@@ -58,6 +61,7 @@ bool TraciClient::connect(int port) {
 }
 
 void TraciClient::disconnect() {
+  taken_ = end_ = 0;
   if (socket_ >= 0) close(std::exchange(socket_, -1));
 }
 
@@ -77,45 +81,45 @@ bool TraciClient::wait_for(short events, Deadline deadline, std::string& error) 
 std::string TraciClient::send_all(std::string_view bytes, Deadline deadline) {
   std::string error;
   while (!bytes.empty()) {
-    if (!wait_for(POLLOUT, deadline, error)) return error;
     const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
-    } else if (errno != EAGAIN && errno != EINTR) {
+    } else if (errno == EAGAIN) {
+      if (!wait_for(POLLOUT, deadline, error)) return error;
+    } else if (errno != EINTR) {
       return std::string(kClosed);
     }
   }
   return {};
 }
 
-std::string TraciClient::receive(std::size_t count, Deadline deadline, std::string& bytes) {
+std::string TraciClient::receive(std::size_t count, Deadline deadline) {
   std::string error;
-  bytes.clear();
-  std::array<char, 65536> chunk{};
-  while (bytes.size() < count) {
-    if (!wait_for(POLLIN, deadline, error)) return error;
+  if (taken_ == end_) taken_ = end_ = 0;
+  if (received_.size() < std::max(taken_ + count, kChunk)) {
+    received_.resize(std::max(taken_ + count, kChunk));
+  }
+  while (end_ - taken_ < count) {
     const ssize_t got =
-        recv(socket_, chunk.data(), std::min(chunk.size(), count - bytes.size()), MSG_DONTWAIT);
+        recv(socket_, received_.data() + end_, received_.size() - end_, MSG_DONTWAIT);
     if (got > 0) {
-      bytes.append(chunk.data(), static_cast<std::size_t>(got));
-    } else if (got == 0 || (errno != EAGAIN && errno != EINTR)) {
+      end_ += static_cast<std::size_t>(got);
+    } else if (got < 0 && errno == EAGAIN) {
+      if (!wait_for(POLLIN, deadline, error)) return error;
+    } else if (got == 0 || errno != EINTR) {
       return std::string(kClosed);
     }
   }
   return {};
 }
 
-TraciAnswer TraciClient::ask(const TraciMessage& message, milliseconds limit) {
-  const Deadline deadline = steady_clock::now() + limit;
-  std::string bytes;
-  std::string error = send_all(message.bytes(), deadline);
-  if (error.empty()) error = receive(4, deadline, bytes);
-  if (error.empty()) {
-    const std::int64_t rest = traci_rest(bytes);
-    error = rest < 0 ? "its answer has an impossible length"
-                     : receive(static_cast<std::size_t>(rest), deadline, bytes);
-  }
-  if (error.empty()) return read_traci_answer(message.commands(), bytes);
+std::string_view TraciClient::take(std::size_t count) {
+  const std::string_view bytes(received_.data() + taken_, count);
+  taken_ += count;
+  return bytes;
+}
+
+TraciAnswer TraciClient::fail(std::string error, milliseconds limit) {
   if (error == "late") {
     error = fmt::format("no answer within {:g} s", static_cast<double>(limit.count()) / 1000);
   }
@@ -123,6 +127,47 @@ TraciAnswer TraciClient::ask(const TraciMessage& message, milliseconds limit) {
   TraciAnswer answer;
   answer.error = std::move(error);
   return answer;
+}
+
+TraciAnswer TraciClient::receive_answer(const TraciMessage& message, milliseconds limit) {
+  const Deadline deadline = steady_clock::now() + limit;
+  std::string error = receive(4, deadline);
+  if (!error.empty()) return fail(std::move(error), limit);
+  const std::int64_t rest = traci_rest(take(4));
+  if (rest < 0) return fail("its answer has an impossible length", limit);
+  error = receive(static_cast<std::size_t>(rest), deadline);
+  if (!error.empty()) return fail(std::move(error), limit);
+  return read_traci_answer(message.commands(), take(static_cast<std::size_t>(rest)));
+}
+
+std::vector<TraciAnswer> TraciClient::ask(std::span<const TraciMessage> messages,
+                                          milliseconds limit) {
+  std::vector<TraciAnswer> answers;
+  std::vector<std::size_t> sizes;  // of the messages that have been sent
+  std::size_t unanswered = 0;
+  while (answers.size() < messages.size()) {
+    std::string bytes;
+    while (sizes.size() < messages.size() && unanswered < kMostUnanswered) {
+      const std::string message = messages[sizes.size()].bytes();
+      bytes += message;
+      sizes.push_back(message.size());
+      unanswered += message.size();
+    }
+    std::string error = send_all(bytes, steady_clock::now() + limit);
+    if (!error.empty()) {
+      answers.push_back(fail(std::move(error), limit));
+      return answers;
+    }
+    const TraciMessage& next = messages[answers.size()];
+    answers.push_back(receive_answer(next, limit));
+    if (!answers.back().error.empty()) return answers;
+    unanswered -= sizes[answers.size() - 1];
+  }
+  return answers;
+}
+
+TraciAnswer TraciClient::ask(const TraciMessage& message, milliseconds limit) {
+  return std::move(ask(std::span(&message, 1), limit).front());
 }
 
 }  // namespace jaywalk

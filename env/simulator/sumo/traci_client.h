@@ -3,7 +3,11 @@
 // A connection to a TraCI server on this machine.
 
 #include <chrono>
+#include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "env/simulator/sumo/traci_message.h"
 
@@ -24,15 +28,29 @@ class TraciClient {
   /// Sends a message and waits for its answer. After an error, other than that a command was
   /// refused, nothing is connected. REQUIRES: it is connected.
   [[nodiscard]] TraciAnswer ask(const TraciMessage& message, std::chrono::milliseconds limit);
+  /// The same of messages that do not depend on each other's answers, which are sent without
+  /// waiting for them: neither side sleeps between two of them. The limit is that of one answer.
+  /// Ends at the first error, which is the last answer.
+  [[nodiscard]] std::vector<TraciAnswer> ask(std::span<const TraciMessage> messages,
+                                             std::chrono::milliseconds limit);
 
  private:
   using Deadline = std::chrono::steady_clock::time_point;
 
   [[nodiscard]] bool wait_for(short events, Deadline deadline, std::string& error);
   [[nodiscard]] std::string send_all(std::string_view bytes, Deadline deadline);
-  [[nodiscard]] std::string receive(std::size_t count, Deadline deadline, std::string& bytes);
+  /// Until there are so many bytes that nobody has taken.
+  [[nodiscard]] std::string receive(std::size_t count, Deadline deadline);
+  [[nodiscard]] std::string_view take(std::size_t count);
+  [[nodiscard]] TraciAnswer receive_answer(const TraciMessage& message,
+                                           std::chrono::milliseconds limit);
+  [[nodiscard]] TraciAnswer fail(std::string error, std::chrono::milliseconds limit);
 
   int socket_ = -1;
+  /// What has been received, of which some has been taken.
+  std::vector<char> received_;
+  std::size_t taken_ = 0;
+  std::size_t end_ = 0;
 };
 
 /// A port of the loopback interface at which nobody listens now; 0: there is none.
