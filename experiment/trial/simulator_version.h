@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-/// `SUMO 1.15.0`, or `SUMO 1.15.0, network 3f2a…` of one that has a network; empty if the world
+/// `SUMO 1.15.0`, or `SUMO 1.15.0, network sha256 3f2a…` of one that has a map; empty if the world
 /// moves its vehicles by itself. The simulator is started for that. Error: it cannot be.
 [[nodiscard]] Result<std::string> simulator_version(const Scenario& scenario);
 
