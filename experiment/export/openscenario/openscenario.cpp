@@ -50,6 +50,7 @@ struct Batch {
   /// What the signals show in each is the same.
   std::string signals;
   bool same_signals = true;
+  bool same_actors = true;
 };
 
 BatchShape shape_of(const Batch& batch) {
@@ -132,24 +133,30 @@ class Export {
         request_.store.description().behaviours[test.test.behaviour].name;
     Batch& batch = batches_[fmt::format("{}-{}", behaviour, test.test.agents)];
     const std::string signals = text.signals(0);
-    if (!batch.tests.empty() && batch.first.actors().size() != recording.actors().size()) {
-      diagnostics_.error(request_.store.path(),
-                         fmt::format("the store is damaged: the actors of test {}", test.id));
-      return;
-    }
     if (batch.tests.empty()) {
       batch.first = recording;
       batch.signals = signals;
     }
+    const bool same = std::ranges::equal(batch.first.actors(), recording.actors());
+    if (!same && world.simulator.name.empty()) {
+      diagnostics_.error(request_.store.path(),
+                         fmt::format("the store is damaged: the actors of test {}", test.id));
+      return;
+    }
+    batch.same_actors = batch.same_actors && same;
     batch.same_signals = batch.same_signals && batch.signals == signals;
     batch.tests.push_back(std::move(reactive));
   }
 
   void write_batch(const std::string& stem, const Batch& batch, const CrossingParameters& world,
                    const RoadPlan& plan) {
+    const std::string file = stem + "-batch.xosc";
+    if (!batch.same_actors) {
+      warn(file, "is not written: a simulator's traffic differs from test to test");
+      return;
+    }
     const ScenarioText text(batch.first, world, plan, request_.dialect);
     const BatchShape shape = shape_of(batch);
-    const std::string file = stem + "-batch.xosc";
     write(file, text.batch(stem + ", all tests", shape, text.values(batch.tests.front(), shape)));
     if (!batch.same_signals) warn(file, "has the first test's signals; those of others differ");
     std::string sets;
