@@ -19,11 +19,11 @@ skip() {
   exit 77
 }
 
-# expect CODE COMMAND...: runs the command, with a limit of 60 s; its output is in $output.
+# expect CODE COMMAND...: runs the command, with a limit of 60 s (JAYWALK_LIMIT); its output is in $output.
 expect() {
   local wanted=$1 code=0
   shift
-  output=$(timeout 60 "$@" 2>&1 </dev/null) || code=$?
+  output=$(timeout "${JAYWALK_LIMIT:-60}" "$@" 2>&1 </dev/null) || code=$?
   [[ $code == "$wanted" ]] || fail "exit $code, expected $wanted: $*"$'\n'"$output"
 }
 
