@@ -21,7 +21,7 @@ class Asking {
 
   [[nodiscard]] bool valid(const TestInput& candidate) {
     ++candidates_;
-    const bool is_valid = space_.check(candidate).valid();
+    const bool is_valid = space_.contains(candidate);
     if (!is_valid) ++invalid_;
     return is_valid;
   }

@@ -67,6 +67,8 @@ class SearchSpace {
     return std::vector<std::size_t>(dimension());
   }
   [[nodiscard]] virtual Validity check(const TestInput& input) const = 0;
+  /// Whether check() has no objection.
+  [[nodiscard]] virtual bool contains(const TestInput& input) const { return check(input).valid(); }
   /// A vector for the first tests of generators that learn; it need not be valid.
   [[nodiscard]] virtual TestInput draw_initial(Random& random) const = 0;
   /// The points of a road, the numbers of a scenario…: what people and other programs are shown.

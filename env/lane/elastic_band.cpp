@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kOverRelaxation = 1.5;
 constexpr std::size_t kLeastNodes = 5;
+/// Sweeps that are computed together.
+constexpr int kTogether = 4;
 
 Point between(const Point& a, const Point& b, double share) {
   return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
@@ -43,10 +45,9 @@ class Band {
   void relax(const BandParameters& p) {
     const double spring = std::pow(step_ / p.stiffness_m, 4);
     const std::size_t fixed = static_cast<std::size_t>(p.start_m / step_) + 2;
-    for (int sweep = 0; sweep < p.sweeps; ++sweep) {
-      for (std::size_t i = fixed; i < nodes_.size(); ++i) {
-        shift(i, spring, -p.most_right_m, p.most_left_m);
-      }
+    for (int sweep = 0; sweep < p.sweeps; sweep += kTogether) {
+      relax_together(fixed, std::min(kTogether, p.sweeps - sweep),
+                     [&](std::size_t i) { shift(i, spring, -p.most_right_m, p.most_left_m); });
     }
   }
 
@@ -72,6 +73,21 @@ class Band {
   static double catmull_rom(double a, double b, double c, double d, double t) {
     return 0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t * t +
                   (3 * b - a - 3 * c + d) * t * t * t);
+  }
+
+  /// Some sweeps, each three nodes behind the one before: a node's shift depends on two to either
+  /// side, so all is as in one sweep after another, but the processor can compute several at once.
+  template <class Shift>
+  void relax_together(std::size_t fixed, int sweeps, Shift shift) const {
+    constexpr std::size_t kBehind = 3;
+    const auto count = static_cast<std::size_t>(sweeps);
+    for (std::size_t first = fixed; first < nodes_.size() + kBehind * (count - 1); ++first) {
+      for (std::size_t sweep = 0; sweep < count; ++sweep) {
+        if (first < fixed + kBehind * sweep) break;
+        const std::size_t i = first - kBehind * sweep;
+        if (i < nodes_.size()) shift(i);
+      }
+    }
   }
 
   /// One step of Newton's method in the offset of one node: the bending at it and its neighbours.

@@ -97,7 +97,13 @@ std::optional<Polyline> interpolate(std::span<const Point> points) {
 std::optional<Road> make_road(Polyline points) {
   std::optional<Polyline> middle = interpolate(points);
   if (!middle) return std::nullopt;
-  Road road{std::move(points), std::move(*middle), {}, {}};
+  return road_along(std::move(points), std::move(*middle));
+}
+
+Road road_along(Polyline points, Polyline middle) {
+  Road road{std::move(points), std::move(middle), {}, {}};
+  road.left.reserve(road.middle.size());
+  road.right.reserve(road.middle.size());
   for (std::size_t i = 0; i + 1 < road.middle.size(); ++i) {
     const Border border = borders(road.middle[i], road.middle[i + 1]);
     road.left.push_back(border.left);

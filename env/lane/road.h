@@ -53,6 +53,8 @@ struct Road {
 };
 
 [[nodiscard]] std::optional<Road> make_road(Polyline points);
+/// The road of an interpolation that is there already. REQUIRES: two points of it.
+[[nodiscard]] Road road_along(Polyline points, Polyline middle);
 
 /// The middle line of the right lane.
 [[nodiscard]] Polyline lane_centre(const Road& road);

@@ -60,6 +60,29 @@ bool touches_boundary(const Road& road, double map) {
   return contains(ring, square[0]);
 }
 
+/// Whether the line's interpolation is longer than this for certain: it goes from the line's first
+/// point to its last.
+bool interpolation_exceeds(const Polyline& line, double metres) {
+  constexpr double kRounding_m = 0.01;
+  constexpr double kFew_m = 10'000;
+  const auto same = [](const Point& a, const Point& b) { return distance(a, b) == 0; };
+  return distance(line.front(), line.back()) > metres + kRounding_m && length(line) < kFew_m &&
+         std::ranges::adjacent_find(line, same) == line.end();
+}
+
+/// The competition measures the length of the interpolation's interpolation.
+std::string_view length_problem(const Polyline& middle, const RoadRules& rules) {
+  if (interpolation_exceeds(middle, rules.least_length_m)) return {};
+  const std::optional<Polyline> twice = interpolate(middle);
+  if (!twice) return "ERROR ValueError: Invalid inputs.";
+  return length(*twice) > rules.least_length_m ? "" : "The road is not long enough.";
+}
+
+bool is_too_sharp(const Polyline& middle, const RoadRules& rules) {
+  const double feet = least_radius_m(middle) * kFeetPerMetre;
+  return feet > 0 && feet < rules.least_radius_ft;
+}
+
 std::string_view problem(const Road& road, const RoadRules& rules) {
   if (road.points.size() > rules.most_points) {
     return "The road definition contains too many points";
@@ -68,13 +91,10 @@ std::string_view problem(const Road& road, const RoadRules& rules) {
     return kLeavesMap;
   }
   if (overlaps_itself(road)) return "The road is self-intersecting";
-  // The competition measures the length of the interpolation's interpolation.
-  const std::optional<Polyline> twice = interpolate(road.middle);
-  if (!twice) return "ERROR ValueError: Invalid inputs.";
-  if (!(length(*twice) > rules.least_length_m)) return "The road is not long enough.";
-  const double feet = least_radius_m(road.middle) * kFeetPerMetre;
-  if (feet > 0 && feet < rules.least_radius_ft) return "The road is too sharp";
-  return {};
+  if (const std::string_view message = length_problem(road.middle, rules); !message.empty()) {
+    return message;
+  }
+  return is_too_sharp(road.middle, rules) ? "The road is too sharp" : "";
 }
 
 }  // namespace
@@ -93,6 +113,15 @@ RoadVerdict validate(Polyline points, const RoadRules& rules) {
   if (!road) return {.message = "ERROR ValueError: Invalid inputs."};
   const std::string_view message = problem(*road, rules);
   return {.message = message, .road = std::move(road)};
+}
+
+bool is_valid(Polyline points, const RoadRules& rules) {
+  if (points.size() < 2 || points.size() > rules.most_points) return false;
+  std::optional<Polyline> middle = interpolate(points);
+  if (!middle || is_too_sharp(*middle, rules) || !passes_bounds(*middle, rules.map_m)) return false;
+  const Road road = road_along(std::move(points), std::move(*middle));
+  return !touches_boundary(road, rules.map_m) && !overlaps_itself(road) &&
+         length_problem(road.middle, rules).empty();
 }
 
 }  // namespace jaywalk::lane

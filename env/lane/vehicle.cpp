@@ -88,10 +88,13 @@ void advance(VehicleState& s, const Command& command, const VehicleParameters& p
       std::clamp((s.speed_mps - kKinematicSpeed) / (kDynamicSpeed - kKinematicSpeed), 0.0, 1.0);
   if (dynamic < 1) forward = dynamic * forward + (1 - dynamic) * s.acceleration;
   s.speed_mps = std::max(0.0, s.speed_mps + forward * dt);
-  const double kinematic_yaw = s.speed_mps * std::tan(s.steering_rad) / p.wheelbase_m();
-  const double kinematic_slip = kinematic_yaw * p.rear_axle_m;
-  s.slip_mps = dynamic * (s.slip_mps + sideways * dt) + (1 - dynamic) * kinematic_slip;
-  s.yaw_rate = dynamic * (s.yaw_rate + turning * dt) + (1 - dynamic) * kinematic_yaw;
+  s.slip_mps += sideways * dt;
+  s.yaw_rate += turning * dt;
+  if (dynamic < 1) {
+    const double yaw_rate = s.speed_mps * std::tan(s.steering_rad) / p.wheelbase_m();
+    s.slip_mps = dynamic * s.slip_mps + (1 - dynamic) * (yaw_rate * p.rear_axle_m);
+    s.yaw_rate = dynamic * s.yaw_rate + (1 - dynamic) * yaw_rate;
+  }
   s.heading_rad += s.yaw_rate * dt;
   const double c = std::cos(s.heading_rad);
   const double n = std::sin(s.heading_rad);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "experiment/networks/product.h"
 #include "experiment/networks/random.h"
 
 namespace jaywalk::networks {
@@ -27,11 +28,28 @@ struct Layer {
   /// Uniform within 1 / sqrt(inputs), as torch.nn.Linear.
   Layer(Eigen::Index inputs, Eigen::Index outputs, Random& random);
 
-  [[nodiscard]] Matrix forward(const Matrix& x) const { return (weights * x).colwise() + bias; }
+  [[nodiscard]] Matrix forward(const Matrix& x) const {
+    Matrix output;
+    forward(x, output);
+    return output;
+  }
+  void forward(const Matrix& x, Matrix& output) const {
+    set_product(weights, x, output);
+    output.colwise() += bias;
+  }
   /// Adds the gradients of a loss whose gradient by the output is `d`.
   void accumulate(const Matrix& d, const Matrix& x) {
-    weight_gradient.noalias() += d * x.transpose();
+    add_product(d, x.transpose(), weight_gradient);
     bias_gradient += d.rowwise().sum();
+  }
+  /// The loss's gradient by the input.
+  [[nodiscard]] Matrix input_gradient(const Matrix& d) const {
+    Matrix gradient;
+    input_gradient(d, gradient);
+    return gradient;
+  }
+  void input_gradient(const Matrix& d, Matrix& gradient) const {
+    set_product(weights.transpose(), d, gradient);
   }
   void clear_gradients();
 };

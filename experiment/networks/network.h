@@ -13,7 +13,7 @@ struct NetworkShape {
   Eigen::Index inputs = 1;
   Eigen::Index hidden = 1;
   Eigen::Index outputs = 1;
-  /// Slope of the hidden units below zero; 0: plain ReLU.
+  /// Slope of the hidden units below zero, 0 (plain ReLU) to 1.
   float slope = 0;
 };
 
@@ -28,7 +28,7 @@ class Network {
 
   enum class Gradients { add, none };
   /// `d`: the loss's gradient by the output of the last forward pass. Returns that by its input.
-  Matrix backward(const Matrix& d, Gradients gradients = Gradients::add);
+  const Matrix& backward(const Matrix& d, Gradients gradients = Gradients::add);
 
   /// Adds the gradient of weight * mean_i (|dC(x_i)/dx| - 1)^2 and returns that mean; C is this
   /// network, which has one output. (Gulrajani et al. 2017, "Improved training of Wasserstein
@@ -46,19 +46,23 @@ class Network {
   void add_to(Adam& optimiser);
 
  private:
-  [[nodiscard]] Matrix slopes(const Matrix& z) const;
-  [[nodiscard]] Matrix activated(const Matrix& z) const;
+  /// Of units, by their sums or by their outputs, which have the same signs.
+  void find_slopes(const Matrix& units, Matrix& slopes) const;
+  void activate(Matrix& units) const;
 
   float slope_;
   Layer first_;
   Layer second_;
   Layer third_;
-  // Of the last forward pass: the input, and the hidden layers before and after activation.
+  // Of the last forward pass: the input and the hidden layers' outputs.
   Matrix x_;
-  Matrix z1_;
   Matrix h1_;
-  Matrix z2_;
   Matrix h2_;
+  // Of the last backward pass: the loss's gradients by the hidden layers' sums and by the input.
+  Matrix d1_;
+  Matrix d2_;
+  Matrix dx_;
+  Matrix slopes_;
 };
 
 }  // namespace jaywalk::networks

@@ -1,4 +1,7 @@
 # Small neural networks. Included by CMakeLists.txt above.
 target_sources(jaywalk_experiment PRIVATE
   networks/layer.cpp
-  networks/network.cpp)
+  networks/network.cpp
+  networks/product.cpp)
+# Each product and each sum is to be rounded by itself, on every machine.
+set_source_files_properties(networks/product.cpp PROPERTIES COMPILE_OPTIONS -ffp-contract=off)

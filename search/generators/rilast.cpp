@@ -96,7 +96,7 @@ class RoadSet {
   /// One over the least radius; 0 for a road that is not valid.
   [[nodiscard]] double sharpness(const Genes& genes) const {
     const TestInput input = genome_.express(genes);
-    if (!space_.check(input).valid()) return 0;
+    if (!space_.contains(input)) return 0;
     const TestInput points = space_.as_points(input);
     lane::Polyline line;
     for (std::size_t i = 0; i + 1 < points.values.size(); i += 2) {

@@ -54,21 +54,21 @@ float Autoencoder::add_loss_gradient(const Matrix& samples, const Matrix& noise)
   const Matrix error = output - samples;
   const Matrix d_output = 2 * error.array() * (1 - output.array().square());
   decoder3_.accumulate(d_output, h4);
-  const Matrix d4 = through(decoder3_.weights.transpose() * d_output, h4);
+  const Matrix d4 = through(decoder3_.input_gradient(d_output), h4);
   decoder2_.accumulate(d4, h3);
-  const Matrix d3 = through(decoder2_.weights.transpose() * d4, h3);
+  const Matrix d3 = through(decoder2_.input_gradient(d4), h3);
   decoder1_.accumulate(d3, latent);
-  const Matrix d_latent = decoder1_.weights.transpose() * d3;
+  const Matrix d_latent = decoder1_.input_gradient(d3);
   // Of the divergence: -1/2 sum(1 + v - m² - exp v) / count.
   const Matrix d_mean = d_latent + mean / count;
   const Matrix d_log_variance = 0.5F * d_latent.array() * noise.array() * deviation.array() +
                                 0.5F / count * (log_variance.array().exp() - 1);
   mean_.accumulate(d_mean, h2);
   log_variance_.accumulate(d_log_variance, h2);
-  const Matrix d2 = through(
-      mean_.weights.transpose() * d_mean + log_variance_.weights.transpose() * d_log_variance, h2);
+  const Matrix d2 =
+      through(mean_.input_gradient(d_mean) + log_variance_.input_gradient(d_log_variance), h2);
   encoder2_.accumulate(d2, h1);
-  encoder1_.accumulate(through(encoder2_.weights.transpose() * d2, h1), samples);
+  encoder1_.accumulate(through(encoder2_.input_gradient(d2), h1), samples);
   const float divergence =
       -0.5F *
       (1 + log_variance.array() - mean.array().square() - log_variance.array().exp()).sum() / count;

@@ -136,7 +136,7 @@ std::optional<TestRow> read_row(const Statement& rows, const SutModel& model) {
   auto signature = parse_numbers(rows.text(12));
   if (!form || !input || !measures || !signature) return std::nullopt;
   row.test.input = {*form, std::move(*input)};
-  if (!model.space().check(row.test.input).valid()) return std::nullopt;
+  if (!model.space().contains(row.test.input)) return std::nullopt;
   row.test.outcome = {rows.text(3), rows.real(4), std::move(*measures), std::move(*signature)};
   const bool measured = row.test.outcome.measures.size() == model.measures().size();
   if (row.test.outcome.executed() && !measured) return std::nullopt;

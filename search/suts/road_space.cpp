@@ -70,6 +70,13 @@ Validity RoadSpace::check(const TestInput& input) const {
   return {std::string(verdict.message)};
 }
 
+bool RoadSpace::contains(const TestInput& input) const {
+  if (input.values.size() > kMostValues) return false;
+  lane::Polyline points = road_points(input);
+  if (input.form == Form::vector && clearly_leaves_map(points, settings_.rules.map_m)) return false;
+  return lane::is_valid(std::move(points), settings_.rules);
+}
+
 TestInput RoadSpace::draw_initial(Random& random) const {
   TestInput input;
   const double difference = settings_.most_difference / settings_.most_curvature;

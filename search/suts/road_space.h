@@ -34,6 +34,7 @@ class RoadSpace : public SearchSpace {
   [[nodiscard]] std::optional<SequenceBounds> sequences() const override;
   /// In the competition's words.
   [[nodiscard]] Validity check(const TestInput& input) const override;
+  [[nodiscard]] bool contains(const TestInput& input) const override;
   /// The first curvature is uniform, each further one differs from the one before it by a uniform
   /// amount and may leave the range, as in the experiments' code.
   [[nodiscard]] TestInput draw_initial(Random& random) const override;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "env/lane/controllers/controllers.h"
 #include "env/lane/path.h"
@@ -51,7 +53,11 @@ class PurePursuit : public Controller {
       : vehicle_(setup.vehicle),
         values_(setup.values),
         speed_limit_(setup.speed_limit_mps),
-        path_(lane_centre(setup.road)) {}
+        path_(lane_centre(setup.road)) {
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      squared_speeds_.push_back(values_[kLateral] / std::max(1e-6, std::fabs(path_.curvature(i))));
+    }
+  }
 
   Command command(const VehicleState& state) override {
     near_ = path_.nearest({state.x_m, state.y_m}, near_);
@@ -87,19 +93,20 @@ class PurePursuit : public Controller {
   [[nodiscard]] double planned_acceleration(const VehicleState& state) const {
     const double speed = state.speed_mps;
     const double reaction = speed * (values_[kLatency] + values_[kLag]);
-    double now = speed_limit_;
+    double here = std::numeric_limits<double>::infinity();
     double braking = 0;
     for (std::size_t i = near_; i < path_.size(); ++i) {
       const double ahead = path_.arc_m(i) - path_.arc_m(near_);
       if (ahead > values_[kPreview]) break;
-      const double squared = values_[kLateral] / std::max(1e-6, std::fabs(path_.curvature(i)));
+      const double squared = squared_speeds_[i];
       if (ahead <= kHereMetres + reaction) {
-        now = std::min(now, std::sqrt(squared));
+        here = std::min(here, squared);
       } else {
         braking =
             std::max(braking, (speed * speed - squared) / (2 * std::max(1.0, ahead - reaction)));
       }
     }
+    const double now = std::min(speed_limit_, std::sqrt(here));
     const double acceleration = values_[kSpeedGain] * (now - speed);
     if (braking > values_[kPlanBrake]) return std::min(acceleration, -braking);
     if (braking > kCoastingShare * values_[kPlanBrake]) return std::min(acceleration, 0.0);
@@ -120,6 +127,8 @@ class PurePursuit : public Controller {
   std::span<const double> values_;
   double speed_limit_;
   Path path_;
+  /// Of the speeds at which curves are to be driven, at each point.
+  std::vector<double> squared_speeds_;
   std::size_t near_ = 0;
 };
 

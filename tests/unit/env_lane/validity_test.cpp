@@ -21,6 +21,29 @@ TEST(Validity, IsTheCompetitionsOnEveryRoadOfTheReference) {
   }
 }
 
+// The short way to the verdict alone, on the same roads and on those of four other scales, so that
+// each rule is the first one broken.
+TEST(Validity, IsFoundWithoutTheMessageAlike) {
+  std::size_t valid = 0;
+  for (const JudgedRoad& road : judged_roads()) {
+    for (const double scale : {0.1, 0.25, 0.5, 1.0, 1.2}) {
+      Polyline points = road.points;
+      for (Point& point : points) point = {scale * point.x_m, scale * point.y_m};
+      const bool is = is_valid(points);
+      EXPECT_EQ(is, validate(points).valid()) << "a road of " << road.family << " times " << scale;
+      valid += is ? 1 : 0;
+    }
+  }
+  EXPECT_GT(valid, 1000U);
+  EXPECT_FALSE(is_valid({{100, 100}}));
+  EXPECT_FALSE(is_valid({{50, 50}, {50, 50}, {90, 90}}));
+  // Longer than the least length only by its bends, so that the interpolation is measured.
+  const Polyline ring{{100, 60}, {140, 100}, {100, 140}, {62, 98}};
+  EXPECT_EQ(is_valid(ring, {.least_length_m = 60}), validate(ring, {.least_length_m = 60}).valid());
+  EXPECT_EQ(is_valid(ring, {.least_length_m = 600}),
+            validate(ring, {.least_length_m = 600}).valid());
+}
+
 TEST(Validity, RefusesRoadsOfOnePointOrTooMany) {
   EXPECT_EQ(validate({{100, 100}}).message, "Not enough road points.");
   Polyline many;

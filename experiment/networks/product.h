@@ -1,0 +1,55 @@
+#pragma once
+
+// Products of matrices, which is where training spends its time. Read layer.h next.
+
+#include <Eigen/Dense>
+
+namespace jaywalk::networks {
+
+/// A matrix of floats as it lies in memory, transposed or not.
+struct Factor {
+  const float* data = nullptr;
+  Eigen::Index rows = 0;
+  Eigen::Index columns = 0;
+  /// From a number to the one below, and to the one on the right.
+  Eigen::Index down = 1;
+  Eigen::Index right = 1;
+};
+
+template <class Expression>
+[[nodiscard]] Factor factor_of(const Expression& matrix) {
+  const bool by_rows = Expression::IsRowMajor;
+  return {.data = matrix.data(),
+          .rows = matrix.rows(),
+          .columns = matrix.cols(),
+          .down = by_rows ? matrix.outerStride() : matrix.innerStride(),
+          .right = by_rows ? matrix.innerStride() : matrix.outerStride()};
+}
+
+/// What the rows of the first factor of a tiled product are a multiple of.
+inline constexpr Eigen::Index kRowsOfTiles = 16;
+
+/// sum += a b, each number of the product added up in order of the inner index and rounded to float
+/// at each step: the same bits with whatever vector registers the processor has.
+/// REQUIRES: a.rows % kRowsOfTiles == 0, a.columns == b.rows; `sum` has a's rows and b's columns
+/// and is neither of the two.
+void add_tiled_product(const Factor& a, const Factor& b, Eigen::MatrixXf& sum);
+
+/// sum += a b for matrices and transposed matrices. The large products are those of hidden layers,
+/// which have a multiple of 16 units; others are Eigen's.
+template <class A, class B>
+void add_product(const A& a, const B& b, Eigen::MatrixXf& sum) {
+  if (a.rows() % kRowsOfTiles == 0 && b.cols() > 1) {
+    add_tiled_product(factor_of(a), factor_of(b), sum);
+  } else {
+    sum.noalias() += a * b;
+  }
+}
+
+template <class A, class B>
+void set_product(const A& a, const B& b, Eigen::MatrixXf& product) {
+  product.setZero(a.rows(), b.cols());
+  add_product(a, b, product);
+}
+
+}  // namespace jaywalk::networks
