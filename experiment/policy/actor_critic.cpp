@@ -1,7 +1,6 @@
 // Two small networks: the actor says how probable each option is, the critic what is to be
-// expected. The actor follows the clipped objective of Schulman et al. ("Proximal policy
-// optimization algorithms", 2017, equation 7), with what a choice was better than expected as they
-// estimate it
+// expected. The actor follows a clipped objective, with what a choice was better than expected as
+// Schulman et al. estimate it
 // ("High-dimensional continuous control using generalized advantage estimation", 2016, equation
 // 16). Features and rewards are brought to a common scale by what was seen of them so far.
 
@@ -11,7 +10,7 @@
 #include <stdexcept>
 
 #include "experiment/networks/network.h"
-#include "experiment/policy/learner.h"
+#include "experiment/policy/clipped_objective.h"
 
 namespace jaywalk {
 namespace {
@@ -60,6 +59,13 @@ struct ChoiceBatch {
   std::vector<double> advantages;
   std::vector<double> returns;
 };
+
+std::span<const float> numbers(const Matrix& matrix, Eigen::Index column) {
+  return {matrix.col(column).data(), static_cast<std::size_t>(matrix.rows())};
+}
+std::span<float> numbers(Matrix& matrix, Eigen::Index column) {
+  return {matrix.col(column).data(), static_cast<std::size_t>(matrix.rows())};
+}
 
 nlohmann::json numbers_of(const Network& network) {
   nlohmann::json layers = nlohmann::json::array();
@@ -119,7 +125,7 @@ class ActorCritic final : public Learner {
   void weigh(std::span<const double> features, std::span<const std::uint32_t> options, Mode,
              std::span<double> probabilities) const override {
     const Matrix scores = actor_.output(scaled(features));
-    softmax(scores.col(0), options, probabilities);
+    softmax(numbers(scores, 0), options, probabilities);
   }
 
   [[nodiscard]] double value(std::span<const double> features) const override {
@@ -187,22 +193,6 @@ class ActorCritic final : public Learner {
     return column;
   }
 
-  /// Over the options that there are; the others have none.
-  template <class Scores>
-  static void softmax(const Scores& scores, std::span<const std::uint32_t> options,
-                      std::span<double> probabilities) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (const std::uint32_t option : options) {
-      most = std::max(most, static_cast<double>(scores(static_cast<Eigen::Index>(option))));
-    }
-    double sum = 0;
-    for (std::size_t i = 0; i < options.size(); ++i) {
-      const auto score = static_cast<double>(scores(static_cast<Eigen::Index>(options[i])));
-      sum += probabilities[i] = std::exp(score - most);
-    }
-    for (double& probability : probabilities) probability /= sum;
-  }
-
   void note_scales(std::span<const Episode> generation) {
     for (const Episode& episode : generation) {
       double follows = 0;
@@ -264,31 +254,13 @@ class ActorCritic final : public Learner {
     for (Eigen::Index i = 0; i < scores.cols(); ++i) {
       const Transition& decision = *batch.decisions[static_cast<std::size_t>(i)];
       probabilities.resize(decision.options.size());
-      softmax(scores.col(i), decision.options, probabilities);
-      add_gradient(decision, batch.advantages[static_cast<std::size_t>(i)], probabilities,
-                   gradient.col(i));
+      softmax(numbers(scores, i), decision.options, probabilities);
+      add_clipped_gradient(decision, batch.advantages[static_cast<std::size_t>(i)], probabilities,
+                           {settings_.clip, settings_.entropy}, numbers(gradient, i));
     }
     actor_.clear_gradients();
     actor_.backward(gradient / static_cast<float>(scores.cols()));
     actor_steps_.step();
-  }
-
-  /// Of the loss -min(r A, clip(r) A) - c H by the options' scores, for one decision.
-  template <class Column>
-  void add_gradient(const Transition& decision, double advantage,
-                    std::span<const double> probabilities, Column column) const {
-    const double ratio = probabilities[decision.chosen] / std::max(decision.probability, 1e-9);
-    const bool is_clipped = advantage > 0 ? ratio > 1 + settings_.clip : ratio < 1 - settings_.clip;
-    const double by_log = is_clipped ? 0 : -ratio * advantage;
-    double entropy = 0;
-    for (const double p : probabilities) entropy -= p > 0 ? p * std::log(p) : 0;
-    for (std::size_t i = 0; i < probabilities.size(); ++i) {
-      const double p = probabilities[i];
-      const double chosen = i == decision.chosen ? 1 : 0;
-      const double by_entropy = p > 0 ? -p * (std::log(p) + entropy) : 0;
-      column(static_cast<Eigen::Index>(decision.options[i])) +=
-          static_cast<float>(by_log * (chosen - p) - settings_.entropy * by_entropy);
-    }
   }
 
   void improve_critic(const ChoiceBatch& batch) {

@@ -1,6 +1,7 @@
 # What agents learn, as files and as who decides. Included by CMakeLists.txt above.
 target_sources(jaywalk_experiment PRIVATE
   policy/actor_critic.cpp
+  policy/clipped_objective.cpp
   policy/learner.cpp
   policy/policy.cpp
   policy/policy_file.cpp
