@@ -22,8 +22,8 @@ std::string text_of(const std::string& path) {
 }
 
 TEST(Documents, ListEveryWordOfTheWorlds) {
-  const std::string readme = text_of("env/README.md");
   for (const EnvironmentKind& kind : environments()) {
+    const std::string readme = text_of("env/" + std::string(kind.name) + "/README.md");
     for (const auto& words : {kind.percepts, kind.actions}) {
       for (const EnvironmentWord& word : words) {
         const std::string row = "| `" + std::string(word.form) + "` | " +
