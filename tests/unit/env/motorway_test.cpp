@@ -218,6 +218,31 @@ TEST_F(MotorwayTest, AWreckInTheAvsLaneIsAHazard) {
   EXPECT_EQ(motorway.result().end, "collision");
 }
 
+TEST_F(MotorwayTest, ParametersHaveToFitTogether) {
+  const auto said = [this](auto change) {
+    MotorwayParameters changed = parameters_;
+    change(changed);
+    std::string text;
+    for (const ParameterProblem& each : problems(changed)) {
+      text += each.path + ": " + each.message + '\n';
+    }
+    return text;
+  };
+  EXPECT_EQ(said([](MotorwayParameters&) {}), "");
+  EXPECT_EQ(said([](MotorwayParameters& p) { p.av.lane = 4; }),
+            "world.av.lane: the AV's lane 4 is none of the 3\n");
+  EXPECT_EQ(said([](MotorwayParameters& p) { p.av.width_m = 4; }),
+            "world.av.width: an AV of 4 m does not fit a lane of 3.5 m\n");
+  EXPECT_EQ(said([](MotorwayParameters& p) { p.length_m = 100; }),
+            "world.av.start: the road of 100 m ends before the AV's start\n");
+  EXPECT_THAT(said([](MotorwayParameters& p) { p.drivers.greatest_speed_mps = 20; }),
+              HasSubstr("world.drivers.greatest_speed: "));
+  EXPECT_THAT(said([](MotorwayParameters& p) {
+                p.av.vehicle.defects = {{"latency", 1}};
+              }),
+              HasSubstr("world.av.defect"));
+}
+
 class MotorwayStarts : public MotorwayTest {
  protected:
   void expect_room(std::uint32_t agents) {
