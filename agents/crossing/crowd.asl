@@ -1,6 +1,6 @@
 // Crowd: those of one side merge into a group beside one of them, the post, who holds the AV up with a
 // foot in its lane until all have come. Then they split: the post steps back and stays, the others
-// step out on the brink. Whoever is alone acts as brink does.
+// step out on the brink and cross. Whoever is alone does that at once.
 
 { include("shared/stepping.asl") }
 { include("shared/company.asl") }
@@ -17,8 +17,6 @@
 +!hold_up : comes_in(S) & S < 5 & avoids(0) <- !to(toe); !hold_up.
 +!hold_up                                   <- !wait; !hold_up.
 
-+!split <- !wait_for_the_brink; !get(middle); !stand.
-+!stand : not gone & not stands <- !wait; !stand.
-+!stand                         <- !get(out).
++!split <- !wait_for_the_brink; !get(out).
 
 +!stay_behind <- !wait; !stay_behind.
