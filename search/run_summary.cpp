@@ -44,7 +44,7 @@ constexpr std::array kColumns = {
     SummaryColumn{"failures", "failing tests", &RunSummary::failures, 2, kTested},
     SummaryColumn{"distinct_half_m", "distinct stretches, 0.5 m", &RunSummary::distinct_half_m, 1},
     SummaryColumn{"distinct_1m", "distinct stretches, 1 m", &RunSummary::distinct_1m, 1, kTested},
-    SummaryColumn{"distinct_2m", "distinct stretches, 2 m", &RunSummary::distinct_2m, 1},
+    SummaryColumn{"distinct_2m", "distinct stretches, 2 m", &RunSummary::distinct_2m, 1, kTested},
     SummaryColumn{"distinct_4m", "distinct stretches, 4 m", &RunSummary::distinct_4m, 1},
     SummaryColumn{"twins_pct", "with a twin within 1 m (%)", &RunSummary::twins_pct, 1},
     SummaryColumn{"sparseness", "sparseness of failing tests", &RunSummary::sparseness, 2, kTested},
