@@ -90,6 +90,7 @@ class ExperimentReader {
     }
     select_generators();
     if (const ConfigNode* defects = root->find("defects")) take_defects(*defects);
+    check_policies();
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
     return std::move(experiment_);
   }
@@ -131,7 +132,7 @@ class ExperimentReader {
     if (experiment_.sut.empty()) experiment_.sut = (*chosen)->name;
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include,
-                            experiment_.defects, options_.trials == Trials::none});
+                            experiment_.defects, options_.trials == Trials::none, &policies_});
   }
 
   void read_sut(const ConfigNode& node, const std::string& path) {
@@ -139,6 +140,18 @@ class ExperimentReader {
     experiment_.plan.model = make_sut(node, path);
     if (!experiment_.plan.model || experiment_.plan.model->measures().empty()) return;
     experiment_.measure = experiment_.plan.model->measures().front().name;
+  }
+
+  /// As comparisons do, takes a policy that nobody chooses by for a mistake.
+  void check_policies() {
+    if (options_.trials == Trials::none) return;
+    for (const auto& [path, policy] : policies_) {
+      if (policy.is_taken) continue;
+      reader_.error(policy.origin,
+                    fmt::format("'{}': the policy is for none of the behaviours", path),
+                    policy.why_not.empty() ? "none of them has plans that are labelled learned(P)"
+                                           : policy.why_not);
+    }
   }
 
   void read_fitness(const ConfigNode& node, const std::string& path) {
@@ -328,6 +341,7 @@ class ExperimentReader {
   const SearchOptions& options_;
   Diagnostics diagnostics_;
   ConfigReader reader_;
+  OfferedPolicies policies_;
   SearchExperiment experiment_;
   ConfigNode sut_;  // the keys of the experiment's own
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ namespace jaywalk::search {
 namespace {
 
 constexpr std::uint32_t kMostAgents = 100;
+constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 28U;
 
 class CrossingModel : public SutModel {
  public:
@@ -92,6 +94,7 @@ class CrossingReader {
            const std::array choices = {Choice<bool>{"all", true}, Choice<bool>{"none", false}};
            if (const auto all = reader_.choice<bool>(value, choices)) settings_.metrics = *all;
          }},
+        {"policy", [&](const ConfigNode& value, const std::string&) { read_policies(value); }},
         {"limits", [&](const ConfigNode& value, const std::string&) { read_limits(value); }},
         {"parameters",
          [&](const ConfigNode& value, const std::string&) { read_dimensions(value); }},
@@ -116,6 +119,48 @@ class CrossingReader {
     } else {
       reader_.error(value.origin, fmt::format("cannot read '{}'", *path));
     }
+  }
+
+  /// The path of a policy, or a list of them.
+  void read_policies(const ConfigNode& node) {
+    const auto read_one = [this](const ConfigNode& item) {
+      const auto file = reader_.text(item, "the path of a policy");
+      if (!file || setup_.untried || setup_.policies == nullptr) return;
+      std::error_code error;
+      const auto path = std::filesystem::absolute(path_in(setup_.folder, *file), error);
+      if (!error) offered_.emplace_back(path.lexically_normal().string(), item.origin);
+    };
+    if (node.kind != ConfigNode::Kind::list) return read_one(node);
+    for (const ConfigNode& item : node.items) read_one(item);
+  }
+
+  /// Takes those of the offered policies that are of the behaviour; false after reporting that one
+  /// cannot be read.
+  bool take_policies(const Scenario& scenario) {
+    if (offered_.empty()) return true;
+    Scenario without = scenario;
+    without.policies.clear();
+    Diagnostics ignored;
+    const auto prepared = PreparedScenario::prepare(std::move(without), ignored);
+    if (!prepared.ok()) return true;  // reported where it is tried
+    for (const auto& [path, origin] : offered_) {
+      const Result<SourcePtr> source = setup_.files.read(path, kMostPolicyBytes);
+      if (!source.ok()) {
+        reader_.error(origin, fmt::format("no policy is at '{}'", path),
+                      "jaywalk learn writes them");
+        return false;
+      }
+      OfferedPolicy& offered =
+          setup_.policies->try_emplace(path, OfferedPolicy{origin}).first->second;
+      const auto objection = objection_to(source.value(), *prepared.value());
+      if (!objection) {
+        offered.is_taken = true;
+        settings_.policies.push_back(path);
+      } else if (!objection->empty()) {
+        offered.why_not = *objection;
+      }
+    }
+    return true;
   }
 
   /// As the scenario's `experiment.limits`, which says what is wrong with them.
@@ -246,6 +291,14 @@ class CrossingReader {
     if (!scenario.ok()) {
       reader_.error_in(setup_.node.origin, scenario.diagnostics());
       return nullptr;
+    }
+    if (!take_policies(scenario.value())) return nullptr;
+    if (!settings_.policies.empty()) {
+      scenario = scenario_of(settings_, fixed_settings());
+      if (!scenario.ok()) {
+        reader_.error_in(setup_.node.origin, scenario.diagnostics());
+        return nullptr;
+      }
     }
     const std::string name = scenario.value().behaviours.front().name;
     if (settings_.behaviour.empty()) settings_.behaviour = name;
@@ -380,6 +433,8 @@ class CrossingReader {
   std::vector<int> rows_;
   std::vector<int> cells_;
   ValueOrigin starts_origin_;
+  /// Paths of policies, and where they were named.
+  std::vector<std::pair<std::string, ValueOrigin>> offered_;
 };
 
 }  // namespace

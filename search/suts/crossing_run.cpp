@@ -4,11 +4,13 @@
 #include <bit>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/judge/metrics/metrics.h"
 #include "experiment/judge/metrics/naturalness.h"
+#include "experiment/policy/policy.h"
 
 namespace jaywalk::search {
 namespace {
@@ -64,11 +66,24 @@ double margin(const Judgement& judgement) {
 Result<Scenario> scenario_of(const CrossingSettings& settings,
                              const std::vector<std::string>& sets) {
   ScenarioOptions options{.sets = sets, .files = settings.files, .include = settings.include};
+  if (!settings.policies.empty()) {
+    options.sets.push_back(fmt::format("policy={}", nlohmann::json(settings.policies).dump()));
+  }
   options.sets.insert(options.sets.end(), settings.limits.begin(), settings.limits.end());
   if (!settings.behaviour.empty()) options.behaviours = {settings.behaviour};
   Result<Scenario> scenario = parse_scenario(settings.scenario, options);
   if (scenario.ok()) scenario.value().experiment.defects = settings.defects;
   return scenario;
+}
+
+std::optional<std::string> objection_to(const SourcePtr& policy, const PreparedScenario& prepared) {
+  const auto plans = learned_plans(*prepared.behaviours().front().program, *prepared.symbols());
+  if (plans.empty()) return std::string();
+  const auto parsed = parse_policy(policy);
+  if (!parsed.ok()) return first_of(parsed.diagnostics());
+  std::string why = mismatch(*parsed.value(), plans);
+  if (why.empty()) return std::nullopt;
+  return fmt::format("{}: {}", prepared.behaviours().front().name, why);
 }
 
 CrossingMeasures::CrossingMeasures(const CrossingSettings& settings) {

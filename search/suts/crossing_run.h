@@ -5,6 +5,7 @@
 // before.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct CrossingSettings {
   std::vector<Assertion> assertions;
   /// The metrics of metrics.def are measured, too.
   bool metrics = true;
+  /// Files by which the behaviour chooses among its learned plans, in place of the scenario's.
+  std::vector<std::string> policies;
   /// Where programs are looked for.
   SourceFiles files;
   /// Of each test, in place of the scenario's: as `--set` has them.
@@ -38,6 +41,11 @@ struct CrossingSettings {
 /// The scenario with the values of an input. All mistakes are reported.
 [[nodiscard]] Result<Scenario> scenario_of(const CrossingSettings& settings,
                                            const std::vector<std::string>& sets);
+
+/// Why the behaviour cannot choose by the policy, or why that is none; nothing if it can; empty if
+/// nothing of it is learned.
+[[nodiscard]] std::optional<std::string> objection_to(const SourcePtr& policy,
+                                                      const PreparedScenario& prepared);
 
 /// What a SUT with these settings measures, in the order of its outcomes.
 class CrossingMeasures {

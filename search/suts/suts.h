@@ -3,6 +3,7 @@
 // How the SUT of an experiment is read; what each SUT's file defines, from the table. Read
 // env/config/reader.h and search/sut.h before.
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,6 +15,17 @@
 #include "search/sut.h"
 
 namespace jaywalk::search {
+
+/// A file that agents' learned choices are read from. SUTs with other agents leave it to those
+/// whose it is.
+struct OfferedPolicy {
+  ValueOrigin origin;
+  bool is_taken = false;
+  /// Why it is not for the last one that left it; empty: that has no agents who learn.
+  std::string why_not;
+};
+/// By their paths.
+using OfferedPolicies = std::map<std::string, OfferedPolicy>;
 
 /// The keys of a SUT. Errors go to the reader's diagnostics.
 struct SutSetup {
@@ -29,6 +41,8 @@ struct SutSetup {
   std::span<const VehicleDefect> defects;
   /// No test may be run to see whether it can be.
   bool untried = false;
+  /// Receives those that the SUT is offered.
+  OfferedPolicies* policies = nullptr;
 };
 
 struct SutKind {

@@ -181,8 +181,8 @@ CommandHelp help() {
           "Lets the agents of a behaviour learn which of its plans to choose: those that\n"
           "are labelled learned(P), by what its rules observation(P, Features) answer and\n"
           "what the scenario rewards (its key `learning`). Runs tests in generations and\n"
-          "writes what is learned to FILE, which `run`, `compare` and scenarios (`policy`)\n"
-          "take. With --defects, the AVs of the tests have these defects in turn.\n"
+          "writes what is learned to FILE, which `run`, `compare`, `search` and scenarios\n"
+          "(`policy`) take. With --defects, the AVs of the tests have these defects in turn.\n"
           "What is learned does not depend on --threads.\n",
       .options =
           {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 #include <map>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/report/tables/kill_table.h"
@@ -61,6 +63,11 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   const unsigned threads = read_threads(arguments, diagnostics);
   std::vector<std::string> sets = arguments.texts("set");
   std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
+  if (std::vector<std::string> policies = arguments.texts("policy"); !policies.empty()) {
+    // The key's paths are relative to the experiment's folder, the option's to this one.
+    for (std::string& file : policies) file = std::filesystem::absolute(file).string();
+    sets.push_back(fmt::format("sut.policy={}", nlohmann::json(policies).dump()));
+  }
   if (arguments.has("resume") && !arguments.has("store")) {
     diagnostics.error("--resume", "there is no --store to go on with");
   }
@@ -161,6 +168,7 @@ CommandHelp help() {
                "the SBST competition's JSON",
                Written::folder},
               {"quiet", "", "print no table"},
+              kPolicyOption,
           },
       .examples =
           "  jaywalk search scenarios/lane-keeping.yaml\n"
