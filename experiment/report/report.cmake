@@ -19,12 +19,14 @@ target_sources(jaywalk_experiment PRIVATE
   report/player/player.cpp
   report/player/replay_page.cpp
   report/player/side_by_side.cpp
+  report/policy_map.cpp
   report/report.cpp
   report/report_data.cpp
   report/sections/agents.cpp
   report/sections/avs.cpp
   report/sections/figures.cpp
   report/sections/kills.cpp
+  report/sections/learning.cpp
   report/sections/metrics.cpp
   report/sections/overview.cpp
   report/sections/places.cpp

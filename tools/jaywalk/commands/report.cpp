@@ -26,25 +26,27 @@ std::string beside(const std::string& store) {
 }  // namespace
 
 CommandHelp help() {
-  return {.usage = "STORE.gpkg... [OPTIONS]",
-          .description =
-              "Writes a page of what a store has: the paper's figures beside the published ones,\n"
-              "significance, where preconditions were met, verdicts, metrics, how to reproduce.\n"
-              "The page needs nothing beside it and no network; nothing is run. The stores of an\n"
-              "experiment's shards make one page. Of a store of searches, the searches' page.\n",
-          .options =
-              {
-                  {"html", "FILE", "the page's name (default: the store's, ending in .html)",
-                   Written::file},
-                  {"replays", "",
-                   "run the tests that the page names again and link pages that\n"
-                   "play them, in a folder beside it"},
-                  kAllowCommandsOption,
-              },
-          .examples =
-              "  jaywalk report paper.gpkg\n"
-              "  jaywalk report 1.gpkg 2.gpkg 3.gpkg 4.gpkg --html paper.html\n"
-              "  jaywalk report paper.gpkg --html paper.html --replays\n"};
+  return {
+      .usage = "STORE.gpkg... [OPTIONS]",
+      .description =
+          "Writes a page of what a store has: the paper's figures beside the published ones,\n"
+          "significance, where preconditions were met, verdicts, metrics, how to reproduce.\n"
+          "The page needs nothing beside it and no network. Nothing is run, but the first tests\n"
+          "of agents with a learned policy, for a map of what they do where. The stores of an\n"
+          "experiment's shards make one page. Of a store of searches, the searches' page.\n",
+      .options =
+          {
+              {"html", "FILE", "the page's name (default: the store's, ending in .html)",
+               Written::file},
+              {"replays", "",
+               "run the tests that the page names again and link pages that\n"
+               "play them, in a folder beside it"},
+              kAllowCommandsOption,
+          },
+      .examples =
+          "  jaywalk report paper.gpkg\n"
+          "  jaywalk report 1.gpkg 2.gpkg 3.gpkg 4.gpkg --html paper.html\n"
+          "  jaywalk report paper.gpkg --html paper.html --replays\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {

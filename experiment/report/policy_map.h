@@ -1,0 +1,41 @@
+#pragma once
+
+// What agents choose by a learned policy, by where they are before the AV. Read report.h before.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiment/report/facts.h"
+#include "experiment/trial/trial.h"
+
+namespace jaywalk::reporting {
+
+/// The choices of one part of a policy.
+struct PolicyMap {
+  /// P of learned(P), and the labels of its plans.
+  std::string part;
+  std::vector<std::string> options;
+  /// How often each option was chosen in a square of a cell's side: to the right of the ground's
+  /// left edge, and ahead of the AV's middle.
+  std::map<Square, std::vector<std::uint64_t>> places;
+  std::uint64_t choices = 0;
+};
+
+/// Which tests are run: of one behaviour with some agents, from a number on.
+struct PolicyMapTests {
+  std::size_t behaviour = 0;
+  std::uint32_t agents = 1;
+  std::uint64_t seed = 0;
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+};
+
+/// Runs tests of a behaviour that has a policy; a map for each part that agents chose by. Nothing
+/// is run, and there are none, where tests start a program or a simulator: who made a stored
+/// scenario chose it.
+[[nodiscard]] std::vector<PolicyMap> policy_maps(const PreparedScenario& prepared,
+                                                 const PolicyMapTests& tests);
+
+}  // namespace jaywalk::reporting
