@@ -8,9 +8,11 @@ ahead(none).  // or, in its place: in the AV's path so many seconds before it, i
 changes_mind(never).  // or so many seconds before it would get into that path; negative: after
 meanwhile(back).  // back, stand, forward (as the AV drives) or along (towards the AV)
 pause(1).  // seconds after which it goes on across
+moves(none).  // or, in place of all that, a letter for each tick: forward, back, left, right, stay
 
 !begin.
 
++!begin : moves(Moves) & not Moves = none & .term2string(Moves, Letters) <- !follow(Letters, 0).
 +!begin : not ahead(none) & ahead(S) & ticks_to_path(N) & comes_in(T) & tick_length(L) & tick(Now)
   <- +sets_out(math.round(Now + T - N - S / L));
      !stroll.
@@ -48,3 +50,16 @@ turned(along, _, back).
 +!steps(N, _) : N <= 0.
 +!steps(N, Way) : free(Way) <- move(Way); !steps(N - 1, Way).
 +!steps(N, Way)             <- stay; !steps(N - 1, Way).
+
+// Letter by letter, then it stays; what is in the way is waited for.
++!follow(Letters, I)
+  : .length(Letters, N) & I < N & .substring(Letter, Letters, I, I + 1) & letter(Letter, Way) &
+    free(Way)
+  <- move(Way);
+     !follow(Letters, I + 1).
++!follow(Letters, I) <- stay; !follow(Letters, I + 1).
+
+letter("f", forward).
+letter("b", back).
+letter("l", left).
+letter("r", right).
