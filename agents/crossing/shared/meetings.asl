@@ -1,0 +1,60 @@
+// Meetings with the AV: in a row of its way, so many cells ahead of it, walking across, along or
+// standing; which are possible, and how to bring one about. Include shared/steps.asl,
+// shared/prediction.asl and shared/reckoning.asl before.
+
+// Walk, or wait, until crossing leads to the meeting.
++!meet(Meeting) : slack(Meeting, S) & used_up(S) & Meeting = meeting(Row, _, How)
+  <- !cross_to(Row);
+     !go_on(How);
+     !cross_road.
++!meet(Meeting) : slack(Meeting, S) & step_for(S, Way) <- !step(Way); !meet(Meeting).
++!meet(_) <- !cross_road.
+
++!step(stay) <- stay.
++!step(Way)  <- move(Way).
+
++!cross_to(Row) : at(X, _) & walking_speed(W) & math.abs(X - Row) <= W / 2.
++!cross_to(Row) : at(X, _) & X < Row <- move(right); !cross_to(Row).
++!cross_to(Row)                      <- move(left); !cross_to(Row).
+
++!go_on(across).
++!go_on(standing) <- stay.
++!go_on(along)    <- move(forward).
+
+// Meetings that can still be brought about.
+possible(meeting(Row, Ahead, How)) :-
+  zone_rows(First, Last) & .range(Row, First, Last) & zone_ahead(From, To) &
+  .range(Ahead, From, To) & manner(How, _, _, _) & not met_before(Row, Ahead, How) &
+  slack(meeting(Row, Ahead, How), S) & can_use_up(S).
+
+// Already in the zone a tick earlier, when the AV was its way of a tick further back.
+met_before(Row, Ahead, How) :-
+  av_speed(V) & zone_ahead(_, To) & Ahead + V <= To & manner(How, _, More, _) & walking_speed(W) &
+  rows_in(Row, Rows) & Rows - W * (1 - More) >= -0.5.
+
+// How many rows into the zone a row is, from where the pedestrian comes.
+rows_in(Row, N) :- way_across(right) & zone_rows(First, _) & N = Row - First.
+rows_in(Row, N) :- way_across(left) & zone_rows(_, Last) & N = Last - Row.
+
+// How to be when the AV comes, by its bins when coming from the left and from the right; the ticks
+// that it takes beyond crossing, and the steps that it leads on.
+manner(across, [1, 2], 0, 0).
+manner(along, [3, 3], 1, 1).
+manner(standing, [4, 4], 1, 0).
+
+// How much nearer the AV must be, in cells, when the pedestrian begins to cross. In a tick the AV
+// comes nearer by V cells, by a step W less if the pedestrian walks forward, by W more if it walks back.
+slack(meeting(Row, Ahead, How), S) :-
+  manner(How, _, More, Steps) & at(X, Y) & av(AvY) & av_speed(V) & walking_speed(W) &
+  rows_to(X, Row, Row, N) & ticks_to_walk(N, T) &
+  S = Y + Steps * W - AvY - V * (T + More - 1) - Ahead.
+
+// A meeting is meant to the cell.
+used_up(S)    :- S >= -0.5 & S <= 0.5.
+can_use_up(S) :- used_up(S).
+can_use_up(S) :-
+  S > 0.5 & av_speed(V) & walking_speed(W) & S + 0.5 >= math.ceil((S - 0.5) / (V + W)) * (V - W).
+
+step_for(S, stay)    :- av_speed(V) & can_use_up(S - V).
+step_for(S, forward) :- free(forward) & av_speed(V) & walking_speed(W) & can_use_up(S - V + W).
+step_for(S, back)    :- free(back) & av_speed(V) & walking_speed(W) & can_use_up(S - V - W).
