@@ -97,9 +97,9 @@ class Specialists : public ::testing::TestWithParam<Specialist> {};
 // Seed 0, with which no behaviour was written; only how long stall stands was chosen with it.
 TEST_P(Specialists, AreBetterThanAnyOtherAtTheirDefect) {
   const Specialist& row = GetParam();
-  const auto prepared =
-      scenario("defects", {"experiment.defects=[]", std::string("world.av.defect=") + row.defect,
-                           row.setting});
+  const auto prepared = scenario(
+      "defects",
+      {"experiment.defects=[]", std::string("world.av.defect=") + row.defect, row.setting});
   const auto failures = [&](const std::string& name) {
     return verdicts(*prepared, name, "avoidability", 40, row.agents).of(Verdict::fail);
   };
