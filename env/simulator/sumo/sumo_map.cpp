@@ -19,7 +19,8 @@ constexpr double kBeyondM = 600;
 constexpr int kMostLanesOfAJunction = 20;
 
 SumoWay way_of(const SumoLane& lane, const SumoNetworkPlan& plan) {
-  return {.edges = {lane.edge},
+  return {.edges = lane.edges,
+          .begins_m = lane.begins_m,
           .lane = lane.index,
           .zero_m = lane.oncoming ? plan.to_m : -plan.from_m,
           .length_m = plan.to_m - plan.from_m,
@@ -174,6 +175,19 @@ class LaneWalker {
 
 }  // namespace
 
+WayPlace place_on(const SumoWay& way, double position_m) {
+  WayPlace place{.edge = 0, .along_m = position_m};
+  for (std::size_t i = 1; i < way.begins_m.size(); ++i) {
+    if (position_m < way.begins_m[i]) {
+      const double end_m = way.begins_m[i] - kLightM - way.begins_m[i - 1];
+      place.along_m = std::min(place.along_m, end_m);
+      break;
+    }
+    place = {.edge = i, .along_m = position_m - way.begins_m[i]};
+  }
+  return place;
+}
+
 std::string SumoMap::path() const {
   return is_sumo_network(settings_.net) ? settings_.net : made_.path();
 }
@@ -186,10 +200,11 @@ std::string SumoMap::prepare(const SimulatedTest& test, bool& changed) {
         convert_to_sumo_network(settings_.net, keeps_left(test.road.bands), made_.path());
     if (!problem.empty()) return problem;
   }
-  if (changed) av_way_ = {.edges = settings_.route};
+  if (changed) av_way_ = {.edges = settings_.route, .begins_m = {}};
   flow_ways_.clear();
   for (const SumoFlow& flow : settings_.traffic) {
-    flow_ways_.push_back({.edges = flow.route, .lane = flow.lane > 0 ? flow.lane - 1 : kBestLane});
+    flow_ways_.push_back(
+        {.edges = flow.route, .begins_m = {}, .lane = flow.lane > 0 ? flow.lane - 1 : kBestLane});
   }
   return {};
 }
@@ -215,6 +230,7 @@ std::string SumoMap::prepare_bands(const SimulatedTest& test, bool& changed) {
     }
     flow_ways_.push_back(way_of(plan.lanes[number - 1], plan));
   }
+  lights_ = plan.lights;
   walking_edge_ = plan.walking_edge;
   std::string text = fmt::format("{}{}{}", plan.left_hand, plan.nodes, plan.edges);
   changed = text != made_from_;

@@ -9,6 +9,7 @@
 #include "env/simulator/simulator.h"
 #include "env/simulator/sumo/memory_file.h"
 #include "env/simulator/sumo/road_frame.h"
+#include "env/simulator/sumo/sumo_network.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "env/simulator/sumo/sumo_settings.h"
 
@@ -20,6 +21,8 @@ inline constexpr int kBestLane = -1;
 /// A way through the network: edges, and the lane of the first.
 struct SumoWay {
   std::vector<std::string> edges;
+  /// Where they begin, from the begin of the first; of ways on a network made from bands.
+  std::vector<double> begins_m;
   int lane = 0;
   /// Metres from the first edge's begin to y = 0; counted the other way for oncoming traffic.
   double zero_m = 0;
@@ -28,6 +31,15 @@ struct SumoWay {
   double middle_x_m = 0;
   bool oncoming = false;
 };
+
+/// An edge of a way, by its number, and how far along it.
+struct WayPlace {
+  std::size_t edge = 0;
+  double along_m = 0;
+};
+
+/// Of a place so far along a way. Between two edges there is none: it is at the end of the first.
+[[nodiscard]] WayPlace place_on(const SumoWay& way, double position_m);
 
 class SumoMap {
  public:
@@ -45,6 +57,8 @@ class SumoMap {
   /// Of a flow, by its number. REQUIRES: prepared.
   [[nodiscard]] const SumoWay& flow_way(std::size_t flow) const { return flow_ways_[flow]; }
   [[nodiscard]] const RoadFrame& frame() const { return frame_; }
+  /// The lights that show what the world's signals do.
+  [[nodiscard]] const std::vector<SumoLight>& lights() const { return lights_; }
   /// Where persons begin.
   [[nodiscard]] const std::string& walking_edge() const { return walking_edge_; }
 
@@ -56,6 +70,7 @@ class SumoMap {
   std::string made_from_;
   SumoWay av_way_;
   std::vector<SumoWay> flow_ways_;
+  std::vector<SumoLight> lights_;
   RoadFrame frame_;
   std::string walking_edge_;
   bool surveyed_ = false;

@@ -1,7 +1,9 @@
 #include "env/simulator/sumo/sumo_network.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -59,45 +61,135 @@ std::vector<Group> groups_of(std::span<const RoadBand> bands) {
   return groups;
 }
 
+// Stop lines that are no further apart have one light, at the first of them.
+constexpr double kOneLineM = 1;
+
+/// Where the vehicles of some lanes stop, and the crosswalks, by index, for which they do.
+struct LightLine {
+  double at_m = 0;
+  std::vector<std::size_t> crosswalks;
+};
+
+/// In the order of the traffic: it stops where a crosswalk begins for it.
+std::vector<LightLine> light_lines(const Ground& ground, bool back) {
+  std::vector<LightLine> each;
+  for (std::size_t i = 0; i < ground.crosswalks.size(); ++i) {
+    const GroundCrosswalk& crosswalk = ground.crosswalks[i];
+    if (crosswalk.zebra) continue;
+    double far_m = crosswalk.begins_m;
+    for (const Rectangle& part : crosswalk.parts) far_m = std::max(far_m, part.far);
+    each.push_back({back ? far_m : crosswalk.begins_m, {i}});
+  }
+  std::ranges::stable_sort(each, {},
+                           [&](const LightLine& line) { return back ? -line.at_m : line.at_m; });
+  std::vector<LightLine> lines;
+  for (const LightLine& line : each) {
+    if (lines.empty() || std::fabs(line.at_m - lines.back().at_m) > kOneLineM) {
+      lines.push_back(line);
+    } else {
+      lines.back().crosswalks.push_back(line.crosswalks.front());
+    }
+  }
+  return lines;
+}
+
 class Planner {
  public:
-  Planner(SumoNetworkPlan& plan) : plan_(plan) {}
+  Planner(SumoNetworkPlan& plan, const Ground& ground) : plan_(plan), ground_(ground) {}
 
   void add(Group group, std::size_t number) {
     const RoadBand& first = group.front();
     const bool walking = first.kind == AreaKind::pavement;
-    const std::string edge = fmt::format("{}{}", walking ? "pavement" : "road", number);
+    const std::string name = fmt::format("{}{}", walking ? "pavement" : "road", number);
     const double middle_m = (first.left_m + group.back().right_m) / 2;
     plan_.nodes += fmt::format(
         "<node id=\"{0}a\" x=\"{1:.9g}\" y=\"{2:.9g}\"/>\n<node id=\"{0}b\" x=\"{1:.9g}\" "
         "y=\"{3:.9g}\"/>\n",
-        edge, middle_m, plan_.from_m, plan_.to_m);
-    const bool back = !walking && first.oncoming;
-    plan_.edges += fmt::format(
-        "<edge id=\"{0}\" from=\"{0}{1}\" to=\"{0}{2}\" numLanes=\"{3}\" speed=\"{4}\" "
-        "spreadType=\"center\">\n",
-        edge, back ? 'b' : 'a', back ? 'a' : 'b', group.size(), kNoLimitMps);
-    // Lane 0 is the outermost one: the first from the left where traffic keeps to the left and the
-    // edge leads forward, or where it does neither.
-    const bool from_left = plan_.left_hand != back;
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      const std::size_t index = from_left ? i : group.size() - 1 - i;
-      add_lane(group[index], edge, i, walking);
+        name, middle_m, plan_.from_m, plan_.to_m);
+    if (walking) {
+      add_edge(group, name, name + 'a', name + 'b');
+      if (plan_.walking_edge.empty()) plan_.walking_edge = name;
+    } else {
+      add_course(group, name, first.oncoming);
     }
-    plan_.edges += "</edge>\n";
-    if (walking && plan_.walking_edge.empty()) plan_.walking_edge = edge;
   }
 
  private:
-  void add_lane(const RoadBand& band, const std::string& edge, std::size_t index, bool walking) {
-    plan_.edges += fmt::format("<lane index=\"{}\" width=\"{:.9g}\" {}=\"pedestrian\"/>\n", index,
-                               band.right_m - band.left_m, walking ? "allow" : "disallow");
-    if (walking) return;
-    plan_.lanes.push_back(
-        {edge, static_cast<int>(index), band.left_m, band.right_m, band.oncoming});
+  struct Course {
+    std::vector<std::string> edges;
+    std::vector<double> begins_m;
+  };
+
+  /// Lane 0 is the outermost one: the first from the left where traffic keeps to the left and the
+  /// edge leads forward, or where it does neither.
+  [[nodiscard]] const RoadBand& band_of(Group group, std::size_t lane) const {
+    const bool from_left = plan_.left_hand != group.front().oncoming;
+    return group[from_left ? lane : group.size() - 1 - lane];
+  }
+
+  /// Whoever stands at a light is between two edges, and there SUMO wants both to let them in.
+  [[nodiscard]] std::string_view who_may(Group group) const {
+    if (group.front().kind == AreaKind::pavement) return "allow=\"pedestrian\"";
+    return parted_ ? "allow=\"all\"" : "disallow=\"pedestrian\"";
+  }
+
+  /// From one end of the network to the other, with a light at each stop line.
+  void add_course(Group group, const std::string& name, bool back) {
+    const std::vector<LightLine> lines = light_lines(ground_, back);
+    parted_ = !lines.empty();
+    Course course{.edges = {name}, .begins_m = {0}};
+    std::string from = name + (back ? 'b' : 'a');
+    for (const LightLine& line : lines) {
+      const std::string light = fmt::format("{}light{}", name, course.edges.size());
+      add_light(group, light, line, back);
+      add_edge(group, course.edges.back(), from, light);
+      course.edges.push_back(fmt::format("{}after{}", name, course.edges.size()));
+      const double way_m = back ? plan_.to_m - line.at_m : line.at_m - plan_.from_m;
+      course.begins_m.push_back(way_m + kLightM);
+      from = light;
+    }
+    add_edge(group, course.edges.back(), from, name + (back ? 'a' : 'b'));
+    add_lanes(group, course);
+  }
+
+  /// A junction over the lanes' whole width.
+  void add_light(Group group, const std::string& name, const LightLine& line, bool back) {
+    const double near_m = back ? line.at_m - kLightM : line.at_m;
+    const double left_m = group.front().left_m;
+    const double right_m = group.back().right_m;
+    plan_.nodes += fmt::format(
+        "<node id=\"{0}\" x=\"{1:.9g}\" y=\"{2:.9g}\" type=\"traffic_light\" "
+        "shape=\"{4:.9g},{3:.9g} {5:.9g},{3:.9g} {5:.9g},{6:.9g} {4:.9g},{6:.9g}\"/>\n",
+        name, (left_m + right_m) / 2, near_m + kLightM / 2, near_m, left_m, right_m,
+        near_m + kLightM);
+    plan_.lights.push_back({name, group.size(), line.crosswalks});
+  }
+
+  void add_edge(Group group, const std::string& edge, const std::string& from,
+                const std::string& to) {
+    plan_.edges += fmt::format(
+        "<edge id=\"{}\" from=\"{}\" to=\"{}\" numLanes=\"{}\" speed=\"{}\" "
+        "spreadType=\"center\">\n",
+        edge, from, to, group.size(), kNoLimitMps);
+    for (std::size_t lane = 0; lane < group.size(); ++lane) {
+      const RoadBand& band = band_of(group, lane);
+      plan_.edges += fmt::format("<lane index=\"{}\" width=\"{:.9g}\" {}/>\n", lane,
+                                 band.right_m - band.left_m, who_may(group));
+    }
+    plan_.edges += "</edge>\n";
+  }
+
+  void add_lanes(Group group, const Course& course) {
+    for (std::size_t lane = 0; lane < group.size(); ++lane) {
+      const RoadBand& band = band_of(group, lane);
+      plan_.lanes.push_back({course.edges, course.begins_m, static_cast<int>(lane), band.left_m,
+                             band.right_m, band.oncoming});
+    }
   }
 
   SumoNetworkPlan& plan_;
+  const Ground& ground_;
+  bool parted_ = false;
 };
 
 }  // namespace
@@ -118,7 +210,7 @@ SumoNetworkPlan plan_sumo_network(const SimulatedRoad& road, double first_m, dou
   plan.to_m = last_m;
   plan.nodes = "<nodes>\n";
   plan.edges = "<edges>\n";
-  Planner planner(plan);
+  Planner planner(plan, road.ground);
   std::size_t number = 0;
   for (const Group group : groups_of(road.bands)) planner.add(group, ++number);
   if (plan.walking_edge.empty()) {

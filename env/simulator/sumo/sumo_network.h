@@ -2,7 +2,8 @@
 
 // The network that SUMO simulates on, made from a road's bands by `netconvert`: the lanes of one
 // direction beside each other are an edge, each pavement is one. It is longer than the road at both
-// ends, so that vehicles come from somewhere and leave behind it. SUMO's map is the world's plane.
+// ends, so that vehicles come from somewhere and leave behind it. Where the world has a signalled
+// crosswalk, edges are parted by a traffic light. SUMO's map is the world's plane.
 
 #include <span>
 #include <string>
@@ -14,13 +15,28 @@ namespace jaywalk {
 
 /// A lane for vehicles.
 struct SumoLane {
-  std::string edge;
+  /// In the order of its traffic; more than one where lights part them.
+  std::vector<std::string> edges;
+  /// Where each begins, in metres from the begin of the first.
+  std::vector<double> begins_m;
   int index = 0;
   /// On the world's plane.
   double left_m = 0;
   double right_m = 0;
   bool oncoming = false;
 };
+
+/// A traffic light of the lanes that lead one way: their stop line before a signalled crosswalk.
+struct SumoLight {
+  std::string name;
+  /// Each has a lamp of its own.
+  std::size_t lanes = 1;
+  /// Indices into the crosswalks of the ground; more than one if they begin together.
+  std::vector<std::size_t> crosswalks;
+};
+
+/// How far the edges before and behind a light are apart: netconvert makes none that touch.
+inline constexpr double kLightM = 0.4;
 
 /// The inputs of netconvert, and what they are called.
 struct SumoNetworkPlan {
@@ -29,6 +45,7 @@ struct SumoNetworkPlan {
   bool left_hand = false;
   /// From the AV's left to its right.
   std::vector<SumoLane> lanes;
+  std::vector<SumoLight> lights;
   /// The first pavement, or one beside the road if that has none: where persons begin.
   std::string walking_edge;
   /// Where all edges begin and end along the road.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -107,11 +108,12 @@ SumoModel av_model(const SimulatedTest& test, SumoModel model) {
 
 std::string vehicle(std::string_view id, std::string_view type, const SumoWay& way, double depart_s,
                     double position_m, double speed_mps, std::string_view more) {
+  const WayPlace place = place_on(way, position_m);
   return fmt::format(
       "<vehicle id=\"{}\" type=\"{}\" depart=\"{:.3f}\" departLane=\"{}\" departPos=\"{:.9g}\" "
       "departSpeed=\"{:.9g}\"{}><route edges=\"{}\"/></vehicle>\n",
-      id, type, depart_s, way.lane == kBestLane ? "best" : std::to_string(way.lane), position_m,
-      speed_mps, more, fmt::join(way.edges, " "));
+      id, type, depart_s, way.lane == kBestLane ? "best" : std::to_string(way.lane), place.along_m,
+      speed_mps, more, fmt::join(std::span(way.edges).subspan(place.edge), " "));
 }
 
 }  // namespace

@@ -208,12 +208,13 @@ void check_bands(const SumoSettings& settings, const SimulatedSite& site,
 
 void check_site(const SumoSettings& settings, const SimulatedSite& site,
                 std::vector<SettingProblem>& problems) {
+  if (settings.net.empty()) return check_bands(settings, site, problems);
   if (std::ranges::any_of(site.road.ground.crosswalks,
                           [](const GroundCrosswalk& each) { return !each.zebra; })) {
-    problems.push_back({"crosswalks", "SUMO's vehicles see no signals of the world's",
-                        "give SUMO a map that has signals (world.simulator.net)", true});
+    problems.push_back({"crosswalks", "on a given map SUMO's vehicles see the map's signals alone",
+                        "leave signalled crosswalks out, or let the network be made from bands",
+                        true});
   }
-  if (settings.net.empty()) check_bands(settings, site, problems);
 }
 
 }  // namespace

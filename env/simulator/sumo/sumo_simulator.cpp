@@ -1,7 +1,8 @@
 // SUMO as a simulator: it moves the AV and the traffic, on a map of its own. Pedestrians are put
 // where they are in every step, in a walking stage and wherever they like (keepRoute 6), which is
 // what makes SUMO's vehicles brake for them. A vehicle's position is the middle of its front
-// bumper, an angle counts clockwise from north.
+// bumper, an angle counts clockwise from north. The lights of the network show in each tick what
+// the world's signals show.
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,10 @@ constexpr int kNoLane = -1;
 constexpr double kFarM = 1e5;
 // Where whoever is hidden from the AV is put for SUMO, beside the road.
 constexpr double kOutOfSightM = 1e5;
+// How SUMO writes the colours of a light; the green one gives way to nobody.
+constexpr char kGreenLamp = 'G';
+constexpr char kAmberLamp = 'y';
+constexpr char kRedLamp = 'r';
 constexpr std::uint64_t kSumoSeed = 0x53554d4f;
 constexpr std::array kOfVehicles{TraciVariable::position, TraciVariable::angle,
                                  TraciVariable::speed, TraciVariable::acceleration};
@@ -74,6 +79,7 @@ class SumoSimulator final : public Simulator {
   [[nodiscard]] TraciMessage first_message(const SimulatedTest& test) const;
   [[nodiscard]] bool is_hidden(const ActorState& state) const;
   void move(const SimulatedBody& body, double share, TraciMessage& message) const;
+  void show(std::span<const ShownSignal> signals, TraciMessage& message) const;
   [[nodiscard]] TraciMessage step_message(const SimulatedTick& tick, int step) const;
   [[nodiscard]] SimulatedScene scene_of(const TraciAnswer& answer) const;
   [[nodiscard]] SimulatedVehicle vehicle_of(const TraciObject& object, double length_m) const;
@@ -173,6 +179,7 @@ std::string SumoSimulator::begin(const SimulatedTest& test, SimulatedStart& star
   load.load(options(test));
   // The vehicles are let in, and stand where they depart.
   TraciMessage step;
+  show({}, step);
   step.step();
   TraciAnswer answer;
   for (const TraciMessage& message : {load, step, first_message(test)}) {
@@ -217,9 +224,24 @@ void SumoSimulator::move(const SimulatedBody& body, double share, TraciMessage& 
                               traci_byte(kAnywhere)}));
 }
 
+/// Each light shows the most severe of its crosswalks' colours; green while nobody says another.
+void SumoSimulator::show(std::span<const ShownSignal> signals, TraciMessage& message) const {
+  for (const SumoLight& light : map_.lights()) {
+    char lamp = kGreenLamp;
+    for (const ShownSignal& each : signals) {
+      if (std::ranges::find(light.crosswalks, each.crosswalk) == light.crosswalks.end()) continue;
+      if (each.colour == "red") lamp = kRedLamp;
+      if (each.colour == "amber" && lamp != kRedLamp) lamp = kAmberLamp;
+    }
+    message.set(TraciCommand::traffic_light_set, TraciVariable::lamps, light.name,
+                traci_text(std::string(light.lanes, lamp)));
+  }
+}
+
 TraciMessage SumoSimulator::step_message(const SimulatedTick& tick, int step) const {
   TraciMessage message;
   const double share = static_cast<double>(step) / steps_;
+  if (step == 1) show(tick.signals, message);
   for (const SimulatedBody& body : tick.bodies) move(body, share, message);
   message.step();
   return message;

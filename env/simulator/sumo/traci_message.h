@@ -26,6 +26,7 @@ enum class TraciCommand : std::uint8_t {
   edge_get = 0xaa,
   simulation_get = 0xab,
   person_get = 0xae,
+  traffic_light_set = 0xc2,
   vehicle_set = 0xc4,
   person_set = 0xce,
   vehicle_subscribe = 0xd4,
@@ -35,6 +36,7 @@ enum class TraciCommand : std::uint8_t {
 /// Identifiers of what is read and changed, each of meaning for some commands only.
 enum class TraciVariable : std::uint8_t {
   ids = 0x00,
+  lamps = 0x20,
   speed = 0x40,
   position = 0x42,
   angle = 0x43,

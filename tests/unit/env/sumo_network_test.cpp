@@ -13,6 +13,7 @@
 
 #include "env/simulator/simulators.h"
 #include "env/simulator/sumo/road_frame.h"
+#include "env/simulator/sumo/sumo_map.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "tests/unit/env/sumo_street.h"
 
@@ -28,7 +29,7 @@ TEST(SumoNetwork, HasLanesFromTheOuterSideOnEitherSideOfTraffic) {
   const SumoNetworkPlan left = plan_sumo_network(road, -10, 100);
   EXPECT_TRUE(left.left_hand);
   ASSERT_EQ(left.lanes.size(), 3U);
-  EXPECT_EQ(left.lanes[0].edge, left.lanes[1].edge);
+  EXPECT_EQ(left.lanes[0].edges, left.lanes[1].edges);
   EXPECT_EQ(left.lanes[0].index, 0);
   EXPECT_EQ(left.lanes[1].index, 1);
   for (RoadBand& band : road.bands) band.oncoming = !band.oncoming;
@@ -36,6 +37,71 @@ TEST(SumoNetwork, HasLanesFromTheOuterSideOnEitherSideOfTraffic) {
   EXPECT_FALSE(right.left_hand);
   EXPECT_EQ(right.lanes[0].index, 0);
   EXPECT_TRUE(right.lanes[0].oncoming);
+}
+
+SimulatedRoad with_crosswalk(SimulatedRoad road, bool zebra, double begins_m) {
+  road.ground.crosswalks.push_back(
+      {zebra, {{3, 15, begins_m, begins_m + 4.5}}, begins_m, {"light"}});
+  return road;
+}
+
+TEST(SumoNetwork, HasALightBeforeEachSignalledCrosswalkFromEitherSide) {
+  const SumoNetworkPlan plan = plan_sumo_network(with_crosswalk(street(), false, 30), -10, 100);
+  ASSERT_EQ(plan.lights.size(), 2U);
+  ASSERT_EQ(plan.lanes.size(), 2U);
+  EXPECT_EQ(plan.lanes[0].edges.size(), 2U);
+  EXPECT_THAT(plan.lanes[0].begins_m, testing::ElementsAre(0, 40 + kLightM));
+  EXPECT_THAT(plan.lanes[1].begins_m, testing::ElementsAre(0, 100 - 34.5 + kLightM));
+  EXPECT_THAT(plan.lights[0].crosswalks, testing::ElementsAre(0));
+  EXPECT_EQ(plan.lights[0].lanes, 1U);
+}
+
+// What SUMO draws depends on its network to the last byte.
+TEST(SumoNetwork, HasNothingOfLightsWithoutSignals) {
+  SimulatedRoad road = with_crosswalk(street(), true, 30);
+  road.bands.erase(road.bands.begin());
+  road.bands.erase(road.bands.begin() + 1);
+  const SumoNetworkPlan plan = plan_sumo_network(road, -10, 100);
+  EXPECT_TRUE(plan.lights.empty());
+  EXPECT_EQ(plan.nodes,
+            "<nodes>\n"
+            "<node id=\"road1a\" x=\"6\" y=\"-10\"/>\n<node id=\"road1b\" x=\"6\" y=\"100\"/>\n"
+            "<node id=\"pavement2a\" x=\"16.5\" y=\"-10\"/>\n"
+            "<node id=\"pavement2b\" x=\"16.5\" y=\"100\"/>\n</nodes>\n");
+  EXPECT_EQ(plan.edges,
+            "<edges>\n"
+            "<edge id=\"road1\" from=\"road1a\" to=\"road1b\" numLanes=\"1\" speed=\"100\" "
+            "spreadType=\"center\">\n<lane index=\"0\" width=\"6\" disallow=\"pedestrian\"/>\n"
+            "</edge>\n"
+            "<edge id=\"pavement2\" from=\"pavement2a\" to=\"pavement2b\" numLanes=\"1\" "
+            "speed=\"100\" spreadType=\"center\">\n"
+            "<lane index=\"0\" width=\"3\" allow=\"pedestrian\"/>\n</edge>\n</edges>\n");
+}
+
+TEST(SumoNetwork, HasOneLightForCrosswalksThatBeginTogether) {
+  SimulatedRoad road = with_crosswalk(street(), false, 60);
+  road = with_crosswalk(std::move(road), false, 30);
+  road = with_crosswalk(std::move(road), false, 30.5);
+  const SumoNetworkPlan plan = plan_sumo_network(road, -10, 100);
+  ASSERT_EQ(plan.lights.size(), 4U);
+  EXPECT_THAT(plan.lights[0].crosswalks, testing::ElementsAre(1, 2));
+  EXPECT_THAT(plan.lights[1].crosswalks, testing::ElementsAre(0));
+  EXPECT_THAT(plan.lanes[0].begins_m, testing::ElementsAre(0, 40 + kLightM, 70 + kLightM));
+}
+
+TEST(SumoWay, HasItsPlacesOnItsEdges) {
+  const SumoWay way{.edges = {"a", "b"}, .begins_m = {0, 40 + kLightM}};
+  const auto place = [&](double position_m) {
+    const WayPlace found = place_on(way, position_m);
+    return std::pair(found.edge, found.along_m);
+  };
+  EXPECT_EQ(place(-3), std::pair(std::size_t{0}, -3.0));
+  EXPECT_EQ(place(40), std::pair(std::size_t{0}, 40.0));
+  EXPECT_EQ(place(40 + kLightM / 2).first, 0U);
+  EXPECT_NEAR(place(40 + kLightM / 2).second, 40, 1e-9);
+  EXPECT_EQ(place(50).first, 1U);
+  EXPECT_NEAR(place(50).second, 10 - kLightM, 1e-9);
+  EXPECT_EQ(place_on({.edges = {"a"}, .begins_m = {}}, 7).along_m, 7);
 }
 
 TEST(RoadFrame, LaysTheRoadAlongALine) {
@@ -95,12 +161,16 @@ std::string unfit(const SimulatorParameters& parameters, SimulatedRoad road) {
 }
 
 TEST(Sumo, RefusesWhatItsVehiclesWouldNotSee) {
-  const SimulatorParameters parameters{.name = "sumo", .settings = {}};
+  SimulatorParameters parameters{.name = "sumo", .settings = {}};
   EXPECT_EQ(unfit(parameters, street()), "");
   SimulatedRoad road = street();
   road.ground.crosswalks.push_back({.zebra = false, .parts = {}, .begins_m = 30, .signals = {}});
+  EXPECT_EQ(unfit(parameters, road), "") << "its network has a light there";
+  parameters.settings["net"] = text("town.xml");
+  parameters.settings["route"] = text("in up");
   EXPECT_EQ(unfit(parameters, road),
-            "world.crosswalks: SUMO's vehicles see no signals of the world's\n");
+            "world.crosswalks: on a given map SUMO's vehicles see the map's signals alone\n");
+  parameters.settings.clear();
   road.ground.crosswalks.front().zebra = true;
   EXPECT_EQ(unfit(parameters, road), "");
   road.ground.obstacles = {{3, 4.5, 40, 45}, {9, 10.5, 40, 45}};

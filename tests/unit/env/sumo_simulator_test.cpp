@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "env/simulator/simulators.h"
+#include "env/simulator/sumo/sumo_network.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "env/simulator/sumo/traci_client.h"
 #include "tests/unit/env/sumo_street.h"
@@ -270,6 +271,168 @@ TEST_F(WithSumo, AMapWithoutTheRouteIsSaidToHaveNone) {
     SimulatedStart start;
     const std::string problem = simulator->begin(test_of(0, road, vehicle, {}, {}), start);
     EXPECT_NE(problem.find(said), std::string::npos) << problem;
+  }
+}
+
+/// A street of two lanes and one that comes back, with a signalled crosswalk from 60 to 64.5 m.
+class AtASignal : public WithSumo {
+ protected:
+  static SimulatedRoad signalled_street() {
+    SimulatedRoad road = street();
+    road.bands[2].right_m = 12;
+    road.bands.insert(road.bands.begin() + 2, {AreaKind::lane, 9, 12, false});
+    road.bands[3] = {AreaKind::lane, 12, 15, true};
+    road.ground.crosswalks = {
+        {.zebra = false, .parts = {{3, 15, 60, 64.5}}, .begins_m = 60, .signals = {"light"}}};
+    return road;
+  }
+
+  struct Passage {
+    std::vector<SimulatedScene> scenes;
+    std::vector<double> fronts_m;
+    std::string error;
+  };
+
+  /// The light shows a colour in each tick; somebody may stand somewhere.
+  static Passage pass(Simulator& simulator, const std::vector<std::string>& colours,
+                      const SimulatedRoad& road = signalled_street(), Point stands = {1, 90}) {
+    const VehicleParameters vehicle;
+    const std::array actors{Actor{"p1", ActorKind::pedestrian, 0.5, 0.5}};
+    const std::array starts{ActorState{.x_m = stands.x_m, .y_m = stands.y_m}};
+    const std::array bodies{SimulatedBody{0, starts.front(), starts.front()}};
+    Passage passage;
+    SimulatedStart start;
+    passage.error = simulator.begin(test_of(0, road, vehicle, actors, starts), start);
+    for (std::size_t i = 0; i < colours.size() && passage.error.empty(); ++i) {
+      const std::array signals{ShownSignal{0, colours[i]}};
+      std::vector<SimulatedScene> scenes;
+      passage.error = simulator.advance({.tick = i + 1,
+                                         .begin_s = static_cast<double>(i),
+                                         .length_s = 1,
+                                         .bodies = bodies,
+                                         .signals = signals},
+                                        scenes);
+      for (const SimulatedScene& each : scenes) {
+        passage.scenes.push_back(each);
+        passage.fronts_m.push_back(each.av.state.y_m + 2.25);
+      }
+    }
+    return passage;
+  }
+
+  static std::vector<std::string> ticks(std::size_t count, const std::string& colour,
+                                        std::size_t green = 0) {
+    std::vector<std::string> colours(count, colour);
+    colours.resize(count + green, "green");
+    return colours;
+  }
+};
+
+TEST_F(AtASignal, VehiclesWaitBeforeTheStopLineUntilItIsGreen) {
+  for (const std::string model : {"Krauss", "IDM", "EIDM", "ACC", "CACC", "Wiedemann"}) {
+    for (const std::string colour : {"red", "amber"}) {
+      const auto simulator = make_sumo(with(model));
+      const Passage passage = pass(*simulator, ticks(14, colour, 6));
+      ASSERT_EQ(passage.error, "") << model;
+      EXPECT_LE(passage.fronts_m[139], 60) << model << ' ' << colour;
+      EXPECT_GT(passage.fronts_m[139], 55) << model << ' ' << colour;
+      EXPECT_NEAR(passage.scenes[139].av.state.speed_mps, 0, 0.3) << model << ' ' << colour;
+      EXPECT_GT(passage.fronts_m.back(), 70) << model << ' ' << colour;
+    }
+    const auto simulator = make_sumo(with(model));
+    const Passage green = pass(*simulator, ticks(8, "green"));
+    const Passage open = pass(*simulator, ticks(8, "green"), street());
+    ASSERT_EQ(green.error + open.error, "") << model;
+    EXPECT_NEAR(green.fronts_m.back(), open.fronts_m.back(), 0.01)
+        << model << ": green holds nobody up";
+  }
+}
+
+TEST_F(AtASignal, AmberStopsWhoCanAndLetsPassWhoCannot) {
+  const auto simulator = make_sumo(with("Krauss"));
+  std::vector<std::string> late = ticks(6, "green");
+  late.resize(9, "amber");
+  const Passage near = pass(*simulator, late);
+  ASSERT_EQ(near.error, "");
+  EXPECT_NEAR(near.fronts_m[59], 55.5, 1e-6);
+  EXPECT_GT(near.fronts_m.back(), 64.5);
+}
+
+TEST_F(AtASignal, TheConstantAvDrivesThrough) {
+  const auto simulator = make_sumo(with("constant"));
+  const Passage passage = pass(*simulator, ticks(12, "red"));
+  ASSERT_EQ(passage.error, "");
+  for (std::size_t i = 0; i < passage.fronts_m.size(); ++i) {
+    EXPECT_NEAR(passage.fronts_m[i], 1.5 + 0.9 * static_cast<double>(i + 1), 1e-9);
+    EXPECT_EQ(passage.scenes[i].av.state.x_m, 6);
+    EXPECT_NEAR(passage.scenes[i].av.state.heading_rad, kForwardRad, 1e-9);
+    if (i % 10 == 9) {
+      EXPECT_EQ(passage.fronts_m[i], 1.5 + 9 * static_cast<double>(i / 10 + 1));
+    }
+  }
+}
+
+// A light parts the lane; whoever stands before, at or behind it is seen as on one that it does not
+// part.
+TEST_F(AtASignal, VehiclesBrakeForPedestriansAroundIt) {
+  const SimulatedRoad plain = street();
+  SimulatedRoad lit = street();
+  lit.ground.crosswalks = signalled_street().ground.crosswalks;
+  for (const double y_m : {57.0, 59.75, 60.0, 60.1, 60.2, 60.3, 60.4, 60.5, 60.75, 63.0, 75.0}) {
+    const auto simulator = make_sumo(with("Krauss"));
+    const Passage with_light = pass(*simulator, ticks(14, "green"), lit, {6, y_m});
+    const Passage without = pass(*simulator, ticks(14, "green"), plain, {6, y_m});
+    ASSERT_EQ(with_light.error + without.error, "") << y_m;
+    EXPECT_LT(with_light.fronts_m.back(), y_m - 1) << y_m;
+    EXPECT_NEAR(with_light.fronts_m.back(), without.fronts_m.back(), 1) << y_m;
+  }
+}
+
+TEST_F(AtASignal, TrafficStopsOnItsOwnSide) {
+  SimulatorParameters parameters = with("Krauss");
+  SettingValue flows;
+  flows.maps = {{{"lane", "2"}, {"every", "3"}}, {{"lane", "3"}, {"every", "3"}}};
+  parameters.settings["traffic"] = flows;
+  const auto simulator = make_sumo(parameters);
+  const Passage red = pass(*simulator, ticks(25, "red"));
+  ASSERT_EQ(red.error, "");
+  double nearest_m = 0;
+  double nearest_back_m = 1e6;
+  for (const SimulatedVehicle& each : red.scenes.back().traffic) {
+    if (!each.present || each.state.speed_mps > 0.1) continue;
+    const bool back = each.state.heading_rad < 0;
+    const double front_m = each.state.y_m + (back ? -2.25 : 2.25);
+    if (back) nearest_back_m = std::min(nearest_back_m, front_m);
+    if (!back) nearest_m = std::max(nearest_m, front_m);
+  }
+  EXPECT_LE(nearest_m, 60);
+  EXPECT_GT(nearest_m, 55);
+  EXPECT_GE(nearest_back_m, 64.5);
+  EXPECT_LT(nearest_back_m, 69.5);
+}
+
+TEST_F(AtASignal, ATestBeginsWithGreenAndIsTheSameWhateverCameBefore) {
+  const auto used = make_sumo(with("Krauss"));
+  const Passage red = pass(*used, ticks(14, "red"));
+  const Passage after = pass(*used, ticks(8, "green"));
+  const auto fresh = make_sumo(with("Krauss"));
+  const Passage alone = pass(*fresh, ticks(8, "green"));
+  ASSERT_EQ(red.error + after.error + alone.error, "");
+  EXPECT_EQ(after.fronts_m, alone.fronts_m);
+  EXPECT_GT(after.fronts_m.back(), 70);
+  EXPECT_EQ(red.fronts_m, pass(*fresh, ticks(14, "red")).fronts_m);
+}
+
+// From behind the stop line it does not come back to it.
+TEST_F(AtASignal, WhoBeginsBehindTheStopLineDrivesOn) {
+  for (const double begins_m : {-9.0, 1.1, 1.5, 1.6}) {
+    SimulatedRoad road = signalled_street();
+    road.ground.crosswalks.front().begins_m = begins_m;
+    road.ground.crosswalks.front().parts = {{3, 15, begins_m, begins_m + 3}};
+    const auto simulator = make_sumo(with("constant"));
+    const Passage passage = pass(*simulator, ticks(3, "red"), road);
+    ASSERT_EQ(passage.error, "") << begins_m;
+    EXPECT_NEAR(passage.fronts_m.back(), 1.5 + 9 * 3, kLightM) << begins_m;
   }
 }
 
