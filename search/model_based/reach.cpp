@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <span>
 #include <thread>
 #include <unordered_set>
 
@@ -12,6 +14,8 @@ namespace jaywalk::search {
 namespace {
 
 constexpr std::string_view kMoves = "fblrs";
+/// Walks that are followed between two looks at limits: a tenth of a second.
+constexpr std::size_t kAtOnce = 64;
 
 /// Where a walk has led to.
 struct Step {
@@ -92,10 +96,10 @@ class Explorer {
     found_.starts = frontier.size();
     std::uint32_t ticks = 0;
     while (!frontier.empty()) {
-      if (ticks == plan_.most_ticks || found_.states > plan_.most_states) return std::move(found_);
-      if (plan_.interrupted && plan_.interrupted(ticks, found_.states)) return std::move(found_);
-      frontier = next(frontier);
-      found_.states += frontier.size();
+      if (ticks == plan_.most_ticks) return std::move(found_);
+      std::optional<std::vector<ScriptedWalk>> longer = next(frontier);
+      if (!longer) return std::move(found_);
+      frontier = std::move(*longer);
       ++ticks;
     }
     found_.complete = true;
@@ -118,7 +122,26 @@ class Explorer {
   }
 
   /// The walks that are a move longer, of each state one: the first, in the order of `walks`.
-  std::vector<ScriptedWalk> next(const std::vector<ScriptedWalk>& walks) {
+  /// Nothing if the limit of states is reached, or the search is interrupted.
+  std::optional<std::vector<ScriptedWalk>> next(const std::vector<ScriptedWalk>& walks) {
+    std::vector<ScriptedWalk> longer;
+    std::unordered_set<std::string> states;
+    for (std::size_t from = 0; from < walks.size(); from += kAtOnce) {
+      if (plan_.interrupted && plan_.interrupted()) return std::nullopt;
+      const auto some = std::span(walks).subspan(from, std::min(kAtOnce, walks.size() - from));
+      for (Step& step : follow(some)) {
+        if (step.end == Step::End::met) note(step);
+        if (step.end != Step::End::goes_on || !states.insert(std::move(step.state)).second)
+          continue;
+        longer.push_back(std::move(step.walk));
+        if (++found_.states > plan_.most_states) return std::nullopt;
+      }
+    }
+    return longer;
+  }
+
+  /// Each of the walks with each move behind it.
+  std::vector<Step> follow(std::span<const ScriptedWalk> walks) {
     std::vector<Step> steps(walks.size() * kMoves.size());
     const auto work = [&](std::size_t first) {
       for (std::size_t i = first; i < steps.size(); i += walkers_.size()) {
@@ -127,20 +150,11 @@ class Explorer {
         steps[i] = walkers_[first]->follow(std::move(walk));
       }
     };
-    {
-      std::vector<std::jthread> threads;
-      for (std::size_t i = 1; i < walkers_.size(); ++i) threads.emplace_back(work, i);
-      work(0);
-    }
-    std::vector<ScriptedWalk> longer;
-    std::unordered_set<std::string> states;
-    for (Step& step : steps) {
-      if (step.end == Step::End::met) note(step);
-      if (step.end == Step::End::goes_on && states.insert(std::move(step.state)).second) {
-        longer.push_back(std::move(step.walk));
-      }
-    }
-    return longer;
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 1; i < walkers_.size(); ++i) threads.emplace_back(work, i);
+    work(0);
+    threads.clear();
+    return steps;
   }
 
   void note(const Step& step) {

@@ -33,8 +33,8 @@ struct ReachPlan {
   std::uint32_t most_ticks = 1000;
   std::uint64_t most_states = 5'000'000;
   unsigned threads = 1;
-  /// Asked after each tick; true ends it, incomplete. Not set: never.
-  std::function<bool(std::uint32_t ticks, std::uint64_t states)> interrupted;
+  /// Asked now and then, after some walks; true ends it, incomplete. Not set: never.
+  std::function<bool()> interrupted;
 };
 
 struct Reach {

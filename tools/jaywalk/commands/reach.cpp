@@ -96,7 +96,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   std::optional<js::ReachPlan> plan = read_request(arguments, console);
   if (!plan) return ExitCode::usage;
   const InterruptGuard interrupt;
-  plan->interrupted = [&](std::uint32_t, std::uint64_t) { return interrupt.interrupted(); };
+  plan->interrupted = [&] { return interrupt.interrupted(); };
   const js::Reach found = js::reach(*plan);
   if (interrupt.interrupted()) {
     console.note("interrupted");
