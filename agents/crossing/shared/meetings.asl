@@ -3,10 +3,10 @@
 // shared/prediction.asl and shared/reckoning.asl before.
 
 // Walk, or wait, until crossing leads to the meeting.
-+!meet(Meeting) : slack(Meeting, S) & used_up(S) & Meeting = meeting(Row, _, How)
++!meet(Meeting) : slack(Meeting, S) & used_up(S) & Meeting = meeting(Row, _, How) & way_across(Way)
   <- !cross_to(Row);
      !go_on(How);
-     !cross_road.
+     !cross(Way).
 +!meet(Meeting) : slack(Meeting, S) & step_for(S, Way) <- !step(Way); !meet(Meeting).
 +!meet(_) <- !cross_road.
 
