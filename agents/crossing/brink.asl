@@ -1,6 +1,6 @@
 // Brink: waits beside the AV's lane and steps out at the last moment at which a careful and competent
-// driver would still avoid it, if the AV meets it unless it brakes; stands in the AV's path until it
-// has stopped.
+// driver would still avoid it, if the AV meets it unless it brakes; stands in the AV's path until the
+// AV has stopped or passed.
 
 { include("shared/stepping.asl") }
 

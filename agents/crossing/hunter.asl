@@ -1,8 +1,7 @@
 // Hunter: looks for what the AV does wrong. In every tick it pursues what is worth most as the AV
 // now drives: to be met by it where it drives on though somebody is in its lane; to try its
 // patience where it stands; to draw it on; to step out on the brink; to lure it. It remembers how
-// the AV reacted. Of several the first whom it comes to lures it, and after two tries lets it go on
-// to the others.
+// the AV reacted. Of several the first whom it comes to lures it. After two tries it lets the AV go.
 
 { include("shared/stepping.asl") }
 { include("shared/company.asl") }
@@ -37,15 +36,23 @@ car_across :-
   home(Side) & parked(Other, From, To) & Other \== Side & far(Y) & Y > From - 5 & near(N) & N < To.
 at_a_car :- side(Side) & parked(Side, From, To) & far(Y) & Y > From - 0.3 & Y < To.
 
-// Somebody whom the AV comes to first, and somebody further on.
+// Somebody whom the AV comes to first.
 first_to_others :-
   driver(F, _, _) & near(Mine) & in_sight(Id, _, Y) & Id \== me & Y > F + 12 & Y < Mine - 1.
-others_ahead :- near(Mine) & in_sight(Id, _, Y) & Id \== me & Y > Mine + 1.
+
+// It may go. A foot in the lane as it passes holds no driver up, but may hold up an AV that takes
+// people to be further ahead than they are: it stands where one can walk into it.
+takes_leave    :- draws(N) & N > 1.
+about_to_leave :- not stands & not gone & not avoids(0).
+stands_beside  :- stands & gap(M) & M < -0.1 & not gone.
 
 +!hunt : desire(Desire) <- !Desire; !hunt.
 
 desire(let_go) :- gone.
-desire(let_go) :- draws(N) & N > 1 & others_ahead & not in_lane.
+desire(meet) :- takes_leave & stands_beside & driver_gone.
+desire(graze) :- takes_leave & not in_path & (about_to_leave | stands_beside).
+desire(let_go) :- takes_leave & not in_lane.
+desire(be_ready) :- takes_leave & stands.
 desire(try(Place)) :-
   in_lane & stands & gap(M) & M < 4 & trials([Place|_]) & not (Place == beyond & car_across).
 desire(meet) :- in_lane & drives & drawing & about_to_pass.
@@ -78,6 +85,7 @@ desire(be_ready).
 +!rest : drawing <- -drawing; +draws(1).
 +!rest.
 
++!graze <- -aim(_); !to(toe).
 +!step_out <- !aim_at(near).
 +!meet <- !aim_at(middle).
 
@@ -99,7 +107,8 @@ desire(be_ready).
 // Ahead in its lane until a driver who had stopped would have the way to pick up speed, then out.
 +!draw_on : not drawing <- +drawing; !wait.
 +!draw_on : in_path     <- !leave_path.
-+!draw_on : leads(M) & M < 1 & driver(F, _, _) & near(N) & N - F < 4.5 & not at_a_car
++!draw_on
+  : leads(M) & M < 1 & driver(F, _, _) & near(N) & N - F < 4.5 & not at_a_car & free(forward)
   <- !along(forward).
 +!draw_on : side(Side) & place(beside, Side, X) <- !step_to(X).
 +!leave_path : side(Side) & place(brim, Side, X) <- !step_to(X).

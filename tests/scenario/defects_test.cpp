@@ -113,7 +113,8 @@ TEST_P(Specialists, AreBetterThanAnyOtherAtTheirDefect) {
 
 INSTANTIATE_TEST_SUITE_P(
     StandardSet, Specialists,
-    ::testing::Values(Specialist{"brink", "pedal-change"}, Specialist{"feint", "brake-fade"},
+    ::testing::Values(Specialist{"brink", "pedal-change"},
+                      Specialist{"feint", "constant-velocity=0.6"},
                       Specialist{"loiter", "lateral-bias"},
                       Specialist{"shadow", "near-obstacle", 1, "world.av.start=-40"},
                       Specialist{"decoy_and_runner", "nearest-only", 2, "world.av.start=-40"},

@@ -121,7 +121,8 @@ spare(In, Short) :-
   risks(Risks) & since(Risks, Since) & now(S) & way_to_stop(math.min(In, Since - S), Way) &
   driver(F, _, _) & near(N) & margin(M) & Short = N - F - Way - M.
 avoids(In) :- spare(In, Short) & Short >= 0.
-avoids(_) :- driver(F, _, _) & av_metres(Length) & far(Y) & F - Length > Y.
+avoids(_) :- driver_gone.
+driver_gone :- driver(F, _, _) & av_metres(Length) & far(Y) & F - Length > Y.
 
 av_metres(M) :- av_length(N) & cell_length(C) & M = N * C.
 

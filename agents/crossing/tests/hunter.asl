@@ -84,9 +84,8 @@ trials([far, near, beyond]).
      !assert_equals(be_ready, Desire).
 
 @[test]
-+!it_lets_the_av_go_to_those_further_on_after_two_tries
++!it_lets_the_av_go_after_two_tries
   <- +at(1.5 - 1 / 6, 30);
-     +road_user(2, pedestrian, 1, 45, 0, 0);
      +drawing;
      !rest;
      !the_av_is_at(27, 9, 0);
@@ -96,6 +95,26 @@ trials([far, near, beyond]).
      !rest;
      ?desire(Then);
      !assert_equals(let_go, Then).
+
+@[test]
++!it_puts_a_foot_in_the_lane_of_an_av_that_leaves
+  <- +at(1.5 - 1 / 6, 30);
+     +draws(2);
+     !the_av_is_at(45.2, 1, 0.2);
+     !try(desires);
+     !assert_true(did(to(toe))).
++!desires : desire(Desire) <- !Desire.
+
+@[test]
++!it_walks_into_an_av_that_stands_beside_it_when_a_driver_would_be_gone
+  <- +at(1.5 - 1 / 6, 30);
+     +draws(2);
+     !the_av_is_at(46, 0, 0);
+     ?desire(Desire);
+     !assert_equals(graze, Desire);
+     !a_driver_would_stand_at(60);
+     ?desire(Then);
+     !assert_equals(meet, Then).
 
 @[test]
 +!it_does_not_go_over_to_a_parked_car
