@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "env/process/child_wait.h"
 #include "interpreter/support/start_threads.h"
 
 namespace jaywalk::search {
@@ -30,6 +31,8 @@ class Shared {
   const SearchPlan& plan;
   TestLog* log;
   std::atomic<bool> stop = false;
+  /// A test that was under way may have been given up.
+  [[nodiscard]] bool stopping() const { return stop || end_requested; }
   std::atomic<std::size_t> next = 0;
 
   void note(std::size_t search, const SearchRun& run, const TestRow& row, double spent) {
@@ -101,12 +104,12 @@ class Search {
                                      .fitness = plan_.fitness,
                                      .seed = run.seed,
                                      .values = spec_.values})) {
-    sut_->stop_when([&shared] { return shared.stop.load(); });
+    sut_->stop_when([&shared] { return shared.stopping(); });
   }
 
   void go() {
     while (!over() && !generator_->exhausted()) {
-      if (shared_.stop) return;
+      if (shared_.stopping()) return;
       const auto start = Clock::now();
       Asking asking(model_.space(), spent());
       TestInput input = generator_->ask(asking);
@@ -182,7 +185,7 @@ class Search {
     }
     const auto start = Clock::now();
     row.test.outcome = sut_->run(row.test.input, number);
-    if (shared_.stop) return false;  // it may have been given up; with --resume it is run again
+    if (shared_.stopping()) return false;  // with --resume it is run again
     row.execution_s = seconds_since(start);
     row.test.fitness = plan_.fitness.of(row.test.outcome);
     row.test.failed = row.test.outcome.executed() && plan_.fitness.fails(row.test.fitness);
@@ -222,7 +225,7 @@ class Search {
 };
 
 void work(Shared& shared, std::vector<SearchRun>& runs) {
-  while (!shared.stop) {
+  while (!shared.stopping()) {
     const std::size_t index = shared.next++;
     if (index >= runs.size()) break;
     try {

@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "env/process/child_wait.h"
+
 namespace jaywalk {
 namespace {
 
@@ -183,7 +185,7 @@ std::string start_guarded(const std::vector<std::string>& command, const std::st
 int end_guarded(GuardedChild& child, milliseconds patience) {
   const auto deadline = steady_clock::now() + patience;
   bool ended = has_ended(child.guard);
-  while (!ended && steady_clock::now() < deadline) {
+  while (!ended && !end_requested && steady_clock::now() < deadline) {
     std::this_thread::sleep_for(milliseconds(1));
     ended = has_ended(child.guard);
   }

@@ -33,8 +33,9 @@ struct ChildStreams {
                                         const std::string& folder, ChildStreams streams,
                                         GuardedChild& child);
 
-/// Waits for the program to end by itself, then kills what is left of the group: the status of
-/// waitpid, -1 if it had to be killed. REQUIRES: it was started. Afterwards there is none.
+/// Waits for the program to end by itself, unless we are asked to end (child_wait.h), then kills
+/// what is left of the group: the status of waitpid, -1 if it had to be killed. REQUIRES: it was
+/// started. Afterwards there is none.
 int end_guarded(GuardedChild& child, std::chrono::milliseconds patience);
 
 }  // namespace jaywalk

@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
@@ -15,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "env/process/child_wait.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
@@ -27,11 +27,6 @@ constexpr std::size_t kMostErrorBytes = 64 * 1024;
 constexpr std::size_t kShownErrorBytes = 200;
 /// How long a process that closed its output may take to end, so that it can be said how.
 constexpr milliseconds kLastBreath{500};
-
-int remaining_ms(steady_clock::time_point deadline) {
-  const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
-  return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1'000'000));
-}
 
 /// Closes a file descriptor at the end of its life.
 class Descriptor {
@@ -99,27 +94,23 @@ std::string LineProcess::start() {
 }
 
 /// Meanwhile the child's errors are read, so that it never waits for somebody to read them.
-LineProcess::Wait LineProcess::wait_for(short events, Deadline deadline) {
+std::string LineProcess::wait_for(short events, Deadline deadline) {
   while (true) {
     std::array<pollfd, 2> waits{pollfd{channel_, events, 0}, pollfd{error_pipe_, POLLIN, 0}};
-    const int count = poll(waits.data(), waits.size(), remaining_ms(deadline));
-    if (count == 0) return Wait::late;
-    if (count < 0 && errno != EINTR) return Wait::failed;
-    if (count < 0) continue;
+    if (std::string why = wait_for_child(waits, deadline); !why.empty()) return why;
     if (waits[1].revents != 0) read_errors();
-    if (waits[0].revents != 0) return Wait::ready;
+    if (waits[0].revents != 0) return {};
   }
 }
 
 std::string LineProcess::write_all(std::string_view text, Deadline deadline) {
   while (!text.empty()) {
-    const Wait wait = wait_for(POLLOUT, deadline);
-    if (wait == Wait::late) return "late";
-    if (wait == Wait::failed) return std::strerror(errno);
     const ssize_t written = send(channel_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (written > 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EAGAIN && errno != EINTR) {
+    } else if (errno == EAGAIN) {
+      if (std::string why = wait_for(POLLOUT, deadline); !why.empty()) return why;
+    } else if (errno != EINTR) {
       return ended();
     }
   }
@@ -138,10 +129,8 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
     }
     searched = buffer_.size();
     if (searched > kMaxLineBytes) return {{}, "its answer is longer than 16 MB"};
-    const Wait wait = wait_for(POLLIN, deadline);
-    if (wait == Wait::late) return {{}, "late"};
-    if (wait == Wait::failed) return {{}, std::strerror(errno)};
-    std::array<char, 65536> chunk{};
+    if (std::string why = wait_for(POLLIN, deadline); !why.empty()) return {{}, why};
+    std::array<char, 4096> chunk{};  // answers are short, and clearing more costs more than they do
     const ssize_t count = recv(channel_, chunk.data(), chunk.size(), 0);
     if (count > 0) {
       buffer_.append(chunk.data(), static_cast<std::size_t>(count));
@@ -153,7 +142,7 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
 
 std::optional<std::string> LineProcess::unasked(milliseconds settling) {
   const Deadline deadline = steady_clock::now() + settling;
-  if (buffer_.empty() && wait_for(POLLIN, deadline) == Wait::ready) {
+  if (buffer_.empty() && wait_for(POLLIN, deadline).empty()) {
     std::array<char, 4096> chunk{};
     // Nothing is read at the end of its output: that is noticed when it is asked.
     const ssize_t count = recv(channel_, chunk.data(), chunk.size(), MSG_DONTWAIT);
@@ -175,7 +164,7 @@ LineAnswer LineProcess::ask(std::string_view line, milliseconds limit) {
   LineAnswer answer;
   answer.error = write_all(fmt::format("{}\n", line), deadline);
   if (answer.error.empty()) answer = read_line(deadline);
-  if (answer.error == "late") answer.error = late(limit);
+  if (answer.error == kLate) answer.error = late(limit);
   if (!answer.error.empty()) give_up();
   return answer;
 }

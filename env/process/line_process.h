@@ -45,9 +45,10 @@ class LineProcess {
   LineProcess(const LineProcess&) = delete;
   LineProcess& operator=(const LineProcess&) = delete;
 
-  /// Sends a line and waits for the answer. Output that is unread before the line is sent answers
-  /// nothing: it is an error, since all answers after it would belong to other questions. After an
-  /// error the process is gone; the next question starts it anew.
+  /// Sends a line and waits for the answer, until the program is asked to end (child_wait.h).
+  /// Output that is unread before the line is sent answers nothing: it is an error, since all
+  /// answers after it would belong to other questions. After an error the process is gone; the next
+  /// question starts it anew.
   [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
   /// Sends a line that is not answered, to a process that was asked before. One that does not take
   /// it is gone.
@@ -62,10 +63,10 @@ class LineProcess {
 
  private:
   using Deadline = std::chrono::steady_clock::time_point;
-  enum class Wait { ready, late, failed };
 
   [[nodiscard]] std::string start();
-  [[nodiscard]] Wait wait_for(short events, Deadline deadline);
+  /// Why the channel is not ready; empty if it is.
+  [[nodiscard]] std::string wait_for(short events, Deadline deadline);
   [[nodiscard]] std::string write_all(std::string_view text, Deadline deadline);
   [[nodiscard]] LineAnswer read_line(Deadline deadline);
   void read_errors();

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "env/process/child_wait.h"
+
 namespace jaywalk {
 namespace {
 
@@ -101,7 +103,7 @@ bool SumoProcess::connect_within(int port, milliseconds limit) {
     const bool ended =
         waitid(P_PID, static_cast<id_t>(child_.guard), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
         info.si_pid == child_.guard;
-    if (ended || steady_clock::now() > deadline) return false;
+    if (ended || end_requested || steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(milliseconds(2));
   }
   return true;
@@ -146,7 +148,7 @@ std::string SumoProcess::start(const std::vector<std::string>& options, const st
   end();
   std::string problem;
   bool again = true;
-  for (int i = 0; i < kTries && again; ++i) {
+  for (int i = 0; i < kTries && again && !end_requested; ++i) {
     again = false;
     problem = try_port(options, token, again);
     if (problem.empty()) return {};

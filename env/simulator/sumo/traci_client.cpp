@@ -1,16 +1,18 @@
 #include "env/simulator/sumo/traci_client.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "env/process/child_wait.h"
 
 namespace jaywalk {
 namespace {
@@ -65,27 +67,18 @@ void TraciClient::disconnect() {
   if (socket_ >= 0) close(std::exchange(socket_, -1));
 }
 
-bool TraciClient::wait_for(short events, Deadline deadline, std::string& error) {
-  while (true) {
-    const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now()).count();
-    pollfd wait{socket_, events, 0};
-    const int count =
-        poll(&wait, 1, static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000)));
-    if (count > 0) return true;
-    if (count < 0 && errno == EINTR) continue;
-    error = count == 0 ? "late" : std::strerror(errno);
-    return false;
-  }
+std::string TraciClient::wait_for(short events, Deadline deadline) {
+  std::array<pollfd, 1> wait{pollfd{socket_, events, 0}};
+  return wait_for_child(wait, deadline);
 }
 
 std::string TraciClient::send_all(std::string_view bytes, Deadline deadline) {
-  std::string error;
   while (!bytes.empty()) {
     const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     } else if (errno == EAGAIN) {
-      if (!wait_for(POLLOUT, deadline, error)) return error;
+      if (std::string why = wait_for(POLLOUT, deadline); !why.empty()) return why;
     } else if (errno != EINTR) {
       return std::string(kClosed);
     }
@@ -94,7 +87,6 @@ std::string TraciClient::send_all(std::string_view bytes, Deadline deadline) {
 }
 
 std::string TraciClient::receive(std::size_t count, Deadline deadline) {
-  std::string error;
   if (taken_ == end_) taken_ = end_ = 0;
   if (received_.size() < std::max(taken_ + count, kChunk)) {
     received_.resize(std::max(taken_ + count, kChunk));
@@ -105,7 +97,7 @@ std::string TraciClient::receive(std::size_t count, Deadline deadline) {
     if (got > 0) {
       end_ += static_cast<std::size_t>(got);
     } else if (got < 0 && errno == EAGAIN) {
-      if (!wait_for(POLLIN, deadline, error)) return error;
+      if (std::string why = wait_for(POLLIN, deadline); !why.empty()) return why;
     } else if (got == 0 || errno != EINTR) {
       return std::string(kClosed);
     }
@@ -120,7 +112,7 @@ std::string_view TraciClient::take(std::size_t count) {
 }
 
 TraciAnswer TraciClient::fail(std::string error, milliseconds limit) {
-  if (error == "late") {
+  if (error == kLate) {
     error = fmt::format("no answer within {:g} s", static_cast<double>(limit.count()) / 1000);
   }
   disconnect();

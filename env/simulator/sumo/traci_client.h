@@ -37,7 +37,8 @@ class TraciClient {
  private:
   using Deadline = std::chrono::steady_clock::time_point;
 
-  [[nodiscard]] bool wait_for(short events, Deadline deadline, std::string& error);
+  /// Why the connection is not ready; empty if it is.
+  [[nodiscard]] std::string wait_for(short events, Deadline deadline);
   [[nodiscard]] std::string send_all(std::string_view bytes, Deadline deadline);
   /// Until there are so many bytes that nobody has taken.
   [[nodiscard]] std::string receive(std::size_t count, Deadline deadline);

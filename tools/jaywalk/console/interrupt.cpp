@@ -1,6 +1,5 @@
 #include "tools/jaywalk/console/interrupt.h"
 
-#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -8,24 +7,21 @@
 #include <stop_token>
 #include <utility>
 
+#include "env/process/child_wait.h"
 #include "tools/jaywalk/console/console.h"
 
 namespace jaywalk {
 namespace {
 
-// A signal handler can reach nothing but a global.
-std::atomic<bool> interrupt_seen = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
 extern "C" void note_interrupt(int signal) {
-  interrupt_seen = true;
+  end_requested = true;
   std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
-  interrupt_seen = false;
+  end_requested = false;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Handler before = std::signal(signal, note_interrupt);
     if (signal == SIGHUP && before == SIG_IGN) {
@@ -40,7 +36,7 @@ InterruptGuard::~InterruptGuard() {
   for (const Noted& each : noted_) std::signal(each.signal, each.before);
 }
 
-bool InterruptGuard::interrupted() const { return interrupt_seen; }
+bool InterruptGuard::interrupted() const { return end_requested; }
 
 PromptEnd::PromptEnd(const InterruptGuard& interrupt, std::function<void()> clean) {
   watcher_ = std::jthread([this, &interrupt, clean = std::move(clean)](std::stop_token stopped) {
