@@ -24,7 +24,12 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
                                 std::chrono::milliseconds limit) {
   const std::string key(settings_.key);
   question[key] = number;
-  LineAnswer answer = process_.ask(text_of(question), limit);
+  return ask_text(text_of(question), number, limit);
+}
+
+JsonAnswer NumberedProcess::ask_text(std::string_view question, std::size_t number,
+                                     std::chrono::milliseconds limit) {
+  LineAnswer answer = process_.ask(question, limit);
   asked_ = answer.error.empty();
   if (!answer.error.empty()) {
     repeats_ = false;

@@ -45,6 +45,9 @@ class NumberedProcess {
   /// reports about itself, the process is gone; the next question starts it anew.
   [[nodiscard]] JsonAnswer ask(nlohmann::json question, std::size_t number,
                                std::chrono::milliseconds limit);
+  /// The same of a question that is one line of text already, with its number in it.
+  [[nodiscard]] JsonAnswer ask_text(std::string_view question, std::size_t number,
+                                    std::chrono::milliseconds limit);
   /// What to say if it has answered the last question with more than one line, or does within
   /// `settling`; it is ended then. Empty if all is well.
   [[nodiscard]] std::string said_more(std::chrono::milliseconds settling);

@@ -36,6 +36,7 @@
 #include "env/process/tidy.h"
 #include "env/vehicle/controller_processes.h"
 #include "env/vehicle/models.h"
+#include "env/vehicle/view_text.h"
 
 namespace jaywalk {
 namespace {
@@ -46,60 +47,6 @@ constexpr std::chrono::milliseconds kLimit{5000};
 constexpr std::chrono::milliseconds kSettling{1};
 // Answers beyond a hundred times gravity are refused; what is less absurd is limited.
 constexpr double kAbsurdMps2 = 1000;
-
-nlohmann::json actors_of(const VehicleView& view) {
-  nlohmann::json actors = nlohmann::json::array();
-  for (const SeenActor& actor : view.actors) {
-    actors.push_back({{"id", actor.id},
-                      {"kind", std::string(name(actor.kind))},
-                      {"gap", tidy(actor.gap_m)},
-                      {"far", tidy(actor.gap_m + actor.length_m)},
-                      {"sides", tidy_pair(actor.left_m, actor.right_m)},
-                      {"ahead", tidy(actor.speed_ahead_mps)},
-                      {"right", tidy(actor.speed_right_mps)},
-                      {"heading", tidy(actor.heading_rad)}});
-  }
-  return actors;
-}
-
-/// The road as the map has it.
-void add_road(const VehicleView& view, nlohmann::json& json) {
-  double left_m = view.lane_left_m;
-  double right_m = view.lane_right_m;
-  json["lanes"] = nlohmann::json::array();
-  for (const SeenLane& lane : view.lanes) {
-    json["lanes"].push_back(
-        {{"sides", tidy_pair(lane.left_m, lane.right_m)}, {"oncoming", lane.oncoming}});
-    left_m = std::min(left_m, lane.left_m);
-    right_m = std::max(right_m, lane.right_m);
-  }
-  json["kerb"] = tidy_pair(left_m, right_m);
-  json["obstacles"] = nlohmann::json::array();
-  for (const SeenObstacle& each : view.obstacles) {
-    json["obstacles"].push_back({{"gap", tidy(each.gap_m)},
-                                 {"far", tidy(each.far_m)},
-                                 {"sides", tidy_pair(each.left_m, each.right_m)}});
-  }
-  json["stop_lines"] = nlohmann::json::array();
-  for (const StopLine& line : view.stop_lines) {
-    json["stop_lines"].push_back({{"gap", tidy(line.gap_m)}, {"closed", line.closed}});
-  }
-}
-
-nlohmann::json to_json(const VehicleView& view) {
-  nlohmann::json json{{"time", tidy(view.time_s)},
-                      {"period", tidy(view.period_s)},
-                      {"speed", tidy(view.speed_mps)},
-                      {"cruise", tidy(view.cruise_mps)},
-                      {"front", tidy(view.front_m)},
-                      {"length", tidy(view.length_m)},
-                      {"body", tidy_pair(view.left_m, view.right_m)},
-                      {"lane", tidy_pair(view.lane_left_m, view.lane_right_m)},
-                      {"range", tidy(view.range_m)},
-                      {"actors", actors_of(view)}};
-  add_road(view, json);
-  return json;
-}
 
 nlohmann::json to_json(const DriveBriefing& briefing) {
   return {{"test", briefing.test},
@@ -129,14 +76,14 @@ class External final : public VehicleController {
     test_ = briefing.test;
     if (!keeps_ || briefing.processes == nullptr) return;
     process_ = &briefing.processes->of(command_);
-    ask({{"reset", to_json(briefing)}});
+    const std::size_t step = steps_++;
+    (void)answer_of(process_->ask({{"reset", to_json(briefing)}}, step, kLimit));
   }
 
   VehicleDecision decide(const VehicleView& view) override {
     if (!failure_.empty()) return {};
-    nlohmann::json question = to_json(view);
-    question["test"] = test_;
-    const auto answer = ask(std::move(question));
+    const std::size_t step = steps_++;
+    const auto answer = answer_of(process().ask_text(view_text(view, test_, step), step, kLimit));
     if (!answer) return {};
     const auto acceleration = answer->find("acceleration");
     if (acceleration == answer->end() || !acceleration->is_number()) {
@@ -181,8 +128,8 @@ class External final : public VehicleController {
     return *own_;
   }
 
-  std::optional<nlohmann::json> ask(nlohmann::json question) {
-    JsonAnswer answer = process().ask(std::move(question), steps_++, kLimit);
+  /// Nothing after an error.
+  std::optional<nlohmann::json> answer_of(JsonAnswer answer) {
     if (answer.error.empty()) return std::move(answer.json);
     fail(answer.error);
     return std::nullopt;
