@@ -92,6 +92,9 @@ class ExperimentReader {
     if (const ConfigNode* defects = root->find("defects")) take_defects(*defects);
     check_policies();
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    for (const GeneratorSpec& spec : experiment_.plan.generators) {
+      keep_inputs(experiment_.plan.model_of(spec));
+    }
     return std::move(experiment_);
   }
 
@@ -133,6 +136,14 @@ class ExperimentReader {
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include,
                             experiment_.defects, options_.trials == Trials::none, &policies_});
+  }
+
+  /// Several generators may search the same system.
+  void keep_inputs(const SutModel& model) {
+    for (const SourcePtr& input : model.inputs()) {
+      const auto same = [&](const SourcePtr& each) { return each->name() == input->name(); };
+      if (std::ranges::none_of(experiment_.inputs, same)) experiment_.inputs.push_back(input);
+    }
   }
 
   void read_sut(const ConfigNode& node, const std::string& path) {

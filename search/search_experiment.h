@@ -40,6 +40,8 @@ struct SearchExperiment {
   std::vector<VehicleDefect> defects;
   /// From which it was read.
   std::string text;
+  /// The texts of all other files that its tests are made from.
+  std::vector<SourcePtr> inputs;
   SearchOptions options;
   /// Text and options in one: what a store compares before it goes on.
   std::string origin;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/support/source.h"
 #include "search/test_input.h"
 
 namespace jaywalk::lane {
@@ -90,6 +91,8 @@ class SutModel {
   [[nodiscard]] virtual std::vector<SutSetting> settings() const = 0;
   /// The same space if it is one of roads, which have pictures and exports; else null.
   [[nodiscard]] virtual const RoadSpace* road_space() const { return nullptr; }
+  /// The texts of all files that its tests are made from.
+  [[nodiscard]] virtual std::vector<SourcePtr> inputs() const { return {}; }
   /// The defects of its AV that the experiment asks for, by name, and the system with one of them
   /// (kills.h); empty and null if it has none.
   [[nodiscard]] virtual std::vector<std::string> defects() const { return {}; }

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/scenario/files/sha256.h"
-
 namespace jaywalk {
 namespace {
 
@@ -120,11 +118,7 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
   for (std::size_t i = 0; i < prepared.behaviours().size(); ++i) {
     description.behaviours.push_back(describe(prepared.behaviours()[i], scenario.behaviours[i]));
   }
-  for (const SourcePtr& input : prepared.inputs()) {
-    description.inputs.push_back(StoredInput{.path = input->name(),
-                                             .text = std::string(input->text()),
-                                             .sha256 = sha256(input->text())});
-  }
+  description.inputs = stored_inputs(prepared.inputs());
   return description;
 }
 
@@ -132,8 +126,7 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
                  bool metrics) {
   description.metrics = description.metrics || metrics;
   for (const SourcePtr& file : files) {
-    StoredInput input{
-        .path = file->name(), .text = std::string(file->text()), .sha256 = sha256(file->text())};
+    StoredInput input = stored_input(*file);
     auto same = std::ranges::find(description.inputs, input.path, &StoredInput::path);
     if (same != description.inputs.end() && same->sha256 != input.sha256) {
       input.path += '@' + input.sha256.substr(0, 8);

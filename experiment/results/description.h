@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
+#include "experiment/results/store/stored_inputs.h"
 #include "experiment/trial/trial.h"
 
 namespace jaywalk {
@@ -33,15 +34,6 @@ struct Shard {
 
 /// `2/4`. Nothing if it is not of that form, or there is no such shard.
 [[nodiscard]] std::optional<Shard> parse_shard(std::string_view text);
-
-/// A file that the experiment was made from: scenario, start cells, programs and what they include.
-struct StoredInput {
-  /// As it was named when it was read.
-  std::string path;
-  std::string text;
-  /// Of the text, 64 hexadecimal digits.
-  std::string sha256;
-};
 
 /// A behaviour as the plan names it.
 struct StoredBehaviour {

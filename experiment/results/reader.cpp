@@ -72,22 +72,13 @@ class ResultsReader::Impl {
 
   [[nodiscard]] Commands commands() const { return commands_; }
 
-  /// The inputs, as they were.
-  [[nodiscard]] SourceFiles copies() const {
-    std::vector<SourcePtr> copies;
-    for (const StoredInput& input : description_.inputs) {
-      copies.push_back(std::make_shared<const Source>(input.path, input.text));
-    }
-    return SourceFiles(copies);
-  }
-
   Result<std::shared_ptr<const PreparedScenario>> prepare() {
     if (prepared_) return prepared_;
     auto scenario =
         read_scenario(description_.scenario, {.preset = description_.preset,
                                               .sets = description_.sets,
                                               .behaviours = description_.behaviour_options,
-                                              .files = copies(),
+                                              .files = copies_of(description_.inputs),
                                               .include = description_.include});
     if (!scenario) return std::move(scenario.diagnostics());
     Diagnostics warnings;  // were shown when the tests ran
@@ -221,8 +212,8 @@ Result<std::vector<Assertion>> ResultsReader::assertions() const {
     if (!scenario) return std::move(scenario.diagnostics());
     return scenario.value()->scenario().assertions;
   }
-  auto files =
-      read_assertion_files(description().assertion_files, impl_->copies(), SameId::replaced);
+  auto files = read_assertion_files(description().assertion_files,
+                                    copies_of(impl_->description().inputs), SameId::replaced);
   if (!files) return std::move(files.diagnostics());
   return std::move(files).value().assertions;
 }

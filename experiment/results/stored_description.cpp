@@ -8,7 +8,6 @@
 
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
-#include "experiment/scenario/files/sha256.h"
 
 namespace jaywalk {
 namespace {
@@ -17,11 +16,6 @@ void write_judging(Database& database, const ExperimentDescription& description)
   Statement option(database, "INSERT INTO options (name, value) VALUES (?, ?)");
   for (const std::string& file : description.assertion_files) option.run("assertions", file);
   if (description.metrics) option.run("metrics", "");
-}
-
-void write_inputs(Database& database, std::span<const StoredInput> inputs) {
-  Statement input(database, "INSERT INTO inputs (path, sha256, text) VALUES (?, ?, ?)");
-  for (const StoredInput& each : inputs) input.run(each.path, each.sha256, each.text);
 }
 
 void write_options(Database& database, const ExperimentDescription& description) {
@@ -168,23 +162,12 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
       database.text("SELECT version FROM versions WHERE subject = 'simulator'").value_or("");
   read_options(database, description);
   read_plan(database, description);
-  Statement input(database, "SELECT path, sha256, text FROM inputs ORDER BY id");
-  while (input.step()) {
-    description.inputs.push_back(
-        {.path = input.text(0), .text = input.text(2), .sha256 = input.text(1)});
-  }
+  description.inputs = read_inputs(database);
   if (database.failure()) return store_error(path, trouble_with(database));
   if (!found || !sensible(description)) {
     return store_error(path, "the store is damaged: its description makes no sense");
   }
-  const auto changed = std::ranges::find_if(description.inputs, [](const StoredInput& stored) {
-    return sha256(stored.text) != stored.sha256;
-  });
-  if (changed != description.inputs.end()) {
-    return store_error(path, fmt::format("the store is damaged: the text of '{}' is not the one "
-                                         "whose hash it has",
-                                         changed->path));
-  }
+  if (auto why = damage_of(description.inputs)) return store_error(path, std::move(*why));
   return description;
 }
 

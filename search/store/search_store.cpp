@@ -13,6 +13,7 @@
 #include "experiment/results/store/database.h"
 #include "experiment/results/store/store_file.h"
 #include "experiment/results/store/store_tables.h"
+#include "experiment/results/store/stored_inputs.h"
 
 namespace jaywalk::search {
 namespace {
@@ -61,6 +62,7 @@ CREATE TABLE search_tests (
   generation_s DOUBLE NOT NULL, execution_s DOUBLE NOT NULL, UNIQUE (run, number));
 INSERT INTO gpkg_contents (table_name, data_type, identifier, description, srs_id) VALUES
   ('search_experiment', 'attributes', 'search_experiment', 'what was searched', NULL),
+  ('inputs', 'attributes', 'inputs', 'every file that the tests were made from', NULL),
   ('search_runs', 'attributes', 'search_runs', 'one generator, one repetition', NULL),
   ('search_tests', 'features', 'search_tests', 'executed tests; failing roads as lines', -1);
 INSERT INTO gpkg_geometry_columns VALUES ('search_tests', 'geom', 'LINESTRING', -1, 0, 0);
@@ -101,6 +103,7 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text) {
 void create_tables(Database& database) {
   database.execute(std::string(kGeoPackage));
   database.execute(std::string(kTables));
+  database.execute(std::string(kInputsTable));
 }
 
 /// Why the file is no store of searches that can be read.
@@ -171,6 +174,7 @@ class Store : public SearchStore {
             std::int64_t{plan_.repetitions}) {
       return "holds another experiment";
     }
+    if (std::string why = changed_input(experiment); !why.empty()) return why;
     Statement rows(database_, kRows);
     while (rows.step()) {
       const auto run = rows.integer<std::size_t>(0);
@@ -225,6 +229,18 @@ class Store : public SearchStore {
   }
 
  private:
+  /// Files may have other names now: the folder may have been moved.
+  std::string changed_input(const SearchExperiment& experiment) {
+    const std::vector<StoredInput> before = read_inputs(database_);
+    const std::vector<StoredInput> now = stored_inputs(experiment.inputs);
+    if (before.size() != now.size()) return "holds another experiment";
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (before[i].sha256 == now[i].sha256) continue;
+      return fmt::format("holds tests that were made from another text of '{}'", now[i].path);
+    }
+    return {};
+  }
+
   void create(const SearchExperiment& experiment) {
     database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
     database_.execute("BEGIN");
@@ -232,6 +248,7 @@ class Store : public SearchStore {
     Statement(database_, "INSERT INTO search_experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?)")
         .run(experiment.name, experiment.origin, experiment.sut, experiment.measure,
              plan_.fitness.fails_at, std::to_string(plan_.seed), plan_.repetitions);
+    write_inputs(database_, stored_inputs(experiment.inputs));
     Statement insert(database_, "INSERT INTO search_runs VALUES (?, ?, ?, 0)");
     std::uint64_t id = 0;
     for (const GeneratorSpec& generator : plan_.generators) {
@@ -290,7 +307,11 @@ Result<StoredSearches> read_search_store(const std::string& path) {
   if (database.failure() || !name || !origin || !seed || !repetitions) {
     return wrong(path, database.failure().value_or("is no store of searches"));
   }
+  const std::vector<StoredInput> inputs = read_inputs(database);
+  if (auto why = database.failure()) return wrong(path, std::move(*why));
+  if (auto why = damage_of(inputs)) return wrong(path, std::move(*why));
   SearchOptions options = options_in(*origin);
+  options.files = copies_of(inputs);
   // Whoever made the store chose what the experiment names: nothing of it is run.
   options.trials = Trials::none;
   auto experiment = parse_search(std::make_shared<const Source>(*name, *origin), options);

@@ -16,8 +16,9 @@ class SearchStore : public TestLog {
  public:
   enum class Mode { create, resume };
 
-  /// Errors: the file exists (create), is no store of searches, holds another experiment, is in use
-  /// or damaged. Such a file is left as it is. Resuming without a file creates one.
+  /// Errors: the file exists (create), is no store of searches, holds another experiment or one
+  /// whose files have changed since, is in use or damaged. Such a file is left as it is. Resuming
+  /// without a file creates one.
   [[nodiscard]] static Result<std::unique_ptr<SearchStore>> open(
       const std::string& path, Mode mode, const SearchExperiment& experiment);
 
@@ -35,9 +36,9 @@ struct StoredSearches {
 };
 
 [[nodiscard]] bool is_search_store(const std::string& path);
-/// Nothing is written. The experiment is read from the text in the store; what that names (a
-/// scenario) is read from the disk. Errors: no store of searches, damaged, the experiment cannot be
-/// read.
+/// Nothing is written, and no other file is read: the texts of the experiment, its scenario and all
+/// that these name are in the store. Errors: no store of searches, damaged, the experiment cannot
+/// be read.
 [[nodiscard]] Result<StoredSearches> read_search_store(const std::string& path);
 
 }  // namespace jaywalk::search

@@ -10,8 +10,10 @@
 
 #include "env/config/parameter_settings.h"
 #include "env/crossing/world.h"
+#include "experiment/policy/learning_spec.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/trial/tested_vehicles.h"
+#include "search/suts/crossing_dimensions.h"
 #include "search/suts/crossing_run.h"
 #include "search/suts/suts.h"
 
@@ -19,7 +21,6 @@ namespace jaywalk::search {
 namespace {
 
 constexpr std::uint32_t kMostAgents = 100;
-constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 28U;
 
 class CrossingModel : public SutModel {
  public:
@@ -42,6 +43,7 @@ class CrossingModel : public SutModel {
             {"pedestrians", std::to_string(settings_.agents)},
             {"dimensions of the search", std::to_string(space_->dimension())}};
   }
+  [[nodiscard]] std::vector<SourcePtr> inputs() const override { return settings_.inputs; }
   [[nodiscard]] std::vector<std::string> defects() const override { return defects_; }
   [[nodiscard]] std::shared_ptr<const SutModel> with_defect(std::size_t index) const override {
     CrossingSettings settings = settings_;
@@ -59,8 +61,6 @@ class CrossingModel : public SutModel {
 
 /// Reads the keys of the SUT and tries one test, so that mistakes are found at once.
 class CrossingReader {
-  static constexpr NumberRange kAnyNumber{-1e6, 1e6};
-
  public:
   explicit CrossingReader(const SutSetup& setup) : setup_(setup), reader_(setup.reader) {}
 
@@ -96,8 +96,8 @@ class CrossingReader {
          }},
         {"policy", [&](const ConfigNode& value, const std::string&) { read_policies(value); }},
         {"limits", [&](const ConfigNode& value, const std::string&) { read_limits(value); }},
-        {"parameters",
-         [&](const ConfigNode& value, const std::string&) { read_dimensions(value); }},
+        {"parameters", [&](const ConfigNode& value,
+                           const std::string&) { read_dimensions(value, reader_, dimensions_); }},
     };
     reader_.read_map(setup_.node, setup_.path, keys);
     if (!settings_.scenario) {
@@ -113,7 +113,7 @@ class CrossingReader {
   void read_scenario(const ConfigNode& value) {
     const auto path = reader_.text(value, "the path of a scenario");
     if (!path) return;
-    Result<SourcePtr> source = read_source(path_in(setup_.folder, *path), kMaxScenarioBytes);
+    Result<SourcePtr> source = setup_.files.read(path_in(setup_.folder, *path), kMaxScenarioBytes);
     if (source.ok()) {
       settings_.scenario = source.value();
     } else {
@@ -176,9 +176,11 @@ class CrossingReader {
   void read_assertions(const ConfigNode& value) {
     const auto path = reader_.text(value, "the path of a file of assertions");
     if (!path) return;
-    Result<std::vector<Assertion>> read = jaywalk::read_assertions(path_in(setup_.folder, *path));
+    auto read =
+        read_assertion_files({path_in(setup_.folder, *path)}, setup_.files, SameId::refused);
     if (read.ok()) {
-      settings_.assertions = std::move(read).value();
+      settings_.assertions = std::move(read.value().assertions);
+      settings_.inputs = std::move(read.value().sources);
     } else {
       reader_.error(value.origin,
                     fmt::format("'{}': {}", *path, read.diagnostics().items().front().message));
@@ -213,76 +215,6 @@ class CrossingReader {
     if (node.items.empty()) reader_.unexpected(node, "a list of whole numbers");
   }
 
-  /// A map from the scenario's keys, dotted or as maps within maps, to their values.
-  void read_dimensions(const ConfigNode& node, const std::string& above = {}) {
-    if (node.kind != ConfigNode::Kind::map) {
-      reader_.unexpected(node, "keys of the scenario and their ranges");
-      return;
-    }
-    for (const ConfigEntry& entry : node.entries) {
-      const std::string key = above + entry.key;
-      const ConfigNode& value = entry.value;
-      const bool is_inner = value.kind == ConfigNode::Kind::map && value.find("whole") == nullptr;
-      if (is_inner && !value.entries.empty()) {
-        read_dimensions(value, key + '.');
-      } else if (auto dimension = read_range(value)) {
-        dimension->key = key;
-        // Another layer may have given it in the other form.
-        std::erase_if(dimensions_, [&](const CrossingDimension& each) { return each.key == key; });
-        dimensions_.push_back(std::move(*dimension));
-      }
-    }
-  }
-
-  /// `[from, to]`, `{whole: [from, to], step: 2}`, `[forward, back]`, `[1, 2, 4]` or `[2]`.
-  std::optional<CrossingDimension> read_range(const ConfigNode& node) {
-    if (node.find("whole") != nullptr) return read_whole(node);
-    const bool is_list = node.kind == ConfigNode::Kind::list && !node.items.empty();
-    if (is_list && (node.items.size() != 2 || !parse_number(node.items.front().text))) {
-      return read_words(node);
-    }
-    CrossingDimension dimension;
-    const auto numbers = reader_.number_pair(node, kAnyNumber);
-    if (!numbers) return std::nullopt;
-    dimension.from = (*numbers)[0];
-    dimension.to = (*numbers)[1];
-    return dimension;
-  }
-
-  std::optional<CrossingDimension> read_words(const ConfigNode& node) {
-    CrossingDimension dimension{.kind = CrossingDimension::Kind::word};
-    for (const ConfigNode& item : node.items) {
-      const auto word = reader_.text(item, "a word");
-      if (!word) return std::nullopt;
-      dimension.words.push_back(*word);
-    }
-    return dimension;
-  }
-
-  std::optional<CrossingDimension> read_whole(const ConfigNode& node) {
-    CrossingDimension dimension{.kind = CrossingDimension::Kind::whole};
-    bool well = false;
-    const std::vector<ConfigKey> keys{
-        {"whole",
-         [&](const ConfigNode& value, const std::string&) {
-           const auto numbers = reader_.number_pair(value, kAnyNumber);
-           if (!numbers) return;
-           dimension.from = (*numbers)[0];
-           dimension.to = (*numbers)[1];
-           well = true;
-         }},
-        {"step",
-         [&](const ConfigNode& value, const std::string&) {
-           if (const auto step = reader_.integer(value, {1, 1'000'000})) {
-             dimension.step = static_cast<int>(*step);
-           }
-         }},
-    };
-    reader_.read_map(node, "parameters", keys);
-    if (!well) return std::nullopt;
-    return dimension;
-  }
-
   std::shared_ptr<const SutModel> make() {
     settings_.files = setup_.files;
     settings_.include = setup_.include;
@@ -300,6 +232,7 @@ class CrossingReader {
         return nullptr;
       }
     }
+    keep_inputs(scenario.value());
     const std::string name = scenario.value().behaviours.front().name;
     if (settings_.behaviour.empty()) settings_.behaviour = name;
     if (settings_.assertions.empty()) settings_.assertions = scenario.value().assertions;
@@ -310,6 +243,16 @@ class CrossingReader {
         defect_names(scenario.value()));
     if (setup_.untried || tried(*model, std::move(scenario).value())) return model;
     return nullptr;
+  }
+
+  void keep_inputs(const Scenario& scenario) {
+    const auto keep = [this](const std::vector<SourcePtr>& sources) {
+      settings_.inputs.insert(settings_.inputs.end(), sources.begin(), sources.end());
+    };
+    if (setup_.untried) return keep(scenario.sources);
+    Diagnostics ignored;
+    const auto prepared = PreparedScenario::prepare(scenario, ignored);
+    keep(prepared.ok() ? prepared.value()->inputs() : scenario.sources);
   }
 
   /// What is the same in all tests.

@@ -19,6 +19,9 @@ namespace jaywalk::search {
 
 struct CrossingSettings {
   SourcePtr scenario;
+  /// The texts of all files that tests are made from, the scenario's among them; without those of
+  /// its programs if no test is run.
+  std::vector<SourcePtr> inputs;
   std::string behaviour;
   std::uint32_t agents = 1;
   std::uint64_t seed = 0;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/store/store_tables.h"
+#include "experiment/results/store/stored_inputs.h"
 
 namespace jaywalk {
 namespace {
@@ -60,9 +61,6 @@ CREATE TABLE agent_numbers (
   id INTEGER PRIMARY KEY NOT NULL, agents INTEGER NOT NULL UNIQUE);
 CREATE TABLE vehicles (
   id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL UNIQUE);
-CREATE TABLE inputs (
-  id INTEGER PRIMARY KEY NOT NULL, path TEXT NOT NULL, sha256 TEXT NOT NULL,
-  text TEXT NOT NULL);
 CREATE TABLE tests (
   id INTEGER PRIMARY KEY NOT NULL, behaviour TEXT NOT NULL,
   agents INTEGER NOT NULL, vehicle TEXT NOT NULL, number INTEGER NOT NULL, seed INTEGER NOT NULL,
@@ -144,6 +142,7 @@ void create_tables(Database& database, const Placement& placement) {
                                kGeoPackageId, kGeoPackageVersion));
   database.execute(std::string(kGeoPackageTables));
   database.execute(std::string(kTables));
+  database.execute(std::string(kInputsTable));
   if (placement.srs_id() > 0) register_reference_system(database, placement);
   register_tables(database, placement);
 }

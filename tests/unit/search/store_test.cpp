@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/results/store/database.h"
 #include "search/store/search_store.h"
 #include "tests/unit/search/toy.h"
 
@@ -74,6 +75,73 @@ TEST_F(SearchStoreTest, RefusesAnotherExperiment) {
   EXPECT_THAT(open_error(SearchStore::Mode::resume), HasSubstr("holds another experiment"));
   experiment_.plan.seed -= 1;
   EXPECT_EQ(open_error(SearchStore::Mode::resume), "");
+}
+
+/// A search of pedestrians' tests whose scenario, program and assertions are files beside it.
+class SearchOfAScenario : public SearchStoreTest {
+ protected:
+  void SetUp() override {
+    SearchStoreTest::SetUp();
+    write("walk.asl", "pause(1). !go. +!go <- move(right); !go.");
+    write("world.yaml", "behaviours: [walk.asl]\n");
+    write("asserted.yaml",
+          "assertions: [{id: kept, source: none, severity: critical, precondition: eventually "
+          "in_zone, "
+          "requirement: always closest > 0}]\n");
+    write("search.yaml", R"(
+sut: {kind: crossing, scenario: world.yaml, metrics: none, assertions: asserted.yaml,
+      parameters: {behaviours.walk.parameters.pause: [1, 2]}}
+budget: {tests: 2, virtual_s: 0}
+generators: [random]
+)");
+  }
+
+  void write(const std::string& name, std::string_view text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  [[nodiscard]] SearchExperiment read() const {
+    auto experiment = read_search((folder_ / "search.yaml").string());
+    EXPECT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+    return experiment.ok() ? std::move(experiment).value() : SearchExperiment();
+  }
+  void search() {
+    experiment_ = read();
+    auto store = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
+    ASSERT_TRUE(store.ok()) << store.diagnostics().render();
+    EXPECT_EQ(store.value()->finish(run_searches(experiment_.plan, store.value().get())), "");
+  }
+};
+
+TEST_F(SearchOfAScenario, IsReadFromItsStoreAlone) {
+  search();
+  for (const char* name : {"walk.asl", "world.yaml", "asserted.yaml", "search.yaml"}) {
+    std::filesystem::remove(folder_ / name);
+  }
+  const auto stored = read_search_store(path());
+  ASSERT_TRUE(stored.ok()) << stored.diagnostics().render();
+  EXPECT_EQ(stored.value().results.runs.at(0).tests.size(), 2U);
+}
+
+TEST_F(SearchOfAScenario, OpensNoFileThatItsStoreNames) {
+  search();
+  std::filesystem::copy(path(), folder_ / "other.gpkg");
+  {
+    Database database((folder_ / "other.gpkg").string(), Database::Mode::write);
+    database.execute("DELETE FROM inputs");
+  }
+  const auto stored = read_search_store((folder_ / "other.gpkg").string());
+  ASSERT_FALSE(stored.ok());
+  EXPECT_THAT(stored.diagnostics().render(), HasSubstr("cannot read 'world.yaml'"));
+}
+
+TEST_F(SearchOfAScenario, DoesNotGoOnWithFilesThatHaveChanged) {
+  search();
+  experiment_ = read();
+  EXPECT_EQ(open_error(SearchStore::Mode::resume), "");
+  write("walk.asl", "pause(1). !go. +!go <- stay; !go.");
+  experiment_ = read();
+  EXPECT_THAT(open_error(SearchStore::Mode::resume), HasSubstr("another text of"));
+  EXPECT_THAT(open_error(SearchStore::Mode::resume), HasSubstr("walk.asl"));
 }
 
 }  // namespace
