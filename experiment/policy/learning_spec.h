@@ -3,6 +3,7 @@
 // How agents are to learn: what is rewarded, which learner, and its settings, as the section
 // `learning` of a scenario says it (scenarios/README.md).
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace jaywalk {
+
+/// Files of policies that are longer are not read.
+inline constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 28U;
 
 /// How to learn, as a scenario's `learning` has it; each learner uses what it knows of.
 struct LearnerSettings {

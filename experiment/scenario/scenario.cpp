@@ -251,8 +251,7 @@ class ScenarioBuilder {
              "assertions are rewarded, but none are judged", "name their file under 'assertions'");
     }
     for (const auto& [path, origin] : draft_.policy_files) {
-      constexpr std::size_t kMostBytes = std::size_t{1} << 28U;
-      Result<SourcePtr> source = options_.files.read(path, kMostBytes);
+      Result<SourcePtr> source = options_.files.read(path, kMostPolicyBytes);
       if (!source.ok()) {
         report(diagnostics_, origin, fmt::format("no policy is at '{}'", path),
                "jaywalk learn writes them");

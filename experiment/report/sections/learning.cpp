@@ -123,8 +123,7 @@ std::string squares(const PolicyMap& map, const MapFrame& frame, double cell_m) 
     drawn += fmt::format(
         "<rect class=\"c{}\" fill=\"currentColor\" fill-opacity=\"{:.2f}\" x=\"{:.1f}\" "
         "y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{:g} m ahead, {:g} m from the "
-        "left: "
-        "{}{}</title></rect>\n",
+        "left: {}{}</title></rect>\n",
         best % kColours, static_cast<double>(chosen[best]) / static_cast<double>(all),
         frame.across(square.second), frame.down(square.first), frame.side * 0.94, frame.side * 0.94,
         (square.second + 0.5) * cell_m, (square.first + 0.5) * cell_m, plural(all, "choice"), said);

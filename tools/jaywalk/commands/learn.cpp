@@ -91,8 +91,7 @@ std::shared_ptr<Policy> policy_for(const Request& request, Console& console) {
                   "--resume goes on with it; otherwise remove it, or name another file");
     return nullptr;
   }
-  constexpr std::size_t kMostBytes = std::size_t{1} << 28U;
-  const auto source = read_source(request.file, kMostBytes);
+  const auto source = read_source(request.file, kMostPolicyBytes);
   const auto policy = source.ok() ? parse_policy(source.value())
                                   : Result<std::shared_ptr<Policy>>(source.diagnostics());
   if (!policy.ok()) {

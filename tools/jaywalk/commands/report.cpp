@@ -31,9 +31,10 @@ CommandHelp help() {
       .description =
           "Writes a page of what a store has: the paper's figures beside the published ones,\n"
           "significance, where preconditions were met, verdicts, metrics, how to reproduce.\n"
-          "The page needs nothing beside it and no network. Nothing is run, but the first tests\n"
-          "of agents with a learned policy, for a map of what they do where. The stores of an\n"
-          "experiment's shards make one page. Of a store of searches, the searches' page.\n",
+          "The page loads no other file and works without a network. No test is run, except that\n"
+          "the first ones of agents with a learned policy are run again for a map of what they\n"
+          "choose. The stores of an experiment's shards make one page. Of a store of searches,\n"
+          "the searches' page.\n",
       .options =
           {
               {"html", "FILE", "the page's name (default: the store's, ending in .html)",
