@@ -18,7 +18,7 @@ target_sources(jaywalk_experiment PRIVATE
   judge/metrics/min_pret.cpp
   judge/metrics/min_ttb.cpp
   judge/metrics/min_ttc.cpp
-  judge/metrics/naturalness.cpp
+  judge/metrics/natural_steps.cpp
   judge/metrics/time_exposed.cpp
   judge/metrics/time_in_road.cpp
   judge/signals/boxes.cpp

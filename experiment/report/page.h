@@ -1,6 +1,6 @@
 #pragma once
 
-// A page that needs nothing beside it: the looks that all reports share, light, dark, narrow and on
+// A self-contained page: the looks that all reports share, light, dark, narrow and on
 // paper (page.html).
 
 #include <span>

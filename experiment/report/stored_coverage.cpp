@@ -46,7 +46,7 @@ Result<std::uint64_t> count(const ResultsReader& store, const std::vector<TestFi
   return tests;
 }
 
-/// What a test covers goes to the row, or why it cannot be told to `trouble`.
+/// Adds what a test covers to the row; why that is unknown, to `trouble`.
 void add_test(const ResultsReader& store, const StoredTest& test, const Ground& where,
               SituationRow& row, Diagnostics& trouble) {
   if (test.result.errored) return;

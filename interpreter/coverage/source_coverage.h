@@ -118,7 +118,7 @@ struct ProbeTexts {
 /// As a listing of code coverage: a table of the files, then each with counts before its lines and
 /// what was not covered below them. 80 columns and more where the text is wider.
 [[nodiscard]] std::string coverage_text(const SourceCoverage& coverage);
-/// The same as a page that needs nothing beside it; `subject`, a sentence's worth of text, says
+/// The same as a self-contained page; `subject`, a sentence's worth of text, says
 /// what ran: the program, or the store, the behaviours and the tests.
 [[nodiscard]] std::string coverage_html(const SourceCoverage& coverage, const std::string& subject);
 /// As a tracefile of LCOV (geninfo(1)): plans are functions, outcomes of conditions are branches,

@@ -1,6 +1,6 @@
 #pragma once
 
-// The results of searches as an HTML page that needs nothing beside it: the paper's Table 1 and
+// The results of searches as a self-contained HTML page: the paper's Table 1 and
 // Figures 1 to 3 with ours, fitness over time, what each generator tried last, clusters of failing
 // tests. Read tables.h before.
 

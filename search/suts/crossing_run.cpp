@@ -9,7 +9,7 @@
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/judge/metrics/metrics.h"
-#include "experiment/judge/metrics/naturalness.h"
+#include "experiment/judge/metrics/natural_steps.h"
 #include "experiment/policy/policy.h"
 
 namespace jaywalk::search {
@@ -24,7 +24,7 @@ double bounded(double value) { return std::clamp(value, -kNone, kNone); }
 
 /// The share of the pedestrians' steps that a person might take: not straight back, and not
 /// standing still in the road.
-double naturalness(const TestView& view) {
+double share_of_natural_steps(const TestView& view) {
   double steps = 0;
   double natural = 0;
   for (const ActorIndex actor : view.road_users()) {
@@ -187,7 +187,7 @@ Outcome CrossingRun::measured(const Seen& seen) const {
   const auto nearest = jaywalk::measured(*find_metric("min_distance"), view);
   const double distance = nearest ? nearest->value : kNone;
   outcome.measures = {success ? 1 : 0.9 / (1 + distance / 5), success ? 1.0 : 0.0,
-                      naturalness(view)};
+                      share_of_natural_steps(view)};
   for (const Metric& metric : settings_.metrics ? metrics() : std::span<const Metric>()) {
     const auto value = jaywalk::measured(metric, view);
     const double missing = metric.worst == Worst::least ? kNone : 0;

@@ -173,7 +173,7 @@ std::vector<TraciAnswer> SumoProcess::ask(std::span<const TraciMessage> messages
 std::string SumoProcess::with_last_words(std::string what) {
   const bool refused = client_.is_connected();
   client_.disconnect();
-  // One that closed the connection is ending; how, it tells in a moment.
+  // One that closed the connection is ending; its status says how in a moment.
   const int status = child_.guard >= 0 ? end_guarded(child_, milliseconds(refused ? 0 : 500)) : -1;
   if (refused) return what;
   if (status >= 0 && WIFSIGNALED(status))

@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-/// An SVG picture that needs nothing beside it.
+/// A self-contained SVG picture.
 [[nodiscard]] std::string render_svg(const Comparison& comparison);
 
 }  // namespace jaywalk

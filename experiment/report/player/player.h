@@ -1,7 +1,7 @@
 #pragma once
 
 // A test as a page to look at: a player that draws every tick and shows what an agent believes and
-// intends. The page needs nothing beside it and no network.
+// intends. The page loads no other file and needs no network.
 
 #include <map>
 #include <optional>

@@ -18,7 +18,7 @@ inline constexpr std::int64_t kGeoPackageVersion = 10300;
 using CreateTables = std::function<void(Database&)>;
 
 /// Why it has more than that: a view, a trigger, a virtual table, an index. Tables that others have
-/// added (styles of a GIS) are no matter.
+/// added (styles of a GIS) are ignored.
 [[nodiscard]] std::optional<std::string> foreign_object(Database& database,
                                                         const CreateTables& create);
 

@@ -14,8 +14,8 @@ class PartFile {
  public:
   enum class Naming { unnamed_if_possible, named };
 
-  /// Empty, with the rights of any new file. Whether it could be made, is_open() tells, and why
-  /// not, `errno`.
+  /// Empty, with the rights of any new file. is_open() says whether it could be made; if not,
+  /// `errno` says why.
   explicit PartFile(std::string path, Naming naming = Naming::unnamed_if_possible);
   /// Removes it unless it stands in its place.
   ~PartFile();

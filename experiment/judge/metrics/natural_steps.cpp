@@ -1,4 +1,4 @@
-#include "experiment/judge/metrics/naturalness.h"
+#include "experiment/judge/metrics/natural_steps.h"
 
 #include <cmath>
 #include <numbers>
