@@ -104,6 +104,11 @@ generators: [random]
     EXPECT_TRUE(experiment.ok()) << experiment.diagnostics().render();
     return experiment.ok() ? std::move(experiment).value() : SearchExperiment();
   }
+  void change_store(const std::string& statement) const {
+    Database database(path(), Database::Mode::write);
+    database.execute(statement);
+    EXPECT_FALSE(database.failure());
+  }
   void search() {
     experiment_ = read();
     auto store = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
@@ -124,14 +129,19 @@ TEST_F(SearchOfAScenario, IsReadFromItsStoreAlone) {
 
 TEST_F(SearchOfAScenario, OpensNoFileThatItsStoreNames) {
   search();
-  std::filesystem::copy(path(), folder_ / "other.gpkg");
-  {
-    Database database((folder_ / "other.gpkg").string(), Database::Mode::write);
-    database.execute("DELETE FROM inputs");
-  }
-  const auto stored = read_search_store((folder_ / "other.gpkg").string());
+  change_store("DELETE FROM inputs");
+  const auto stored = read_search_store(path());
   ASSERT_FALSE(stored.ok());
   EXPECT_THAT(stored.diagnostics().render(), HasSubstr("cannot read 'world.yaml'"));
+}
+
+TEST_F(SearchOfAScenario, RefusesAStoreWhoseFilesAreNotAsTheyWere) {
+  search();
+  change_store("UPDATE inputs SET text = text || ' ' WHERE path LIKE '%world.yaml'");
+  const auto stored = read_search_store(path());
+  ASSERT_FALSE(stored.ok());
+  EXPECT_THAT(stored.diagnostics().render(), HasSubstr("the store is damaged: the text of"));
+  EXPECT_THAT(stored.diagnostics().render(), HasSubstr("world.yaml"));
 }
 
 TEST_F(SearchOfAScenario, DoesNotGoOnWithFilesThatHaveChanged) {
