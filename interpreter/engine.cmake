@@ -31,7 +31,7 @@ jaywalk_add_library(engine
     logic/unifier_apply.cpp
     logic/unifier_numbers.cpp
     logic/univ.cpp
-    program/plain_code.cpp
+    program/event_code.cpp
     program/plan.cpp
     program/plan_compiler.cpp
     program/program.cpp
@@ -42,18 +42,23 @@ jaywalk_add_library(engine
     compile/plan_reader.cpp
     compile/term_reader.cpp
     compile/translator.cpp
+    agent/add_means.cpp
     agent/agent.cpp
     agent/bindings.cpp
     agent/branches.cpp
+    agent/choose_plan.cpp
     agent/clear.cpp
     agent/clone.cpp
     agent/customisation.cpp
     agent/cycle.cpp
     agent/drops.cpp
+    agent/events.cpp
     agent/execute.cpp
+    agent/execute_variable.cpp
     agent/failure.cpp
     agent/for_loops.cpp
     agent/goal_copier.cpp
+    agent/goal_arguments.cpp
     agent/goals.cpp
     agent/intention.cpp
     agent/memory.cpp
@@ -62,12 +67,10 @@ jaywalk_add_library(engine
     agent/learned.cpp
     agent/options.cpp
     agent/perception.cpp
-    agent/plain.cpp
     agent/plan_terms.cpp
     agent/services.cpp
     agent/step_guard.cpp
     agent/step_texts.cpp
-    agent/stride.cpp
     agent/waiting.cpp
     coverage/coverage.cpp
     coverage/html.cpp
@@ -114,9 +117,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/machine_facts.cpp
     logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp logic/rule_table.cpp
     logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
-    agent/agent.cpp agent/cycle.cpp agent/clear.cpp agent/execute.cpp agent/intention.cpp agent/bindings.cpp
-    agent/messages.cpp agent/perception.cpp agent/plain.cpp
-    agent/stride.cpp
+    agent/add_means.cpp agent/agent.cpp agent/bindings.cpp agent/choose_plan.cpp agent/clear.cpp agent/cycle.cpp
+    agent/events.cpp agent/execute.cpp agent/goal_arguments.cpp agent/intention.cpp agent/messages.cpp agent/perception.cpp
     mas/mail.cpp environment/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
   set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)
   if(JAYWALK_UNITY)

@@ -91,7 +91,7 @@ Outcome get_src_info(ActionCall& call) {
   std::string source = call.agent()->program().name() + ".asl";
   double number = 0;
   const Intention* const own = call.intention();
-  if (own != nullptr && !own->is_finished() && !own->top().cursor.at_end()) {
+  if (own != nullptr && !own->is_finished() && !own->top().is_finished()) {
     source = own->top().plan->file;
     number = own->top().step().place.line;
   }

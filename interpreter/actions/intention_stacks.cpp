@@ -20,14 +20,9 @@ Value remaining_body(Agent& agent, const IntendedMeans& means) {
   unifier.set_slot_names({});
   ScratchSlots slots(unifier, means.plan->slot_count);
   std::vector<Value> steps;
-  const auto add = [&](const Cursor& cursor) {
-    for (std::size_t i = cursor.index; i < cursor.body->steps.size(); ++i) {
-      const Value source = cursor.body->steps[i].source;
-      if (!source.is_unset()) steps.push_back(unifier.instantiate(source, slots.data()));
-    }
-  };
-  add(means.cursor);
-  for (std::size_t i = means.outer.size(); i > 0; --i) add(means.outer[i - 1]);
+  for (const Step* step = means.current; step != nullptr; step = step->next) {
+    if (!step->source.is_unset()) steps.push_back(unifier.instantiate(step->source, slots.data()));
+  }
   const auto arity = static_cast<std::uint16_t>(steps.size());
   return agent.heap().structure(
       agent.symbols().predicate(Signature{.functor = names::body_text, .arity = arity}), steps,
@@ -63,7 +58,7 @@ Value stack_term(Agent& agent, Intention& intention) {
     const IntendedMeans& means = intention.stack[i - 1];
     Value label = agent.label_term(*means.plan);
     if (is_literal(label)) {
-      const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().place.line;
+      const std::uint32_t line = means.is_finished() ? means.plan->line : means.step().place.line;
       const Value number = Value::number(line);
       const Value file = heap.text("file:" + means.plan->file);
       const std::array<Value, 2> place{
@@ -74,7 +69,7 @@ Value stack_term(Agent& agent, Intention& intention) {
           union_of(heap, literal_parts(label).annots, heap.list(place), agent.symbols()));
     }
     const std::array<Value, 4> parts{
-        label, trigger_term(agent, means.op, means.kind, means.trigger),
+        label, trigger_term(agent, means.op, means.kind, agent.goal_of(intention, means)),
         remaining_body(agent, means), bindings_term(agent, intention, means)};
     stack.push_back(heap.structure(agent.symbols().predicate("im", 4), parts));
   }

@@ -39,7 +39,7 @@ class GoalSolutions : public Solutions {
         const IntendedMeans& means = intention.stack[intention.stack.size() - ++means_];
         const std::size_t trail = call.unifier().mark();
         if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
-            call.unify(0, means.trigger) &&
+            call.unify(0, call.agent()->goal_of(intention, means)) &&
             (call.count() < 2 || call.unify(1, Value::number(intention.id)))) {
           return true;
         }
@@ -67,22 +67,16 @@ bool has_future_goal(Agent& agent, Intention& intention, Value goal) {
     const IntendedMeans& means = intention.stack[i];
     unifier.set_slot_names(means.plan->slot_names);
     const bool is_top = i + 1 == intention.stack.size();
-    const auto found_in = [&](const Cursor& cursor, std::size_t from) {
-      for (std::size_t k = from; k < cursor.body->steps.size(); ++k) {
-        const Step& step = cursor.body->steps[k];
-        if (step.kind != Step::Kind::achieve && step.kind != Step::Kind::achieve_new_focus)
-          continue;
-        const std::size_t trail = unifier.mark();
-        const bool found =
-            unifier.unify(goal, unifier.instantiate(step.term, intention.frame(means)));
-        unifier.undo(trail);
-        if (found) return true;
-      }
-      return false;
-    };
-    if (found_in(means.cursor, means.cursor.index + (is_top ? 0 : 1))) return true;
-    for (const Cursor& cursor : means.outer) {
-      if (found_in(cursor, cursor.index)) return true;
+    const Step* step = means.current;
+    if (!is_top && step != nullptr) step = step->next;
+    for (; step != nullptr; step = step->next) {
+      if (step->kind != Step::Kind::achieve && step->kind != Step::Kind::achieve_new_focus)
+        continue;
+      const std::size_t trail = unifier.mark();
+      const bool found =
+          unifier.unify(goal, unifier.instantiate(step->term, intention.frame(means)));
+      unifier.undo(trail);
+      if (found) return true;
     }
   }
   return false;
@@ -91,14 +85,16 @@ bool has_future_goal(Agent& agent, Intention& intention, Value goal) {
 // Drops what is not the intention that executes the action; that one afterwards.
 Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
   bool own = false;
+  const bool tells_states = call.agent()->library().has_goal_state_plans();
   for (Intention* const intention : intentions) {
     // Within a query of the executing intention, that one has to stay.
     if (call.intention() == nullptr && intention == call.agent()->executing()) continue;
     for (std::size_t i = intention->stack.size(); i > 0; --i) {
       const IntendedMeans& means = intention->stack[i - 1];
-      if (!means.is_goal_addition()) continue;
-      call.agent()->signal_goal_state(means.kind, means.trigger, "dropped");
-      call.agent()->signal_goal_state(means.kind, means.trigger, "finished");
+      if (!means.is_goal_addition() || !tells_states) continue;
+      const Value goal = call.agent()->goal_of(*intention, means);
+      call.agent()->signal_goal_state(means.kind, goal, "dropped");
+      call.agent()->signal_goal_state(means.kind, goal, "finished");
     }
     if (intention == call.intention()) {
       own = true;
@@ -245,7 +241,7 @@ Outcome done(ActionCall& call) {
   if (own == nullptr || own->is_finished()) return Outcome::failed;
   const bool is_branch = own->shared > 0;
   std::optional<std::size_t> depth = is_branch ? own->shared - 1 : own->stack.size() - 1;
-  const Value goal = call.count() == 1 ? call.arg(0) : own->stack[*depth].trigger;
+  const Value goal = call.count() == 1 ? call.arg(0) : agent.goal_of(*own, own->stack[*depth]);
   const std::size_t trail = call.unifier().mark();
   if (call.count() == 1) depth = Goals(agent).find(*own, goal);
   Intention* ended = own;

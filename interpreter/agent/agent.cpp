@@ -14,8 +14,9 @@
 
 namespace jaywalk {
 
-Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
-             AgentHost& host, std::uint64_t seed, const AgentLimits& limits)
+AgentParts::AgentParts(std::string name, std::shared_ptr<const Program> program,
+                       SymbolTable& symbols, AgentHost& host, std::uint64_t seed,
+                       const AgentLimits& limits)
     : name_(std::move(name)),
       program_(std::move(program)),
       symbols_(symbols),
@@ -26,6 +27,13 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
       random_(static_cast<std::int64_t>(seed)),
       library_(&program_->library()) {
   heap_.set_limit(limits.bytes);
+}
+
+AgentParts::~AgentParts() = default;
+
+Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
+             AgentHost& host, std::uint64_t seed, const AgentLimits& limits)
+    : AgentParts(std::move(name), std::move(program), symbols, host, seed, limits) {
   if (auto remains = host_.workspaces().take_remains(program_.get())) {
     heap_.use(std::move(remains->heap));
     beliefs_.use(std::move(remains->beliefs));
@@ -94,6 +102,8 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
   for (std::size_t i = initial.size(); i > 0; --i) {
     const Program::Belief& belief = initial[i - 1];
     if (belief.rule != nullptr) {
+      selects_by_rules_ =
+          selects_by_rules_ || predicate_of(belief.rule->head) == predicates::select_option;
       beliefs_.add_rule(observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule),
                         Place::front);
     } else if (!is_replaced(belief.predicate)) {
@@ -137,6 +147,15 @@ Intention* Agent::executing() const {
   return selected_event_->intention;
 }
 
+// Its literal outlives the query that asks for it.
+const Event* Agent::selected_event() {
+  if (selected_event_ != nullptr && selected_event_->literal.is_unset()) {
+    (void)literal_of(*selected_event_);
+    heap_.protect();
+  }
+  return selected_event_;
+}
+
 const PendingAction* Agent::take_action() {
   if (circumstance_.actions.empty()) return nullptr;
   circumstance_.acting.push_back(circumstance_.actions.front());
@@ -153,7 +172,7 @@ void Agent::give_feedback(bool succeeded, std::string reason) {
 
 Value Agent::with_own_source(Value literal) {
   const LiteralParts parts = literal_parts(literal);
-  if (has_source(parts.annots)) return literal;
+  if (parts.annots.same_as(source_self()) || has_source(parts.annots)) return literal;
   if (parts.annots.is_empty_list()) return with_annotations(heap_, literal, source_self());
   return with_annotations(heap_, literal, union_of(heap_, parts.annots, source_self(), symbols_));
 }
@@ -180,47 +199,26 @@ std::optional<Value> Agent::add_fact(Value literal, Place place) {
 }
 
 bool Agent::believe(Value literal, Place place, Intention* focus) {
-  const std::optional<Value> added = add_fact(with_own_source(literal), place);
+  return believe_as_it_is(with_own_source(literal), place, focus);
+}
+
+bool Agent::disbelieve(Value literal, Intention* focus) {
+  return disbelieve_as_it_is(with_own_source(literal), focus);
+}
+
+// Of a literal that has a source.
+bool Agent::believe_as_it_is(Value literal, Place place, Intention* focus) {
+  const std::optional<Value> added = add_fact(literal, place);
   if (!added) return false;
   add_event({TriggerOperator::add, TriggerKind::belief, *added, focus});
   return true;
 }
 
-bool Agent::disbelieve(Value literal, Intention* focus) {
-  literal = with_own_source(literal);
+bool Agent::disbelieve_as_it_is(Value literal, Intention* focus) {
   if (!beliefs_.remove(literal, machine().unifier())) return false;
-  add_event(
-      {TriggerOperator::remove, TriggerKind::belief, machine().unifier().apply(literal), focus});
+  const Value removed = literal.is_closed() ? literal : machine().unifier().apply(literal);
+  add_event({TriggerOperator::remove, TriggerKind::belief, removed, focus});
   return true;
-}
-
-void Agent::add_event(Event event) {
-  changed_ = true;
-  heap_.note_beside(sizeof(Event));
-  if (observer_ != nullptr) observer_->event_posted(*this, event);
-  if (!circumstance_.waits.empty()) Waits(*this).check_event(event);
-  if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {
-    signal_goal_state(TriggerKind::achieve, event.literal, "pending");
-  }
-  if (event.intention != nullptr) {
-    event.intention->state = Intention::State::in_event;
-    event.intention->has_event = true;
-    if (event.intention->is_atomic()) {
-      circumstance_.atomic_event = std::make_unique<Event>(event);
-      return;
-    }
-  } else {
-    if (event.kind == TriggerKind::belief && !uses_subplans_ &&
-        settings_.unwanted == ReasoningSettings::Unwanted::discard &&
-        library_->candidates(key_of(event)).empty()) {
-      return;
-    }
-  }
-  circumstance_.events.push_back(event);
-}
-
-void Agent::add_goal(Value literal) {
-  add_event({TriggerOperator::add, TriggerKind::achieve, literal, nullptr});
 }
 
 Intention& Agent::new_intention() {
@@ -244,7 +242,10 @@ void Agent::make_ready(Intention& intention) {
   if (intention.is_atomic()) {
     circumstance_.atomic = &intention;
     circumstance_.atomic_suspended = false;
+  } else if (&intention == held_) {
+    goes_on_ = true;
   } else {
+    if (goes_on_) release_held();
     circumstance_.running.push_back(&intention);
   }
 }
@@ -281,6 +282,7 @@ void Agent::remove_from_running(const Intention& intention) {
 
 void Agent::drop(Intention& intention) {
   Circumstance& c = circumstance_;
+  hold_back(intention);
   remove_from_running(intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
@@ -374,19 +376,17 @@ void Agent::visit_roots(Heap::Relocator& relocate) {
   std::vector<BodyCode*> codes;
   // Shared parts are visited once: a Value that has moved must not be moved again.
   std::unordered_set<Scope*> scopes;
-  const auto add_code = [&](const Cursor& cursor) {
-    if (cursor.code != nullptr &&
-        std::find(codes.begin(), codes.end(), cursor.code.get()) == codes.end()) {
-      codes.push_back(cursor.code.get());
+  const auto add_code = [&](BodyCode* code) {
+    if (code != nullptr && std::find(codes.begin(), codes.end(), code) == codes.end()) {
+      codes.push_back(code);
     }
   };
   for (const auto& intention : c.intentions) {
     for (const IntendedMeans& means : intention->stack) {
-      add_code(means.cursor);
-      for (Scope* scope = means.scope.get(); scope != nullptr && scopes.insert(scope).second;) {
-        scope = scope->outer.get();
-      }
-      for (const Cursor& cursor : means.outer) add_code(cursor);
+      if (!means.extras) continue;
+      for (const auto& code : means.extras->codes) add_code(code.get());
+      Scope* scope = means.extras->scope.get();
+      while (scope != nullptr && scopes.insert(scope).second) scope = scope->outer.get();
     }
   }
   const auto visit = [&](Value& value) { relocate(value); };

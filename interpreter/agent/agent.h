@@ -13,30 +13,15 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/agent/circumstance.h"
-#include "interpreter/agent/customisation.h"
-#include "interpreter/agent/drops.h"
-#include "interpreter/agent/host.h"
+#include "interpreter/agent/agent_parts.h"
 #include "interpreter/agent/observer.h"
-#include "interpreter/agent/settings.h"
-#include "interpreter/agent/workspace.h"
 #include "interpreter/environment/environment.h"
-#include "interpreter/logic/machine.h"
-#include "interpreter/program/program.h"
-#include "interpreter/support/containers/seldom.h"
-#include "interpreter/support/random.h"
 
 namespace jaywalk {
 
 class Transfer;
-struct OwnParts;
 
-struct AgentLimits {
-  std::uint64_t bytes = std::uint64_t{1} << 30U;
-  std::uint64_t inferences = 1'000'000'000;
-};
-
-class Agent final : public MachineSurroundings {
+class Agent final : public MachineSurroundings, private AgentParts {
  public:
   Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
         AgentHost& host, std::uint64_t seed, const AgentLimits& limits);
@@ -125,7 +110,7 @@ class Agent final : public MachineSurroundings {
   bool add_belief(Value literal, Place place, Intention* focus);
   bool remove_belief(Value literal, Intention* focus);
   /// Puts an event into the queue, if some plan may be for it or an intention waits for it.
-  void add_event(Event event);
+  void add_event(const Event& event);
   /// Posts a goal as an external event.
   void add_goal(Value literal);
 
@@ -144,7 +129,9 @@ class Agent final : public MachineSurroundings {
   /// for it. Null: there is none, or it is still to be made.
   [[nodiscard]] Intention* executing() const;
   /// The event for which a plan is being looked for, or null.
-  [[nodiscard]] const Event* selected_event() const { return selected_event_; }
+  [[nodiscard]] const Event* selected_event();
+  /// The literal of the event for which a means was added.
+  [[nodiscard]] Value goal_of(const Intention& intention, const IntendedMeans& means);
 
   /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms`
   /// is negative.
@@ -210,12 +197,12 @@ class Agent final : public MachineSurroundings {
   bool take_selected_event(Event& event);
   Intention* take_selected_intention();
   [[nodiscard]] bool select_option(const std::vector<const Plan*>& plans, const Event& event,
-                                   const std::shared_ptr<Scope>& scope, bool& had_candidates);
+                                   const std::shared_ptr<Scope>& scope);
   void find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
                     std::vector<Option>& options);
   void intend(Option& option, const Event& event);
   [[nodiscard]] bool try_learned(const PlanList& plans, const Event& event,
-                                 const std::shared_ptr<Scope>& scope, bool& had_candidates);
+                                 const std::shared_ptr<Scope>& scope);
   [[nodiscard]] bool choose_learned(std::vector<Option>& options, const Event& event);
   [[nodiscard]] bool observe_for(const Plan& plan, std::vector<double>& features,
                                  ActionError& error);
@@ -229,85 +216,109 @@ class Agent final : public MachineSurroundings {
 
   // Changes of belief as they are without belief revision.
   bool believe(Value literal, Place place, Intention* focus);
+  bool believe_as_it_is(Value literal, Place place, Intention* focus);
+  bool disbelieve_as_it_is(Value literal, Intention* focus);
   [[nodiscard]] std::optional<Value> add_fact(Value literal, Place place = Place::front);
   bool disbelieve(Value literal, Intention* focus);
   [[nodiscard]] Value with_own_source(Value literal);
-  void prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
-  [[nodiscard]] std::vector<Value> closed_off(std::span<const Value> values);
-
-  // Several cycles in one go (stride.cpp).
-  [[nodiscard]] bool reasons_plainly() const;
-  [[nodiscard]] bool is_alone(std::uint64_t last) const;
-  void stride(std::uint64_t last);
-  void plain_cycle(std::uint64_t last);
-  void plain_steps(Intention& intention, std::uint64_t last);
-  /// What has become of a formula. `ready`: it is done, and the intention is not in the queue;
-  /// `called`: its goal has a means, and the next cycle has come to ExecInt; `elsewhere`: it and
-  /// its cycle are done; `not_yet`: nothing has happened, it is for execute().
-  enum class Executed : std::uint8_t { ready, called, elsewhere, not_yet };
-  Executed execute_plainly(Intention& intention, std::uint64_t last);
-  Executed ask(Intention& intention, const Step& step);
-  Executed call(Intention& intention, const Step& step);
-  Executed change_belief(Intention& intention, const Step& step);
-  void clear_plainly(Intention& intention);
-  [[nodiscard]] bool return_closed_values(Intention& intention);
-  [[nodiscard]] bool forget_one(Predicate predicate);
-  Executed take_up(Intention& intention, const Event& event, const PlanList& plans);
-  [[nodiscard]] Structure* literal_for_event(Intention& intention, const Step& step, bool& is_open);
-  [[nodiscard]] Structure* literal_of_terms(Intention& intention, Value term, bool& is_open);
-  void rename_in_call(Intention& intention, Structure& made);
-  [[nodiscard]] const PlanList& plans_for(const Event& event);
-  [[nodiscard]] const PlanList& plans_for(const Step& step, const Event& event);
-  [[nodiscard]] const Plan* choose_plain_plan(const PlanList& list, const Event& event);
-  [[nodiscard]] bool try_plain_plan(const Plan& plan, Value literal);
-  [[nodiscard]] bool is_plain_plan_applicable(const Plan& plan, Value literal, bool is_to_match);
-  [[nodiscard]] bool matches(const Plan& plan, Value literal, Value* frame);
-  void push_plain_means(Intention& intention, const Plan& plan, const Event& event);
 
   // The reasoning cycle (cycle.cpp).
+  /// After a formula of the intention that runs: its next one, rule SelInt, or the cycle's end.
+  enum class Next : std::uint8_t { formula, selection, nothing };
   void cycle();
+  void end_cycle();
   void abandon_cycle(const ActionError& error);
+  Next run(Intention& intention);
+  Next go_on_alone(Intention& intention);
+  [[nodiscard]] bool has_unusual_business() const;
+  [[nodiscard]] bool is_alone() const;
+  /// Of an event of the intention that is held: nothing else need be known of it, or come before.
+  [[nodiscard]] bool comes_next(const Intention& intention) const {
+    const Circumstance& c = circumstance_;
+    return c.events.empty() && c.waits.empty() && !intention.is_atomic() &&
+           !library_->has_goal_state_plans();
+  }
+  void announce_next_event() {
+    workspace_->next.is_pending = true;
+    held_->state = Intention::State::in_event;
+    if (observer_ != nullptr) tell_of_next_event();
+  }
+  void tell_of_next_event();
+  void queue_event(const Event& event);
+  void queue_next_event(Intention& intention);
+  void release_held();
+  void hold_back(const Intention& intention);
   void sense();
   void process_message();
   [[nodiscard]] bool answer_arrived(const Message& message);
   [[nodiscard]] bool ask_timed_out(std::uint64_t token);
   void end_ask(const PendingAsk& ask, Value answer);
   void handle_message(const Message& message);
-  [[nodiscard]] TriggerKey key_of(const Event& event);
   void deliberate();
   void act();
-  [[nodiscard]] bool find_option(const Event& event, bool& had_candidates);
-  [[nodiscard]] bool select_by_rules(const Event& event, bool& had_candidates);
-  [[nodiscard]] bool is_selected(const Option& option, const Event& event);
-  [[nodiscard]] bool find_first_option(const Event& event, bool& had_candidates);
-  [[nodiscard]] bool try_plan(const Plan& plan, const Event& event,
-                              const std::shared_ptr<Scope>& scope);
-  [[nodiscard]] bool is_applicable(const Plan& plan, const Event& event,
-                                   std::span<const Value> enclosing);
-  void leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused);
-  [[nodiscard]] bool solve_context(const Plan& plan, const Event& event, Value* slots);
-  void add_intended_means(const Plan& plan, const Event& event,
-                          const std::shared_ptr<Scope>& scope);
-  void push_means(Intention& intention, const Plan& plan, const Event& event,
-                  const std::shared_ptr<Scope>& scope);
-  void replace_finished_caller(Intention& intention, const Event& event);
-  [[nodiscard]] Value trigger_of_means(const Event& event);
-  [[nodiscard]] bool no_plan(const Event& event, bool had_candidates);
+  [[nodiscard]] bool no_plan(const Event& event);
   void process_feedback();
   void signal_action_executed(const Intention& intention, Value action);
   Intention* select_intention();
   void add_goal_state(TriggerKind kind, Value goal, std::string_view state,
                       std::string_view reason);
+
+  // Rules RelPl, ApplPl and SelAppl (choose_plan.cpp, options.cpp).
+  [[nodiscard]] TriggerKey key_of(const Event& event);
+  [[nodiscard]] EventArguments arguments_of(const Event& event);
+  [[nodiscard]] Value literal_of(const Event& event);
+  [[nodiscard]] const PlanList& plans_for(const Event& event);
+  [[nodiscard]] bool find_option(const Event& event);
+  void note_no_option(const Event& event, bool by_rules);
+  [[nodiscard]] bool were_relevant(const Event& event, bool by_rules);
+  [[nodiscard]] bool selects_by_rules();
+  [[nodiscard]] bool select_by_rules(const Event& event);
+  [[nodiscard]] bool is_selected(const Option& option, const Event& event);
+  [[nodiscard]] bool try_plans(const PlanList& plans, const Event& event,
+                               const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] const Plan* first_applicable(const PlanList& plans, const Event& event,
+                                             std::span<const Value> enclosing);
+  [[nodiscard]] bool find_unusual_option(const Event& event, bool by_rules);
+  [[nodiscard]] bool is_applicable(const Plan& plan, const Event& event,
+                                   std::span<const Value> enclosing);
+  [[nodiscard]] bool applies(const Plan& plan, const Event& event, const EventArguments& given,
+                             std::span<const Value> enclosing);
+  [[nodiscard]] bool applies_in_general(const Plan& plan, const Event& event,
+                                        std::span<const Value> enclosing);
+  [[nodiscard]] bool is_event_bound(const Event& event, std::size_t matched);
+  [[nodiscard]] bool context_holds(const Plan& plan, const Event& event, Value* frame);
+  void leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused);
+  Value* empty_frame(const Plan& plan);
+  Value* prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
+  [[nodiscard]] std::vector<Value> closed_off(std::span<const Value> values);
+
+  // Rule AddIM (add_means.cpp).
+  /// What the plan that has been chosen is to begin with.
+  [[nodiscard]] std::span<const Value> frame_for(const Plan& plan) const;
+  void add_intended_means(const Plan& plan, const Event& event,
+                          const std::shared_ptr<Scope>& scope);
+  void push_means(Intention& intention, const Plan& plan, const Event& event,
+                  const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] bool replaces_caller(const Intention& intention, const Event& event);
+  [[nodiscard]] bool is_last_call(const Intention& intention, const Event& event);
+  void hand_over(const Intention& intention, const IntendedMeans& caller);
+  void fill_means(Intention& intention, const Plan& plan, const Event& event,
+                  const std::shared_ptr<Scope>& scope);
+  void fill_rare(IntendedMeans& means, const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] Value settled_literal(const Event& event);
+
   // Branches for sub-plans (branches.cpp).
   void start_branches(const Event& event);
   void start_branch(Intention& intention, const Plan& plan, const Event& event,
                     const std::shared_ptr<Scope>& scope);
   void take_over(Intention& branch);
-  [[nodiscard]] bool try_plans(const PlanList& plans, const Event& event,
-                               const std::shared_ptr<Scope>& scope, bool& had_candidates);
+
+  // Rule ClrInt (clear.cpp).
   void clear_intention(Intention& intention);
+  void signal_end(const Intention& intention, const IntendedMeans& done);
   void finish_means(Intention& intention);
   void pop_means(Intention& intention);
+  [[nodiscard]] bool return_closed_values(Intention& intention);
   void return_values(Intention& intention);
 
   // Execution of one formula (execute.cpp).
@@ -315,11 +326,18 @@ class Agent final : public MachineSurroundings {
   void execute_step(Intention& intention, const Step& step);
   void execute_action(Intention& intention, Value literal);
   void execute_internal_action(Intention& intention, const Goal& goal);
-  void execute_achieve(Intention& intention, Value term, Step::Kind kind);
+  void execute_constraint(Intention& intention, const Step& step);
+  void execute_achieve(Intention& intention, const Step& step);
+  void achieve(Intention& intention, Value term, Step::Kind kind);
   void execute_test(Intention& intention, const Step& step);
   void fail_test(Intention& intention, const Step& step);
-  void execute_belief(Intention& intention, Value term, Step::Kind kind);
+  void execute_belief(Intention& intention, const Step& step);
+  void change_belief_by_term(Intention& intention, Value term, Step::Kind kind);
+  void change_belief(Intention& intention, Value literal, Step::Kind kind);
+  void change_own_belief(Intention& intention, Value literal, Step::Kind kind);
   void execute_replace(Intention& intention, Value literal);
+  void forget_for(Value literal);
+  [[nodiscard]] bool forget_one(Predicate predicate);
   void execute_variable(Intention& intention, const Step& step);
   void execute_if(Intention& intention, const Step& step);
   void execute_while(Intention& intention, const Step& step);
@@ -336,11 +354,29 @@ class Agent final : public MachineSurroundings {
   void open_level(Intention& intention, Loop& loop);
   void extend_level(Intention& intention, Loop& loop);
   [[nodiscard]] bool begin_round(Intention& intention, Loop& loop);
-  void enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code);
-  void go_on(Intention& intention);
+  // The formula is done: the intention goes to the end of I.
+  void go_on(Intention& intention) {
+    intention.advance();
+    if (&intention == held_ && !intention.is_atomic()) {
+      intention.state = Intention::State::running;
+      goes_on_ = true;
+    } else {
+      make_ready(intention);
+    }
+  }
+  // The literals of goals and beliefs (goal_arguments.cpp).
+  [[nodiscard]] bool put_goal(Intention& intention, const EventCode& code);
+  void rename_in_goal(Intention& intention);
+  [[nodiscard]] Value ground_belief(Intention& intention, const EventCode& code);
   void note_returns(Intention& intention);
   Value prepare_for_event(Intention& intention, Value term, bool returns);
-  void record_bindings(Intention& intention, std::size_t trail);
+  void record_bindings(Intention& intention, std::size_t trail) {
+    Unifier& unifier = work().machine.unifier();
+    if (unifier.mark() == trail) return;
+    if (intention.top().has_loops()) note_for_round(intention, trail);
+    unifier.commit(trail);
+  }
+  void note_for_round(Intention& intention, std::size_t trail);
   void undo_round(Intention& intention, Loop& loop);
   bool execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind);
   void bind_recorded(Intention& intention, Loop& loop, Value place, Value value);
@@ -356,14 +392,14 @@ class Agent final : public MachineSurroundings {
     TriggerKind kind = TriggerKind::achieve;
     Value goal;
   };
-  [[nodiscard]] std::vector<OpenGoal> open_goals(const Intention& intention) const;
+  [[nodiscard]] std::vector<OpenGoal> open_goals(const Intention& intention);
   void signal_failure(const std::vector<OpenGoal>& goals, const ActionError& error,
                       bool is_handled);
   bool fail_stack(Intention& intention, const ActionError& error, Value code, std::uint32_t line);
   [[nodiscard]] bool post_failure(Intention& intention, std::size_t floor, const ActionError& error,
                                   Value code, std::uint32_t line);
   static void free_goal(Intention& intention, std::size_t depth);
-  [[nodiscard]] bool has_failure_plan(TriggerKind kind, Value literal, const Scope* scope);
+  [[nodiscard]] bool has_failure_plan(TriggerKind kind, Predicate goal, const Scope* scope);
   [[nodiscard]] ActionError applied(ActionError error);
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line,
                         const Intention* intention);
@@ -409,41 +445,6 @@ class Agent final : public MachineSurroundings {
   void forget_removed_plans();
   void forget_finished();
   void remove_from_running(const Intention& intention);
-
-  std::string name_;
-  ReasoningSettings settings_;
-  std::uint32_t cycles_since_look_ = 0;
-  std::unique_ptr<Percepts> unseen_;  // of the next cycle that looks, or null
-  std::uint64_t seen_looks_ = 0;      // what Percepts::looks was in the last belief update
-  std::uint32_t seen_mail_ = 0;       // messages of the mailbox that may be handled
-  std::shared_ptr<const Program> program_;
-  SymbolTable& symbols_;
-  AgentHost& host_;
-  ReasoningObserver* const observer_;
-  Heap heap_;
-  BeliefBase beliefs_;
-  std::unique_ptr<Workspace> workspace_;  // null while it is at rest
-  std::uint64_t max_inferences_;
-  JavaRandom random_;
-  Circumstance circumstance_;
-  std::shared_ptr<const Customisation> customisation_;
-  const PlanLibrary* library_;     // the program's, or its own
-  std::unique_ptr<OwnParts> own_;  // null: nothing
-  Seldom<std::vector<DropCause>> drops_;
-  std::uint64_t next_token_ = 1;
-  std::uint32_t next_intention_ = 1;
-  std::uint32_t number_ = 0;
-  std::uint32_t last_message_ = 0;
-  std::uint64_t cycles_ = 0;
-  std::uint32_t finished_ = 0;  // intentions that are finished but not forgotten
-  std::uint32_t memory_failures_ = 0;
-  Intention* executing_ = nullptr;
-  const Event* selected_event_ = nullptr;  // for which a plan is being looked for
-  bool starts_later_ = false;
-  bool uses_subplans_ = false;         // some means has had sub-plans
-  bool changed_ = false;               // since waiting formulas were last looked at
-  std::uint32_t goal_conditions_ = 0;  // means with a goal condition
-  std::uint32_t formula_waits_ = 0;
 };
 
 }  // namespace jaywalk

@@ -15,20 +15,18 @@ Value variable_of(Value* cell) { return Value::reference(Value::Kind::variable, 
 
 // Bindings made by a step are for good, unless the step is in a loop: then the round remembers
 // them.
-void Agent::record_bindings(Intention& intention, std::size_t trail) {
-  IntendedMeans& means = intention.top();
-  if (!means.loops.empty()) {
-    Value* const first = intention.frame(means);
-    Value* const last = first + means.plan->slot_count;
-    for (Value* const cell : machine().unifier().bindings_since(trail)) {
-      if (cell >= first && cell < last) {
-        means.loops.back().bound.push_back(Value::slot(static_cast<std::uint32_t>(cell - first)));
-      } else if (!machine().is_in_frame(cell)) {
-        means.loops.back().bound.push_back(variable_of(cell));
-      }
+void Agent::note_for_round(Intention& intention, std::size_t trail) {
+  const IntendedMeans& means = intention.top();
+  std::vector<Value>& bound = means.extras->loops.back().bound;
+  Value* const first = intention.frame(means);
+  Value* const last = first + means.plan->slot_count;
+  for (Value* const cell : machine().unifier().bindings_since(trail)) {
+    if (cell >= first && cell < last) {
+      bound.push_back(Value::slot(static_cast<std::uint32_t>(cell - first)));
+    } else if (!machine().is_in_frame(cell)) {
+      bound.push_back(variable_of(cell));
     }
   }
-  machine().unifier().commit(trail);
 }
 
 void Agent::undo_round(Intention& intention, Loop& loop) {
@@ -112,7 +110,7 @@ void Agent::execute_fork(Intention& intention, const Step& step) {
     Intention& copy = copy_for_branch(intention);
     copy.fork = fork;
     fork->branches.push_back(copy.id);
-    enter_body(copy, *branch, nullptr);
+    copy.go_on_at(branch->begin(step.next));
     make_ready(copy);
   }
   drop(intention);

@@ -26,7 +26,7 @@ void Agent::start_branches(const Event& event) {
         return is_applicable(*plan, event, values);
       });
       if (chosen == plans.end()) continue;
-      start_branch(*intention, **chosen, event, means.scope);
+      start_branch(*intention, **chosen, event, means.scope());
       break;
     }
   }

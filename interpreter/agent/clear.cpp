@@ -9,6 +9,7 @@ void Agent::clear_intention(Intention& intention) {
   while (!intention.is_finished() && !intention.is_branch_done() && intention.top().is_finished()) {
     if (intention.top().plan->has_goal_condition) {
       // Not done before the condition holds.
+      hold_back(intention);
       erase(circumstance_.running, &intention);
       if (circumstance_.atomic == &intention) circumstance_.atomic = nullptr;
       suspend(intention, Intention::State::waiting, "goal_condition");
@@ -24,10 +25,7 @@ void Agent::finish_means(Intention& intention) {
   const IntendedMeans& done = intention.top();
   const bool was_failure = done.op == TriggerOperator::remove && done.is_goal();
   const std::size_t keeps = done.keeps;
-  if (done.is_goal() && done.op != TriggerOperator::goal_state) {
-    signal_goal_state(done.kind, done.trigger, "achieved");
-    signal_goal_state(done.kind, done.trigger, "finished");
-  }
+  if (done.is_goal() && done.op != TriggerOperator::goal_state) signal_end(intention, done);
   pop_means(intention);
   // The means of the goal that failed have stayed until now.
   while (was_failure && intention.stack.size() > keeps) pop_means(intention);
@@ -37,6 +35,14 @@ void Agent::finish_means(Intention& intention) {
   }
   return_values(intention);
   intention.advance();
+}
+
+// A goal has been achieved.
+void Agent::signal_end(const Intention& intention, const IntendedMeans& done) {
+  if (!library_->has_goal_state_plans()) return;
+  const Value goal = goal_of(intention, done);
+  signal_goal_state(done.kind, goal, "achieved");
+  signal_goal_state(done.kind, goal, "finished");
 }
 
 void Agent::pop_means(Intention& intention) {
@@ -65,11 +71,27 @@ Value late_variable(Heap& heap, Symbol name, std::uint32_t number) {
 
 }  // namespace
 
+// The usual case: all that comes back is closed and goes into slots without a value. False:
+// something is of another kind, and all of it is still to be returned.
+bool Agent::return_closed_values(Intention& intention) {
+  const IntendedMeans& caller = intention.top();
+  if (caller.has_loops()) return false;
+  Value* const frame = intention.frame(caller);
+  const Value* const pairs = frame + caller.plan->slot_count;
+  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
+    if (!pairs[i].is_slot() || !frame[pairs[i].slot_index()].is_unset()) return false;
+    const Value returned = deref(pairs[i + 1]);
+    if (!returned.is_closed() || Unifier::is_of_other_namespace(returned)) return false;
+    frame[pairs[i].slot_index()] = returned;
+  }
+  return true;
+}
+
 // The values of the variables that were renamed at the call are copied back; what is still open in
 // them is renamed afresh, so it is not shared with the plan that has ended.
 void Agent::return_values(Intention& intention) {
   const IntendedMeans& caller = intention.top();
-  if (caller.returns == 0) return;
+  if (caller.returns == 0 || return_closed_values(intention)) return;
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
   Value* const frame = intention.frame(caller);
@@ -79,7 +101,7 @@ void Agent::return_values(Intention& intention) {
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
     const Value returned = deref(pairs[i + 1]);
     if (pairs[i].is_slot()) {
-      // The caller's variable has not been made yet (stride.cpp).
+      // The caller's variable has not been made yet (goal_arguments.cpp).
       Value& slot = frame[pairs[i].slot_index()];
       if (slot.is_unset() && returned.is_closed() && !Unifier::is_of_other_namespace(returned)) {
         unifier.set_slot(&slot, returned);

@@ -47,10 +47,10 @@ Intention* Agent::take_selected_intention() {
 
 // Rules RelPl and ApplPl for all plans at once, then SelAppl with a function of the agent's own.
 bool Agent::select_option(const std::vector<const Plan*>& plans, const Event& event,
-                          const std::shared_ptr<Scope>& scope, bool& had_candidates) {
+                          const std::shared_ptr<Scope>& scope) {
   std::vector<Option> options;
   for (const Plan* const plan : plans) {
-    had_candidates = true;
+    work().had_candidates = true;
     find_options(*plan, event, scope, options);
   }
   if (options.empty()) return false;
@@ -75,9 +75,9 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
   const std::size_t trail = unifier.mark();
   prepare_scratch(plan, scope == nullptr ? std::span<const Value>() : scope->frame);
   Value* const first = work().frame.data();
-  Value* const last = first + work().frame.size();
+  Value* const last = first + plan.slot_count;
   const auto note = [&] {
-    Option option{.plan = &plan, .values = work().frame, .scope = scope};
+    Option option{.plan = &plan, .values = {first, last}, .scope = scope};
     for (Value* const cell : unifier.bindings_since(trail)) {
       if (cell >= first && cell < last) {
         option.values[static_cast<std::size_t>(cell - first)] = unifier.apply(*cell);

@@ -5,9 +5,20 @@
 //   sense       ProcMsg
 //   deliberate  SelEv → RelPl, ApplPl, SelAppl (found in one go: FindOp) → AddIM
 //   act         ProcAct → SelInt → ExecInt (execute.cpp) → ClrInt (clear.cpp)
+//
+// (The rules from RelPl to SelAppl are in choose_plan.cpp, AddIM in add_means.cpp.) There is one
+// shortcut, which leaves nothing out: while an intention is alone (no other is ready, E is empty,
+// there is no mail, nothing waits), all of the next cycle up to SelInt is settled. Then that cycle
+// goes on with this intention, and the event of its formula goes straight from the formula to the
+// plans without passing through E (go_on_alone):
+//
+//   cycle n      SelInt   ExecInt  !g(X)           → E
+//   cycle n + 1                             SelEv ←┘  RelPl ApplPl SelAppl AddIM, SelInt, ExecInt …
+//                                  └──────── next event ───────┘
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,6 +34,19 @@
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
+
+std::uint64_t Agent::reason(std::uint64_t most) {
+  const std::uint64_t first = cycles_;
+  last_cycle_ = first + most;
+  const bool is_in_nursery = begin_first_cycles();
+  (void)work();
+  do {
+    cycle();
+  } while (cycles_ < last_cycle_ && !host_.has_business() && is_active());
+  if (is_in_nursery) end_first_cycles();
+  rest();
+  return cycles_ - first;
+}
 
 void Agent::cycle() {
   ++cycles_;
@@ -50,6 +74,8 @@ void Agent::abandon_cycle(const ActionError& error) {
   }
   executing_ = nullptr;
   selected_event_ = nullptr;
+  if (held_ != nullptr) hold_back(*held_);
+  held_ = nullptr;
 }
 
 bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
@@ -64,18 +90,24 @@ bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
     problem = error.message;
   }
   changed_ = true;
+  if (workspace_ == nullptr) borrow_workspace();
   tidy_up();
+  rest();
   return completed;
 }
 
-void Agent::tidy_up() {
-  // Nothing holds a Value any more but the circumstance and the beliefs.
-  machine().unifier().commit(0);
-  machine().forget_temporary_code();
+[[gnu::always_inline]] inline void Agent::end_cycle() {
+  Machine& machine = workspace_->machine;
+  if (machine.unifier().mark() != 0) machine.unifier().commit(0);
+  machine.forget_temporary_code();
   if (finished_ > 0) forget_finished();
   beliefs_.compact();
+}
+
+// Nothing holds a Value any more but the circumstance and the beliefs.
+void Agent::tidy_up() {
+  end_cycle();
   if (heap_.wants_collection() || heap_.wants_count()) clean_up();
-  rest();
 }
 
 void Agent::sense() {
@@ -96,14 +128,13 @@ void Agent::deliberate() {
   if (changed_ && formula_waits_ > 0) Waits(*this).check_formulas();
   // Rule SelEv, for atomic: while an atomic intention exists, only its own events are selected.
   if (c.atomic != nullptr || c.atomic_suspended) return;
-  bool had_candidates = false;
   if (c.atomic_event) {
     const Event event = *c.atomic_event;
     c.atomic_event.reset();
     if (event.has_means) {
       make_ready(*event.intention);
-    } else if (!find_option(event, had_candidates))
-      (void)no_plan(event, had_candidates);
+    } else if (!find_option(event))
+      (void)no_plan(event);
     return;
   }
   // Rule SelEv1: the oldest event. External events that nobody wants do not cost a cycle.
@@ -121,242 +152,22 @@ void Agent::deliberate() {
       return;
     }
     if (uses_subplans_) start_branches(event);
-    if (find_option(event, had_candidates) || no_plan(event, had_candidates)) return;
+    if (find_option(event) || no_plan(event)) return;
   }
   // Rule SelEv2: no event.
 }
 
-TriggerKey Agent::key_of(const Event& event) {
-  const Predicate predicate =
-      is_literal(event.literal) ? predicate_of(event.literal) : predicates::truth;
-  return trigger_key(event.op, event.kind, predicate, symbols_);
-}
-
-namespace {
-
-// Whether the trigger of one of the plans unifies with the event's literal.
-bool has_relevant(const std::vector<const Plan*>& plans, const Scope* scope, Value literal,
-                  Unifier& unifier) {
-  return std::any_of(plans.begin(), plans.end(), [&](const Plan* plan) {
-    const std::size_t trail = unifier.mark();
-    std::vector<Value> slots(plan->slot_count);
-    if (scope != nullptr) {
-      for (const auto& [own, outer] : plan->inherited) slots[own] = scope->frame[outer];
-    }
-    const bool unifies =
-        unifier.match(plan->trigger, slots.data(), literal, Unifier::Direction::template_first);
-    unifier.undo(trail);
-    return unifies;
-  });
-}
-
-}  // namespace
-
-bool Agent::find_option(const Event& event, bool& had_candidates) {
-  const bool has_function = customisation_ != nullptr && customisation_->select_option;
-  const Relation* const selecting = beliefs_.find(predicates::select_option);
-  const bool by_rules = !has_function && selecting != nullptr && selecting->has_rules();
-  selected_event_ = &event;
-  if (observer_ != nullptr) observer_->event_selected(*this, event);
-  const bool found =
-      by_rules ? select_by_rules(event, had_candidates) : find_first_option(event, had_candidates);
-  selected_event_ = nullptr;
-  // Jason takes the rules one by one for these, and RelPl looks at the triggers.
-  const bool is_atomic = event.intention != nullptr && event.intention->is_atomic();
-  if (!found && had_candidates && (by_rules || is_atomic)) {
-    const TriggerKey key = key_of(event);
-    Unifier& unifier = machine().unifier();
-    had_candidates = has_relevant(library_->candidates(key), nullptr, event.literal, unifier);
-    std::shared_ptr<Scope> scope = is_atomic ? event.intention->top().scope : nullptr;
-    for (; scope != nullptr && !had_candidates; scope = scope->outer) {
-      had_candidates =
-          has_relevant(scope->library->candidates(key), scope.get(), event.literal, unifier);
-    }
-  }
-  if (!found && observer_ != nullptr) observer_->no_plan(*this, event, had_candidates);
-  return found;
-}
-
-// Rules RelPl, ApplPl and SelAppl: the first plan in the library whose trigger unifies with the
-// event's and whose context follows from the beliefs, with the first solution. Goals below a plan
-// with sub-plans look there first, then, if none is applicable, further out, last in the agent's
-// library.
-bool Agent::find_first_option(const Event& event, bool& had_candidates) {
-  const TriggerKey key = key_of(event);
-  had_candidates = false;
-  if (event.intention != nullptr && !event.intention->is_finished()) {
-    std::shared_ptr<Scope> scope = event.intention->top().scope;
-    for (; scope != nullptr; scope = scope->outer) {
-      if (try_plans(scope->library->list(key), event, scope, had_candidates)) return true;
-    }
-  }
-  return try_plans(library_->list(key), event, nullptr, had_candidates);
-}
-
-bool Agent::try_plans(const PlanList& plans, const Event& event,
-                      const std::shared_ptr<Scope>& scope, bool& had_candidates) {
-  if (customisation_ != nullptr && customisation_->select_option) {
-    return select_option(plans.plans(), event, scope, had_candidates);
-  }
-  if (plans.has_learned()) return try_learned(plans, event, scope, had_candidates);
-  const Value literal = event.literal;
-  const std::uint64_t first_key = literal.is_structure() && literal.structure()->arity > 0
-                                      ? argument_key(literal.structure()->arg(0))
-                                      : 0;
-  had_candidates = had_candidates || !plans.plans().empty();
-  return plans.find(first_key, [&](const Plan& plan) { return try_plan(plan, event, scope); });
-}
-
-// The frame of a plan before its trigger is matched: a sub-plan has values of the enclosing plan.
-void Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing) {
-  work().frame.assign(plan.slot_count, Value());
-  machine().unifier().set_slot_names(plan.slot_names);
-  if (enclosing.empty() || plan.inherited.empty()) return;
-  const std::vector<Value> values = closed_off(enclosing);
-  for (const auto& [own, outer] : plan.inherited) work().frame[own] = values[outer];
-}
-
-// Values whose open variables are others: what is bound here is not seen there, nor the reverse.
-std::vector<Value> Agent::closed_off(std::span<const Value> values) {
-  std::vector<Value> copies(values.begin(), values.end());
-  const auto is_closed = [](Value value) { return value.is_unset() || value.is_closed(); };
-  if (std::all_of(values.begin(), values.end(), is_closed)) return copies;
-  for (Value& value : copies) {
-    if (value.is_unset()) value = Value::empty_list();
-  }
-  Value list = machine().unifier().fresh_copy(heap_.list(copies));
-  for (std::size_t i = 0; i < copies.size(); ++i, list = deref(list.pair()->tail)) {
-    copies[i] = values[i].is_unset() ? Value() : deref(list.pair()->head);
-  }
-  return copies;
-}
-
-bool Agent::try_plan(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope) {
-  const std::span<const Value> values = scope == nullptr ? std::span<const Value>() : scope->frame;
-  if (!is_applicable(plan, event, values)) return false;
-  add_intended_means(plan, event, scope);
-  return true;
-}
-
-// Rules RelPl and ApplPl for one plan, whose values are in the workspace's frame then.
-bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const Value> enclosing) {
-  Unifier& unifier = machine().unifier();
-  const std::size_t trail = unifier.mark();
-  const Heap::Mark unused = heap_.mark();
-  prepare_scratch(plan, enclosing);
-  std::unique_ptr<ActionError> error;
-  const bool applicable = guarded(error, [&] {
-    return unifier.match(plan.trigger, work().frame.data(), event.literal,
-                         Unifier::Direction::template_first) &&
-           (observer_ == nullptr ? machine().solve(plan.context, work().frame.data())
-                                 : solve_context(plan, event, work().frame.data()));
-  });
-  if (!applicable) unifier.undo(trail);
-  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
-  if (!applicable) return false;
-  work().binds_event = !event.literal.is_closed() && unifier.mark() != trail;
-  unifier.commit(trail);
-  return true;
-}
-
-// Nothing of what was made while the context was solved is in use.
-void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
-  heap_.release(unused);
-  const std::string where = "the context of " + plan_name(plan);
-  log(fmt::format("in {}: {}", where, shortened(error.message, kLongestLogged)));
-  report_limit(error, where);
-}
-
-// Rules RelPl and ApplPl for an observer.
-bool Agent::solve_context(const Plan& plan, const Event& event, Value* slots) {
-  observer_->plan_relevant(*this, plan, event, {slots, plan.slot_count});
-  const bool holds = machine().solve(observer_->context_of(plan), slots);
-  observer_->plan_tried(*this, plan, holds);
-  return holds;
-}
-
-// Rule AddIM: a new intention for an external event, else on top of the one that waits for it.
-void Agent::add_intended_means(const Plan& plan, const Event& event,
-                               const std::shared_ptr<Scope>& scope) {
-  Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
-  if (event.intention != nullptr) replace_finished_caller(intention, event);
-  if (observer_ != nullptr) observer_->plan_chosen(*this, plan, event, intention);
-  push_means(intention, plan, event, scope);
-  if (event.op == TriggerOperator::add && event.kind == TriggerKind::achieve) {
-    signal_goal_state(event.kind, event.literal, "executing");
-  }
-  make_ready(intention);
-}
-
-void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
-                       const std::shared_ptr<Scope>& scope) {
-  heap_.note_beside(sizeof(IntendedMeans));
-  IntendedMeans& means = intention.push(plan, work().frame);
-  means.op = event.op;
-  means.kind = event.kind;
-  means.trigger = trigger_of_means(event);
-  means.keeps = event.keeps;
-  means.scope = scope;
-  if (plan.subplans != nullptr) {
-    uses_subplans_ = true;
-    means.scope =
-        std::make_shared<Scope>(Scope{plan.subplans.get(), closed_off(work().frame), scope});
-  }
-  if (plan.has_goal_condition) {
-    ++goal_conditions_;
-    changed_ = true;  // it may hold already: then no formula is executed
-  }
-  if (plan.atomic) circumstance_.atomic_suspended = false;
-}
-
-// The event's literal with what the head and the context have given its variables. What is still
-// open in it, the body may bind, and a failure frees again (free_goal).
-Value Agent::trigger_of_means(const Event& event) {
-  if (!work().binds_event) return event.literal;
-  work().binds_event = false;
-  Value settled;
-  try {
-    settled = machine().unifier().apply(event.literal);
-  } catch (const HeapExhausted&) {
-    const MemoryReserve reserve(heap_);
-    settled = machine().unifier().apply(event.literal);
-  }
-  for (GoalDeadline& deadline : circumstance_.deadlines) {
-    if (deadline.goal.same_as(event.literal)) deadline.goal = settled;
-  }
-  return settled;
-}
-
-// Tail recursion: a means whose last formula calls the same goal again gives way to the new one.
-// Its own caller's open variables live on in the variables that the new means was given.
-void Agent::replace_finished_caller(Intention& intention, const Event& event) {
-  IntendedMeans& caller = intention.top();
-  const bool last = caller.cursor.index + 1 == caller.cursor.body->steps.size() &&
-                    caller.outer.empty() && !caller.cursor.is_loop;
-  if (!settings_.tail_recursion || !last || event.op != TriggerOperator::add ||
-      event.kind == TriggerKind::belief || !caller.is_goal_addition() ||
-      caller.kind != event.kind || caller.plan->has_goal_condition ||
-      predicate_of(caller.trigger) != predicate_of(event.literal)) {
-    return;
-  }
-  signal_goal_state(caller.kind, caller.trigger, "achieved");
-  signal_goal_state(caller.kind, caller.trigger, "finished");
-  const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
-  for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
-    const Value own = deref(pairs[i]);
-    if (own.is_variable()) own.variable()->value = pairs[i + 1];
-  }
-  intention.pop();
-}
-
 // What becomes of an event without a plan. False: another one may be selected in this cycle.
-bool Agent::no_plan(const Event& event, bool had_candidates) {
+bool Agent::no_plan(const Event& event) {
   if (event.kind != TriggerKind::belief && event.op != TriggerOperator::goal_state) {
+    (void)literal_of(event);
+    const Event failed = event;  // another one may take its place in the workspace
+    const bool had_candidates = work().had_candidates;
     ActionError error;
     error.id = had_candidates ? "no_applicable" : "no_relevant";
     error.message = std::string("Found a goal for which there is no ") +
-                    (had_candidates ? "applicable" : "relevant") + " plan: " + trigger_text(event);
-    fail_event(event, error);
+                    (had_candidates ? "applicable" : "relevant") + " plan: " + trigger_text(failed);
+    fail_event(failed, error);
     return true;
   }
   if (event.intention == nullptr) {
@@ -370,23 +181,94 @@ bool Agent::no_plan(const Event& event, bool had_candidates) {
   return true;
 }
 
-void Agent::act() {
-  if (changed_ && goal_conditions_ > 0) Goals(*this).check_conditions();
-  changed_ = false;
-  // Rule ProcAct
-  if (!circumstance_.feedback.empty()) process_feedback();
-  // Rules SelInt and ExecInt
-  Intention* const intention = select_intention();
-  if (intention == nullptr) return;
-  executing_ = intention;
-  execute(*intention);
-  changed_ = true;
-  // Rule ClrInt; what suspends itself by its last formula is not done before it is resumed.
-  if (intention->state != Intention::State::finished &&
-      intention->state != Intention::State::suspended) {
-    clear_intention(*intention);
+// It passes through E after all, before what has come since.
+void Agent::queue_next_event(Intention& intention) {
+  NextEvent& next = work().next;
+  next.is_pending = false;
+  intention.has_event = true;
+  (void)literal_of(next.event);
+  circumstance_.events.push_front(next.event);
+}
+
+// The intention that is held takes its place in I if it is ready.
+void Agent::release_held() {
+  if (std::exchange(goes_on_, false)) circumstance_.running.push_back(held_);
+}
+
+// The intention that is held is not ready any more, and its event is off.
+void Agent::hold_back(const Intention& intention) {
+  if (&intention != held_) return;
+  goes_on_ = false;
+  work().next.is_pending = false;
+}
+
+// Something may be in the way of going on with the same intention. Mostly all of it is null.
+inline bool Agent::has_unusual_business() const {
+  const Circumstance& c = circumstance_;
+  const auto word = [](const void* pointer) { return reinterpret_cast<std::uintptr_t>(pointer); };
+  const std::uintptr_t any = word(c.atomic) | word(c.atomic_event.get()) | word(unseen_.get()) |
+                             word(customisation_.get()) | goal_conditions_ |
+                             (c.atomic_suspended ? 1U : 0U) | (settings_.cycles_per_look - 1U);
+  return any != 0 || !c.feedback.empty() || !c.tasks.empty() || !c.waits.empty();
+}
+
+// The next cycle may begin, and only the intention that is held can be meant by it.
+inline bool Agent::is_alone() const {
+  const Circumstance& c = circumstance_;
+  return c.events.empty() && c.running.empty() && c.mailbox.empty() && cycles_ < last_cycle_ &&
+         !heap_.wants_collection() && !heap_.wants_count() && !host_.has_business() &&
+         !has_unusual_business();
+}
+
+// What comes after a formula: the next one, for which another cycle has begun; the cycle's SelInt;
+// or nothing more in this cycle.
+[[gnu::always_inline]] inline Agent::Next Agent::go_on_alone(Intention& intention) {
+  NextEvent& next = workspace_->next;
+  while (next.is_pending) {
+    if (!is_alone()) {
+      queue_next_event(intention);
+      return Next::nothing;
+    }
+    end_cycle();
+    ++cycles_;
+    next.is_pending = false;
+    if (!find_option(next.event)) (void)no_plan(next.event);
+    if (goal_conditions_ > 0 || !circumstance_.running.empty() || !(goes_on_ || next.is_pending)) {
+      if (next.is_pending) queue_next_event(intention);
+      release_held();
+      return Next::selection;
+    }
+    if (std::exchange(goes_on_, false)) return Next::formula;
   }
-  executing_ = nullptr;
+  if (!goes_on_) return Next::nothing;
+  if (!is_alone()) {
+    release_held();
+    return Next::nothing;
+  }
+  end_cycle();
+  ++cycles_;
+  goes_on_ = false;
+  return Next::formula;
+}
+
+// Rules ExecInt and ClrInt: one formula of an intention; more, a cycle for each, while it is alone.
+// It is held: it does not pass through I before it is known what comes next.
+Agent::Next Agent::run(Intention& intention) {
+  Next next = Next::formula;
+  do {
+    executing_ = &intention;
+    execute(intention);
+    changed_ = true;
+    // What suspends itself by its last formula is not done before it is resumed.
+    if (!intention.is_finished() && intention.top().is_finished() &&
+        intention.state != Intention::State::suspended) {
+      clear_intention(intention);
+    }
+    executing_ = nullptr;
+    next = go_on_alone(intention);
+  } while (next == Next::formula);
+  held_ = nullptr;
+  return next;
 }
 
 void Agent::process_feedback() {
@@ -419,7 +301,7 @@ void Agent::signal_action_executed(const Intention& intention, Value action) {
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
     if (means.is_goal_addition()) {
-      signal_goal_state(means.kind, means.trigger, "executing", reason);
+      signal_goal_state(means.kind, goal_of(intention, means), "executing", reason);
     }
   }
 }
@@ -439,6 +321,17 @@ Intention* Agent::select_intention() {
   Intention* const first = c.running.front();
   c.running.pop_front();
   return first;
+}
+
+void Agent::act() {
+  do {
+    if (changed_ && goal_conditions_ > 0) Goals(*this).check_conditions();
+    changed_ = false;
+    // Rule ProcAct
+    if (!circumstance_.feedback.empty()) process_feedback();
+    // Rule SelInt
+    held_ = select_intention();
+  } while (held_ != nullptr && run(*held_) == Next::selection);
 }
 
 }  // namespace jaywalk

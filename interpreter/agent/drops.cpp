@@ -21,15 +21,16 @@ constexpr std::size_t kInnerGoals = 5;
 
 std::string cut(std::string_view text) { return shortened(text, kLongestText); }
 
-std::string goal_with_place(const IntendedMeans& means, const SymbolTable& symbols) {
-  const std::uint32_t line = means.cursor.at_end() ? means.plan->line : means.step().place.line;
-  std::string text = cut(goal_text(means, symbols));
+std::string goal_with_place(const Intention& intention, const IntendedMeans& means,
+                            const SymbolTable& symbols) {
+  const std::uint32_t line = means.is_finished() ? means.plan->line : means.step().place.line;
+  std::string text = cut(goal_text(intention, means, symbols));
   return line == 0 ? text : fmt::format("{} ({}:{})", text, means.plan->file, line);
 }
 
 // Where the formula stands that has failed; nowhere if it was made at run time.
 StepPlace place_of(const Intention* intention) {
-  if (intention == nullptr || intention->is_finished() || intention->top().cursor.at_end()) {
+  if (intention == nullptr || intention->is_finished() || intention->top().is_finished()) {
     return {};
   }
   return intention->top().step().place;
@@ -43,17 +44,22 @@ Span span_of(const Source& source, StepPlace place) {
 
 }  // namespace
 
+std::string literal_text(Predicate predicate, std::span<const Value> args,
+                         const SymbolTable& symbols) {
+  std::string text = term_text(Value::atom(predicate), symbols);
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    text += i == 0 ? '(' : ',';
+    append_term(text, args[i], symbols);
+  }
+  if (!args.empty()) text += ')';
+  return text;
+}
+
 std::string plain_text(Value term, const SymbolTable& symbols) {
   term = deref(term);
   if (!is_literal(term)) return term_text(term, symbols);
   const LiteralParts parts = literal_parts(term);
-  std::string text = term_text(Value::atom(parts.predicate), symbols);
-  for (std::size_t i = 0; i < parts.args.size(); ++i) {
-    text += i == 0 ? '(' : ',';
-    append_term(text, parts.args[i], symbols);
-  }
-  if (!parts.args.empty()) text += ')';
-  return text;
+  return literal_text(parts.predicate, parts.args, symbols);
 }
 
 std::string goal_stack_text(const Intention& intention, const SymbolTable& symbols) {
@@ -66,7 +72,7 @@ std::string goal_stack_text(const Intention& intention, const SymbolTable& symbo
       text += fmt::format("... {} more ... > ", left_out);
       i += left_out;
     }
-    text += goal_with_place(intention.stack[i], symbols);
+    text += goal_with_place(intention, intention.stack[i], symbols);
   }
   return text;
 }
@@ -78,12 +84,19 @@ std::string formula_place(const Intention& intention) {
   return place.column == 0 ? text : fmt::format("{}:{}", text, place.column);
 }
 
-std::string goal_text(const IntendedMeans& means, const SymbolTable& symbols) {
+std::string goal_text(const Intention& intention, const IntendedMeans& means,
+                      const SymbolTable& symbols) {
   std::string text;
   if (means.op == TriggerOperator::remove) text += '-';
   if (means.op == TriggerOperator::goal_state) text += '^';
   if (means.op == TriggerOperator::add && means.kind == TriggerKind::belief) text += '+';
-  return text + plain_text(means.trigger, symbols);
+  if (!means.trigger.is_unset()) return text + plain_text(means.trigger, symbols);
+  const PlanHead& head = means.plan->head;
+  std::vector<Value> args;
+  for (std::size_t i = 0; i < head.args.size(); ++i) {
+    args.push_back(intention.head_value(means, i));
+  }
+  return text + literal_text(head.predicate, args, symbols);
 }
 
 std::string describe(const DropCause& cause) {

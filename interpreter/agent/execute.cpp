@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_arguments.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals.h"
 #include "interpreter/agent/step_guard.h"
@@ -25,124 +26,13 @@ ActionError make_error(std::string id, std::string message) {
   return error;
 }
 
-// The variable of the step has a value, or none, with which it is no formula.
-ActionError variable_error(std::string id, Unifier& unifier, const Plan& plan, const Step& step,
-                           Value value) {
-  const std::string place = "file:" + plan.file + ":" + std::to_string(step.place.line) + ": ";
-  const std::string name = "'" + text_as_written(unifier, plan, step) + "'";
-  std::string message = place;
-  if (id == "body_var_without_value") {
-    message += "Variable " + name + " must be ground.";
-  } else if (id == "body_var_with_op") {
-    message += "The operator is lost with the variable " + name + " unified with a plan body.";
-  } else {
-    message += "Variable " + name + " must be a Literal and not '" +
-               term_text(value, unifier.symbols()) + "'.";
-  }
-  return make_error(std::move(id), std::move(message));
-}
-
 }  // namespace
-
-void Agent::execute(Intention& intention) {
-  if (intention.is_branch_done()) {
-    drop(intention);
-    return;
-  }
-  IntendedMeans& means = intention.top();
-  if (means.cursor.at_end() && means.cursor.is_loop) {
-    // A round is done: its bindings are undone, and the loop's own formula comes again.
-    undo_round(intention, means.loops.back());
-    means.cursor = std::move(means.outer.back());
-    means.outer.pop_back();
-  }
-  if (means.cursor.at_end()) {  // an empty body takes a step, too
-    make_ready(intention);
-    return;
-  }
-  std::unique_ptr<ActionError> error;
-  const Step& step = means.step();
-  const bool completed = guarded(error, [&] {
-    machine().unifier().set_slot_names(means.plan->slot_names);
-    if (observer_ != nullptr) observer_->formula_executes(*this, intention, step);
-    std::optional<MemoryReserve> reserve;
-    if (heap_.is_short() && handles_failure(intention)) reserve.emplace(heap_);
-    execute_step(intention, step);
-    return true;
-  });
-  if (!completed) fail_at_limit(intention, *error);
-}
 
 void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
   machine().unifier().undo(0);
   const MemoryReserve reserve(heap_);
   report_limit(error, formula_place(intention));
   fail(intention, error);
-}
-
-void Agent::execute_step(Intention& intention, const Step& step) {
-  switch (step.kind) {
-    case Step::Kind::action:
-      execute_action(intention, step.term);
-      return;
-    case Step::Kind::internal_action:
-      execute_internal_action(intention, *step.goal);
-      return;
-    case Step::Kind::constraint: {
-      const std::size_t trail = machine().unifier().mark();
-      if (!machine().solve(step.goal, intention.frame(intention.top()))) {
-        fail(intention, constraint_failure(machine().unifier(), intention));
-        return;
-      }
-      record_bindings(intention, trail);
-      go_on(intention);
-      return;
-    }
-    case Step::Kind::achieve:
-    case Step::Kind::achieve_new_focus:
-      execute_achieve(intention, step.term, step.kind);
-      return;
-    case Step::Kind::test:
-      execute_test(intention, step);
-      return;
-    case Step::Kind::add:
-    case Step::Kind::add_new_focus:
-    case Step::Kind::add_begin:
-    case Step::Kind::add_end:
-    case Step::Kind::remove:
-    case Step::Kind::remove_new_focus:
-    case Step::Kind::replace:
-      execute_belief(intention, step.term, step.kind);
-      return;
-    case Step::Kind::variable:
-      execute_variable(intention, step);
-      return;
-    case Step::Kind::if_statement:
-      execute_if(intention, step);
-      return;
-    case Step::Kind::while_loop:
-      execute_while(intention, step);
-      return;
-    case Step::Kind::for_loop:
-      execute_for(intention, step);
-      return;
-    case Step::Kind::fork_and:
-    case Step::Kind::fork_or:
-      execute_fork(intention, step);
-      return;
-    case Step::Kind::join:
-      execute_join(intention);
-      return;
-    case Step::Kind::wrong:
-      break;
-  }
-  fail(intention, make_error("body_var_not_literal", "this formula cannot be executed"));
-}
-
-// The formula is done: the intention goes to the end of I.
-void Agent::go_on(Intention& intention) {
-  intention.advance();
-  make_ready(intention);
 }
 
 void Agent::execute_action(Intention& intention, Value term) {
@@ -184,51 +74,50 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   }
 }
 
-// Behind the frame stands what a call is to bring back: each variable with its copy.
-void Agent::note_returns(Intention& intention) {
-  IntendedMeans& means = intention.top();
-  intention.values.cut(means.frame + means.plan->slot_count);
-  for (const auto& [own, copy] : work().renamed) {
-    intention.values.push_back(own);
-    intention.values.push_back(copy);
+[[gnu::always_inline]] inline void Agent::execute_constraint(Intention& intention,
+                                                             const Step& step) {
+  const std::size_t trail = machine().unifier().mark();
+  if (!machine().solve(step.goal, intention.frame(intention.top()))) {
+    fail(intention, constraint_failure(machine().unifier(), intention));
+    return;
   }
-  means.returns = 2 * work().renamed.size();
+  record_bindings(intention, trail);
+  go_on(intention);
 }
 
-// A goal's or belief's literal, applied, with source(self) unless it has a source. Where values are
-// to come back, its open variables are renamed and recorded behind the frame.
-Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
-  Unifier& unifier = machine().unifier();
-  Value* const frame = intention.frame(intention.top());
-  work().renamed.clear();
-  if (is_form(term, Form::literal)) {
-    const Structure& s = *term.structure();
-    const Value annots = s.is_annotated() ? s.annots() : source_self();
-    if (annots.is_closed() && has_source(annots)) {
-      const Value made =
-          unifier.instantiate_renamed(s, frame, annots, returns ? &work().renamed : nullptr);
-      record_bindings(intention, 0);
-      if (!made.is_unset()) {
-        if (!work().renamed.empty()) note_returns(intention);
-        return made;
-      }
-    }
-  }
-  Value literal = unifier.instantiate(term, frame);
-  record_bindings(intention, 0);
-  if (!literal.is_closed()) {
-    literal = unifier.rename(literal, returns ? &work().renamed : nullptr);
-    if (returns) note_returns(intention);
-  }
-  if (!is_literal(literal)) return literal;
-  const Value annots = literal_parts(literal).annots;
-  if (has_source(annots)) return literal;
-  const Value with_self =
-      annots.is_empty_list() ? source_self() : union_of(heap_, annots, source_self(), symbols_);
-  return with_annotations(heap_, literal, with_self);
+// The goal of a formula, in the workspace. False: its literal is to be made in the general way.
+[[gnu::always_inline]] inline bool Agent::put_goal(Intention& intention, const EventCode& code) {
+  NextEvent& next = workspace_->next;
+  bool is_open = false;
+  const Value* const frame = intention.frame(intention.top());
+  if (!code.is_decoded || !put_arguments(code, frame, next.args.data(), is_open)) return false;
+  next.predicate = code.predicate;
+  next.arity = code.args.size();
+  next.is_open = is_open;
+  if (is_open) rename_in_goal(intention);
+  return true;
 }
 
-void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
+[[gnu::always_inline]] inline void Agent::execute_achieve(Intention& intention, const Step& step) {
+  heap_.require_room();
+  if (step.event == nullptr || !put_goal(intention, *step.event)) {
+    achieve(intention, step.term, step.kind);
+    return;
+  }
+  NextEvent& next = workspace_->next;
+  next.event = {TriggerOperator::add, TriggerKind::achieve, Value(), &intention};
+  next.code = step.event;
+  changed_ = true;
+  if (comes_next(intention)) {
+    announce_next_event();
+  } else {
+    (void)literal_of(next.event);
+    queue_event(next.event);
+  }
+}
+
+// The goal of a formula that is a term.
+void Agent::achieve(Intention& intention, Value term, Step::Kind kind) {
   heap_.require_room();
   const bool new_focus = kind == Step::Kind::achieve_new_focus;
   Value goal = prepare_for_event(intention, term, !new_focus);
@@ -241,7 +130,7 @@ void Agent::execute_achieve(Intention& intention, Value term, Step::Kind kind) {
     add_goal(goal);
     go_on(intention);
   } else {
-    add_event({TriggerOperator::add, TriggerKind::achieve, goal, &intention, 0});
+    add_event({TriggerOperator::add, TriggerKind::achieve, goal, &intention});
   }
 }
 
@@ -266,7 +155,7 @@ void Agent::fail_test(Intention& intention, const Step& step) {
     if (!library_->candidates(key).empty()) {
       heap_.require_room();
       const Value goal = prepare_for_event(intention, step.term, true);
-      add_event({TriggerOperator::add, TriggerKind::test, goal, &intention, 0});
+      add_event({TriggerOperator::add, TriggerKind::test, goal, &intention});
       return;
     }
   }
@@ -279,25 +168,99 @@ void Agent::fail_test(Intention& intention, const Step& step) {
                       "'"));
 }
 
-void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
+// The belief that was added last goes if it is a fact of the agent's own and has no other source.
+// False: it is something else, and nothing has been done.
+bool Agent::forget_one(Predicate predicate) {
+  if (customisation_ != nullptr) return false;
+  Relation* const relation = beliefs_.find(predicate);
+  if (relation == nullptr) return true;
+  for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {
+    const Row& row = relation->row(seq);
+    if (row.is_hole()) continue;
+    if (!row.fact.is_structure() || !row.fact.is_closed()) return false;
+    const Structure& fact = *row.fact.structure();
+    if (fact.arity == 0 || !fact.annots().same_as(source_self())) return false;
+    const Value forgotten = row.fact;
+    beliefs_.erase(*relation, seq);
+    add_event({TriggerOperator::remove, TriggerKind::belief, forgotten, nullptr});
+    return true;
+  }
+  return true;
+}
+
+// Removes a belief that is to be replaced.
+void Agent::forget_for(Value literal) {
+  const LiteralParts parts = literal_parts(literal);
+  if (parts.annots.same_as(source_self()) && forget_one(parts.predicate)) return;
+  std::vector<Value> args(parts.args.size());
+  for (Value& arg : args) arg = heap_.variable();
+  const std::size_t trail = machine().unifier().mark();
+  (void)remove_belief(heap_.structure(parts.predicate, args, parts.annots), nullptr);
+  machine().unifier().commit(trail);
+}
+
+// `+b`, `-b` and `-+b` with a ground b that has no other source than the agent itself, without
+// belief revision. The next formula waits for the plan for it.
+[[gnu::always_inline]] inline void Agent::change_own_belief(Intention& intention, Value literal,
+                                                            Step::Kind kind) {
+  bool changed = false;
+  if (kind == Step::Kind::remove) {
+    changed = disbelieve_as_it_is(literal, &intention);
+  } else {
+    const bool replaces = kind == Step::Kind::replace;
+    if (replaces && !forget_one(literal.structure()->predicate())) forget_for(literal);
+    changed = believe_as_it_is(literal, Place::front, &intention);
+  }
+  if (!changed) go_on(intention);
+}
+
+// The belief of the formula if it is ground, of the usual form, and the agent's own; else unset.
+[[gnu::always_inline]] inline Value Agent::ground_belief(Intention& intention,
+                                                         const EventCode& code) {
+  if (!code.is_decoded) return {};
+  Structure* const made = heap_.blank_literal(code.predicate, code.args.size(), source_self());
+  bool is_open = false;
+  const Value* const frame = intention.frame(intention.top());
+  if (!put_arguments(code, frame, made->args(), is_open) || is_open) return {};
+  return heap_.literal_of(made, true);
+}
+
+void Agent::execute_belief(Intention& intention, const Step& step) {
+  const Value literal = step.event == nullptr ? Value() : ground_belief(intention, *step.event);
+  if (literal.is_unset()) {
+    change_belief_by_term(intention, step.term, step.kind);
+  } else if (customisation_ != nullptr || !settings_.same_focus) {
+    change_belief(intention, literal, step.kind);
+  } else {
+    change_own_belief(intention, literal, step.kind);
+  }
+}
+
+void Agent::change_belief_by_term(Intention& intention, Value term, Step::Kind kind) {
   if (execute_plan_or_rule(intention, term, kind)) return;
-  const bool new_focus = kind == Step::Kind::add_new_focus ||
-                         kind == Step::Kind::remove_new_focus || !settings_.same_focus;
-  Intention* const focus = new_focus ? nullptr : &intention;
-  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
+  const bool new_focus = kind == Step::Kind::add_new_focus || !settings_.same_focus;
+  const bool adds = kind == Step::Kind::add || kind == Step::Kind::add_new_focus ||
+                    kind == Step::Kind::add_begin || kind == Step::Kind::add_end;
   // Deleting binds the variables of the pattern, so they are not renamed.
   const Value literal =
-      removes || kind == Step::Kind::replace
-          ? machine().unifier().instantiate(term, intention.frame(intention.top()))
-          : prepare_for_event(intention, term, !new_focus);
-  if (!is_literal(literal)) {
+      adds ? prepare_for_event(intention, term, !new_focus)
+           : machine().unifier().instantiate(term, intention.frame(intention.top()));
+  if (is_literal(literal)) {
+    change_belief(intention, literal, kind);
+  } else {
     fail(intention, make_error("body_var_not_literal", "a belief must be a literal"));
-    return;
   }
+}
+
+void Agent::change_belief(Intention& intention, Value literal, Step::Kind kind) {
   if (kind == Step::Kind::replace) {
     execute_replace(intention, literal);
     return;
   }
+  const bool new_focus = kind == Step::Kind::add_new_focus ||
+                         kind == Step::Kind::remove_new_focus || !settings_.same_focus;
+  Intention* const focus = new_focus ? nullptr : &intention;
+  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
   if (removes) record_bindings(intention, 0);
   const std::size_t trail = machine().unifier().mark();
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
@@ -310,85 +273,11 @@ void Agent::execute_belief(Intention& intention, Value term, Step::Kind kind) {
 
 // -+b: one belief of the same name goes, as if deleted by another intention, then b comes.
 void Agent::execute_replace(Intention& intention, Value literal) {
-  const LiteralParts parts = literal_parts(literal);
-  work().frame.resize(parts.args.size());
-  for (Value& arg : work().frame) arg = heap_.variable();
-  const std::size_t trail = machine().unifier().mark();
-  (void)remove_belief(heap_.structure(parts.predicate, work().frame, parts.annots), nullptr);
-  machine().unifier().commit(trail);
+  forget_for(literal);
   record_bindings(intention, 0);
   if (!literal.is_closed()) literal = machine().unifier().fresh_copy(literal);
   Intention* const focus = settings_.same_focus ? &intention : nullptr;
   if (!add_belief(literal, Place::front, focus) || focus == nullptr) go_on(intention);
-}
-
-// A variable as formula, with or without an operator: its value says what to do.
-void Agent::execute_variable(Intention& intention, const Step& step) {
-  IntendedMeans& means = intention.top();
-  const Value value = machine().unifier().instantiate(step.term, intention.frame(means));
-  record_bindings(intention, 0);
-  const bool is_open = value.is_variable() || is_form(value, Form::decorated);
-  // N::p(X) asks all namespaces; to do something, the namespace must be known.
-  const bool is_named =
-      is_form(value, Form::decorated) && is_literal(deref(value.structure()->arg(0)));
-  if (is_open && !(is_named && step.variable_kind == Step::Kind::test)) {
-    fail(intention,
-         variable_error("body_var_without_value", machine().unifier(), *means.plan, step, value));
-    return;
-  }
-  if (step.variable_kind == Step::Kind::test) {
-    execute_test(intention, step);
-    return;
-  }
-  const bool has_operator = step.variable_kind != Step::Kind::action;
-  if (is_form(value, Form::body)) {
-    if (has_operator) {
-      fail(intention,
-           variable_error("body_var_with_op", machine().unifier(), *means.plan, step, value));
-      return;
-    }
-  } else if (!is_literal(value) && !value.is_structure()) {
-    fail(intention,
-         variable_error("body_var_not_literal", machine().unifier(), *means.plan, step, value));
-    return;
-  } else if (has_operator) {
-    if (step.variable_kind == Step::Kind::achieve ||
-        step.variable_kind == Step::Kind::achieve_new_focus) {
-      execute_achieve(intention, value, step.variable_kind);
-    } else {
-      execute_belief(intention, value, step.variable_kind);
-    }
-    return;
-  }
-  auto code = std::make_shared<BodyCode>();
-  code->entry = BodyCompiler(*code, machine().actions(), symbols_).compile(value);
-  for (Body& made : code->bodies) {  // a literal that was a term has the place of the variable
-    for (Step& each : made.steps) {
-      if (each.place.line == 0) each.place = step.place;
-    }
-  }
-  const Body& body = *code->entry;
-  if (is_form(value, Form::body)) {
-    // The formulas come in the variable's place, the first of them in this step.
-    enter_body(intention, body, std::move(code));
-    if (!intention.top().cursor.at_end())
-      execute(intention);
-    else
-      make_ready(intention);
-  } else {
-    enter_body(intention, body, std::move(code));
-    execute(intention);
-  }
-}
-
-// The rest of the current body waits until `body` is done.
-void Agent::enter_body(Intention& intention, const Body& body, std::shared_ptr<BodyCode> code) {
-  IntendedMeans& means = intention.top();
-  if (code == nullptr) code = means.cursor.code;
-  ++means.cursor.index;
-  if (!means.cursor.at_end() || means.cursor.is_loop) means.outer.push_back(means.cursor);
-  means.cursor = Cursor{&body, 0, std::move(code), false};
-  Intention::leave_finished_bodies(means);
 }
 
 void Agent::execute_if(Intention& intention, const Step& step) {
@@ -396,29 +285,105 @@ void Agent::execute_if(Intention& intention, const Step& step) {
   const bool holds = machine().solve(step.goal, intention.frame(intention.top()));
   record_bindings(intention, trail);
   const Body* const branch = holds ? step.first : step.second;
-  if (branch == nullptr) {
-    go_on(intention);
-    return;
-  }
-  enter_body(intention, *branch, nullptr);
+  intention.go_on_at(branch == nullptr ? step.next : branch->begin(step.next));
   make_ready(intention);
 }
 
 void Agent::execute_while(Intention& intention, const Step& step) {
-  IntendedMeans& means = intention.top();
-  if (means.loops.empty() || means.loops.back().step != &step) {
-    means.loops.emplace_back().step = &step;
+  const IntendedMeans& means = intention.top();
+  std::vector<Loop>& loops = intention.top().extras.make().loops;
+  if (loops.empty() || loops.back().step != &step) {
+    loops.emplace_back().step = &step;
+  } else {
+    undo_round(intention, loops.back());
   }
   const std::size_t trail = machine().unifier().mark();
   if (!machine().solve(step.goal, intention.frame(means))) {
-    means.loops.pop_back();
+    loops.pop_back();
     go_on(intention);
     return;
   }
   record_bindings(intention, trail);
-  means.outer.push_back(means.cursor);
-  means.cursor = Cursor{step.first, 0, means.cursor.code, true};
+  intention.go_on_at(step.first->begin(&step));
   make_ready(intention);
+}
+
+[[gnu::always_inline]] inline void Agent::execute_step(Intention& intention, const Step& step) {
+  switch (step.kind) {
+    case Step::Kind::action:
+      execute_action(intention, step.term);
+      return;
+    case Step::Kind::internal_action:
+      execute_internal_action(intention, *step.goal);
+      return;
+    case Step::Kind::constraint:
+      execute_constraint(intention, step);
+      return;
+    case Step::Kind::achieve:
+    case Step::Kind::achieve_new_focus:
+      execute_achieve(intention, step);
+      return;
+    case Step::Kind::test:
+      execute_test(intention, step);
+      return;
+    case Step::Kind::add:
+    case Step::Kind::add_new_focus:
+    case Step::Kind::add_begin:
+    case Step::Kind::add_end:
+    case Step::Kind::remove:
+    case Step::Kind::remove_new_focus:
+    case Step::Kind::replace:
+      execute_belief(intention, step);
+      return;
+    case Step::Kind::variable:
+      execute_variable(intention, step);
+      return;
+    case Step::Kind::if_statement:
+      execute_if(intention, step);
+      return;
+    case Step::Kind::while_loop:
+      execute_while(intention, step);
+      return;
+    case Step::Kind::for_loop:
+      execute_for(intention, step);
+      return;
+    case Step::Kind::fork_and:
+    case Step::Kind::fork_or:
+      execute_fork(intention, step);
+      return;
+    case Step::Kind::join:
+      execute_join(intention);
+      return;
+    case Step::Kind::wrong:
+      break;
+  }
+  fail(intention, make_error("body_var_not_literal", "this formula cannot be executed"));
+}
+
+void Agent::execute(Intention& intention) {
+  if (intention.is_branch_done()) {
+    drop(intention);
+    return;
+  }
+  const IntendedMeans& means = intention.top();
+  if (means.is_finished()) {  // an empty body takes a step, too
+    make_ready(intention);
+    return;
+  }
+  std::unique_ptr<ActionError> error;
+  const Step& step = means.step();
+  const bool completed = guarded(error, [&] {
+    workspace_->machine.unifier().set_slot_names(means.plan->slot_names);
+    if (observer_ != nullptr) observer_->formula_executes(*this, intention, step);
+    if (heap_.is_short() && handles_failure(intention)) {
+      const MemoryReserve reserve(heap_);
+      execute_step(intention, step);
+    } else {
+      execute_step(intention, step);
+    }
+    return true;
+  });
+  if (!completed) fail_at_limit(intention, *error);
 }
 
 }  // namespace jaywalk

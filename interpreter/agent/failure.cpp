@@ -20,9 +20,8 @@
 
 namespace jaywalk {
 
-bool Agent::has_failure_plan(TriggerKind kind, Value literal, const Scope* scope) {
-  const TriggerKey key =
-      trigger_key(TriggerOperator::remove, kind, literal_parts(literal).predicate, symbols_);
+bool Agent::has_failure_plan(TriggerKind kind, Predicate goal, const Scope* scope) {
+  const TriggerKey key = trigger_key(TriggerOperator::remove, kind, goal, symbols_);
   for (; scope != nullptr; scope = scope->outer.get()) {
     if (!scope->library->candidates(key).empty()) return true;
   }
@@ -85,7 +84,14 @@ void free_variables(Value term) {
 // values are returned instead. What the head or the context has bound stays in the goal, but is not
 // returned.
 void Agent::free_goal(Intention& intention, std::size_t depth) {
-  free_variables(intention.stack[depth].trigger);
+  const IntendedMeans& goal = intention.stack[depth];
+  if (!goal.trigger.is_unset()) {
+    free_variables(goal.trigger);
+  } else {
+    for (std::size_t i = 0; i < goal.plan->head.args.size(); ++i) {
+      free_variables(intention.head_value(goal, i));
+    }
+  }
   if (depth == 0) return;
   const IntendedMeans& caller = intention.stack[depth - 1];
   const Value* const pairs = intention.frame(caller) + caller.plan->slot_count;
@@ -110,8 +116,8 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
   if (intention.is_finished()) return false;
   std::size_t i = intention.stack.size();
   // A goal without a plan is not on the stack: the topmost means only waits for it.
-  const Cursor& cursor = intention.top().cursor;
-  bool has_failed = cursor.at_end() || intention.top().step().kind != Step::Kind::achieve;
+  bool has_failed =
+      intention.top().is_finished() || intention.top().step().kind != Step::Kind::achieve;
   while (i > floor) {
     const IntendedMeans& top = intention.stack[--i];
     const bool is_failure = top.is_goal() && top.op == TriggerOperator::remove;
@@ -120,15 +126,15 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
       if (i > 0) continue;
     }
     const IntendedMeans& means = intention.stack[i];
-    const bool has_plan = has_failure_plan(means.kind, means.trigger, means.scope.get());
+    const bool has_plan = has_failure_plan(means.kind, *means.predicate(), means.scope().get());
     if (!means.is_goal() && has_plan) return false;
     if (!means.is_goal() || means.op == TriggerOperator::goal_state || !has_plan) continue;
     const ActionError settled = applied(error);
     const std::size_t goal = means.op == TriggerOperator::remove ? std::min(means.keeps, i) : i;
     free_goal(intention, goal);
     const Event event{TriggerOperator::remove, means.kind,
-                      failure_literal(means.trigger, settled, code, line, &intention), &intention,
-                      goal};
+                      failure_literal(goal_of(intention, means), settled, code, line, &intention),
+                      &intention, goal};
     // What failed before is not kept, so that a goal may be tried again without end; nor is what
     // has filled the memory, which is needed to go on.
     const bool is_kept = !is_failure && error.limit != ReachedLimit::memory;
@@ -155,7 +161,7 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
   const bool of_belief = !intention.is_finished() && !intention.top().is_goal();
   if (of_belief && settings_.unwanted == ReasoningSettings::Unwanted::requeue) {
     const IntendedMeans& means = intention.top();
-    add_event({means.op, means.kind, means.trigger, nullptr});
+    add_event({means.op, means.kind, goal_of(intention, means), nullptr});
   }
   drop(intention);
 }
@@ -167,7 +173,7 @@ void Agent::fail(Intention& intention, const ActionError& error) {
   Value code;
   std::uint32_t line = 0;
   const IntendedMeans& top = intention.top();
-  if (!top.cursor.at_end()) {
+  if (!top.is_finished()) {
     const Step& step = top.step();
     line = step.place.line;
     machine().unifier().set_slot_names(top.plan->slot_names);
@@ -205,12 +211,12 @@ std::string_view reason_of(const ActionError& error) {
 }  // namespace
 
 // The goals on the stack, the top first; none if nobody wants to know.
-std::vector<Agent::OpenGoal> Agent::open_goals(const Intention& intention) const {
+std::vector<Agent::OpenGoal> Agent::open_goals(const Intention& intention) {
   std::vector<OpenGoal> goals;
   if (!library_->has_goal_state_plans()) return goals;
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
-    if (means.is_goal_addition()) goals.push_back({means.kind, means.trigger});
+    if (means.is_goal_addition()) goals.push_back({means.kind, goal_of(intention, means)});
   }
   return goals;
 }
@@ -245,7 +251,8 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   const MemoryReserve reserve(heap_);
   const bool is_failure = event.op == TriggerOperator::remove;
   if (event.intention == nullptr) {
-    const bool is_handled = !is_failure && has_failure_plan(event.kind, event.literal, nullptr);
+    const bool is_handled =
+        !is_failure && has_failure_plan(event.kind, predicate_of(event.literal), nullptr);
     if (!is_failure) signal_failure({{event.kind, event.literal}}, error, is_handled);
     if (is_handled) {
       add_event({TriggerOperator::remove, event.kind,
@@ -264,10 +271,9 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
     return;
   }
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
-  const std::uint32_t line =
-      intention.top().cursor.at_end() ? 0 : intention.top().step().place.line;
+  const std::uint32_t line = intention.top().is_finished() ? 0 : intention.top().step().place.line;
   const Value goal = machine().unifier().fresh_copy(event.literal);
-  if (has_failure_plan(event.kind, event.literal, intention.top().scope.get())) {
+  if (has_failure_plan(event.kind, predicate_of(event.literal), intention.top().scope().get())) {
     signal_failure({{event.kind, event.literal}}, error, true);
     add_event({TriggerOperator::remove, event.kind,
                failure_literal(event.literal, error, goal, line, &intention), &intention,

@@ -197,18 +197,18 @@ bool Agent::begin_round(Intention& intention, Loop& loop) {
 
 void Agent::execute_for(Intention& intention, const Step& step) {
   IntendedMeans& means = intention.top();
-  if (means.loops.empty() || means.loops.back().step != &step) {
+  std::vector<Loop>& loops = means.extras.make().loops;
+  if (loops.empty() || loops.back().step != &step) {
     heap_.require_room();
-    means.loops.emplace_back().step = &step;
-    open_level(intention, means.loops.back());
+    loops.emplace_back().step = &step;
+    open_level(intention, loops.back());
   }
-  if (!begin_round(intention, means.loops.back())) {
-    means.loops.pop_back();
+  if (!begin_round(intention, loops.back())) {
+    loops.pop_back();
     go_on(intention);
     return;
   }
-  means.outer.push_back(means.cursor);
-  means.cursor = Cursor{step.first, 0, means.cursor.code, true};
+  intention.go_on_at(step.first->begin(&step));
   make_ready(intention);
 }
 

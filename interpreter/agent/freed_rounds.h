@@ -15,8 +15,10 @@ class FreedRounds {
   explicit FreedRounds(Intention& intention) : intention_(intention) {
     for (std::size_t i = 0; i < intention.stack.size(); ++i) {
       const IntendedMeans& means = intention.stack[i];
-      for (const Loop& loop : means.loops) {
-        for (const Value place : loop.bound) hold(i, place);
+      if (means.extras) {
+        for (const Loop& loop : means.extras->loops) {
+          for (const Value place : loop.bound) hold(i, place);
+        }
       }
       const Value* const pairs = intention.frame(means) + means.plan->slot_count;
       for (std::size_t k = 0; k + 1 < means.returns; k += 2) {

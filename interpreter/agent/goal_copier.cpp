@@ -7,23 +7,13 @@
 namespace jaywalk {
 namespace {
 
-// Where a body stands among the bodies of its plan; the number of them if it is not the plan's own.
-std::size_t body_index(const Plan& plan, const Body* body) {
-  const auto found = std::find_if(plan.code.bodies.begin(), plan.code.bodies.end(),
-                                  [&](const Body& each) { return &each == body; });
-  return static_cast<std::size_t>(found - plan.code.bodies.begin());
-}
-
-bool is_step_of(const Body& body, const Step* step) {
-  return !body.steps.empty() && step >= &body.steps.front() && step <= &body.steps.back();
-}
-
 // The same step of a copied plan.
 const Step* step_of_copy(const Plan& plan, const Plan& copy, const Step* step) {
   for (std::size_t i = 0; i < plan.code.bodies.size(); ++i) {
-    const Body& body = plan.code.bodies[i];
-    if (is_step_of(body, step))
-      return &copy.code.bodies[i].steps[static_cast<std::size_t>(step - &body.steps.front())];
+    const std::vector<Step>& steps = plan.code.bodies[i].steps;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      if (&steps[k] == step) return &copy.code.bodies[i].steps[k];
+    }
   }
   return step;
 }
@@ -69,12 +59,8 @@ bool Agent::GoalCopier::is_copied(const Intention& intention) const {
 }
 
 bool Agent::GoalCopier::has_copied_code(const IntendedMeans& means) const {
-  const auto is_of_plan = [&](const Cursor& cursor) {
-    return cursor.code == nullptr &&
-           body_index(*means.plan, cursor.body) < means.plan->code.bodies.size();
-  };
-  return copy_of(*means.plan) != nullptr && is_of_plan(means.cursor) &&
-         std::all_of(means.outer.begin(), means.outer.end(), is_of_plan);
+  const bool is_of_plan = means.is_finished() || means.plan->code.has(means.step());
+  return is_of_plan && copy_of(*means.plan) != nullptr;
 }
 
 // Some branch of its fork, or of one around that, is not copied.
@@ -119,14 +105,13 @@ void Agent::GoalCopier::copy_terms(Intention& intention, Intention& copy) {
 void Agent::GoalCopier::copy_code(IntendedMeans& means) {
   const Plan& plan = *means.plan;
   const Plan& copy = *copy_of(plan);
-  const auto move_to_copy = [&](Cursor& cursor) {
-    cursor.body = &copy.code.bodies[body_index(plan, cursor.body)];
-  };
-  move_to_copy(means.cursor);
-  for (Cursor& cursor : means.outer) move_to_copy(cursor);
-  for (Loop& loop : means.loops) loop.step = step_of_copy(plan, copy, loop.step);
+  means.current = step_of_copy(plan, copy, means.current);
   means.plan = &copy;
-  means.scope = copy_of(means.scope);
+  if (means.extras) {
+    means.extras->codes.clear();
+    for (Loop& loop : means.extras->loops) loop.step = step_of_copy(plan, copy, loop.step);
+    means.extras->scope = copy_of(means.extras->scope);
+  }
   if (copy.has_goal_condition) {
     ++clone_.goal_conditions_;
     clone_.changed_ = true;

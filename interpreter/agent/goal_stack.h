@@ -2,6 +2,7 @@
 
 // The goals of an intention as text, for people.
 
+#include <span>
 #include <string>
 
 #include "interpreter/agent/intention.h"
@@ -12,8 +13,13 @@ namespace jaywalk {
 /// A term as text; of a literal without its annotations.
 [[nodiscard]] std::string plain_text(Value term, const SymbolTable& symbols);
 
+/// The same of a literal's parts.
+[[nodiscard]] std::string literal_text(Predicate predicate, std::span<const Value> args,
+                                       const SymbolTable& symbols);
+
 /// The goal of a means: `cross(left)`; `-g` for its failure, `+b` of a belief's event.
-[[nodiscard]] std::string goal_text(const IntendedMeans& means, const SymbolTable& symbols);
+[[nodiscard]] std::string goal_text(const Intention& intention, const IntendedMeans& means,
+                                    const SymbolTable& symbols);
 
 /// The outermost first, each with the line that it has come to: `go (x.asl:2) > cross (x.asl:5)`.
 /// Of a deep stack the goals in the middle are left out.

@@ -13,13 +13,20 @@
 
 namespace jaywalk {
 
+// The bindings stay on the trail.
+bool Goals::is_it(const Intention& intention, const IntendedMeans& means, Value goal) {
+  if (means.kind != TriggerKind::achieve || means.op != TriggerOperator::add) return false;
+  goal = deref(goal);
+  const bool differs =
+      is_literal(goal) && means.predicate() && *means.predicate() != predicate_of(goal);
+  if (differs && means.trigger.is_unset()) return false;
+  return agent_.machine().unifier().unify(goal, agent_.goal_of(intention, means));
+}
+
 bool Goals::has(const Intention& intention, Value goal) {
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
-    if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
-        agent_.machine().unifier().unify(goal, means.trigger)) {
-      return true;
-    }
+    if (is_it(intention, means, goal)) return true;
   }
   return false;
 }
@@ -77,6 +84,7 @@ void Goals::drop_events(Value goal) {
 // Whatever the intention was waiting for is off.
 void Goals::stop_waiting(Intention& intention) {
   Circumstance& c = agent_.circumstance_;
+  agent_.hold_back(intention);
   erase(c.running, &intention);
   if (c.atomic == &intention) c.atomic = nullptr;
   if (intention.is_atomic()) c.atomic_suspended = false;
@@ -108,8 +116,7 @@ void Goals::end_means(Intention& intention, std::size_t depth, End end, Value fa
     return;
   }
   const IntendedMeans& done = intention.top();
-  agent_.signal_goal_state(done.kind, done.trigger, "achieved");
-  agent_.signal_goal_state(done.kind, done.trigger, "finished");
+  agent_.signal_end(intention, done);
   agent_.pop_means(intention);
   if (intention.is_finished()) {
     agent_.drop(intention);
@@ -128,14 +135,15 @@ void Goals::fail_top(Intention& intention, Value failed, const ActionError* reas
       reason != nullptr ? *reason : ActionError{.id = "goal_failed", .message = "", .annots = {}};
   const std::size_t depth = intention.stack.size() - 1;
   const TriggerKind kind = intention.top().kind;
-  agent_.signal_goal_state(kind, intention.top().trigger, "failed", "fail_goal");
+  const Value trigger = agent_.goal_of(intention, intention.top());
+  agent_.signal_goal_state(kind, trigger, "failed", "fail_goal");
   agent_.free_goal(intention, depth);
-  const Value trigger = intention.top().trigger;
   if (failed.is_unset()) failed = agent_.machine().unifier().apply(trigger);
   if (reason != nullptr) failed = agent_.failure_literal(failed, error, Value(), 0, nullptr);
   agent_.pop_means(intention);
   const bool is_external = intention.is_finished();
-  if (agent_.has_failure_plan(kind, trigger, is_external ? nullptr : intention.top().scope.get())) {
+  if (agent_.has_failure_plan(kind, predicate_of(trigger),
+                              is_external ? nullptr : intention.top().scope().get())) {
     Intention* const own = is_external ? nullptr : &intention;
     agent_.add_event({TriggerOperator::remove, kind, failed, own, depth});
     if (is_external) agent_.drop(intention);
@@ -150,10 +158,7 @@ std::optional<std::size_t> Goals::find(const Intention& intention, Value goal) {
   std::optional<std::size_t> found;
   for (std::size_t i = intention.stack.size(); i > 0; --i) {
     const IntendedMeans& means = intention.stack[i - 1];
-    if (means.kind == TriggerKind::achieve && means.op == TriggerOperator::add &&
-        agent_.machine().unifier().unify(goal, means.trigger)) {
-      found = i - 1;
-    }
+    if (is_it(intention, means, goal)) found = i - 1;
   }
   return found;
 }
@@ -168,7 +173,7 @@ void Goals::end(Value goal, End end, const Intention* except) {
     if (depth && end == End::fail) {
       unifier.undo(trail);
       agent_.free_goal(*intention, *depth);
-      (void)unifier.unify(goal, intention->stack[*depth].trigger);
+      (void)unifier.unify(goal, agent_.goal_of(*intention, intention->stack[*depth]));
       failed = unifier.fresh_copy(goal);
     }
     unifier.undo(trail);

@@ -49,6 +49,7 @@ class Goals {
   void check_conditions();
 
  private:
+  [[nodiscard]] bool is_it(const Intention& intention, const IntendedMeans& means, Value goal);
   void stop_waiting(Intention& intention);
   void fail_top(Intention& intention, Value failed, const ActionError* reason);
   [[nodiscard]] std::vector<Intention*> intentions_to_suspend();

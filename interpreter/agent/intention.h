@@ -10,12 +10,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "interpreter/agent/value_stack.h"
+#include "interpreter/logic/unifier.h"
 #include "interpreter/program/plan.h"
-#include "interpreter/support/containers/sparse_stack.h"
+#include "interpreter/support/containers/boxed.h"
 
 namespace jaywalk {
 
@@ -43,36 +45,41 @@ struct Loop {
   std::vector<Level> levels;
 };
 
-/// A place in a body. `code` keeps bodies alive that were made at run time.
-struct Cursor {
-  const Body* body = nullptr;
-  std::uint32_t index = 0;
-  std::shared_ptr<BodyCode> code;
-  /// The cursor runs a round of the innermost loop.
-  bool is_loop = false;
-
-  [[nodiscard]] bool at_end() const { return index >= body->steps.size(); }
+/// What few means have beside their frame.
+struct MeansExtras {
+  /// Bodies made at run time that the means has not left, each within the one before.
+  std::vector<std::shared_ptr<BodyCode>> codes;
+  std::vector<Loop> loops;
+  std::shared_ptr<Scope> scope;  // null: the agent's library alone
 };
 
 struct IntendedMeans {
   const Plan* plan = nullptr;
+  const Step* current = nullptr;  // the formula that it has come to; null: it is done
   TriggerOperator op = TriggerOperator::add;
   TriggerKind kind = TriggerKind::belief;
-  Value trigger;  // the event's literal
-  Cursor cursor;
-  SparseStack<Cursor> outer;  // where to go on when the cursor's body is done
-  SparseStack<Loop> loops;
-  std::shared_ptr<Scope> scope;  // null: the agent's library alone
-  std::size_t frame = 0;         // index into the intention's values
-  std::size_t returns = 0;       // values behind the frame: pairs of the open call
+  /// The event's literal. Unset: it is the plan's trigger with what the frame has in its slots
+  /// (Agent::goal_of), which is made when somebody asks.
+  Value trigger;
+  std::size_t frame = 0;    // index into the intention's values
+  std::size_t returns = 0;  // values behind the frame: pairs of the open call
   /// Of a means for a failure, `-!g`: how many means below stay when it is done. Those above them
   /// are of the goal that failed.
   std::size_t keeps = 0;
+  Boxed<MeansExtras> extras;
 
-  [[nodiscard]] bool is_finished() const { return cursor.at_end() && outer.empty(); }
-  [[nodiscard]] const Step& step() const { return cursor.body->steps[cursor.index]; }
+  [[nodiscard]] bool has_loops() const { return extras && !extras->loops.empty(); }
+  [[nodiscard]] std::shared_ptr<Scope> scope() const { return extras ? extras->scope : nullptr; }
+  [[nodiscard]] bool is_finished() const { return current == nullptr; }
+  /// REQUIRES: it is not finished.
+  [[nodiscard]] const Step& step() const { return *current; }
   [[nodiscard]] bool is_goal() const { return kind != TriggerKind::belief; }
   [[nodiscard]] bool is_goal_addition() const { return is_goal() && op == TriggerOperator::add; }
+  /// Of the event's literal, if it is one.
+  [[nodiscard]] std::optional<Predicate> predicate() const {
+    if (trigger.is_unset()) return plan->head.predicate;
+    return is_literal(trigger) ? std::optional(predicate_of(trigger)) : std::nullopt;
+  }
 };
 
 /// Several branches of one fork, `|&|` or `|||`.
@@ -113,23 +120,59 @@ class Intention {
   [[nodiscard]] bool is_atomic() const { return atomic_means > 0; }
   [[nodiscard]] bool is_branch_done() const { return shared > 0 && stack.size() == shared; }
 
+  /// An argument of the goal of a means whose plan's head is decoded.
+  [[nodiscard]] Value head_value(const IntendedMeans& means, std::size_t index) const {
+    const HeadArgument& arg = means.plan->head.args[index];
+    return arg.slot == Operand::kNoSlot ? arg.constant : values.data()[means.frame + arg.slot];
+  }
   /// Puts a means on top, at the beginning of its plan's body, with a frame of these values.
-  IntendedMeans& push(const Plan& plan, std::span<const Value> slots);
+  void push(const Plan& plan, std::span<const Value> slots) {
+    IntendedMeans& means = stack.emplace_back();
+    means.plan = &plan;
+    means.current = plan.code.entry->begin(nullptr);
+    means.frame = values.size();
+    Value* slot = values.extend(slots.size());
+    for (const Value value : slots) *slot++ = value;
+    if (plan.atomic) ++atomic_means;
+  }
+  /// The same in the place of the top means.
+  void replace(const Plan& plan, std::span<const Value> slots) {
+    IntendedMeans& means = stack.back();
+    if (means.plan->atomic) --atomic_means;
+    if (plan.atomic) ++atomic_means;
+    values.cut(means.frame);
+    means.plan = &plan;
+    means.current = plan.code.entry->begin(nullptr);
+    means.returns = 0;
+    if (means.extras) means.extras.reset();
+    Value* slot = values.extend(slots.size());
+    for (const Value value : slots) *slot++ = value;
+  }
   /// Removes the top means and its frame.
-  void pop();
+  void pop() {
+    if (stack.back().plan->atomic) --atomic_means;
+    values.cut(stack.back().frame);
+    stack.pop_back();
+  }
   /// Removes so many means from the bottom, with their frames. REQUIRES: it has more.
   void forget_bottom(std::size_t count);
-  /// Goes on behind the current step of the top means; the ends of bodies are left.
-  void advance();
-  /// Leaves bodies that are done, as far as they are not rounds of a loop.
-  static void leave_finished_bodies(IntendedMeans& means);
+  /// Goes on behind the current step of the top means.
+  void advance() { go_on_at(stack.back().current->next); }
+  /// Goes on at a step of the top means' body; null: it is done.
+  void go_on_at(const Step* step) {
+    IntendedMeans& means = stack.back();
+    values.cut(means.frame + means.plan->slot_count);  // an open call's returns are done with
+    means.returns = 0;
+    means.current = step;
+  }
 
   template <class Visit>
   void visit_terms(Visit&& visit) {
     for (Value& value : values) visit(value);
     for (IntendedMeans& means : stack) {
       visit(means.trigger);
-      for (Loop& loop : means.loops) {
+      if (!means.extras) continue;
+      for (Loop& loop : means.extras->loops) {
         for (Value& value : loop.bound) visit(value);
         for (Loop::Level& level : loop.levels) {
           for (Value& value : level.solutions) visit(value);

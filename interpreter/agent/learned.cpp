@@ -32,12 +32,17 @@ std::size_t draw_from(std::span<const double> probabilities, double number) {
 // The first plan that is applicable decides, as always. If it is an option of a policy, the other
 // applicable options of that policy are found, too.
 bool Agent::try_learned(const PlanList& plans, const Event& event,
-                        const std::shared_ptr<Scope>& scope, bool& had_candidates) {
-  had_candidates = had_candidates || !plans.plans().empty();
+                        const std::shared_ptr<Scope>& scope) {
+  work().had_candidates = work().had_candidates || !plans.plans().empty();
+  (void)literal_of(event);
   std::vector<Option> options;
   for (const Plan* const plan : plans.plans()) {
     if (options.empty() && plan->policy.is_unset()) {
-      if (try_plan(*plan, event, scope)) return true;
+      const std::span<const Value> enclosing =
+          scope == nullptr ? std::span<const Value>() : scope->frame;
+      if (!is_applicable(*plan, event, enclosing)) continue;
+      add_intended_means(*plan, event, scope);
+      return true;
     } else if (options.empty() || plan->policy.same_as(options.front().plan->policy)) {
       find_options(*plan, event, scope, options);
     }

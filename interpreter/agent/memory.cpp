@@ -25,14 +25,12 @@ std::size_t bytes_of(const Loop& loop) {
 
 // What a means has outside of its intention's stack.
 std::size_t bytes_beside(const IntendedMeans& means) {
-  std::size_t bytes = 0;
-  if (!means.outer.empty()) bytes += kContainerBytes + 2 * means.outer.size() * sizeof(Cursor);
-  if (!means.loops.empty()) {
-    bytes += kContainerBytes;
-    for (const Loop& loop : means.loops) bytes += bytes_of(loop);
-  }
-  if (means.scope != nullptr) bytes += sizeof(Scope) + means.scope->frame.size() * sizeof(Value);
-  if (means.cursor.code != nullptr) bytes += kPlanBytes / 2;
+  if (!means.extras) return 0;
+  const MeansExtras& extras = *means.extras;
+  std::size_t bytes = sizeof(MeansExtras);
+  for (const Loop& loop : extras.loops) bytes += bytes_of(loop);
+  if (extras.scope != nullptr) bytes += sizeof(Scope) + extras.scope->frame.size() * sizeof(Value);
+  bytes += extras.codes.size() * kPlanBytes / 2;
   return bytes;
 }
 

@@ -11,18 +11,18 @@ namespace jaywalk {
 
 // The first option that the rules select. None of them: a goal fails with no_option, where Jason
 // loses all events and intentions.
-bool Agent::select_by_rules(const Event& event, bool& had_candidates) {
+bool Agent::select_by_rules(const Event& event) {
   const TriggerKey key = key_of(event);
-  had_candidates = false;
+  work().had_candidates = false;
   std::vector<Option> options;
   const auto add_all = [&](const PlanLibrary& library, const std::shared_ptr<Scope>& scope) {
     for (const Plan* const plan : library.candidates(key)) {
-      had_candidates = true;
+      work().had_candidates = true;
       find_options(*plan, event, scope, options);
     }
   };
   if (event.intention != nullptr && !event.intention->is_finished()) {
-    std::shared_ptr<Scope> scope = event.intention->top().scope;
+    std::shared_ptr<Scope> scope = event.intention->top().scope();
     for (; scope != nullptr; scope = scope->outer) add_all(*scope->library, scope);
   }
   add_all(*library_, nullptr);

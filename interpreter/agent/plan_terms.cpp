@@ -234,6 +234,7 @@ void Agent::add_rule(Value rule, Place place) {
     head = with_annotations(heap_, head,
                             union_of(heap_, literal_parts(head).annots, source_self(), symbols_));
   }
+  selects_by_rules_ = selects_by_rules_ || predicate_of(head) == predicates::select_option;
   beliefs_.add_rule(make_rule(head, made.structure()->arg(1), std::move(names), heap_,
                               machine().actions(), symbols_),
                     place);

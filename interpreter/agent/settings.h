@@ -21,11 +21,6 @@ struct ReasoningSettings {
   bool tail_recursion = true;
   /// `synchronised`: messages are always handled by plans.
   bool messages_by_plans = false;
-
-  /// As far as the reasoning cycle is concerned, all is as it is without options.
-  [[nodiscard]] bool is_plain() const {
-    return unwanted == Unwanted::discard && same_focus && cycles_per_look == 1 && tail_recursion;
-  }
 };
 
 }  // namespace jaywalk

@@ -13,13 +13,15 @@ std::string source_of(Unifier& unifier, const Plan& plan, const Step& step) {
   return term_text(unifier.instantiate(step.source, slots.data()), unifier.symbols());
 }
 
-void append_rest(std::string& text, Unifier& unifier, const Plan& plan, const Body& body,
-                 std::size_t from) {
-  for (std::size_t i = from; i < body.steps.size(); ++i) {
-    if (body.steps[i].source.is_unset()) continue;  // the end of a branch
+// The formulas that are left.
+std::string texts_from(Unifier& unifier, const Plan& plan, const Step* step) {
+  std::string text;
+  for (; step != nullptr; step = step->next) {
+    if (step->source.is_unset()) continue;  // the end of a branch
     if (!text.empty()) text += "; ";
-    text += source_of(unifier, plan, body.steps[i]);
+    text += source_of(unifier, plan, *step);
   }
+  return text;
 }
 
 std::string values_of(Unifier& unifier, const Plan& plan, const Value* frame) {
@@ -45,12 +47,7 @@ std::string text_as_written(Unifier& unifier, const Plan& plan, const Step& step
 ActionError constraint_failure(Unifier& unifier, Intention& intention) {
   const IntendedMeans& means = intention.top();
   const Plan& plan = *means.plan;
-  std::string left;
-  append_rest(left, unifier, plan, *means.cursor.body, means.cursor.index);
-  for (std::size_t i = means.outer.size(); i > 0; --i) {
-    const Cursor& outer = means.outer[i - 1];
-    append_rest(left, unifier, plan, *outer.body, outer.index);
-  }
+  const std::string left = texts_from(unifier, plan, means.current);
   ActionError error;
   error.id = "constraint_failed";
   error.message =

@@ -209,7 +209,8 @@ void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view sta
 
 void Agent::signal_top_state(const Intention& intention, std::string_view state, Value reason) {
   if (intention.is_finished() || !intention.top().is_goal_addition()) return;
-  signal_goal_state(intention.top().kind, intention.top().trigger, state, reason);
+  if (!library_->has_goal_state_plans()) return;
+  signal_goal_state(intention.top().kind, goal_of(intention, intention.top()), state, reason);
 }
 
 }  // namespace jaywalk

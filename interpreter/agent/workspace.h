@@ -5,11 +5,13 @@
 // at the same time: an agent borrows one when it first needs it and gives it back at the end of its
 // cycle.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,12 +22,36 @@ namespace jaywalk {
 
 class Program;
 
+/// What an event's literal says, if it is one.
+struct EventArguments {
+  bool is_literal = false;
+  bool is_open = false;  // it has variables
+  Predicate predicate{};
+  std::span<const Value> args;
+};
+
+/// The event of the formula that is being executed, where the next cycle can be about nothing else:
+/// it does not pass through E. The literal of a goal is made when somebody asks for it
+/// (Agent::literal_of).
+struct NextEvent {
+  Event event;
+  const EventCode* code = nullptr;  // of the formula, if it makes just this event
+  bool is_pending = false;
+  // Of a goal's literal without annotations.
+  bool is_open = false;  // it has open variables
+  Predicate predicate{};
+  std::size_t arity = 0;
+  std::array<Value, EventCode::kMostArguments> args;
+};
+
 struct Workspace {
   explicit Workspace(SymbolTable& symbols) : machine(symbols) {}
 
   Machine machine;
-  std::vector<Value> frame;                      // of the plan being tried
-  bool binds_event = false;                      // its head or context has set event variables
+  std::vector<Value> frame;     // of the plan being tried
+  bool had_candidates = false;  // there are plans for the event's trigger
+  bool binds_event = false;     // its head or context has set event variables
+  NextEvent next;
   std::vector<std::pair<Value, Value>> renamed;  // variables of a call, with their copies
   struct PerceptChanges {
     std::vector<BeliefBase::PerceptChange> gone;

@@ -180,6 +180,7 @@ class ProgramBuilder {
     if (enclosing != nullptr) inherit_variables(*compiled, *enclosing);
     if (!plan.subplans.empty()) {
       compiled->subplans = std::make_unique<PlanLibrary>();
+      compiled->is_simple = false;
       for (const ast::Plan* inner : plan.subplans) {
         add_plan(*inner, *compiled->subplans, compiled.get());
       }

@@ -88,7 +88,7 @@ void CoverageObserver::formula_executes(Agent&, const Intention&, const Step& st
 }
 
 void CoverageObserver::formula_failed(Agent&, const Intention& intention, const ActionError&) {
-  if (intention.is_finished() || intention.top().cursor.at_end()) return;
+  if (intention.is_finished() || intention.top().is_finished()) return;
   const std::size_t index = probes_.find(intention.top().step());
   if (index != Probes::kNone) ++counts_.formulas[index].failed;
 }

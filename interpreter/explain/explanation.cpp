@@ -245,13 +245,13 @@ void ExplainingObserver::formula_failed(Agent& agent, const Intention& intention
                        .error = error.id,
                        .message = error.message,
                        .goals = goal_stack_text(intention, agent.symbols())};
-  if (!top.cursor.at_end()) failed.formula = formula_text(agent, intention, top.step());
+  if (!top.is_finished()) failed.formula = formula_text(agent, intention, top.step());
   failed.has_plan =
       std::any_of(intention.stack.begin(), intention.stack.end(), [&](const IntendedMeans& means) {
-        return means.is_goal_addition() && is_literal(means.trigger) &&
+        return means.is_goal_addition() && means.predicate() &&
                !agent.library()
-                    .candidates(trigger_key(TriggerOperator::remove, means.kind,
-                                            predicate_of(means.trigger), agent.symbols()))
+                    .candidates(trigger_key(TriggerOperator::remove, means.kind, *means.predicate(),
+                                            agent.symbols()))
                     .empty();
       });
   Deliberation told{.agent = agent.name(), .tick = tick_};
@@ -326,7 +326,7 @@ void ExplainingObserver::event_posted(Agent& agent, const Event& event) {
   } else if (intention != nullptr && !intention->is_finished()) {
     const IntendedMeans& means = intention->top();
     origin = fmt::format("its own, {}:{}, in tick {}", means.plan->file,
-                         means.cursor.at_end() ? means.plan->line : means.step().place.line, tick_);
+                         means.is_finished() ? means.plan->line : means.step().place.line, tick_);
   } else {
     origin = fmt::format("its own, in tick {}", tick_);
   }

@@ -125,7 +125,7 @@ void Machine::attach(const MachineClient& client) {
 
 Machine::~Machine() = default;
 
-bool Machine::solve(const Goal* entry, Value* slots) {
+bool Machine::solve_goals(const Goal* entry, Value* slots) {
   UndoGuard bindings(unifier_);
   Tests tests = Tests::undecided;
   if (nesting_ == 0) {

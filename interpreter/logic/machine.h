@@ -35,6 +35,7 @@
 #include "interpreter/logic/belief_base.h"
 #include "interpreter/logic/code.h"
 #include "interpreter/logic/frame_stack.h"
+#include "interpreter/logic/known_numbers.h"
 #include "interpreter/logic/unifier.h"
 
 namespace jaywalk {
@@ -83,7 +84,23 @@ class Machine : public FunctionCaller {
 
   /// The first solution of a formula, whose bindings stay (on the unifier's trail); or false, with
   /// none. A null entry is `true`.
-  [[nodiscard]] bool solve(const Goal* entry, Value* slots);
+  [[nodiscard]] bool solve(const Goal* entry, Value* slots) {
+    bool holds = false;
+    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots);
+  }
+  /// Whether the formula is none, or one comparison of numbers that are known; then `holds` says
+  /// whether it holds, and nothing is bound.
+  [[nodiscard, gnu::always_inline]] bool solve_at_once(const Goal* entry, const Value* slots,
+                                                       bool& holds) {
+    holds = true;
+    if (entry == nullptr) return true;
+    if (entry->kind != Goal::Kind::compare || entry->next != nullptr ||
+        !compare_numbers(*entry, slots, holds)) {
+      return false;
+    }
+    ++inferences_;
+    return true;
+  }
   /// Every solution in turn; `solution` returns false to stop. No binding stays.
   void solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution);
   /// The number of solutions; what facts alone answer is counted without a look at each of them.
@@ -164,6 +181,7 @@ class Machine : public FunctionCaller {
     std::unique_ptr<ActionCall> call;  // solutions
   };
 
+  bool solve_goals(const Goal* entry, Value* slots);
   bool run(std::size_t base);
   bool fail(std::size_t base);
   bool step(const Goal& goal);

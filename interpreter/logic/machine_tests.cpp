@@ -38,6 +38,7 @@ Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
         break;
       }
       case Goal::Kind::negation: {
+        unifier_.end_fresh_frame();  // what is set in it here is to be undone
         const std::size_t trail = unifier_.mark();
         const Goal* inner = goal->inner;
         const Tests found = test_in_place(inner, slots);

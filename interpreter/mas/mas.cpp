@@ -77,7 +77,7 @@ std::vector<std::string> Mas::describe_intentions(AgentId id) const {
     std::string text;
     for (const IntendedMeans& means : intention->stack) {
       if (!text.empty()) text += " > ";
-      text += goal_text(means, the_agent.symbols());
+      text += goal_text(*intention, means, the_agent.symbols());
     }
     if (!text.empty()) texts.push_back(std::move(text));
   }

@@ -1,8 +1,37 @@
 #include "interpreter/program/plan.h"
 
 #include <algorithm>
+#include <functional>
+#include <unordered_map>
 
 namespace jaywalk {
+
+void BodyCode::link(const Step* after) {
+  // An outer body stands behind the inner ones. A branch of a fork is there twice, the first time
+  // without its end, and nothing leads there.
+  std::unordered_map<const Body*, const Step*> followers;
+  for (auto body = bodies.rbegin(); body != bodies.rend(); ++body) {
+    const auto follower = followers.find(&*body);
+    const Step* next = follower == followers.end() ? after : follower->second;
+    for (auto step = body->steps.rbegin(); step != body->steps.rend(); ++step) {
+      step->next = next;
+      next = &*step;
+      const bool is_loop =
+          step->kind == Step::Kind::while_loop || step->kind == Step::Kind::for_loop;
+      const Step* const after_inner = is_loop ? &*step : step->next;
+      followers.try_emplace(step->first, after_inner);
+      followers.try_emplace(step->second, after_inner);
+      for (const Body* const branch : step->branches) followers.try_emplace(branch, after_inner);
+    }
+  }
+}
+
+bool BodyCode::has(const Step& step) const {
+  return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+    return !body.steps.empty() && !std::less<>{}(&step, &body.steps.front()) &&
+           !std::less<>{}(&body.steps.back(), &step);
+  });
+}
 
 void PlanList::add(const Plan& plan) {
   plans_.push_back(&plan);
@@ -70,10 +99,10 @@ void PlanLibrary::remove(const Plan& plan) {
 }
 
 void link(Plan& plan, const PlanLibrary& library) {
-  for (const auto& step : plan.code.plain_steps) {
-    if (!step->event) continue;
-    step->library = &library;
-    step->plans = &library.list(*step->event);
+  for (const auto& made : plan.code.events) {
+    if (!made->event) continue;
+    made->library = &library;
+    made->plans = &library.list(*made->event);
   }
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "interpreter/logic/code.h"
-#include "interpreter/program/plain_code.h"
+#include "interpreter/program/event_code.h"
 #include "interpreter/program/step_place.h"
 #include "interpreter/program/trigger.h"
 #include "interpreter/support/containers/flat_index.h"
@@ -53,6 +53,9 @@ struct Step {
   };
 
   Kind kind = Kind::wrong;
+  /// The formula that comes after it: behind the last one of a loop's body the loop itself, behind
+  /// that of a branch what follows the statement; null: the plan is done.
+  const Step* next = nullptr;
   /// The formula without its operator; a template.
   Value term;
   const Goal* goal = nullptr;
@@ -63,22 +66,31 @@ struct Step {
   StepPlace place;
   /// The formula as a term of form step, for programs as data.
   Value source;
-  /// Of a goal or a change of belief: what strides make of it; else null.
-  const PlainStep* plain = nullptr;
+  /// Of a goal or a change of belief: its literal, decoded; else null.
+  const EventCode* event = nullptr;
   /// Of variable: its operator.
   Kind variable_kind = Kind::action;
 };
 
 struct Body {
   std::vector<Step> steps;
+
+  /// Where it begins; what follows it if it is empty.
+  [[nodiscard]] const Step* begin(const Step* next) const {
+    return steps.empty() ? next : steps.data();
+  }
 };
 
 /// Owns compiled bodies and formulas, of a plan or of a body that was data at run time.
 struct BodyCode {
   std::deque<Body> bodies;
   FormulaCode formulas;
-  std::vector<std::unique_ptr<PlainStep>> plain_steps;
+  std::vector<std::unique_ptr<EventCode>> events;
   const Body* entry = nullptr;
+
+  /// Shows each formula the one that comes after it; `after` comes after all.
+  void link(const Step* after);
+  [[nodiscard]] bool has(const Step& step) const;
 
   template <class Visit>
   void visit_terms(Visit&& visit) {
@@ -108,7 +120,10 @@ struct Plan {
   const Goal* context = nullptr;
   const Goal* goal_condition = nullptr;
   bool has_goal_condition = false;
-  PlainPlan plain;
+  PlanHead head;
+  /// Its means need no more than a frame: it is not atomic, and has neither a goal condition nor
+  /// sub-plans.
+  bool is_simple = false;
   BodyCode code;
   std::uint32_t slot_count = 0;
   std::vector<Symbol> slot_names;
@@ -144,9 +159,9 @@ class PlanList {
   [[nodiscard]] bool has_learned() const { return has_learned_; }
 
   /// Calls `is_it(plan)` for the plans that may match a first argument with this argument_key (0:
-  /// any plan), in order, until it returns true; false if it never does.
+  /// any plan), in order, until it returns true for one; null if it never does.
   template <class IsIt>
-  bool find(std::uint64_t first_key, IsIt is_it) const;
+  const Plan* find(std::uint64_t first_key, IsIt is_it) const;
 
  private:
   static constexpr std::size_t kUnindexedPlans = 8;
@@ -214,13 +229,13 @@ class PlanLibrary {
 void link(Plan& plan, const PlanLibrary& library);
 
 template <class IsIt>
-bool PlanList::find(std::uint64_t first_key, IsIt is_it) const {
+const Plan* PlanList::find(std::uint64_t first_key, IsIt is_it) const {
   if (first_key == 0 || plans_.size() <= kUnindexedPlans) {
     for (const Plan* const plan : plans_) {
       const bool may_match = first_key == 0 || plan->first_key == 0 || plan->first_key == first_key;
-      if (may_match && is_it(*plan)) return true;
+      if (may_match && is_it(*plan)) return plan;
     }
-    return false;
+    return nullptr;
   }
   static const Places kNone;
   const auto found = by_first_key_.find(first_key);
@@ -230,9 +245,10 @@ bool PlanList::find(std::uint64_t first_key, IsIt is_it) const {
   while (next_same != same.end() || next_wild != wild_.end()) {
     const bool take_same =
         next_wild == wild_.end() || (next_same != same.end() && *next_same < *next_wild);
-    if (is_it(*plans_[take_same ? *next_same++ : *next_wild++])) return true;
+    const Plan* const plan = plans_[take_same ? *next_same++ : *next_wild++];
+    if (is_it(*plan)) return plan;
   }
-  return false;
+  return nullptr;
 }
 
 template <class Visit>

@@ -1,5 +1,6 @@
 #include "interpreter/program/plan_compiler.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -104,14 +105,14 @@ void BodyCompiler::prepare(Step& step) {
   const bool makes_event =
       is_goal || removes || step.kind == Step::Kind::add || step.kind == Step::Kind::replace;
   if (!makes_event) return;
-  auto plain = std::make_unique<PlainStep>(plain_step(step.term));
+  auto event = std::make_unique<EventCode>(decode_event(step.term));
   if (is_literal(step.term)) {
-    plain->event = trigger_key(removes ? TriggerOperator::remove : TriggerOperator::add,
+    event->event = trigger_key(removes ? TriggerOperator::remove : TriggerOperator::add,
                                is_goal ? TriggerKind::achieve : TriggerKind::belief,
                                predicate_of(step.term), symbols_);
   }
-  step.plain = plain.get();
-  code_.plain_steps.push_back(std::move(plain));
+  step.event = event.get();
+  code_.events.push_back(std::move(event));
 }
 
 // A formula without operator: an action, an internal action, a constraint, a statement.
@@ -188,6 +189,29 @@ bool BodyCompiler::compile_statement(Step& step) {
   }
   return true;
 }
+
+namespace {
+
+// Which formulas are last calls of the plan's own goal.
+void find_last_calls(Plan& plan) {
+  for (Body& body : plan.code.bodies) {
+    for (Step& step : body.steps) {
+      if (step.event == nullptr) continue;
+      EventCode& code = **std::ranges::find(plan.code.events, step.event,
+                                            [](const auto& each) { return each.get(); });
+      const bool is_goal = step.kind == Step::Kind::achieve;
+      const bool is_another = plan.head.is_decoded && code.event && *code.event != plan.key;
+      if (step.next != nullptr || !is_goal || is_another) {
+        code.last_call = EventCode::LastCall::no;
+      } else if (plan.head.is_decoded && code.is_decoded && code.event == plan.key &&
+                 code.predicate == plan.head.predicate && plan.is_simple) {
+        code.last_call = EventCode::LastCall::yes;
+      }
+    }
+  }
+}
+
+}  // namespace
 
 PlanParts plan_parts(Value plan) {
   const Structure& s = *plan.structure();
@@ -291,14 +315,17 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);
-  plan->plain = plain_plan(plan->trigger);
+  plan->head = decode_head(plan->trigger);
   if (!parts.goal_condition.is_unset()) {
     plan->has_goal_condition = true;
     plan->goal_condition = compiler.compile_formula(parts.goal_condition);
   }
   plan->code.entry = compiler.compile(parts.body);
+  plan->code.link(nullptr);
+  plan->is_simple = !plan->atomic && !plan->has_goal_condition;
   plan->slot_count = static_cast<std::uint32_t>(slot_names.size());
   plan->slot_names = std::move(slot_names);
+  find_last_calls(*plan);
   return plan;
 }
 

@@ -132,7 +132,7 @@ TEST_P(Conformance, DoesTheSameOnSeveralThreads) {
   EXPECT_EQ(beside.outcome.cycles, alone.outcome.cycles) << path;
 }
 
-// An observer, even one that does nothing, makes agents reason rule by rule, without strides.
+// An observer sees each event with its literal, which is not made otherwise.
 TEST_P(Conformance, DoesTheSameWhenObserved) {
   const std::string path = (kFolder / (GetParam() + ".asl")).string();
   ReasoningObserver nobody;

@@ -26,7 +26,7 @@ std::vector<std::string> AgentRun::printed_by(std::string_view agent) const {
 }
 
 AgentRun run_agents(const std::vector<NamedProgram>& programs, MasOptions options,
-                    const EnvironmentMaker& make_environment) {
+                    const EnvironmentMaker& make_environment, Steps steps) {
   AgentRun run;
   const auto symbols = std::make_shared<SymbolTable>();
   std::vector<AgentSpec> agents;
@@ -51,7 +51,9 @@ AgentRun run_agents(const std::vector<NamedProgram>& programs, MasOptions option
   if (make_environment) environment = make_environment(*symbols);
   Mas mas(symbols, options, environment.get());
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
-  run.outcome = mas.run();
+  while (steps == Steps::one ? mas.step() : mas.stride()) {
+  }
+  run.outcome = mas.outcome();
   return run;
 }
 

@@ -2,6 +2,7 @@
 
 // Runs of small programs, for the tests of agents.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,9 +34,13 @@ struct AgentRun {
 /// Runs the programs together until nothing more happens, or for 100,000 cycles of one agent if
 /// the options have no limit. `make_environment` may add names to the table of the programs.
 using EnvironmentMaker = std::function<std::unique_ptr<Environment>(SymbolTable&)>;
+/// How far a system goes before it is asked to go on: as far as is best, or (without an
+/// environment) one cycle of each agent.
+enum class Steps : std::uint8_t { many, one };
 [[nodiscard]] AgentRun run_agents(const std::vector<NamedProgram>& programs,
                                   MasOptions options = {},
-                                  const EnvironmentMaker& make_environment = {});
+                                  const EnvironmentMaker& make_environment = {},
+                                  Steps steps = Steps::many);
 
 /// Runs one agent, called `agent`; what it printed, without its name.
 [[nodiscard]] std::vector<std::string> printed_by(std::string_view program,

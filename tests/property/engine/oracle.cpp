@@ -1,6 +1,6 @@
-// jaywalk_oracle FIRST COUNT: random programs run alike however they are run: observed or not, on
-// 1, 2 or 8 threads. What is printed and logged, the cycles and the beliefs in the end are the
-// same.
+// jaywalk_oracle FIRST COUNT: random programs run alike however they are run: observed or not,
+// cycle by cycle, on 1, 2 or 8 threads. What is printed and logged, the cycles and the beliefs in
+// the end are the same.
 //
 // jaywalk_oracle FIRST COUNT --write FOLDER: writes the programs, for `compare_engines`.
 
@@ -34,6 +34,7 @@ struct Way {
   std::string name;
   bool is_observed = false;
   std::size_t threads = 1;
+  bool by_cycles = false;  // one for each agent at a time, so that none goes on alone
 };
 
 // A run as text; empty if the program does not compile.
@@ -60,7 +61,9 @@ std::string text_of_run(const std::string& program, std::uint64_t seed, const Wa
   for (std::size_t i = 0; i < kAgents; ++i) {
     mas.add_agent({.name = fmt::format("a{}", i), .program = compiled});
   }
-  const RunOutcome outcome = mas.run();
+  while (way.by_cycles ? mas.step() : mas.stride()) {
+  }
+  const RunOutcome& outcome = mas.outcome();
   text += fmt::format("end {}, {} cycles {}\n", static_cast<int>(outcome.end), outcome.cycles,
                       outcome.message);
   // Where a limit ends the run, agents on other threads may have come further than they would have.
@@ -84,8 +87,10 @@ std::string difference(const std::string& a, const std::string& b) {
 }
 
 int check(std::uint64_t first, std::uint64_t count) {
-  const std::vector<Way> ways{
-      {"observed", true, 1}, {"2 threads", false, 2}, {"8 threads", false, 8}};
+  const std::vector<Way> ways{{"observed", true, 1},
+                              {"2 threads", false, 2},
+                              {"8 threads", false, 8},
+                              {"cycle by cycle", false, 1, true}};
   std::uint64_t busy = 0;
   int wrong = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {

@@ -106,19 +106,19 @@ TEST(PlanCompiler, PutsABodyWithinABodyInItsPlace) {
 TEST(PlanCompiler, PreparesTheEventsThatStepsMake) {
   const CompiledProgram made("+!g(X) <- !h(X); +b(1); -c; -+d(X + 1); ?e; !!f. +!h(_). +b(_).");
   const std::vector<Step>& steps = made.plans().front()->code.entry->steps;
-  const auto event = [&](std::size_t at) { return *steps[at].plain->event; };
+  const auto event = [&](std::size_t at) { return *steps[at].event->event; };
   EXPECT_EQ(event(0),
             (TriggerKey{TriggerOperator::add, TriggerKind::achieve, predicate_of(steps[0].term)}));
   EXPECT_EQ(event(1),
             (TriggerKey{TriggerOperator::add, TriggerKind::belief, predicate_of(steps[1].term)}));
   EXPECT_EQ(event(2).op, TriggerOperator::remove);
   EXPECT_EQ(event(3).op, TriggerOperator::add);
-  EXPECT_EQ(steps[4].plain, nullptr);
-  EXPECT_EQ(steps[5].plain, nullptr);
+  EXPECT_EQ(steps[4].event, nullptr);
+  EXPECT_EQ(steps[5].event, nullptr);
   // The plans for them are those of the program.
-  EXPECT_EQ(steps[0].plain->plans->plans().size(), 1U);
-  EXPECT_EQ(steps[0].plain->plans->plans().front(), made.plans()[1].get());
-  EXPECT_TRUE(steps[2].plain->plans->plans().empty());
+  EXPECT_EQ(steps[0].event->plans->plans().size(), 1U);
+  EXPECT_EQ(steps[0].event->plans->plans().front(), made.plans()[1].get());
+  EXPECT_TRUE(steps[2].event->plans->plans().empty());
 }
 
 TEST(PlanCompiler, KnowsAPlanByItsTrigger) {

@@ -1,4 +1,4 @@
-#include "interpreter/program/plain_code.h"
+#include "interpreter/program/event_code.h"
 
 #include <algorithm>
 
@@ -22,25 +22,34 @@ bool read_head(Value trigger, std::vector<HeadArgument>& head) {
   return true;
 }
 
+// False: some argument is another term.
+bool read_arguments(Value term, std::vector<Operand>& args) {
+  if (term.is_atom()) return true;
+  const Structure& literal = *term.structure();
+  if (literal.is_annotated() || literal.arity > EventCode::kMostArguments) return false;
+  for (const Value arg : literal.arg_span()) {
+    args.push_back(Operand::of(arg));
+    if (args.back().kind == Operand::Kind::other) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-PlainPlan plain_plan(Value trigger) {
-  PlainPlan made;
+PlanHead decode_head(Value trigger) {
+  PlanHead made;
   if (is_literal(trigger)) {
     made.predicate = predicate_of(trigger);
-    made.has_plain_head = read_head(trigger, made.head);
+    made.is_decoded = read_head(trigger, made.args);
   }
   return made;
 }
 
-PlainStep plain_step(Value term) {
-  PlainStep made;
-  if (!is_form(term, Form::literal) || term.structure()->is_annotated()) return made;
-  for (const Value arg : term.structure()->arg_span()) {
-    made.args.push_back(Operand::of(arg));
-    if (made.args.back().kind != Operand::Kind::other) continue;
-    made.args.clear();
-    break;
+EventCode decode_event(Value term) {
+  EventCode made;
+  if (is_literal(term)) {
+    made.predicate = predicate_of(term);
+    made.is_decoded = read_arguments(term, made.args);
   }
   return made;
 }

@@ -1,7 +1,9 @@
-// Cycles that are taken in strides (agent/stride.cpp) are the same cycles. An observer, even one
-// that does nothing, makes an agent reason rule by rule: so each program runs with one and without.
+// An intention that is alone goes on into the next cycle, and its event does not pass through E
+// (agent/cycle.cpp): the cycles are the same. Where each step is one cycle, nothing goes on, so
+// each program runs in such steps, too, and once with an observer.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -15,35 +17,46 @@ namespace {
 
 using ::testing::ElementsAreArray;
 
-struct StrideRow {
+struct ProgramRow {
   std::string name;
   std::string program;
 };
 
-test::AgentRun run(const std::string& program, ReasoningObserver* observer, int agents) {
-  std::vector<test::NamedProgram> all;
-  for (int i = 0; i < agents; ++i) all.push_back({"a" + std::to_string(i), program});
+MasOptions limited() {
   MasOptions options;
-  options.observer = observer;
   options.max_cycles = 20'000;
   options.max_agent_bytes = 8U << 20U;
   options.max_inferences = 100'000;
-  return test::run_agents(all, options);
+  return options;
 }
 
-void expect_the_same(const StrideRow& row, int agents) {
+test::AgentRun run(const std::string& program, int agents, MasOptions options,
+                   test::Steps steps = test::Steps::many) {
+  std::vector<test::NamedProgram> all;
+  for (int i = 0; i < agents; ++i) all.push_back({"a" + std::to_string(i), program});
+  return test::run_agents(all, std::move(options), {}, steps);
+}
+
+void expect_same(const test::AgentRun& run, const test::AgentRun& usual, const std::string& name) {
+  EXPECT_THAT(run.printed, ElementsAreArray(usual.printed)) << name;
+  EXPECT_THAT(run.logged, ElementsAreArray(usual.logged)) << name;
+  EXPECT_EQ(run.outcome.cycles, usual.outcome.cycles) << name;
+  EXPECT_EQ(run.outcome.end, usual.outcome.end) << name;
+  EXPECT_EQ(run.outcome.message, usual.outcome.message) << name;
+}
+
+void expect_the_same(const ProgramRow& row, int agents) {
+  const test::AgentRun usual = run(row.program, agents, limited());
+  EXPECT_THAT(usual.errors, ::testing::IsEmpty()) << row.name;
   ReasoningObserver nobody;
-  const test::AgentRun by_rules = run(row.program, &nobody, agents);
-  const test::AgentRun in_strides = run(row.program, nullptr, agents);
-  EXPECT_THAT(by_rules.errors, ::testing::IsEmpty()) << row.name;
-  EXPECT_THAT(in_strides.printed, ElementsAreArray(by_rules.printed)) << row.name;
-  EXPECT_THAT(in_strides.logged, ElementsAreArray(by_rules.logged)) << row.name;
-  EXPECT_EQ(in_strides.outcome.cycles, by_rules.outcome.cycles) << row.name;
-  EXPECT_EQ(in_strides.outcome.end, by_rules.outcome.end) << row.name;
-  EXPECT_EQ(in_strides.outcome.message, by_rules.outcome.message) << row.name;
+  MasOptions observed = limited();
+  observed.observer = &nobody;
+  expect_same(run(row.program, agents, observed), usual, row.name + ", observed");
+  expect_same(run(row.program, agents, limited(), test::Steps::one), usual,
+              row.name + ", cycle by cycle");
 }
 
-const std::vector<StrideRow> kRows{
+const std::vector<ProgramRow> kRows{
     {"tail recursion", "!c(50). +!c(0) <- .print(done). +!c(N) : N > 0 <- !c(N-1)."},
     {"sub-goals with results",
      "!s. +!s <- !fib(9, F); .print(F). +!fib(0, 1). +!fib(1, 1)."
@@ -139,21 +152,21 @@ const std::vector<StrideRow> kRows{
     {"a goal that nests without end", "!s. +!s <- !s; .print(x)."},
 };
 
-TEST(Stride, TakesTheSameCyclesAsTheRules) {
-  for (const StrideRow& row : kRows) expect_the_same(row, 1);
+TEST(Alone, TakesTheSameCyclesAsOneByOne) {
+  for (const ProgramRow& row : kRows) expect_the_same(row, 1);
 }
 
-TEST(Stride, TakesTheSameCyclesAmongOthers) {
-  for (const StrideRow& row : kRows) expect_the_same(row, 3);
+TEST(Alone, TakesTheSameCyclesAmongOthers) {
+  for (const ProgramRow& row : kRows) expect_the_same(row, 3);
 }
 
-TEST(Stride, LogsInTheSameOrderWhereAgentsKeepToThemselves) {
-  const std::vector<StrideRow> rows{
+TEST(Alone, LogsInTheSameOrderWhereAgentsKeepToThemselves) {
+  const std::vector<ProgramRow> rows{
       {"failures", "!s(3). +!s(0) <- !t. +!s(N) <- !s(N-1); !u. -!s(2) <- !s(1). +!t <- 1 > 2."},
       {"busy agents", "b(0). !s. +!s : b(N) & N > 90 <- !t. +!s : b(N) <- -+b(N+1); !!u(N); !s."},
       {"agents that never end", "b(0). !s. +!s : b(N) <- -+b(N+1); !s."},
   };
-  for (const StrideRow& row : rows) expect_the_same(row, 5);
+  for (const ProgramRow& row : rows) expect_the_same(row, 5);
 }
 
 }  // namespace

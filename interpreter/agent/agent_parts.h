@@ -1,0 +1,79 @@
+#pragma once
+
+// What an agent consists of, for agent.h.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "interpreter/agent/circumstance.h"
+#include "interpreter/agent/customisation.h"
+#include "interpreter/agent/drops.h"
+#include "interpreter/agent/host.h"
+#include "interpreter/agent/settings.h"
+#include "interpreter/agent/workspace.h"
+#include "interpreter/logic/machine.h"
+#include "interpreter/program/program.h"
+#include "interpreter/support/containers/seldom.h"
+#include "interpreter/support/random.h"
+
+namespace jaywalk {
+
+class Percepts;
+struct OwnParts;
+
+struct AgentLimits {
+  std::uint64_t bytes = std::uint64_t{1} << 30U;
+  std::uint64_t inferences = 1'000'000'000;
+};
+
+class AgentParts {
+ protected:
+  AgentParts(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
+             AgentHost& host, std::uint64_t seed, const AgentLimits& limits);
+  ~AgentParts();
+  AgentParts(const AgentParts&) = delete;
+  AgentParts& operator=(const AgentParts&) = delete;
+
+  std::string name_;
+  ReasoningSettings settings_;
+  std::uint32_t cycles_since_look_ = 0;
+  std::unique_ptr<Percepts> unseen_;  // of the next cycle that looks, or null
+  std::uint64_t seen_looks_ = 0;      // what Percepts::looks was in the last belief update
+  std::uint32_t seen_mail_ = 0;       // messages of the mailbox that may be handled
+  std::shared_ptr<const Program> program_;
+  SymbolTable& symbols_;
+  AgentHost& host_;
+  ReasoningObserver* const observer_;
+  Heap heap_;
+  BeliefBase beliefs_;
+  std::unique_ptr<Workspace> workspace_;  // null while it is at rest
+  std::uint64_t max_inferences_;
+  JavaRandom random_;
+  Circumstance circumstance_;
+  std::shared_ptr<const Customisation> customisation_;
+  const PlanLibrary* library_;     // the program's, or its own
+  std::unique_ptr<OwnParts> own_;  // null: nothing
+  Seldom<std::vector<DropCause>> drops_;
+  std::uint64_t next_token_ = 1;
+  std::uint32_t next_intention_ = 1;
+  std::uint32_t number_ = 0;
+  std::uint32_t last_message_ = 0;
+  std::uint64_t cycles_ = 0;
+  std::uint64_t last_cycle_ = 0;  // for now
+  std::uint32_t finished_ = 0;    // intentions that are finished but not forgotten
+  std::uint32_t memory_failures_ = 0;
+  Intention* held_ = nullptr;  // the intention that runs: neither in I nor in an event of E
+  Intention* executing_ = nullptr;
+  const Event* selected_event_ = nullptr;  // for which a plan is being looked for
+  bool goes_on_ = false;                   // the intention that is held is ready
+  bool selects_by_rules_ = false;          // rules select options, or did
+  bool starts_later_ = false;
+  bool uses_subplans_ = false;         // some means has had sub-plans
+  bool changed_ = false;               // since waiting formulas were last looked at
+  std::uint32_t goal_conditions_ = 0;  // means with a goal condition
+  std::uint32_t formula_waits_ = 0;
+};
+
+}  // namespace jaywalk

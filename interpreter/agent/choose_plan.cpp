@@ -1,0 +1,311 @@
+// Rules RelPl, ApplPl and SelAppl: which plan is for an event. The usual heads are decoded
+// (program/event_code.h) and matched with the event's arguments alone, others by the unifier with
+// its literal.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/agent/agent.h"
+#include "interpreter/agent/step_guard.h"
+#include "interpreter/program/plan_compiler.h"
+#include "interpreter/support/text.h"
+
+namespace jaywalk {
+namespace {
+
+// A constant and a value that evidently cannot be unified with it.
+[[gnu::always_inline]] inline bool differ(Value constant, Value value) {
+  if (constant.is_unset() || constant.same_as(value)) return false;
+  if (constant.is_number() && value.is_number()) return constant.as_number() != value.as_number();
+  return (constant.is_number() || constant.is_atom()) && (value.is_number() || value.is_atom());
+}
+
+// Whether a head matches. `open`: the unifier has to say.
+enum class Match : std::uint8_t { fails, holds, open };
+
+[[gnu::always_inline]] inline Match match_head(const PlanHead& head, const Value* args,
+                                               Value* frame, Unifier& unifier) {
+  for (const HeadArgument& wanted : head.args) {
+    const Value value = deref(*args++);
+    if (wanted.slot != Operand::kNoSlot) {
+      if (Unifier::is_of_other_namespace(value)) return Match::fails;
+      frame[wanted.slot] = value;
+    } else if (value.is_number() || value.is_atom()) {
+      if (differ(wanted.constant, value)) return Match::fails;
+    } else if (value.is_variable() && !Unifier::is_of_other_namespace(wanted.constant)) {
+      unifier.bind(value.variable(), wanted.constant);
+    } else {
+      return Match::open;
+    }
+  }
+  return Match::holds;
+}
+
+// Whether the trigger of one of the plans unifies with the event's literal.
+bool has_relevant(const std::vector<const Plan*>& plans, const Scope* scope, Value literal,
+                  Unifier& unifier) {
+  return std::any_of(plans.begin(), plans.end(), [&](const Plan* plan) {
+    const std::size_t trail = unifier.mark();
+    std::vector<Value> slots(plan->slot_count);
+    if (scope != nullptr) {
+      for (const auto& [own, outer] : plan->inherited) slots[own] = scope->frame[outer];
+    }
+    const bool unifies =
+        unifier.match(plan->trigger, slots.data(), literal, Unifier::Direction::template_first);
+    unifier.undo(trail);
+    return unifies;
+  });
+}
+
+}  // namespace
+
+TriggerKey Agent::key_of(const Event& event) {
+  if (event.literal.is_unset()) {
+    return trigger_key(event.op, event.kind, work().next.predicate, symbols_);
+  }
+  const Predicate predicate =
+      is_literal(event.literal) ? predicate_of(event.literal) : predicates::truth;
+  return trigger_key(event.op, event.kind, predicate, symbols_);
+}
+
+[[gnu::always_inline]] inline EventArguments Agent::arguments_of(const Event& event) {
+  const Value literal = event.literal;
+  if (literal.is_unset()) {
+    const NextEvent& next = workspace_->next;
+    return {true, next.is_open, next.predicate, {next.args.data(), next.arity}};
+  }
+  if (literal.is_atom()) return {true, false, literal.atom_id(), {}};
+  if (!is_literal(literal)) return {false, true, {}, {}};
+  const Structure& structure = *literal.structure();
+  return {true, !literal.is_closed(), structure.predicate(), structure.arg_span()};
+}
+
+// The plans that an event may be for: mostly known from the formula that has made it.
+[[gnu::always_inline]] inline const PlanList& Agent::plans_for(const Event& event) {
+  const NextEvent& next = workspace_->next;
+  const bool is_known =
+      &event == &next.event && next.code != nullptr && next.code->library == library_;
+  return is_known ? *next.code->plans : library_->list(key_of(event));
+}
+
+// The frame of a plan before its trigger is matched.
+[[gnu::always_inline]] inline Value* Agent::empty_frame(const Plan& plan) {
+  std::vector<Value>& scratch = workspace_->frame;
+  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
+  Value* const frame = scratch.data();
+  for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
+  workspace_->machine.unifier().set_slot_names(plan.slot_names);
+  return frame;
+}
+
+// The same of a sub-plan, which has values of the enclosing plan.
+Value* Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing) {
+  Value* const frame = empty_frame(plan);
+  if (enclosing.empty() || plan.inherited.empty()) return frame;
+  const std::vector<Value> values = closed_off(enclosing);
+  for (const auto& [own, outer] : plan.inherited) frame[own] = values[outer];
+  return frame;
+}
+
+// Values whose open variables are others: what is bound here is not seen there, nor the reverse.
+std::vector<Value> Agent::closed_off(std::span<const Value> values) {
+  std::vector<Value> copies(values.begin(), values.end());
+  const auto is_closed = [](Value value) { return value.is_unset() || value.is_closed(); };
+  if (std::all_of(values.begin(), values.end(), is_closed)) return copies;
+  for (Value& value : copies) {
+    if (value.is_unset()) value = Value::empty_list();
+  }
+  Value list = machine().unifier().fresh_copy(heap_.list(copies));
+  for (std::size_t i = 0; i < copies.size(); ++i, list = deref(list.pair()->tail)) {
+    copies[i] = values[i].is_unset() ? Value() : deref(list.pair()->head);
+  }
+  return copies;
+}
+
+// Nothing of what was made while the context was solved is in use.
+void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
+  heap_.release(unused);
+  const std::string where = "the context of " + plan_name(plan);
+  log(fmt::format("in {}: {}", where, shortened(error.message, kLongestLogged)));
+  report_limit(error, where);
+}
+
+// Rule ApplPl for a plan that is relevant.
+bool Agent::context_holds(const Plan& plan, const Event& event, Value* frame) {
+  const Heap::Mark unused = heap_.mark();
+  std::unique_ptr<ActionError> error;
+  // If the context does not hold, nobody looks at the frame again.
+  Unifier& unifier = workspace_->machine.unifier();
+  unifier.begin_fresh_frame({frame, plan.slot_count});
+  const bool holds = guarded(error, [&] {
+    if (observer_ == nullptr) return workspace_->machine.solve(plan.context, frame);
+    observer_->plan_relevant(*this, plan, event, {frame, plan.slot_count});
+    const bool found = machine().solve(observer_->context_of(plan), frame);
+    observer_->plan_tried(*this, plan, found);
+    return found;
+  });
+  unifier.end_fresh_frame();
+  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
+  return holds;
+}
+
+// Rules RelPl and ApplPl for one plan with the unifier.
+bool Agent::applies_in_general(const Plan& plan, const Event& event,
+                               std::span<const Value> enclosing) {
+  Value* const frame = prepare_scratch(plan, enclosing);
+  const Value literal = literal_of(event);
+  const Heap::Mark unused = heap_.mark();
+  const std::size_t trail = machine().unifier().mark();
+  std::unique_ptr<ActionError> error;
+  const bool is_relevant = guarded(error, [&] {
+    return machine().unifier().match(plan.trigger, frame, literal,
+                                     Unifier::Direction::template_first);
+  });
+  if (error != nullptr) machine().unifier().undo(trail);  // before what is bound is given up
+  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
+  return is_relevant && context_holds(plan, event, frame);
+}
+
+// Of an open event: whether the context has bound something in it; what the head has bound, the
+// goal has from there (goal_of), unless its literal has been made.
+bool Agent::is_event_bound(const Event& event, std::size_t matched) {
+  if (!event.literal.is_unset()) return true;
+  const std::vector<Value>& frame = workspace_->frame;
+  const auto bound = workspace_->machine.unifier().bindings_since(matched);
+  return std::any_of(bound.begin(), bound.end(), [&](const Value* cell) {
+    return cell < frame.data() || cell >= frame.data() + frame.size();
+  });
+}
+
+// Rules RelPl and ApplPl for one plan, whose values are in the workspace's frame then.
+[[gnu::always_inline]] inline bool Agent::applies(const Plan& plan, const Event& event,
+                                                  const EventArguments& given,
+                                                  std::span<const Value> enclosing) {
+  Workspace& workspace = *workspace_;
+  Unifier& unifier = workspace.machine.unifier();
+  const std::size_t trail = unifier.mark();
+  Match relevant = Match::open;
+  Value* frame = nullptr;
+  if (plan.head.is_decoded && given.is_literal && enclosing.empty()) {
+    if (plan.head.predicate != given.predicate) return false;
+    frame = empty_frame(plan);
+    relevant = match_head(plan.head, given.args.data(), frame, unifier);
+  }
+  const std::size_t matched = unifier.mark();
+  bool applicable = relevant == Match::holds;
+  if (relevant == Match::open) {
+    unifier.undo(trail);
+    applicable = applies_in_general(plan, event, enclosing);
+  } else if (applicable && (observer_ != nullptr ||
+                            !workspace.machine.solve_at_once(plan.context, frame, applicable))) {
+    applicable = context_holds(plan, event, frame);
+  }
+  workspace.binds_event = false;
+  if (unifier.mark() == trail) return applicable;
+  if (applicable) {
+    workspace.binds_event = given.is_open && is_event_bound(event, matched);
+    unifier.commit(trail);
+  } else {
+    unifier.undo(trail);
+  }
+  return applicable;
+}
+
+// Of an event that had candidates. Jason takes the rules one by one for atomic intentions and where
+// options are selected by rules, and RelPl looks at the triggers.
+bool Agent::were_relevant(const Event& event, bool by_rules) {
+  const bool is_atomic = event.intention != nullptr && event.intention->is_atomic();
+  if (!by_rules && !is_atomic) return true;
+  const TriggerKey key = key_of(event);
+  const Value literal = literal_of(event);
+  Unifier& unifier = machine().unifier();
+  if (has_relevant(library_->candidates(key), nullptr, literal, unifier)) return true;
+  std::shared_ptr<Scope> scope = is_atomic ? event.intention->top().scope() : nullptr;
+  for (; scope != nullptr; scope = scope->outer) {
+    if (has_relevant(scope->library->candidates(key), scope.get(), literal, unifier)) return true;
+  }
+  return false;
+}
+
+bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const Value> enclosing) {
+  return applies(plan, event, arguments_of(event), enclosing);
+}
+
+// Rules RelPl, ApplPl and SelAppl for plans in order: the first that is applicable, or null.
+[[gnu::always_inline]] inline const Plan* Agent::first_applicable(
+    const PlanList& plans, const Event& event, std::span<const Value> enclosing) {
+  workspace_->had_candidates = workspace_->had_candidates || !plans.plans().empty();
+  const EventArguments given = arguments_of(event);
+  const Value first = given.args.empty() ? Value() : deref(given.args.front());
+  if (plans.is_short()) {
+    for (const Plan* const plan : plans.plans()) {
+      if (!differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
+        return plan;
+      }
+    }
+    return nullptr;
+  }
+  return plans.find(given.args.empty() ? 0 : argument_key(first),
+                    [&](const Plan& plan) { return is_applicable(plan, event, enclosing); });
+}
+
+bool Agent::try_plans(const PlanList& plans, const Event& event,
+                      const std::shared_ptr<Scope>& scope) {
+  if (customisation_ != nullptr && customisation_->select_option) {
+    return select_option(plans.plans(), event, scope);
+  }
+  if (plans.has_learned()) return try_learned(plans, event, scope);
+  const Plan* const chosen =
+      first_applicable(plans, event, scope == nullptr ? std::span<const Value>() : scope->frame);
+  if (chosen != nullptr) add_intended_means(*chosen, event, scope);
+  return chosen != nullptr;
+}
+
+void Agent::note_no_option(const Event& event, bool by_rules) {
+  if (work().had_candidates && !were_relevant(event, by_rules)) work().had_candidates = false;
+  if (observer_ != nullptr) observer_->no_plan(*this, event, work().had_candidates);
+}
+
+// Options that are selected in another way, and goals below a plan with sub-plans: these look there
+// first, then, if none is applicable, further out, last in the agent's library.
+bool Agent::find_unusual_option(const Event& event, bool by_rules) {
+  if (by_rules) return select_by_rules(event);
+  const Intention* const intention = event.intention;
+  const bool is_below = intention != nullptr && !intention->is_finished();
+  std::shared_ptr<Scope> scope = is_below ? intention->top().scope() : nullptr;
+  for (; scope != nullptr; scope = scope->outer) {
+    if (try_plans(scope->library->list(key_of(event)), event, scope)) return true;
+  }
+  return try_plans(plans_for(event), event, nullptr);
+}
+
+inline bool Agent::selects_by_rules() {
+  const Relation* const selecting = beliefs_.find(predicates::select_option);
+  return selecting != nullptr && selecting->has_rules();
+}
+
+// Whether a plan has been chosen and its means added, or the event has failed for another reason.
+bool Agent::find_option(const Event& event) {
+  const bool by_rules = selects_by_rules_ && selects_by_rules();
+  const bool is_below = event.intention != nullptr && uses_subplans_;
+  if (observer_ != nullptr || by_rules || customisation_ != nullptr) (void)literal_of(event);
+  workspace_->had_candidates = false;
+  selected_event_ = &event;
+  if (observer_ != nullptr) observer_->event_selected(*this, event);
+  bool found = false;
+  if (by_rules || is_below || customisation_ != nullptr || library_->has_learned_plans()) {
+    found = find_unusual_option(event, by_rules);
+  } else if (const PlanList& plans = plans_for(event); !plans.plans().empty()) {
+    const Plan* const chosen = first_applicable(plans, event, {});
+    found = chosen != nullptr;
+    if (found) add_intended_means(*chosen, event, nullptr);
+  }
+  selected_event_ = nullptr;
+  if (!found && (workspace_->had_candidates || observer_ != nullptr)) {
+    note_no_option(event, by_rules);
+  }
+  return found;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,28 @@
+#pragma once
+
+// The arguments of formulas that make events, `!g(X+1)`, `+b`, where they are decoded.
+
+#include "interpreter/program/event_code.h"
+
+namespace jaywalk {
+
+/// Writes the arguments of a formula's literal, a variable without a value as the slot itself.
+/// False: the value of some argument is of another kind.
+[[gnu::always_inline]] inline bool put_arguments(const EventCode& code, const Value* frame,
+                                                 Value* value, bool& is_open) {
+  for (const Operand& arg : code.args) {
+    if (!find_value(arg, frame, *value)) {
+      if (arg.kind != Operand::Kind::slot) return false;
+      if (value->is_unset()) {
+        *value = Value::slot(arg.left_slot);
+      } else if (!value->is_variable()) {
+        return false;
+      }
+      is_open = true;
+    }
+    ++value;
+  }
+  return true;
+}
+
+}  // namespace jaywalk
