@@ -9,6 +9,7 @@ target_sources(jaywalk_experiment PRIVATE
   judge/assertions/resolve.cpp
   judge/assertions/robustness.cpp
   judge/assertions/words.cpp
+  judge/csv_line.cpp
   judge/metrics/encroachment.cpp
   judge/metrics/impact_speed.cpp
   judge/metrics/max_btn.cpp
@@ -29,5 +30,6 @@ target_sources(jaywalk_experiment PRIVATE
   judge/signals/places.cpp
   judge/signals/signals.cpp
   judge/situations/items.cpp
+  judge/situations/reach_file.cpp
   judge/situations/situations.cpp
   judge/trace_file.cpp)

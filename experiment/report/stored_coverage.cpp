@@ -102,10 +102,14 @@ Result<std::vector<SituationRow>> stored_situations(const ResultsReader& store,
   const auto prepared = store.prepared();
   if (!prepared) return prepared.diagnostics();
   const Ground where = prepared.value()->scenario().world->ground();
+  const ReachableBins& reachable = prepared.value()->scenario().experiment.reachable;
   Progress now{.done = 0, .total = total.value()};
   std::vector<SituationRow> rows;
   for (const TestFilter& cell : cells) {
-    SituationRow row{store.description().behaviours[*cell.behaviour].name, *cell.agents, {}};
+    SituationRow row{store.description().behaviours[*cell.behaviour].name,
+                     *cell.agents,
+                     {},
+                     reachable_with(reachable, *cell.agents)};
     Diagnostics trouble;
     auto failure = store.for_each_test(cell, [&](const StoredTest& test) {
       ++now.done;

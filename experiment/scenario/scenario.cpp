@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "env/environments.h"
+#include "experiment/judge/situations/reach_file.h"
 #include "experiment/scenario/files/program_copies.h"
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
@@ -210,6 +211,7 @@ class ScenarioBuilder {
     if (!diagnostics_.has_errors()) draft_.world->read_files(context, scenario.sources);
     if (!diagnostics_.has_errors()) read_programs();
     finish_learning();
+    read_reachable();
     if (draft_.assertions_file) {
       read_assertions();
     } else if (!draft_.judged.empty()) {
@@ -259,6 +261,28 @@ class ScenarioBuilder {
       }
       draft_.scenario.sources.push_back(source.value());
       draft_.scenario.policies.push_back(std::move(source).value());
+    }
+  }
+
+  void read_reachable() {
+    if (!draft_.reachable_file) return;
+    const auto& [path, origin] = *draft_.reachable_file;
+    Result<SourcePtr> source = options_.files.read(path, kMaxScenarioBytes);
+    if (!source.ok()) {
+      report(diagnostics_, origin, fmt::format("no file of situations is at '{}'", path),
+             "jaywalk reach SCENARIO --csv writes one");
+      return;
+    }
+    draft_.scenario.sources.push_back(source.value());
+    Result<ReachFile> file = parse_reach_file(source.value());
+    if (!file.ok()) {
+      diagnostics_.append(std::move(file.diagnostics()));
+    } else if (file.value().reachable.empty()) {
+      report(diagnostics_, origin,
+             fmt::format("'{}' says of no situation whether it can be met", path),
+             "jaywalk reach SCENARIO --csv writes one that does");
+    } else {
+      draft_.scenario.experiment.reachable = std::move(file.value().reachable);
     }
   }
 

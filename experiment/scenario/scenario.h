@@ -18,6 +18,7 @@
 #include "env/environments.h"
 #include "env/world/world_spec.h"
 #include "experiment/judge/assertions/assertion.h"
+#include "experiment/judge/situations/situations.h"
 #include "experiment/policy/learning_spec.h"
 #include "experiment/scenario/anchor.h"
 #include "interpreter/support/diagnostics.h"
@@ -81,6 +82,8 @@ struct ExperimentSpec {
   /// Tests in a generation: those of later ones believe what earlier ones covered; 0: none do.
   std::uint64_t feedback = 0;
   TestLimits limits;
+  /// Which situations tests with one agent can meet at all, as `jaywalk reach` has found.
+  ReachableBins reachable;
 };
 
 /// Where programs look for what they include, after their own folder (IncludePath).

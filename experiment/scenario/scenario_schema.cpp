@@ -200,6 +200,7 @@ class LayerReader : LayerPart {
                   {"agents", method(&LayerReader::read_agent_numbers)},
                   {"seed", integer(experiment.seed, kSeeds)},
                   {"feedback", integer(experiment.feedback, kGenerations)},
+                  {"reachable", method(&LayerReader::read_reachable)},
                   {"defects", method(&LayerReader::read_defects)},
                   {"avs", method(&LayerReader::read_avs)},
                   {"limits", method(&LayerReader::read_limits)},
@@ -215,6 +216,12 @@ class LayerReader : LayerPart {
                   {"memory_mb", integer(limits.memory_mb, kMegabytes)},
                   {"time_s", number(limits.time_s, {0, 1e6})},
               });
+  }
+
+  void read_reachable(const ConfigNode& node, const std::string&) {
+    if (const auto file = reader_.text(node, "the path of a file that `jaywalk reach` wrote")) {
+      draft_.reachable_file.emplace(path_in(folder_, *file), node.origin);
+    }
   }
 
   void read_defects(const ConfigNode& node, const std::string& path) {

@@ -13,14 +13,13 @@
 namespace jaywalk::search {
 namespace {
 
-constexpr std::string_view kMoves = "fblrs";
 /// Walks that are followed between two looks at limits: a tenth of a second.
 constexpr std::size_t kAtOnce = 64;
 
 /// Where a walk has led to.
 struct Step {
   ScriptedWalk walk;
-  /// What tells it from others of its length, if it goes on, and what it covers, if it has met the
+  /// What tells it from others, if it goes on, and what it covers, if it has met the
   /// precondition.
   std::string state = {};
   SituationBins bins = {};
@@ -65,8 +64,10 @@ class Walker {
     const TestView view(recording, ground_);
     const Situation now{view, 1, tick};
     const auto bin = [](std::optional<std::uint32_t> which) { return which ? int(*which) : -1; };
+    const double late = std::ceil(situation::kLate_s / view.tick_s());
     std::string state =
-        fmt::format("{} {}", bin(situation::start_side(now)), bin(situation::start_band(now)));
+        fmt::format("{} {} {}", std::min(static_cast<double>(tick), late),
+                    bin(situation::start_side(now)), bin(situation::start_band(now)));
     for (const ActorState& actor : recording.scene(tick)) {
       state += fmt::format(" {:.3f} {:.3f}", actor.x_m, actor.y_m);
       if (brakes_) state += fmt::format(" {:.3f} {:.3f}", actor.speed_mps, actor.heading_rad);
@@ -121,17 +122,16 @@ class Explorer {
     return walks;
   }
 
-  /// The walks that are a move longer, of each state one: the first, in the order of `walks`.
+  /// The walks that are a move longer, of each new state one: the first, in the order of `walks`.
   /// Nothing if the limit of states is reached, or the search is interrupted.
   std::optional<std::vector<ScriptedWalk>> next(const std::vector<ScriptedWalk>& walks) {
     std::vector<ScriptedWalk> longer;
-    std::unordered_set<std::string> states;
     for (std::size_t from = 0; from < walks.size(); from += kAtOnce) {
       if (plan_.interrupted && plan_.interrupted()) return std::nullopt;
       const auto some = std::span(walks).subspan(from, std::min(kAtOnce, walks.size() - from));
       for (Step& step : follow(some)) {
         if (step.end == Step::End::met) note(step);
-        if (step.end != Step::End::goes_on || !states.insert(std::move(step.state)).second)
+        if (step.end != Step::End::goes_on || !states_.insert(std::move(step.state)).second)
           continue;
         longer.push_back(std::move(step.walk));
         if (++found_.states > plan_.most_states) return std::nullopt;
@@ -142,11 +142,11 @@ class Explorer {
 
   /// Each of the walks with each move behind it.
   std::vector<Step> follow(std::span<const ScriptedWalk> walks) {
-    std::vector<Step> steps(walks.size() * kMoves.size());
+    std::vector<Step> steps(walks.size() * kWalkLetters.size());
     const auto work = [&](std::size_t first) {
       for (std::size_t i = first; i < steps.size(); i += walkers_.size()) {
-        ScriptedWalk walk = walks[i / kMoves.size()];
-        walk.moves += kMoves[i % kMoves.size()];
+        ScriptedWalk walk = walks[i / kWalkLetters.size()];
+        walk.moves += kWalkLetters[i % kWalkLetters.size()];
         steps[i] = walkers_[first]->follow(std::move(walk));
       }
     };
@@ -167,6 +167,7 @@ class Explorer {
 
   const ReachPlan& plan_;
   std::vector<std::unique_ptr<Walker>> walkers_;
+  std::unordered_set<std::string> states_;
   Reach found_;
 };
 
@@ -199,12 +200,12 @@ std::string reach_text(const Reach& reach) {
 }
 
 std::string reach_csv(const Reach& reach) {
-  std::string text = "item,bin,reachable,start_row,start_cell,moves\n";
+  std::string text = fmt::format("{}\n", kReachHeader);
   for (std::size_t i = 0; i < reach.walks.size(); ++i) {
     const SituationItem& item = situation_items()[i];
     for (std::size_t bin = 0; bin < item.bins.size(); ++bin) {
       const std::optional<ScriptedWalk>& walk = reach.walks[i][bin];
-      text += fmt::format("{},\"{}\",", item.name, item.bins[bin]);
+      text += fmt::format("{},{},\"{}\",", item.name, bin + 1, item.bins[bin]);
       text +=
           walk ? fmt::format("1,{},{},{}\n", walk->start.x, walk->start.y, walk->moves) : "0,,,\n";
     }

@@ -10,17 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "experiment/judge/situations/situations.h"
+#include "experiment/judge/situations/reach_file.h"
 #include "experiment/trial/trial.h"
 
 namespace jaywalk::search {
-
-/// A pedestrian's start and what it does in each tick: a letter of `fblrs` for forward, back, left,
-/// right, stay.
-struct ScriptedWalk {
-  Position start;
-  std::string moves;
-};
 
 struct ReachPlan {
   std::shared_ptr<const PreparedScenario> prepared;
@@ -47,8 +40,9 @@ struct Reach {
   bool complete = false;
 };
 
-/// Walks of the same length that leave all actors in the same places, and whose starts are in the
-/// same bins, are taken for one. For AVs that brake, the same velocities are needed, too; what else
+/// Of walks that leave all actors in the same places, and whose starts are in the same bins, the
+/// shortest is followed; up to situation::kLate_s, where it matters when something happens, the
+/// first of each length. For AVs that brake, the same velocities are needed, too; what else
 /// their controllers remember is not compared.
 [[nodiscard]] Reach reach(const ReachPlan& plan);
 
@@ -57,7 +51,7 @@ struct Reach {
 
 /// As a table for people: each item with the bins that no test can meet.
 [[nodiscard]] std::string reach_text(const Reach& reach);
-/// `item,bin,reachable,start_row,start_cell,moves`, a row for each bin.
+/// As parse_reach_file() reads it: a row for each bin.
 [[nodiscard]] std::string reach_csv(const Reach& reach);
 
 }  // namespace jaywalk::search

@@ -9,6 +9,7 @@
 
 #include "env/vehicle/defects.h"
 #include "experiment/compare/kills/kills_csv.h"
+#include "experiment/judge/csv_line.h"
 #include "experiment/trial/tested_vehicles.h"
 
 namespace jaywalk {
@@ -54,11 +55,6 @@ class KillsParser {
   }
 
  private:
-  struct Field {
-    std::string_view where;
-    std::string text;
-  };
-
   void error(std::string_view where, std::string message, std::string hint = {}) {
     diagnostics_.error(span(where), std::move(message), std::move(hint));
   }
@@ -68,29 +64,7 @@ class KillsParser {
     return {source_, {begin, begin + static_cast<std::uint32_t>(where.size())}};
   }
 
-  /// Between commas; quotes hold them together, two within are one.
-  static std::vector<Field> fields_of(std::string_view line) {
-    std::vector<Field> fields;
-    for (std::size_t at = 0; at <= line.size(); ++at) {
-      const std::size_t begin = at;
-      Field field;
-      bool quoted = false;
-      for (; at < line.size() && (quoted || line[at] != ','); ++at) {
-        if (line[at] != '"') {
-          field.text += line[at];
-        } else if (quoted && at + 1 < line.size() && line[at + 1] == '"') {
-          field.text += line[at++];
-        } else {
-          quoted = !quoted;
-        }
-      }
-      field.where = line.substr(begin, at - begin);
-      fields.push_back(std::move(field));
-    }
-    return fields;
-  }
-
-  std::optional<std::uint64_t> number(const Field& field, std::uint64_t most) {
+  std::optional<std::uint64_t> number(const CsvField& field, std::uint64_t most) {
     std::uint64_t value = 0;
     const char* const end = field.text.data() + field.text.size();
     const auto [last, code] = std::from_chars(field.text.data(), end, value);
@@ -101,7 +75,7 @@ class KillsParser {
   }
 
   void parse_line(std::string_view text) {
-    const std::vector<Field> fields = fields_of(text);
+    const std::vector<CsvField> fields = csv_fields(text);
     if (fields.size() != kColumns) {
       error(text, fmt::format("expected {} fields, found {}", +kColumns, fields.size()));
       return;
@@ -135,7 +109,7 @@ class KillsParser {
     }
   }
 
-  std::optional<std::string> read_defect_of(const std::vector<Field>& fields) {
+  std::optional<std::string> read_defect_of(const std::vector<CsvField>& fields) {
     const std::string& name = fields[kDefect].text;
     if (name == kGivenVehicle) return name;
     const std::string& severity = fields[kSeverity].text;

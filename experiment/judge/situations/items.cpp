@@ -68,7 +68,7 @@ std::optional<std::uint32_t> impact_point(const Situation& situation) {
 }
 
 std::optional<std::uint32_t> entry_time(const Situation& situation) {
-  return bin_of(static_cast<double>(situation.tick) * situation.view.tick_s(), 3, 4);
+  return bin_of(static_cast<double>(situation.tick) * situation.view.tick_s(), kLate_s / 3, 4);
 }
 
 std::optional<std::uint32_t> av_speed(const Situation& situation) {

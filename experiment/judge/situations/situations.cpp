@@ -119,6 +119,17 @@ void SituationCoverage::add(const SituationBins& test) {
   if (covered_ > before) growth_.push_back({tests_, covered_});
 }
 
+std::uint64_t SituationCoverage::bins(const ReachableBins& reachable) const {
+  if (reachable.empty()) return bins_;
+  std::uint64_t bins = 0;
+  for (std::size_t item = 0; item < counts_.size(); ++item) {
+    for (std::size_t bin = 0; bin < counts_[item].size(); ++bin) {
+      if (reachable[item][bin] || counts_[item][bin] > 0) ++bins;
+    }
+  }
+  return bins;
+}
+
 std::uint64_t SituationCoverage::covered_after(std::uint64_t tests) const {
   std::uint64_t covered = 0;
   for (const Growth& step : growth_) {

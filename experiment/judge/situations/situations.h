@@ -37,7 +37,13 @@ using SituationBins = std::vector<std::optional<std::uint32_t>>;
 /// REQUIRES: recording and ground of one test, with its events.
 [[nodiscard]] SituationBins covered_bins(const Recording& recording, const Ground& ground);
 
+/// Which bins tests can meet at all, by item, then bin; empty: not known.
+using ReachableBins = std::vector<std::vector<bool>>;
+
 namespace situation {
+/// The precondition is met in the same bin of entry_time however much later than this.
+inline constexpr double kLate_s = 9;
+
 #define JAYWALK_SITUATION(name, bins, summary) \
   std::optional<std::uint32_t> name(const Situation& situation);
 #define JAYWALK_SITUATION_PAIR(name, first, second)
@@ -58,6 +64,9 @@ class SituationCoverage {
   [[nodiscard]] const std::vector<std::vector<std::uint64_t>>& counts() const { return counts_; }
   [[nodiscard]] std::uint64_t covered() const { return covered_; }
   [[nodiscard]] std::uint64_t bins() const { return bins_; }
+  /// Those that can be covered; all of them where that is not known. What is covered can be,
+  /// whatever `reachable` says.
+  [[nodiscard]] std::uint64_t bins(const ReachableBins& reachable) const;
   /// How coverage grew: after so many tests, so many bins; one entry for each growth.
   struct Growth {
     std::uint64_t tests = 0;

@@ -36,10 +36,16 @@ std::string growth_of(const std::vector<SituationRow>& rows,
                       .number = static_cast<std::size_t>(place - behaviours.begin()),
                       .points = growth(row.coverage)});
   }
-  const double bins = static_cast<double>(SituationCoverage().bins());
-  return figure(
-      fmt::format("Growth with {}", plural(agents, "agent")),
-      curves({.x_title = "tests", .y_title = "bins covered", .least = 0, .most = bins}, series));
+  std::uint64_t bins = 0;
+  for (const SituationRow& row : rows) {
+    if (row.agents == agents) bins = std::max(bins, row.bins());
+  }
+  return figure(fmt::format("Growth with {}", plural(agents, "agent")),
+                curves({.x_title = "tests",
+                        .y_title = "bins covered",
+                        .least = 0,
+                        .most = static_cast<double>(bins)},
+                       series));
 }
 
 std::string totals(const std::vector<SituationRow>& rows) {
@@ -49,10 +55,10 @@ std::string totals(const std::vector<SituationRow>& rows) {
   for (const SituationRow& row : rows) {
     if (behaviour == nullptr || *behaviour != row.behaviour) table.heading(row.behaviour);
     behaviour = &row.behaviour;
-    const double share = 100.0 * static_cast<double>(row.coverage.covered()) /
-                         static_cast<double>(row.coverage.bins());
+    const double share =
+        100.0 * static_cast<double>(row.coverage.covered()) / static_cast<double>(row.bins());
     table.row({std::to_string(row.agents), grouped(row.coverage.tests()),
-               grouped(row.coverage.covered()), grouped(row.coverage.bins()), decimal(share, 1)});
+               grouped(row.coverage.covered()), grouped(row.bins()), decimal(share, 1)});
   }
   return table.html();
 }
@@ -64,8 +70,13 @@ std::string bins_of(const std::vector<SituationRow>& rows, std::size_t item) {
   const SituationItem& described = situation_items()[item];
   for (std::size_t bin = 0; bin < described.bins.size(); ++bin) {
     std::uint64_t times = 0;
-    for (const SituationRow& row : rows) times += row.coverage.counts()[item][bin];
-    table.row({escaped(described.bins[bin]), times == 0 ? "<b>hole</b>" : grouped(times)});
+    bool can_be = false;
+    for (const SituationRow& row : rows) {
+      times += row.coverage.counts()[item][bin];
+      can_be = can_be || row.reachable.empty() || row.reachable[item][bin];
+    }
+    const std::string missing = can_be ? "<b>hole</b>" : "never";
+    table.row({escaped(described.bins[bin]), times == 0 ? missing : grouped(times)});
   }
   return table.html();
 }

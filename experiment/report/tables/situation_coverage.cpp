@@ -32,9 +32,33 @@ void add_rows(std::string& out, const std::vector<SituationRow>& rows) {
     const SituationCoverage& coverage = row.coverage;
     out += fmt::format("{:<{}} {:>6} {:>8} {:>6} of {:>3} {:>6.1f} % {:>10} {:>10}\n",
                        row.behaviour, width, row.agents, coverage.tests(), coverage.covered(),
-                       coverage.bins(), percent(coverage.covered(), coverage.bins()),
+                       row.bins(), percent(coverage.covered(), row.bins()),
                        tests_until(coverage, 0.5), tests_until(coverage, 0.9));
   }
+}
+
+/// Whether tests of any row can cover it.
+bool can_cover(const std::vector<SituationRow>& rows, std::size_t item, std::size_t bin) {
+  return rows.empty() || std::ranges::any_of(rows, [&](const SituationRow& row) {
+           return row.reachable.empty() || row.reachable[item][bin];
+         });
+}
+
+/// What the file of reachable bins takes for impossible and a test has covered all the same.
+std::string contradiction(const std::vector<SituationRow>& rows) {
+  std::uint64_t bins = 0;
+  for (const SituationRow& row : rows) {
+    for (std::size_t item = 0; item < row.reachable.size(); ++item) {
+      for (std::size_t bin = 0; bin < row.reachable[item].size(); ++bin) {
+        if (!row.reachable[item][bin] && row.coverage.counts()[item][bin] > 0) ++bins;
+      }
+    }
+  }
+  if (bins == 0) return {};
+  return fmt::format(
+      "\nexperiment.reachable is of another world: {} bins that it leaves out were covered; "
+      "`jaywalk reach` writes it anew\n",
+      bins);
 }
 
 void add_items(std::string& out, const std::vector<SituationRow>& rows) {
@@ -46,24 +70,34 @@ void add_items(std::string& out, const std::vector<SituationRow>& rows) {
         times[bin] += row.coverage.counts()[i][bin];
       }
     }
-    const auto covered = static_cast<std::uint64_t>(
-        std::ranges::count_if(times, [](std::uint64_t count) { return count > 0; }));
-    out += fmt::format("\n{} ({}): {} of {}\n", items[i].name, items[i].summary, covered,
-                       times.size());
+    const auto can_be = [&](std::size_t bin) { return times[bin] > 0 || can_cover(rows, i, bin); };
+    std::uint64_t covered = 0;
+    std::uint64_t coverable = 0;
     for (std::size_t bin = 0; bin < times.size(); ++bin) {
+      if (times[bin] > 0) ++covered;
+      if (can_be(bin)) ++coverable;
+    }
+    out +=
+        fmt::format("\n{} ({}): {} of {}\n", items[i].name, items[i].summary, covered, coverable);
+    for (std::size_t bin = 0; bin < times.size(); ++bin) {
+      const std::string_view missing = can_be(bin) ? "hole" : "never";
       out += fmt::format("  {:<34} {:>10}\n", items[i].bins[bin],
-                         times[bin] == 0 ? "hole" : fmt::format("{}", times[bin]));
+                         times[bin] == 0 ? std::string(missing) : fmt::format("{}", times[bin]));
     }
   }
 }
 
 }  // namespace
 
+ReachableBins reachable_with(const ReachableBins& reachable, std::uint32_t agents) {
+  return agents == 1 ? reachable : ReachableBins();
+}
+
 std::string situation_text(const std::vector<SituationRow>& rows) {
   std::string out;
   add_rows(out, rows);
   add_items(out, rows);
-  return out;
+  return out + contradiction(rows);
 }
 
 std::string situation_csv(const std::vector<SituationRow>& rows) {
@@ -94,7 +128,7 @@ std::string situation_json(const std::vector<SituationRow>& rows) {
                        {"agents", row.agents},
                        {"tests", row.coverage.tests()},
                        {"covered", row.coverage.covered()},
-                       {"bins", row.coverage.bins()},
+                       {"bins", row.bins()},
                        {"times", row.coverage.counts()},
                        {"growth", std::move(growth)}});
   }

@@ -90,7 +90,7 @@ TEST_F(Reaching, LeavesOutWhatNoTestCanMeet) {
     }
   }
   EXPECT_THAT(reach_text(reach_), HasSubstr("  never: 3 or more\n"));
-  EXPECT_THAT(reach_csv(reach_), HasSubstr("others,\"3 or more\",0,,,\n"));
+  EXPECT_THAT(reach_csv(reach_), HasSubstr("others,4,\"3 or more\",0,,,\n"));
 }
 
 TEST_F(Reaching, DependsOnNoThread) {

@@ -23,9 +23,8 @@ namespace js = jaywalk::search;
 /// The behaviour that repeats walks.
 constexpr const char* kScripted = "scripted";
 
-/// Why walks cannot be followed in this scenario; empty if they can.
-std::string objection(const PreparedScenario& prepared) {
-  const WorldSpec& world = *prepared.scenario().world;
+/// Why walks cannot be followed in this world; empty if they can.
+std::string objection(const WorldSpec& world) {
   if (world.kind() != "crossing") {
     return fmt::format("the scenario's world is {}; pedestrians walk in the crossing",
                        world.kind());
@@ -34,7 +33,14 @@ std::string objection(const PreparedScenario& prepared) {
     return "a program or a simulator drives the AV: breadth-first, it would be started for each "
            "walk";
   }
-  return obstacle(prepared, {.agents = 1});
+  return {};
+}
+
+/// The same of the scenario as it is, before `scripted` takes the place of its behaviours, which
+/// other worlds do not have. Empty if it cannot be read, too: that is reported when it is prepared.
+std::string objection(const std::string& path, const Arguments& arguments) {
+  const Result<Scenario> scenario = read_scenario(path, scenario_options(arguments, {}));
+  return scenario.ok() ? objection(*scenario.value().world) : std::string();
 }
 
 std::optional<js::ReachPlan> read_request(const Arguments& arguments, Console& console) {
@@ -51,14 +57,18 @@ std::optional<js::ReachPlan> read_request(const Arguments& arguments, Console& c
   plan.threads = read_threads(arguments, diagnostics);
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  plan.prepared =
-      prepare_scenario(located(arguments.operands().front()), arguments, {kScripted}, console);
+  const std::string path = located(arguments.operands().front());
+  if (const std::string why = objection(path, arguments); !why.empty()) {
+    console.error(why);
+    return std::nullopt;
+  }
+  plan.prepared = prepare_scenario(path, arguments, {kScripted}, console);
   if (plan.prepared == nullptr) return std::nullopt;
   const ExperimentSpec& experiment = plan.prepared->scenario().experiment;
   plan.seed = seed.value_or(experiment.seed);
   plan.tests = tests.value_or(std::max<std::uint64_t>(plan.tests, experiment.tests));
   plan.most_states = states.value_or(plan.most_states);
-  if (const std::string why = objection(*plan.prepared); !why.empty()) {
+  if (const std::string why = obstacle(*plan.prepared, {.agents = 1}); !why.empty()) {
     console.error(why);
     return std::nullopt;
   }

@@ -136,11 +136,13 @@ bool write_files(const Arguments& arguments, const Request& request, const Colle
 std::string situations_of(const Request& request, const Comparison& comparison,
                           const SituationTable& table) {
   std::vector<SituationRow> rows;
+  const ReachableBins& reachable = request.prepared->scenario().experiment.reachable;
   for (const Summary& summary : comparison.summaries) {
     const auto place = std::ranges::find(request.plan.behaviours, summary.behaviour);
     const auto behaviour = static_cast<std::size_t>(place - request.plan.behaviours.begin());
     rows.push_back({summary.behaviour, summary.agents,
-                    table.coverage(behaviour, summary.agents, request.plan.tests)});
+                    table.coverage(behaviour, summary.agents, request.plan.tests),
+                    reachable_with(reachable, summary.agents)});
   }
   return situation_text(rows);
 }
