@@ -4,7 +4,9 @@
 // expected place is most probably a failure that is none of the known ones: expected improvement
 // (Jones, Schonlau and Welch 1998, "Efficient global optimization of expensive black-box
 // functions") of the number of distinct failures, with the novelty of Lehman and Stanley 2011
-// ("Abandoning objectives"). What is near the road's beginning and end counts as different, too.
+// ("Abandoning objectives"). What is near the road's beginning and end counts as different, too;
+// with `unlike` also what makes the known failures sparser by the tool competition's measure
+// (turns.h): a single failure that is unlike all others does that for each of them.
 //
 // Roads are as short as they can be: a test that fails soon costs little virtual time.
 
@@ -15,6 +17,7 @@
 #include "search/generators/generators.h"
 #include "search/generators/sequences.h"
 #include "search/generators/sites.h"
+#include "search/generators/turns.h"
 
 namespace jaywalk::search::generator::prospect {
 namespace {
@@ -32,6 +35,7 @@ enum Parameter : std::size_t {
   kBrief,
   kMirrored,
   kContext,
+  kUnlike,
 };
 
 constexpr std::array kParameters = {
@@ -47,6 +51,7 @@ constexpr std::array kParameters = {
     NumberParameter{"brief", 0.25, 0, 1, "share of candidates that begin and end at the failure"},
     NumberParameter{"mirrored", 0.1, 0, 1, "share of candidates that are mirrored"},
     NumberParameter{"context", 2, 0, 100, "weight of how near the road's ends are"},
+    NumberParameter{"unlike", 0, 0, 100, "weight of how much sparser failures become"},
 };
 
 /// By how much a failure may be nearer or farther than expected and must be new all the same.
@@ -61,6 +66,10 @@ constexpr double kNearMiss = 0.75;
 constexpr double kFailed = 1.05;
 constexpr int kAttempts = 3;
 constexpr double kElsewhere = 0.5;
+/// What sparseness gains is in these units, and counts up to so many of them: the model is least
+/// sure of the roads that promise most.
+constexpr double kUnlike_m = 10;
+constexpr double kMostUnlike = 3;
 /// A third of the random roads is hardly longer than it must be.
 constexpr double kShortRoads = 0.3;
 
@@ -115,6 +124,8 @@ class Prospect : public Generator {
     if (!test.failed) return;
     const TestInput points = space_.as_points(test.input);
     known_.add(view_.shape(find.site, points), view_.surroundings_m(find.site));
+    if (sequences_ && values_[kUnlike] > 0)
+      turns_.add(turns_near(find.site, points, sequences_->element_m));
   }
 
  private:
@@ -179,9 +190,13 @@ class Prospect : public Generator {
       least = std::min(least, known_.novelty(view_.shape(site, points, shift)));
       if (!sequences_) break;
     }
+    if (!sequences_) return least;
     const double elsewhere = known_.surroundings_novelty_m(view_.surroundings_m(site)) /
                              KnownFailures::kMostDifference_m;
-    return least * (1 + (sequences_ ? values_[kContext] * elsewhere : 0));
+    const double value = least * (1 + values_[kContext] * elsewhere);
+    if (values_[kUnlike] <= 0) return value;
+    const double unlike = turns_.gain(turns_near(site, points, sequences_->element_m));
+    return value + values_[kUnlike] * std::clamp(unlike / kUnlike_m, 0.0, kMostUnlike);
   }
 
   /// The best valid ones, the best first.
@@ -329,6 +344,7 @@ class Prospect : public Generator {
   SiteView view_;
   learn::SeverityModel model_;
   KnownFailures known_;
+  KnownTurns turns_;
   std::vector<Find> finds_;
   std::optional<Site> expected_;
   std::size_t asked_ = 0;
