@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "search/failing_stretch.h"
+#include "search/suts/situation_measures.h"
 
 namespace jaywalk::search {
 namespace {
@@ -59,6 +60,9 @@ constexpr std::array kColumns = {
                   1},
     SummaryColumn{"failures_per_1000", "failing of 1,000 tests", &RunSummary::failures_per_1000, 1},
     SummaryColumn{"naturalness", "naturalness of all tests", &RunSummary::naturalness, 3},
+    SummaryColumn{"situation_bins", "situation bins met", &RunSummary::situation_bins, 1, kTested},
+    SummaryColumn{"situation_bins_100", "of them by 100 tests", &RunSummary::situation_bins_100, 1,
+                  kTested},
     SummaryColumn{"simulated_s", "simulated s per test", &RunSummary::simulated_s, 2},
     SummaryColumn{"generation_ms", "generation ms per test", &RunSummary::generation_ms, 2, kTime},
     SummaryColumn{"execution_ms", "execution ms per test", &RunSummary::execution_ms, 2, kTime},
@@ -84,6 +88,18 @@ double mean_naturalness(const SearchRun& run, const SutModel& model) {
     count += 1;
   }
   return count > 0 ? sum / count : kUnknown;
+}
+
+void count_situations(const SearchRun& run, const SutModel& model, RunSummary& summary) {
+  constexpr std::size_t kFirst = 100;
+  SituationCoverage coverage;
+  for (const TestRow& row : run.tests) {
+    const auto bins = situation_bins(row.test.outcome, model.measures());
+    if (!bins) return;
+    coverage.add(*bins);
+  }
+  summary.situation_bins = static_cast<double>(coverage.covered());
+  summary.situation_bins_100 = static_cast<double>(coverage.covered_after(kFirst));
 }
 
 void count_stretches(const SearchRun& run, const SutModel& model, RunSummary& summary) {
@@ -128,6 +144,7 @@ RunSummary summarise(const SearchRun& run, const SutModel& model) {
                             : row.test.outcome.signature);
   }
   count_stretches(run, model, summary);
+  count_situations(run, model, summary);
   summary.fitness_last_80 = mean_fitness(run, 0.2);
   summary.fitness_last_20 = mean_fitness(run, 0.8);
   summary.diversity = median_distance(signatures);

@@ -42,6 +42,10 @@ struct RunSummary {
   double failures_per_1000 = 0;
   /// Mean of the measure of that name; not a number if the SUT has none.
   double naturalness = kUnknown;
+  /// Bins of situations (judge/situations/situations.h) that the tests met, and the first 100 of
+  /// them; not a number if the SUT does not measure them.
+  double situation_bins = kUnknown;
+  double situation_bins_100 = kUnknown;
   /// What really passed for each test, in milliseconds.
   double generation_ms = 0;
   double execution_ms = 0;

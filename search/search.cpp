@@ -181,6 +181,7 @@ class Search {
         return false;
       }
       row = known;
+      sut_->remember(row.test.outcome);
       return true;
     }
     const auto start = Clock::now();

@@ -63,6 +63,9 @@ class Sut {
   /// `test`: the test's number in its search, from 0, for protocols and messages.
   /// REQUIRES: a valid input of its space.
   [[nodiscard]] virtual Outcome run(const TestInput& input, std::size_t test) = 0;
+  /// A test of the same search that an earlier process ran, for measures that depend on the tests
+  /// before.
+  virtual void remember(const Outcome& /*outcome*/) {}
 
   /// From now on a test may be given up as soon as that is true: its outcome has an error then, and
   /// nobody keeps it.

@@ -2,7 +2,8 @@
 // 1504.04909): a map of what tests are like, and in each of its cells the worst test of that kind.
 // Elites of random cells are varied. The map's axes are those of the SBST tool competition's
 // coverage: a road's largest curvature and the directions that it heads for; of vectors, their
-// first two numbers.
+// first two numbers. Where the system under test measures situations, their bins are the cells, and
+// of two cells that chance picks the one that fewer tests have met comes first.
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,7 @@
 
 #include "search/evolve/evolution.h"
 #include "search/generators/generators.h"
+#include "search/suts/situation_measures.h"
 
 namespace jaywalk::search::generator::map_elites {
 namespace {
@@ -36,6 +38,11 @@ using Cell = std::pair<int, int>;
 struct Elite {
   Genes genes;
   double fitness = 0;
+};
+/// A bin of a situation.
+struct Met {
+  Elite elite;
+  std::uint64_t times = 0;
 };
 
 /// How sharp the road of these points turns at most, and into how many directions it heads, both
@@ -61,12 +68,14 @@ class MapElites : public Generator {
  public:
   explicit MapElites(const GeneratorSetup& setup)
       : space_(setup.space),
+        measures_(setup.measures),
         values_(setup.values),
         random_(setup.seed),
         genome_(setup.space, static_cast<std::size_t>(values_[kCurvatures])) {}
 
   TestInput ask(Asking& asking) override {
-    const bool draws = static_cast<double>(asked_++) < values_[kInitial] || elites_.empty();
+    const bool empty = elites_.empty() && met_.empty();
+    const bool draws = static_cast<double>(asked_++) < values_[kInitial] || empty;
     return draw_valid(asking, [&] {
       asked_for_ = draws ? genome_.draw(random_) : varied();
       return genome_.express(asked_for_);
@@ -74,6 +83,7 @@ class MapElites : public Generator {
   }
 
   void tell(const ExecutedTest& test, double) override {
+    if (const auto bins = situation_bins(test.outcome, measures_)) return tell(test, *bins);
     Elite& elite = elites_.try_emplace(cell(test.input), Elite{{}, -1}).first->second;
     if (test.fitness > elite.fitness) elite = {asked_for_, test.fitness};
   }
@@ -93,11 +103,32 @@ class MapElites : public Generator {
     return {index(place.first), index(place.second)};
   }
 
+  void tell(const ExecutedTest& test, const SituationBins& bins) {
+    for (std::size_t item = 0; item < bins.size(); ++item) {
+      if (!bins[item]) continue;
+      Met& met = met_[{static_cast<int>(item), static_cast<int>(*bins[item])}];
+      ++met.times;
+      if (test.fitness >= met.elite.fitness) met.elite = {asked_for_, test.fitness};
+    }
+  }
+
+  const Genes& parent() {
+    if (met_.empty()) {
+      const auto steps = static_cast<std::ptrdiff_t>(random_.below(elites_.size()));
+      return std::next(elites_.begin(), steps)->second.genes;
+    }
+    const auto any = [this] {
+      const auto steps = static_cast<std::ptrdiff_t>(random_.below(met_.size()));
+      return std::next(met_.begin(), steps);
+    };
+    const auto one = any();
+    const auto other = any();
+    return (other->second.times < one->second.times ? other : one)->second.elite.genes;
+  }
+
   /// Half of the numbers of the elite of some cell, varied.
   Genes varied() {
-    const auto from =
-        std::next(elites_.begin(), static_cast<std::ptrdiff_t>(random_.below(elites_.size())));
-    Genes genes = from->second.genes;
+    Genes genes = parent();
     for (double& gene : genes) {
       if (random_.coin()) gene += random_.uniform(-values_[kVariation], values_[kVariation]);
     }
@@ -105,10 +136,12 @@ class MapElites : public Generator {
   }
 
   const SearchSpace& space_;
+  std::span<const MeasureKind> measures_;
   std::span<const double> values_;
   Random random_;
   Genome genome_;
   std::map<Cell, Elite> elites_;
+  std::map<Cell, Met> met_;
   Genes asked_for_;
   std::size_t asked_ = 0;
 };

@@ -15,6 +15,7 @@
 #include "experiment/trial/tested_vehicles.h"
 #include "search/suts/crossing_dimensions.h"
 #include "search/suts/crossing_run.h"
+#include "search/suts/crossing_starts.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {
@@ -35,7 +36,7 @@ class CrossingModel : public SutModel {
   [[nodiscard]] const SearchSpace& space() const override { return *space_; }
   [[nodiscard]] std::span<const MeasureKind> measures() const override { return measures_.kinds(); }
   [[nodiscard]] std::unique_ptr<Sut> make() const override {
-    return std::make_unique<CrossingRun>(*space_, settings_);
+    return std::make_unique<CrossingRun>(*space_, settings_, measures_);
   }
   [[nodiscard]] std::vector<SutSetting> settings() const override {
     return {{"scenario", settings_.scenario->name()},
@@ -62,7 +63,8 @@ class CrossingModel : public SutModel {
 /// Reads the keys of the SUT and tries one test, so that mistakes are found at once.
 class CrossingReader {
  public:
-  explicit CrossingReader(const SutSetup& setup) : setup_(setup), reader_(setup.reader) {}
+  explicit CrossingReader(const SutSetup& setup)
+      : setup_(setup), reader_(setup.reader), starts_(setup) {}
 
   std::shared_ptr<const SutModel> read() {
     const auto ignored = [](const ConfigNode&, const std::string&) {};
@@ -86,7 +88,7 @@ class CrossingReader {
            }
          }},
         {"starts",
-         [&](const ConfigNode& value, const std::string& path) { read_starts(value, path); }},
+         [&](const ConfigNode& value, const std::string& path) { starts_.read(value, path); }},
         {"assertions",
          [&](const ConfigNode& value, const std::string&) { read_assertions(value); }},
         {"metrics",
@@ -187,34 +189,6 @@ class CrossingReader {
     }
   }
 
-  /// A word, or `{rows: [1, 10], cells: [28, 44, 55]}`: some cells.
-  void read_starts(const ConfigNode& node, const std::string& path) {
-    if (node.kind != ConfigNode::Kind::map) {
-      const std::array choices = {Choice<Starts>{"searched", Starts::searched},
-                                  Choice<Starts>{"chance", Starts::chance},
-                                  Choice<Starts>{"given", Starts::given}};
-      if (const auto chosen = reader_.choice<Starts>(node, choices)) starts_ = *chosen;
-      return;
-    }
-    const auto list = [&](std::vector<int>& numbers) {
-      return [this, &numbers](const ConfigNode& value, const std::string&) {
-        read_whole_numbers(value, numbers);
-      };
-    };
-    const std::vector<ConfigKey> keys{{"rows", list(rows_)}, {"cells", list(cells_)}};
-    starts_origin_ = node.origin;
-    reader_.read_map(node, path, keys);
-  }
-
-  void read_whole_numbers(const ConfigNode& node, std::vector<int>& numbers) {
-    for (const ConfigNode& item : node.items) {
-      if (const auto number = reader_.integer(item, {0, 1'000'000})) {
-        numbers.push_back(static_cast<int>(*number));
-      }
-    }
-    if (node.items.empty()) reader_.unexpected(node, "a list of whole numbers");
-  }
-
   std::shared_ptr<const SutModel> make() {
     settings_.files = setup_.files;
     settings_.include = setup_.include;
@@ -233,10 +207,19 @@ class CrossingReader {
       }
     }
     keep_inputs(scenario.value());
+    if (starts_.file()) settings_.inputs.push_back(starts_.file());
     const std::string name = scenario.value().behaviours.front().name;
     if (settings_.behaviour.empty()) settings_.behaviour = name;
     if (settings_.assertions.empty()) settings_.assertions = scenario.value().assertions;
-    const auto starts = start_space(scenario.value());
+    settings_.feedback = scenario.value().experiment.feedback;
+    const CrossingSpec* const crossing = find_crossing(*scenario.value().world);
+    if (crossing == nullptr) {
+      reader_.error(setup_.node.origin,
+                    fmt::format("the scenario's world is {}; tests of the crossing are searched",
+                                scenario.value().world->kind()));
+      return nullptr;
+    }
+    const auto starts = starts_.space(*crossing, settings_.agents);
     if (!starts || !can_find_defects(scenario.value())) return nullptr;
     auto model = std::make_shared<CrossingModel>(
         settings_, std::make_shared<const CrossingSpace>(dimensions_, name, *starts),
@@ -264,55 +247,6 @@ class CrossingReader {
     return sets;
   }
 
-  /// Where pedestrians may start; nothing after reporting that they cannot start there.
-  std::optional<CrossingStarts> start_space(const Scenario& scenario) {
-    const CrossingSpec* const crossing = find_crossing(*scenario.world);
-    if (crossing == nullptr) {
-      reader_.error(setup_.node.origin,
-                    fmt::format("the scenario's world is {}; tests of the crossing are searched",
-                                scenario.world->kind()));
-      return std::nullopt;
-    }
-    if (starts_ == Starts::chance) return CrossingStarts{};
-    if (starts_ == Starts::given) return given_starts(*crossing);
-    const CrossingParameters& world = crossing->parameters();
-    CrossingStarts starts{.searched = settings_.agents, .rows = pavement_rows(world)};
-    for (int cell = 0; cell < world.length; ++cell) starts.cells.push_back(cell);
-    if (!choose(rows_, starts.rows, "no pavement has the row") ||
-        !choose(cells_, starts.cells, "the road has no cell")) {
-      return std::nullopt;
-    }
-    return starts;
-  }
-
-  /// Leaves those that are wanted, if any are named; false after reporting one that is not there.
-  bool choose(const std::vector<int>& wanted, std::vector<int>& all,
-              std::string_view what_is_wrong) {
-    for (const int each : wanted) {
-      if (std::ranges::find(all, each) != all.end()) continue;
-      reader_.error(starts_origin_, fmt::format("{} {}", what_is_wrong, each));
-      return false;
-    }
-    if (!wanted.empty()) all = wanted;
-    return true;
-  }
-
-  std::optional<CrossingStarts> given_starts(const CrossingSpec& crossing) {
-    CrossingStarts starts;
-    if (crossing.given_starts() != nullptr) {
-      for (const auto& [test, cells] : *crossing.given_starts()) {
-        if (cells.size() < settings_.agents) continue;
-        starts.given.emplace_back(cells.begin(), cells.begin() + settings_.agents);
-      }
-    }
-    if (!starts.given.empty()) return starts;
-    reader_.error(
-        setup_.node.find("starts")->origin,
-        fmt::format("the scenario gives no start cells of {} pedestrians", settings_.agents),
-        "world.spawn.cells names a file of them; `compare --starts` writes one");
-    return std::nullopt;
-  }
-
   bool can_find_defects(const Scenario& scenario) {
     if (settings_.defects.empty()) return true;
     const bool blames = !settings_.assertions.empty();
@@ -333,17 +267,6 @@ class CrossingReader {
     for (TestedVehicle& vehicle : tested_vehicles(scenario)) names.push_back(vehicle.name);
     names.erase(names.begin());
     return names;
-  }
-
-  static std::vector<int> pavement_rows(const CrossingParameters& world) {
-    std::vector<int> rows;
-    int row = 0;
-    for (const Band& band : world.bands) {
-      for (int i = 0; i < band.rows; ++i, ++row) {
-        if (band.kind == BandKind::pavement) rows.push_back(row);
-      }
-    }
-    return rows;
   }
 
   /// Whether the least and the greatest values make tests that can be run. What is wrong with the
@@ -371,11 +294,7 @@ class CrossingReader {
   const ConfigReader& reader_;
   CrossingSettings settings_;
   std::vector<CrossingDimension> dimensions_;
-  enum class Starts { searched, chance, given } starts_ = Starts::searched;
-  // Of those that are searched: all, unless given.
-  std::vector<int> rows_;
-  std::vector<int> cells_;
-  ValueOrigin starts_origin_;
+  CrossingStartsReader starts_;
   /// Paths of policies, and where they were named.
   std::vector<std::pair<std::string, ValueOrigin>> offered_;
 };

@@ -11,6 +11,7 @@
 #include "experiment/judge/metrics/metrics.h"
 #include "experiment/judge/metrics/natural_steps.h"
 #include "experiment/policy/policy.h"
+#include "search/suts/situation_measures.h"
 
 namespace jaywalk::search {
 namespace {
@@ -92,13 +93,20 @@ CrossingMeasures::CrossingMeasures(const CrossingSettings& settings) {
       names_.push_back(fmt::format("{}_{}", assertion.id, what));
     }
   }
+  const std::size_t assertions = names_.size();
+  std::ranges::move(situation_measures(), std::back_inserter(names_));
   kinds_ = {{"exercised", "1 if the precondition was met, else less the farther all stayed away"},
             {"precondition", "1 if the precondition of the AV's assertion was met, else 0"},
-            {"naturalness", "share of steps that a person might take, 0 to 1"}};
+            {"naturalness", "share of steps that a person might take, 0 to 1"},
+            {"new_bins", "bins of situations that no test of the search met before"},
+            {"rarity", "mean of 1 / (1 + tests that met it before) over the bins it met, 0 to 1"}};
+  for (std::size_t i = assertions; i < names_.size(); ++i) {
+    kinds_.push_back({names_[i], "the bin of that situation, from 1; 0: none"});
+  }
   if (settings.metrics) {
     for (const Metric& metric : metrics()) kinds_.push_back({metric.name, metric.formula});
   }
-  for (const std::string& name : names_) kinds_.push_back({name, "of the assertion"});
+  for (std::size_t i = 0; i < assertions; ++i) kinds_.push_back({names_[i], "of the assertion"});
   if (settings.assertions.empty()) return;
   kinds_.push_back({"blamed", "1 if the AV is to blame for a broken assertion, else 0"});
   if (settings.defects.empty()) return;
@@ -149,6 +157,7 @@ Outcome CrossingRun::run(const TestInput& input, std::size_t) {
   TrialInput trial{.agents = settings_.agents,
                    .seed = seed(input),
                    .test = 0,
+                   .feedback = told_,
                    .vehicle = settings_.vehicle,
                    .starts = space_.starts(input),
                    .parameters = space_.parameters(input)};
@@ -179,7 +188,34 @@ std::uint64_t CrossingRun::seed(const TestInput& input) const {
   return seed;
 }
 
-Outcome CrossingRun::measured(const Seen& seen) const {
+void CrossingRun::remember(const Outcome& outcome) {
+  if (outcome.executed()) cover(*situation_bins(outcome, measures_.kinds()));
+}
+
+/// Agents are told of it as in comparisons (compare/feedback.h), all tests of a generation the
+/// same.
+void CrossingRun::cover(const SituationBins& bins) {
+  covered_.add(bins);
+  if (settings_.feedback == 0 || covered_.tests() % settings_.feedback != 0) return;
+  told_ = feedback_of(covered_);
+}
+
+/// Adds the measures of situations.
+void CrossingRun::measure_situations(const Recording& recording, Outcome& outcome) {
+  const SituationBins bins = covered_bins(recording, ground_);
+  const std::uint64_t before = covered_.covered();
+  double rarity = 0;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (!bins[i]) continue;
+    rarity += 1 / (1 + static_cast<double>(covered_.counts()[i][*bins[i]]));
+  }
+  cover(bins);
+  outcome.measures.push_back(static_cast<double>(covered_.covered() - before));
+  outcome.measures.push_back(rarity / static_cast<double>(bins.size()));
+  add_situations(bins, outcome.measures);
+}
+
+Outcome CrossingRun::measured(const Seen& seen) {
   const TestView view(seen.recording, ground_);
   const bool success = seen.result.outcome.success;
   Outcome outcome;
@@ -188,6 +224,7 @@ Outcome CrossingRun::measured(const Seen& seen) const {
   const double distance = nearest ? nearest->value : kNone;
   outcome.measures = {success ? 1 : 0.9 / (1 + distance / 5), success ? 1.0 : 0.0,
                       share_of_natural_steps(view)};
+  measure_situations(seen.recording, outcome);
   for (const Metric& metric : settings_.metrics ? metrics() : std::span<const Metric>()) {
     const auto value = jaywalk::measured(metric, view);
     const double missing = metric.worst == Worst::least ? kNone : 0;

@@ -11,6 +11,7 @@
 
 #include "env/ground.h"
 #include "experiment/judge/assertions/assertion.h"
+#include "experiment/judge/situations/situations.h"
 #include "experiment/trial/trial.h"
 #include "search/sut.h"
 #include "search/suts/crossing_space.h"
@@ -28,6 +29,8 @@ struct CrossingSettings {
   std::vector<Assertion> assertions;
   /// The metrics of metrics.def are measured, too.
   bool metrics = true;
+  /// As the scenario's (ExperimentSpec::feedback).
+  std::uint64_t feedback = 0;
   /// Files by which the behaviour chooses among its learned plans, in place of the scenario's.
   std::vector<std::string> policies;
   /// Where programs are looked for.
@@ -67,26 +70,35 @@ class CrossingMeasures {
 
 class CrossingRun : public Sut {
  public:
-  /// Both must outlive it.
-  CrossingRun(const CrossingSpace& space, const CrossingSettings& settings)
-      : space_(space), settings_(settings) {}
+  /// All must outlive it; `measures` are those of the settings.
+  CrossingRun(const CrossingSpace& space, const CrossingSettings& settings,
+              const CrossingMeasures& measures)
+      : space_(space), settings_(settings), measures_(measures) {}
 
   [[nodiscard]] Outcome run(const TestInput& input, std::size_t test) override;
+  void remember(const Outcome& outcome) override;
 
  private:
   struct Seen;
   [[nodiscard]] std::string prepare(const TestInput& input);
   [[nodiscard]] Seen see(const TrialInput& input);
-  [[nodiscard]] Outcome measured(const Seen& seen) const;
+  void cover(const SituationBins& bins);
+  [[nodiscard]] Outcome measured(const Seen& seen);
+  void measure_situations(const Recording& recording, Outcome& outcome);
   [[nodiscard]] std::uint64_t seed(const TestInput& input) const;
 
   const CrossingSpace& space_;
   const CrossingSettings& settings_;
+  const CrossingMeasures& measures_;
   // Of the last test: most of the next one differ in what TrialInput says alone.
   std::vector<std::string> sets_;
   std::shared_ptr<const PreparedScenario> prepared_;
   std::unique_ptr<TrialRunner> trials_;
   Ground ground_;
+  /// Of this search's tests so far.
+  SituationCoverage covered_;
+  /// What the agents of this generation of tests believe of it.
+  std::vector<CoveredBin> told_;
 };
 
 }  // namespace jaywalk::search

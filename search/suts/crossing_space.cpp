@@ -65,14 +65,16 @@ std::string parameter_name(const CrossingDimension& dimension, const std::string
 
 CrossingSpace::CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
                              CrossingStarts starts)
-    : dimensions_(std::move(dimensions)), starts_(std::move(starts)) {
+    : dimensions_(std::move(dimensions)),
+      behaviour_(std::move(behaviour)),
+      starts_(std::move(starts)) {
   for (const CrossingDimension& each : dimensions_) {
-    names_.push_back(parameter_name(each, behaviour));
+    names_.push_back(parameter_name(each, behaviour_));
     distinct_.push_back(distinct_values_of(each));
   }
   for (std::uint32_t i = 0; i < starts_.searched; ++i) {
     distinct_.push_back(starts_.rows.size());
-    distinct_.push_back(starts_.cells.size());
+    distinct_.push_back(std::ranges::max(starts_.cells, {}, &std::vector<int>::size).size());
   }
   if (!starts_.given.empty()) distinct_.push_back(starts_.given.size());
 }
@@ -103,6 +105,10 @@ std::vector<std::string> CrossingSpace::settings(const TestInput& input) const {
     all.push_back(
         fmt::format("{}={}", dimensions_[i].key, value_text(dimensions_[i], input.values[i])));
   }
+  if (!starts_.moves.empty()) {
+    all.push_back(fmt::format("behaviours.{}.parameters.moves={}", behaviour_,
+                              starts_.moves[given_start(input)]));
+  }
   return all;
 }
 
@@ -116,13 +122,14 @@ std::string CrossingSpace::describe(const TestInput& input) const {
   for (const Position& start : starts(input)) {
     text += fmt::format("{}from row {}, cell {}", text.empty() ? "" : ", ", start.x, start.y);
   }
+  if (!starts_.moves.empty()) text += ", moves " + starts_.moves[given_start(input)];
   return text;
 }
 
 std::vector<std::string> CrossingSpace::world_settings(const TestInput& input) const {
   std::vector<std::string> all = settings(input);
   std::vector<std::string> others;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < dimensions_.size(); ++i) {
     if (names_[i].empty()) others.push_back(std::move(all[i]));
   }
   return others;
@@ -138,19 +145,25 @@ std::vector<ParameterSetting> CrossingSpace::parameters(const TestInput& input) 
                    .values = {number ? ParameterValue(*number) : ParameterValue(std::move(text))},
                    .origin = {}});
   }
+  if (!starts_.moves.empty()) {
+    all.push_back({.name = "moves", .values = {starts_.moves[given_start(input)]}, .origin = {}});
+  }
   return all;
+}
+
+std::size_t CrossingSpace::given_start(const TestInput& input) const {
+  return choice(input.values[dimensions_.size()], starts_.given.size());
 }
 
 std::vector<Position> CrossingSpace::starts(const TestInput& input) const {
   const std::size_t first = dimensions_.size();
-  if (!starts_.given.empty()) {
-    return starts_.given[choice(input.values[first], starts_.given.size())];
-  }
+  if (!starts_.given.empty()) return starts_.given[given_start(input)];
   std::vector<Position> positions;
   for (std::size_t i = 0; i < starts_.searched; ++i) {
     const std::size_t at = first + 2 * i;
-    positions.push_back({starts_.rows[choice(input.values[at], starts_.rows.size())],
-                         starts_.cells[choice(input.values[at + 1], starts_.cells.size())]});
+    const std::size_t row = choice(input.values[at], starts_.rows.size());
+    const std::vector<int>& cells = starts_.cells[row];
+    positions.push_back({starts_.rows[row], cells[choice(input.values[at + 1], cells.size())]});
   }
   return positions;
 }

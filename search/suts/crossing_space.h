@@ -24,21 +24,24 @@ struct CrossingDimension {
   std::vector<std::string> words;
 };
 
-/// Where pedestrians may start: each by itself in one of the rows and cells, or all as in one of
-/// the given choices; if neither, chance decides.
+/// Where pedestrians may start: each by itself in one of the rows and its cells, or all as in one
+/// of the given choices; if neither, chance decides.
 struct CrossingStarts {
   /// How many pedestrians' starts are searched.
   std::uint32_t searched = 0;
   std::vector<int> rows;
-  std::vector<int> cells;
+  /// Of each of the rows; none is empty.
+  std::vector<std::vector<int>> cells;
   std::vector<std::vector<Position>> given;
+  /// What the pedestrian of each of these does, as `scripted` takes it; none: that is not given.
+  std::vector<std::string> moves;
 };
 
 /// Vectors: each dimension, then row and cell of each pedestrian whose start is searched, or which
 /// of the given starts it is.
 class CrossingSpace : public SearchSpace {
  public:
-  /// `behaviour`: whose parameters need no other scenario.
+  /// `behaviour`: whose parameters need no other scenario, and who has the moves.
   CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
                 CrossingStarts starts);
 
@@ -66,7 +69,11 @@ class CrossingSpace : public SearchSpace {
   [[nodiscard]] std::vector<Position> starts(const TestInput& input) const;
 
  private:
+  /// Which of the given starts. REQUIRES: there are some.
+  [[nodiscard]] std::size_t given_start(const TestInput& input) const;
+
   std::vector<CrossingDimension> dimensions_;
+  std::string behaviour_;
   /// The parameter's name, for each dimension; empty: it is none.
   std::vector<std::string> names_;
   CrossingStarts starts_;

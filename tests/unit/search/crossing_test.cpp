@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "search/kills.h"
+#include "search/run_summary.h"
 #include "search/search_experiment.h"
+#include "search/suts/situation_measures.h"
 
 namespace jaywalk::search {
 namespace {
@@ -116,9 +118,111 @@ TEST(CrossingSut, GivesTheSameOutcomeWhateverWasRunBefore) {
     const auto kept = experiment.value().plan.model->make();
     for (const double first : {-1.0, 1.0, -0.4}) {
       const std::vector<double> values{first, 0.2, -0.3, 0.1};
-      EXPECT_EQ(kept->run({Form::vector, values}, 0), run(keys, values));
+      Outcome again = kept->run({Form::vector, values}, 0);
+      const Outcome alone = run(keys, values);
+      // These two are about the tests before.
+      for (const char* name : {"new_bins", "rarity"}) {
+        const auto index = find_measure(experiment.value().plan.model->measures(), name).value();
+        again.measures[index] = alone.measures[index];
+      }
+      EXPECT_EQ(again, alone);
     }
   }
+}
+
+/// A search's SUT, the space of its measures, and a test that meets the precondition.
+struct Searching {
+  Result<SearchExperiment> experiment =
+      read("  behaviour: scripted\n  agents: 1\n  starts: {walks: search/manual.csv}\n");
+  const SutModel& model = *experiment.value().plan.model;
+  std::unique_ptr<Sut> sut = model.make();
+  TestInput input{Form::vector, {-1}};
+
+  [[nodiscard]] double measure(const Outcome& outcome, std::string_view name) const {
+    return outcome.measures.at(find_measure(model.measures(), name).value());
+  }
+};
+
+TEST(CrossingSut, CountsTheSituationsThatNoTestOfTheSearchMetBefore) {
+  Searching searching;
+  const Outcome first = searching.sut->run(searching.input, 0);
+  EXPECT_EQ(searching.measure(first, "precondition"), 1);
+  const auto bins = situation_bins(first, searching.model.measures());
+  ASSERT_TRUE(bins.has_value());
+  const auto met = static_cast<double>(
+      std::ranges::count_if(*bins, [](const auto& bin) { return bin.has_value(); }));
+  EXPECT_GT(met, 8);
+  EXPECT_EQ(searching.measure(first, "new_bins"), met);
+  EXPECT_NEAR(searching.measure(first, "rarity"), met / 12.0, 1e-9);
+  const Outcome second = searching.sut->run(searching.input, 1);
+  EXPECT_EQ(searching.measure(second, "new_bins"), 0);
+  EXPECT_NEAR(searching.measure(second, "rarity"), met / 24.0, 1e-9);
+}
+
+TEST(CrossingSut, RemembersTheTestsOfAnEarlierProcess) {
+  Searching searching;
+  const Outcome first = searching.sut->run(searching.input, 0);
+  const Outcome second = searching.sut->run(searching.input, 1);
+  const auto resumed = searching.model.make();
+  resumed->remember(first);
+  EXPECT_EQ(resumed->run(searching.input, 1), second);
+}
+
+TEST(CrossingSut, RepeatsWalksOfAFile) {
+  const Searching searching;
+  const SearchSpace& space = searching.model.space();
+  EXPECT_EQ(space.distinct_values(), std::vector<std::size_t>{29});
+  EXPECT_EQ(space.describe(searching.input), "from row 1, cell 22, moves sssrrrrrrrrr");
+  const auto errors = [](const std::string& keys) {
+    Result<SearchExperiment> result = read(keys);
+    return result.ok() ? std::string() : result.diagnostics().render();
+  };
+  const std::string walks = "  starts: {walks: search/manual.csv}\n";
+  EXPECT_THAT(errors("  behaviour: scripted\n  agents: 2\n" + walks),
+              HasSubstr("walks are of one pedestrian, not of 2"));
+  EXPECT_THAT(errors("  behaviour: proximity\n" + walks), HasSubstr("moves"));
+  EXPECT_THAT(errors("  behaviour: scripted\n  starts: {walks: none.csv}\n"),
+              HasSubstr("no file of walks is at"));
+}
+
+TEST(CrossingSut, StartsWhereTestsThatDrawTheirStartsDo) {
+  const Result<SearchExperiment> spawn = read("  behaviour: scripted\n  starts: spawn\n");
+  ASSERT_TRUE(spawn.ok()) << spawn.diagnostics().render();
+  const SearchSpace& space = spawn.value().plan.model->space();
+  // Of rows 0, 1, 10 and 11 the paper leaves out the first 18, 12, 36 and 54 of 66 cells.
+  EXPECT_EQ(space.distinct_values(), (std::vector<std::size_t>{4, 54}));
+  EXPECT_EQ(space.describe({Form::vector, {-1, -1}}), "from row 0, cell 18");
+  EXPECT_EQ(space.describe({Form::vector, {1, -1}}), "from row 11, cell 54");
+}
+
+// As in comparisons: coverage_directed goes for what the tests before have left.
+TEST(CrossingSut, TellsAgentsWhatTheTestsBeforeHaveCovered) {
+  const auto bins = [](const std::string& feedback) {
+    const Result<SearchExperiment> experiment = parse_search(std::make_shared<const Source>(
+        std::string(JAYWALK_SOURCE_DIR) + "/scenarios/test.yaml",
+        "sut: {kind: crossing, scenario: search/coverage.yaml, behaviour: coverage_directed,\n"
+        "  starts: chance, parameters: {experiment.feedback: [" +
+            feedback + "]}}\nbudget: {tests: 200, virtual_s: 0}\ngenerators: [random]\n"));
+    EXPECT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+    const SearchPlan& plan = experiment.value().plan;
+    return summarise(run_searches(plan, nullptr).runs[0], *plan.model).situation_bins;
+  };
+  EXPECT_GT(bins("20"), bins("0"));
+}
+
+// Of 200 tests about 98 meet a rare situation, and about 63 of random ones.
+TEST(MapElitesOfSituations, MeetsRareOnesMoreOftenThanChance) {
+  const Result<SearchExperiment> experiment =
+      read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/defects-search.yaml",
+                  {.sets = {"defects=[]", "seed=1", "fitness.measure=rarity", "fitness.harmless=0",
+                            "fitness.worst=1", "fitness.fails_at=0.05", "sut.starts=spawn",
+                            "sut.behaviour=" JAYWALK_SOURCE_DIR "/agents/crossing/scripted.asl"},
+                   .generators = {"random", "map-elites"}});
+  ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
+  const SearchPlan& plan = experiment.value().plan;
+  const SearchResults results = run_searches(plan, nullptr);
+  const double chance = summarise(results.runs[0], *plan.model).failures;
+  EXPECT_GT(summarise(results.runs[1], *plan.model).failures, 1.2 * chance);
 }
 
 TEST(CrossingSut, StartsWhereItIsTold) {

@@ -1,0 +1,34 @@
+#include "search/suts/situation_measures.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace jaywalk::search {
+
+std::vector<std::string> situation_measures() {
+  std::vector<std::string> names;
+  for (const SituationItem& item : situation_items()) {
+    names.push_back(fmt::format("bin_{}", item.name));
+  }
+  return names;
+}
+
+void add_situations(const SituationBins& bins, std::vector<double>& measures) {
+  for (const auto& bin : bins) measures.push_back(bin ? *bin + 1.0 : 0.0);
+}
+
+std::optional<SituationBins> situation_bins(const Outcome& outcome,
+                                            std::span<const MeasureKind> measures) {
+  static const std::string kFirst = situation_measures().front();
+  const auto first = find_measure(measures, kFirst);
+  if (!first) return std::nullopt;
+  SituationBins bins(situation_items().size());
+  for (std::size_t i = 0; i < bins.size() && outcome.executed(); ++i) {
+    const double bin = outcome.measures[*first + i];
+    if (bin > 0) bins[i] = static_cast<std::uint32_t>(bin) - 1;
+  }
+  return bins;
+}
+
+}  // namespace jaywalk::search
