@@ -186,7 +186,13 @@ void Agent::queue_next_event(Intention& intention) {
   NextEvent& next = work().next;
   next.is_pending = false;
   intention.has_event = true;
-  (void)literal_of(next.event);
+  try {
+    (void)literal_of(next.event);
+  } catch (const HeapExhausted&) {
+    // The goal's first formula fails for want of memory, where plans for its failure are found.
+    const MemoryReserve reserve(heap_);
+    (void)literal_of(next.event);
+  }
   circumstance_.events.push_front(next.event);
 }
 

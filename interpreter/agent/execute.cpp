@@ -98,8 +98,21 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   return true;
 }
 
+namespace {
+
+// A deep stack doubles when it grows, and is there twice meanwhile.
+inline void require_room_on(const Intention& intention, Heap& heap) {
+  constexpr std::size_t kDeep = 1024;
+  const std::size_t depth = intention.stack.size();
+  if (depth < kDeep || depth < intention.stack.capacity()) return;
+  heap.require_bytes(2 * depth * sizeof(IntendedMeans));
+}
+
+}  // namespace
+
 [[gnu::always_inline]] inline void Agent::execute_achieve(Intention& intention, const Step& step) {
   heap_.require_room();
+  require_room_on(intention, heap_);
   if (step.event == nullptr || !put_goal(intention, *step.event)) {
     achieve(intention, step.term, step.kind);
     return;

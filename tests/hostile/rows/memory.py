@@ -47,8 +47,8 @@ ROWS = [
     society("four agents that are too much together", {
         **{f"a{i}.asl": "!go(0). +!go(N) <- +b(N); !go(N+1).\n" for i in range(4)},
         "c.asl": "!see(20000). +!see(0) <- .print(unharmed). +!see(N) <- !see(N-1).\n"}, ["all agents together", "[c] unharmed"]),
-    stormy("events without end", "!go. +!go <- +b; -b; !!go; !!go."),
-    society("agents without end", {"a.asl": "!go. +!go <- .create_agent(n,\"a.asl\"); !go. -!go <- .print(unharmed).\n"},
+    stormy("events without end", "!go. +!go <- +b; -b; !!go; !!go.", cycles=700_000),
+    society("agents without end", {"a.asl": "!go. +!go <- .create_agent(n,\"a.asl\"); !go. -!go[error_msg(M)] <- .print(M); .print(unharmed).\n"},
             ["memory limit of all agents together", "[a] unharmed"],
             most_mb=MB * 2, most=4_000_000),  # what a system keeps about each agent is not counted
 ]

@@ -70,7 +70,7 @@ TEST(ScenarioDiagnostics, ListTheKeysWhenNoneIsClose) {
             "folder/test.yaml:2:14: error: unknown key 'repetitions' in 'experiment'\n"
             "  experiment: {repetitions: 5}\n"
             "               ^~~~~~~~~~~\n"
-            "  hint: the keys here are tests, agents, seed, feedback, defects, avs, limits\n");
+            "  hint: the keys here are tests, agents, seed, feedback, reachable, defects, avs, limits\n");
 }
 
 TEST(ScenarioDiagnostics, NameTheOptionThatIsWrong) {

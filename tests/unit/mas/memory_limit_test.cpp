@@ -64,7 +64,7 @@ TEST(SystemMemory, HoldsForAllAgentsTogether) {
   MasOptions options;
   options.max_cycles = 20'000;
   options.max_agent_bytes = 8 * kMegabyte;
-  options.max_system_bytes = 2 * kMegabyte;
+  options.max_system_bytes = kMegabyte;
   const test::AgentRun run = test::run_agents(hoarders(4), options);
   EXPECT_THAT(run.printed,
               Contains(HasSubstr("the memory limit of all agents together is reached")));
