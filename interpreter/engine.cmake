@@ -11,26 +11,26 @@ jaywalk_add_library(engine
     term/program_terms.cpp
     term/symbol.cpp
     logic/action.cpp
-    logic/arithmetic.cpp
-    logic/belief_base.cpp
-    logic/belief_update.cpp
-    logic/fact_index.cpp
+    logic/unifier/arithmetic.cpp
+    logic/beliefs/belief_base.cpp
+    logic/beliefs/belief_update.cpp
+    logic/beliefs/fact_index.cpp
     logic/formula_compiler.cpp
     logic/frame_stack.cpp
-    logic/head_code.cpp
+    logic/code/head_code.cpp
     logic/machine.cpp
     logic/machine_annotated.cpp
     logic/machine_calls.cpp
     logic/machine_facts.cpp
     logic/machine_rules.cpp
     logic/machine_tests.cpp
-    logic/operand.cpp
-    logic/row_index.cpp
-    logic/rule_table.cpp
-    logic/unifier.cpp
-    logic/unifier_apply.cpp
-    logic/unifier_numbers.cpp
-    logic/univ.cpp
+    logic/code/operand.cpp
+    logic/beliefs/row_index.cpp
+    logic/beliefs/rule_table.cpp
+    logic/unifier/unifier.cpp
+    logic/unifier/unifier_apply.cpp
+    logic/unifier/unifier_numbers.cpp
+    logic/unifier/univ.cpp
     program/event_code.cpp
     program/plan.cpp
     program/plan_compiler.cpp
@@ -42,36 +42,36 @@ jaywalk_add_library(engine
     compile/plan_reader.cpp
     compile/term_reader.cpp
     compile/translator.cpp
-    agent/add_means.cpp
+    agent/plans/add_means.cpp
     agent/agent.cpp
-    agent/bindings.cpp
-    agent/branches.cpp
-    agent/choose_plan.cpp
-    agent/clear.cpp
+    agent/execution/bindings.cpp
+    agent/execution/branches.cpp
+    agent/plans/choose_plan.cpp
+    agent/execution/clear.cpp
     agent/clone.cpp
-    agent/customisation.cpp
-    agent/cycle.cpp
+    agent/plans/customisation.cpp
+    agent/cycle/cycle.cpp
     agent/drops.cpp
-    agent/events.cpp
-    agent/execute.cpp
-    agent/execute_variable.cpp
-    agent/failure.cpp
-    agent/for_loops.cpp
+    agent/cycle/events.cpp
+    agent/execution/execute.cpp
+    agent/execution/execute_variable.cpp
+    agent/goals/failure.cpp
+    agent/execution/for_loops.cpp
     agent/goal_copier.cpp
-    agent/goal_arguments.cpp
-    agent/goals.cpp
-    agent/intention.cpp
+    agent/execution/goal_arguments.cpp
+    agent/goals/goals.cpp
+    agent/circumstance/intention.cpp
     agent/memory.cpp
-    agent/messages.cpp
-    agent/observer.cpp
-    agent/learned.cpp
-    agent/options.cpp
-    agent/perception.cpp
-    agent/plan_terms.cpp
-    agent/services.cpp
+    agent/cycle/messages.cpp
+    agent/surroundings/observer.cpp
+    agent/plans/learned.cpp
+    agent/plans/options.cpp
+    agent/cycle/perception.cpp
+    agent/plans/plan_terms.cpp
+    agent/surroundings/services.cpp
     agent/step_guard.cpp
-    agent/step_texts.cpp
-    agent/waiting.cpp
+    agent/execution/step_texts.cpp
+    agent/goals/waiting.cpp
     coverage/coverage.cpp
     coverage/html.cpp
     coverage/lcov.cpp
@@ -112,13 +112,13 @@ set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/actions/standard_actions
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(hot
     term/compare.cpp term/heap.cpp term/transfer.cpp
-    logic/action.cpp logic/belief_base.cpp logic/belief_update.cpp logic/fact_index.cpp
+    logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/belief_update.cpp logic/beliefs/fact_index.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
     logic/machine_facts.cpp
-    logic/machine_rules.cpp logic/machine_tests.cpp logic/row_index.cpp logic/rule_table.cpp
-    logic/unifier.cpp logic/unifier_apply.cpp logic/unifier_numbers.cpp
-    agent/add_means.cpp agent/agent.cpp agent/bindings.cpp agent/choose_plan.cpp agent/clear.cpp agent/cycle.cpp
-    agent/events.cpp agent/execute.cpp agent/goal_arguments.cpp agent/intention.cpp agent/messages.cpp agent/perception.cpp
+    logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/row_index.cpp logic/beliefs/rule_table.cpp
+    logic/unifier/unifier.cpp logic/unifier/unifier_apply.cpp logic/unifier/unifier_numbers.cpp
+    agent/plans/add_means.cpp agent/agent.cpp agent/execution/bindings.cpp agent/plans/choose_plan.cpp agent/execution/clear.cpp agent/cycle/cycle.cpp
+    agent/cycle/events.cpp agent/execution/execute.cpp agent/execution/goal_arguments.cpp agent/circumstance/intention.cpp agent/cycle/messages.cpp agent/cycle/perception.cpp
     mas/mail.cpp environment/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
   set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)
   if(JAYWALK_UNITY)

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiment/policy/learner.h"
-#include "interpreter/agent/learned_choice.h"
+#include "interpreter/agent/surroundings/learned_choice.h"
 #include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/term/symbol.h"

@@ -118,7 +118,8 @@ struct TrialOptions {
   /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
   /// `head_start`, if there was one. Null: nothing is recorded.
   Recording* record = nullptr;
-  /// Looks at the agents as they reason (interpreter/agent/observer.h). Null: nobody does.
+  /// Looks at the agents as they reason (interpreter/agent/surroundings/observer.h). Null: nobody
+  /// does.
   ReasoningObserver* observer = nullptr;
   /// Whom agents ask that learn, in place of the behaviour's policy; null: that.
   OptionPolicies* policies = nullptr;

@@ -2,7 +2,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/services.h"
+#include "interpreter/agent/surroundings/services.h"
 
 namespace jaywalk::actions {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/goals.h"
-#include "interpreter/agent/waits.h"
+#include "interpreter/agent/goals/goals.h"
+#include "interpreter/agent/goals/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 

@@ -7,8 +7,8 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/goals.h"
-#include "interpreter/agent/waits.h"
+#include "interpreter/agent/goals/goals.h"
+#include "interpreter/agent/goals/waits.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 

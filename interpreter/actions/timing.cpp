@@ -8,7 +8,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/waits.h"
+#include "interpreter/agent/goals/waits.h"
 #include "interpreter/compile/term_reader.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"

@@ -8,7 +8,6 @@
 
 #include "interpreter/agent/own_parts.h"
 #include "interpreter/agent/step_guard.h"
-#include "interpreter/agent/waits.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "interpreter/agent/agent_parts.h"
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/environment/environment.h"
 
 namespace jaywalk {

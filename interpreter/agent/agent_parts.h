@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/agent/circumstance.h"
-#include "interpreter/agent/customisation.h"
+#include "interpreter/agent/circumstance/circumstance.h"
 #include "interpreter/agent/drops.h"
-#include "interpreter/agent/host.h"
-#include "interpreter/agent/settings.h"
+#include "interpreter/agent/surroundings/customisation.h"
+#include "interpreter/agent/surroundings/host.h"
+#include "interpreter/agent/surroundings/settings.h"
 #include "interpreter/agent/workspace.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/program/program.h"

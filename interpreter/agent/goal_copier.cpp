@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "interpreter/agent/freed_rounds.h"
+#include "interpreter/agent/circumstance/freed_rounds.h"
 
 namespace jaywalk {
 namespace {

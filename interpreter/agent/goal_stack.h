@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "interpreter/agent/intention.h"
+#include "interpreter/agent/circumstance/intention.h"
 #include "interpreter/term/symbol.h"
 
 namespace jaywalk {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/agent/circumstance.h"
+#include "interpreter/agent/circumstance/circumstance.h"
 #include "interpreter/logic/machine.h"
 
 namespace jaywalk {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/coverage/probes.h"
 
 namespace jaywalk {

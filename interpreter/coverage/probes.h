@@ -2,8 +2,9 @@
 
 // Where to look at a program as it runs: its plans, the conditions of which contexts and rules
 // consist, the formulas of bodies, each with a number. Contexts and rules are compiled anew with
-// goals around every condition that report to the observer (agent/observer.h) that it is asked and
-// that it holds; they mean what they meant. The programs themselves are left as they are.
+// goals around every condition that report to the observer (agent/surroundings/observer.h) that it
+// is asked and that it holds; they mean what they meant. The programs themselves are left as they
+// are.
 //
 //   Probes probes(symbols, Probes::Detail::counts);
 //   probes.add(program);
@@ -17,7 +18,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/program/program.h"
 
 namespace jaywalk {

@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/agent/customisation.h"
+#include "interpreter/agent/surroundings/customisation.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/environment/environment.h"
 #include "interpreter/logic/action.h"
@@ -82,7 +82,7 @@ class Interpreter {
       const std::string& name, std::string text, const IncludePath& include_path = {});
 
   /// Agents may come at any time; a name that is taken gets a suffix. `customisation` is what the
-  /// agent does in its own way (agent/customisation.h). No program: it has none.
+  /// agent does in its own way (agent/surroundings/customisation.h). No program: it has none.
   AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program,
                     std::shared_ptr<const Customisation> customisation = {});
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/agent/host.h"
+#include "interpreter/agent/surroundings/host.h"
 #include "interpreter/program/program.h"
 #include "interpreter/syntax/load.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/agent/settings.h"
+#include "interpreter/agent/surroundings/settings.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"
 

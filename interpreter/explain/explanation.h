@@ -3,7 +3,7 @@
 // Why an agent did something, or did not: each of its deliberations with the plans that were
 // relevant, those that were applicable, how far the contexts of the others came and with which
 // bindings, what was chosen, and where the beliefs came from that were asked for. Recorded while
-// the agents run (agent/observer.h), from probes that report bindings.
+// the agents run (agent/surroundings/observer.h), from probes that report bindings.
 
 #include <cstdint>
 #include <map>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/coverage/source_coverage.h"
 
 namespace jaywalk {
@@ -57,7 +57,7 @@ struct TriedPlan {
   std::size_t failed = 0;
 };
 
-/// A choice among options of a policy (agent/learned_choice.h).
+/// A choice among options of a policy (agent/surroundings/learned_choice.h).
 struct DrawnChoice {
   std::string policy;
   /// What was observed.

@@ -14,8 +14,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/logic/code.h"
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/code/code.h"
+#include "interpreter/logic/unifier/unifier.h"
 
 namespace jaywalk {
 

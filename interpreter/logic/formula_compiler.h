@@ -4,7 +4,7 @@
 // are data at run time, whose terms hold variables.
 
 #include "interpreter/logic/action.h"
-#include "interpreter/logic/code.h"
+#include "interpreter/logic/code/code.h"
 
 namespace jaywalk {
 

@@ -32,11 +32,11 @@
 #include <vector>
 
 #include "interpreter/logic/action.h"
-#include "interpreter/logic/belief_base.h"
-#include "interpreter/logic/code.h"
+#include "interpreter/logic/beliefs/belief_base.h"
+#include "interpreter/logic/code/code.h"
+#include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/frame_stack.h"
-#include "interpreter/logic/known_numbers.h"
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/unifier/unifier.h"
 
 namespace jaywalk {
 

@@ -1,8 +1,8 @@
 // Goals that hold or not, and leave no choice: comparison and unification.
 
-#include "interpreter/logic/known_numbers.h"
+#include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/machine.h"
-#include "interpreter/logic/univ.h"
+#include "interpreter/logic/unifier/univ.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/program_terms.h"
 

@@ -27,8 +27,8 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/agent/host.h"
-#include "interpreter/agent/settings.h"
+#include "interpreter/agent/surroundings/host.h"
+#include "interpreter/agent/surroundings/settings.h"
 #include "interpreter/environment/environment.h"
 #include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
@@ -52,7 +52,7 @@ struct AgentSpec {
   std::string name;
   std::shared_ptr<const Program> program;
   std::vector<Parameter> parameters;
-  /// Functions of its own (agent/customisation.h); null: none.
+  /// Functions of its own (agent/surroundings/customisation.h); null: none.
   std::shared_ptr<const Customisation> customisation;
   ReasoningSettings settings;
 };
@@ -110,10 +110,12 @@ struct MasOptions {
   std::size_t fewest_beside = 64;
   /// Measures the CPU time that agents spend reasoning (metric M5); off, no clock is read.
   bool measure_cpu = false;
-  /// Looks at all agents as they reason (agent/observer.h); must outlive the system. Null: nobody.
+  /// Looks at all agents as they reason (agent/surroundings/observer.h); must outlive the system.
+  /// Null: nobody.
   ReasoningObserver* observer = nullptr;
-  /// Says how probable options are that are labelled learned(P) (agent/learned_choice.h); must
-  /// outlive the system. Null: one is as probable as the other.
+  /// Says how probable options are that are labelled learned(P)
+  /// (agent/surroundings/learned_choice.h); must outlive the system. Null: one is as probable as
+  /// the other.
   OptionPolicies* policies = nullptr;
   /// Asked now and then, on every thread that reasons and within queries and long actions, too:
   /// true ends the run (RunEnd::interrupted). Not set: never.

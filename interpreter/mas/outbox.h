@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/agent/circumstance.h"
+#include "interpreter/agent/circumstance/circumstance.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/mas/timers.h"
 #include "interpreter/term/heap.h"

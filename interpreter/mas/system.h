@@ -13,8 +13,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "interpreter/agent/host.h"
-#include "interpreter/agent/services.h"
+#include "interpreter/agent/surroundings/host.h"
+#include "interpreter/agent/surroundings/services.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/mas/outbox.h"
 #include "interpreter/mas/reach.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/unifier/unifier.h"
 
 namespace jaywalk {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/logic/operand.h"
+#include "interpreter/logic/code/operand.h"
 #include "interpreter/program/trigger.h"
 #include "interpreter/term/heap.h"
 

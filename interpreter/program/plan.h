@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/logic/code.h"
+#include "interpreter/logic/code/code.h"
 #include "interpreter/program/event_code.h"
 #include "interpreter/program/step_place.h"
 #include "interpreter/program/trigger.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "interpreter/logic/belief_base.h"
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/beliefs/belief_base.h"
+#include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {

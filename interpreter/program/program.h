@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "interpreter/logic/action.h"
-#include "interpreter/logic/rule_table.h"
+#include "interpreter/logic/beliefs/rule_table.h"
 #include "interpreter/program/plan.h"
 #include "interpreter/support/diagnostics.h"
 

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"
 #include "tests/conformance/board.h"

@@ -10,7 +10,7 @@
 
 #include "env/world/ground_plan.h"
 #include "experiment/judge/recording.h"
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/mas/mas.h"
 
 namespace jaywalk {

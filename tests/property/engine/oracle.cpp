@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"

@@ -1,6 +1,6 @@
 // An intention that is alone goes on into the next cycle, and its event does not pass through E
-// (agent/cycle.cpp): the cycles are the same. Where each step is one cycle, nothing goes on, so
-// each program runs in such steps, too, and once with an observer.
+// (agent/cycle/cycle.cpp): the cycles are the same. Where each step is one cycle, nothing goes on,
+// so each program runs in such steps, too, and once with an observer.
 
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "tests/helpers/run_agents.h"
 
 namespace jaywalk {

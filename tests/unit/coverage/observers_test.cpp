@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "tests/unit/mas/system.h"
 
 namespace jaywalk {

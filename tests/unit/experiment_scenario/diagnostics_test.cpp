@@ -66,11 +66,12 @@ TEST(ScenarioDiagnostics, PointAtTabs) {
 }
 
 TEST(ScenarioDiagnostics, ListTheKeysWhenNoneIsClose) {
-  EXPECT_EQ(errors(parse("behaviours: [a.asl]\nexperiment: {repetitions: 5}\n")),
-            "folder/test.yaml:2:14: error: unknown key 'repetitions' in 'experiment'\n"
-            "  experiment: {repetitions: 5}\n"
-            "               ^~~~~~~~~~~\n"
-            "  hint: the keys here are tests, agents, seed, feedback, reachable, defects, avs, limits\n");
+  EXPECT_EQ(
+      errors(parse("behaviours: [a.asl]\nexperiment: {repetitions: 5}\n")),
+      "folder/test.yaml:2:14: error: unknown key 'repetitions' in 'experiment'\n"
+      "  experiment: {repetitions: 5}\n"
+      "               ^~~~~~~~~~~\n"
+      "  hint: the keys here are tests, agents, seed, feedback, reachable, defects, avs, limits\n");
 }
 
 TEST(ScenarioDiagnostics, NameTheOptionThatIsWrong) {

@@ -1,4 +1,4 @@
-#include "interpreter/logic/arithmetic.h"
+#include "interpreter/logic/unifier/arithmetic.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "interpreter/logic/belief_base.h"
+#include "interpreter/logic/beliefs/belief_base.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "interpreter/logic/fact_index.h"
+#include "interpreter/logic/beliefs/fact_index.h"
 
 #include <map>
 #include <random>

@@ -1,4 +1,4 @@
-#include "interpreter/logic/row_index.h"
+#include "interpreter/logic/beliefs/row_index.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/unifier/unifier.h"
 #include "tests/helpers/terms.h"
 
 namespace jaywalk {

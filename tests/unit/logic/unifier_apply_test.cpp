@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/compile/translator.h"
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
 #include "tests/helpers/terms.h"

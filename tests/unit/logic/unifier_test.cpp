@@ -1,4 +1,4 @@
-#include "interpreter/logic/unifier.h"
+#include "interpreter/logic/unifier/unifier.h"
 
 #include <string>
 #include <vector>

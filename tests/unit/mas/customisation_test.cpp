@@ -1,6 +1,6 @@
 // Agents with selection functions, belief revision and social acceptance of their own.
 
-#include "interpreter/agent/customisation.h"
+#include "interpreter/agent/surroundings/customisation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/agent/learned_choice.h"
+#include "interpreter/agent/surroundings/learned_choice.h"
 #include "tests/unit/mas/system.h"
 
 namespace jaywalk {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/agent/message.h"
+#include "interpreter/agent/circumstance/message.h"
 #include "tests/unit/mas/system.h"
 
 namespace jaywalk {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/logic/belief_base.h"
+#include "interpreter/logic/beliefs/belief_base.h"
 #include "interpreter/program/plan.h"
 #include "tests/helpers/programs.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "tools/jaywalk/console/interrupt.h"
 
 namespace jaywalk {

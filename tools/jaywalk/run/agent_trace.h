@@ -11,7 +11,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 
 namespace jaywalk {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario/files/write_file.h"
-#include "interpreter/agent/observer.h"
+#include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/embed/program_loader.h"
 #include "interpreter/embed/project_agents.h"

@@ -1,0 +1,42 @@
+#include "interpreter/agent/circumstance/intention.h"
+
+#include <algorithm>
+
+namespace jaywalk {
+
+void Intention::forget_bottom(std::size_t count) {
+  const std::size_t cut = stack[count].frame;
+  std::copy(values.begin() + cut, values.end(), values.begin());
+  values.cut(values.size() - cut);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stack[i].plan->atomic) --atomic_means;
+  }
+  stack.erase(stack.begin(), stack.begin() + static_cast<std::ptrdiff_t>(count));
+  for (IntendedMeans& means : stack) {
+    means.frame -= cut;
+    means.keeps = std::max(means.keeps, count) - count;
+  }
+}
+
+void Intention::finish() {
+  stack.clear();
+  values.clear();
+  shrink();
+  reason.clear();
+  also_suspended = false;
+  has_event = false;
+  origin = 0;
+  shared = 0;
+  atomic_means = 0;
+  fork.reset();
+  state = State::finished;
+}
+
+void Intention::shrink() {
+  constexpr std::size_t kMostMeans = 32;  // as many are kept for what comes
+  constexpr std::size_t kMostValues = 128;
+  if (stack.capacity() > kMostMeans + 4 * stack.size()) stack.shrink_to_fit();
+  if (values.capacity() > kMostValues + 4 * values.size()) values = ValueStack(values);
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,21 @@
+#pragma once
+
+// Formulas of plan bodies in what is said of them when they fail.
+
+#include <string>
+
+#include "interpreter/agent/circumstance/intention.h"
+#include "interpreter/logic/action.h"
+#include "interpreter/logic/unifier/unifier.h"
+
+namespace jaywalk {
+
+/// A formula without its operator, with the variables' names in place of their values.
+[[nodiscard]] std::string text_as_written(Unifier& unifier, const Plan& plan, const Step& step);
+
+/// error(constraint_failed) of the intention's current formula. As in Jason the message has the
+/// formulas that are left of the body and what the plan's variables are; they are in the order of
+/// the text.
+[[nodiscard]] ActionError constraint_failure(Unifier& unifier, Intention& intention);
+
+}  // namespace jaywalk

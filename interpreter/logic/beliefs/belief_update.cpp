@@ -1,0 +1,163 @@
+// Belief update, Jason's buf. Every percept is a row that bears the number of the update that last
+// saw it, its generation. There are two ways to bring the percepts up to date:
+//
+// - by all of them: each is looked up and gets the new generation; rows of an older one go;
+// - by the differences to the last update: only what is new is looked up, and what may have gone.
+//   Something that has only changed its place in the list is both: it has the new generation by the
+//   time it is missed, and stays.
+//
+// The second way is open as long as the rows are what the last update left (the agent may have
+// deleted some, and then they come back) and nothing was perceived twice: a list with a literal in
+// two places could lose it in one of them. Each literal that is perceived again must thus be missed
+// as well, or it stands somewhere else, too, and the next update is one by all percepts.
+//
+// Both ways make the same changes in the same order: what goes, by relation in the order in which
+// they came to have percepts, and by row; then what comes, in the order of perception.
+
+#include <algorithm>
+#include <tuple>
+
+#include "interpreter/logic/beliefs/belief_base.h"
+#include "interpreter/term/compare.h"
+
+namespace jaywalk {
+
+void BeliefBase::begin_percepts() {
+  ++generation_;
+  knows_percepts_ = true;
+  seen_again_ = 0;
+}
+
+Value BeliefBase::percept(Predicate predicate, std::span<const Value> args) {
+  Structure* const made = heap_.blank_literal(predicate, args.size(), source_percept());
+  Value* const cells = made->args();
+  bool closed = true;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    cells[i] = args[i];
+    closed = closed && args[i].is_closed();
+  }
+  return heap_.literal_of(made, closed);
+}
+
+// There is no order of rows that could change, and nobody hears of it.
+bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_args,
+                                std::span<const Value> args) {
+  Relation* const rel = find(predicate);
+  Row* const row = rel == nullptr || rel->is_indexed() ? nullptr : rel->lone_fact();
+  if (row == nullptr || row->percept_generation == 0) return false;
+  const LiteralParts old = literal_parts(row->fact);
+  const auto same = [](Value a, Value b) { return a.same_as(b); };
+  const auto equal = [](Value a, Value b) { return equal_terms(a, b); };
+  if (!old.annots.same_as(source_percept()) ||
+      !std::equal(old.args.begin(), old.args.end(), old_args.begin(), old_args.end(), same) ||
+      std::equal(old.args.begin(), old.args.end(), args.begin(), args.end(), equal)) {
+    return false;
+  }
+  row->fact = percept(predicate, args);
+  row->key = args.empty() ? 0 : argument_key(args[0]);
+  row->percept_generation = generation_;
+  return true;
+}
+
+bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
+  Relation& rel = relation(predicate);
+  Relation::Hash hash = 0;
+  if (const auto known = rel.find(args, hash)) {
+    Row& row = rel.row(*known);
+    if (row.percept_generation == generation_) knows_percepts_ = false;  // twice
+    const bool perceived = row.percept_generation != 0;
+    row.percept_generation = generation_;
+    if (perceived) {
+      ++seen_again_;
+      return false;
+    }
+    const Value annots =
+        union_of(heap_, literal_parts(row.fact).annots, source_percept(), symbols_);
+    row.fact = with_annotations(heap_, row.fact, annots);
+    change = {with_annotations(heap_, row.fact, source_percept()), true};
+  } else {
+    const Value literal = percept(predicate, args);
+    rel.add_front({.fact = literal,
+                   .rule = nullptr,
+                   .key = args.empty() ? 0 : argument_key(args[0]),
+                   .percept_generation = generation_},
+                  hash);
+    change = {literal, true};
+  }
+  ++rel.percepts;
+  if (!rel.has_percepts) {
+    rel.has_percepts = true;
+    rel.perceived_since = ++last_perceived_;
+    perceived_.push_back(&rel);
+  }
+  return true;
+}
+
+void BeliefBase::end_percepts(std::vector<PerceptChange>& changes) {
+  const bool knows_percepts = knows_percepts_;
+  std::erase_if(perceived_, [&](Relation* rel) {
+    for (std::int64_t seq = rel->first_seq(); seq < rel->end_seq(); ++seq) {
+      const std::uint32_t generation = rel->row(seq).percept_generation;
+      if (generation != 0 && generation != generation_) remove_percept(*rel, seq, changes);
+    }
+    rel->has_percepts = rel->percepts > 0;
+    return !rel->has_percepts;
+  });
+  knows_percepts_ = knows_percepts;
+}
+
+void BeliefBase::miss(Predicate predicate, std::span<const Value> args) {
+  Relation* const rel = find(predicate);
+  const auto known = rel == nullptr ? std::nullopt : rel->find(args);
+  if (!known) return;
+  if (rel->row(*known).percept_generation == generation_) {
+    --seen_again_;
+  } else {
+    missed_.emplace_back(rel, *known);
+  }
+}
+
+void BeliefBase::end_missed(std::vector<PerceptChange>& changes) {
+  const bool knows_percepts = knows_percepts_ && seen_again_ == 0;
+  const auto place = [](const auto& missed) {
+    return std::tuple(missed.first->perceived_since, missed.second);
+  };
+  std::sort(missed_.begin(), missed_.end(),
+            [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  bool is_some_empty = false;
+  for (const auto& [rel, seq] : missed_) {
+    remove_percept(*rel, seq, changes);
+    is_some_empty = is_some_empty || rel->percepts == 0;
+  }
+  missed_.clear();
+  if (is_some_empty) {
+    std::erase_if(perceived_, [](Relation* rel) {
+      rel->has_percepts = rel->percepts > 0;
+      return !rel->has_percepts;
+    });
+  }
+  knows_percepts_ = knows_percepts;
+}
+
+// The row stays if the belief has other sources.
+void BeliefBase::remove_percept(Relation& rel, std::int64_t seq,
+                                std::vector<PerceptChange>& changes) {
+  Row& row = rel.row(seq);
+  no_percept_any_more(rel, row);
+  if (literal_parts(row.fact).annots.same_as(source_percept())) {
+    changes.push_back({row.fact, false});
+    erase(rel, seq);
+    return;
+  }
+  changes.push_back({with_annotations(heap_, row.fact, source_percept()), false});
+  remove_annotations(rel, seq, source_percept(), false);
+}
+
+void BeliefBase::no_percept_any_more(Relation& rel, Row& row) {
+  if (row.percept_generation == 0) return;
+  row.percept_generation = 0;
+  --rel.percepts;
+  knows_percepts_ = false;
+}
+
+}  // namespace jaywalk

@@ -1,0 +1,95 @@
+#pragma once
+
+// Compiled logical formulas: goals linked to the goal that follows. Terms in goals are templates
+// whose slots are filled from the frame of the plan or rule. Made by formula_compiler.h, run by
+// machine.h.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "interpreter/logic/code/head_code.h"
+#include "interpreter/logic/code/operand.h"
+#include "interpreter/term/heap.h"
+#include "interpreter/term/symbol.h"
+
+namespace jaywalk {
+
+struct ActionDefinition;
+
+/// One goal of a formula. `next` is what must hold after it; null: the formula (or rule) is done.
+struct Goal {
+  enum class Kind : std::uint8_t {
+    query,          // a literal over beliefs and rules: term
+    slow_query,     // the same with annotations or an open namespace
+    variable,       // a variable as formula: term
+    unify,          // args[0] = args[1]
+    compare,        // args[0] op args[1]; predicate is the operator
+    univ,           // args[0] =.. args[1]
+    action,         // an internal action: action (null: unknown), term
+    negation,       // not inner
+    negation_done,  // the end of a negation's inner formula; origin is the negation
+    disjunction,    // inner, or else other; both go on with next
+    truth,
+    falsity,
+  };
+
+  Kind kind = Kind::truth;
+  /// Of a query: its arguments are constants and slots, each slot once, and not many.
+  bool is_plain = false;
+  Predicate predicate{};
+  Value term;
+  const Goal* next = nullptr;
+  const Goal* inner = nullptr;
+  const Goal* other = nullptr;
+  const Goal* origin = nullptr;
+  const ActionDefinition* action = nullptr;
+  /// Of compare and unify: the sides.
+  Operand left;
+  Operand right;
+  /// Of an internal action: its arguments that are formulas, compiled (null for other arguments).
+  std::vector<const Goal*> queries;
+
+  [[nodiscard]] std::span<const Value> args() const {
+    return term.is_structure() ? term.structure()->arg_span() : std::span<const Value>{};
+  }
+};
+
+/// A formula, or several, with one frame layout. Owns its goals.
+struct FormulaCode {
+  std::deque<Goal> goals;
+  const Goal* entry = nullptr;  // null: true
+  /// Passes all terms to `visit`: those made at run time live in an agent's heap.
+  template <class Visit>
+  void visit_terms(Visit&& visit) {
+    for (Goal& goal : goals) visit(goal.term);
+  }
+};
+
+/// A rule: head and body share a frame. `source` is the rule as a term, for programs as data.
+struct RuleCode {
+  Value head;
+  HeadCode head_code;
+  FormulaCode body;
+  std::uint32_t slot_count = 0;
+  std::vector<Symbol> slot_names;
+  Value source;
+
+  template <class Visit>
+  void visit_terms(Visit&& visit) {
+    visit(head);
+    visit(source);
+    head_code.visit_terms(visit);
+    body.visit_terms(visit);
+  }
+};
+
+/// A function that is a query, `register_function("my.f", Arity, "pred")`.
+struct RuleFunction {
+  Symbol name{};
+  std::uint16_t arity = 0;
+  Predicate predicate{};
+};
+
+}  // namespace jaywalk

@@ -1,0 +1,2 @@
+#include "interpreter/agent/agent.h"
+#include "interpreter/agent/cycle/cycle.h"
