@@ -116,6 +116,12 @@ class Machine : public FunctionCaller {
 
   /// Whether a binding on the trail is of a rule's frame, which is gone when the query is done.
   [[nodiscard]] bool is_in_frame(const Value* cell) const { return frames_.contains(cell); }
+  /// Whether a query's caller knows the cell: it is no rule's slot and no variable made since the
+  /// one that was to be made next (Heap::first_young) when the query began.
+  [[nodiscard]] bool is_known_outside(const Value* cell, std::uint32_t first_young) const {
+    static_assert(offsetof(Variable, value) == 0);
+    return !is_in_frame(cell) && reinterpret_cast<const Variable*>(cell)->serial < first_young;
+  }
   [[nodiscard]] Unifier& unifier() { return unifier_; }
   [[nodiscard]] Heap& heap() { return *heap_; }
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }

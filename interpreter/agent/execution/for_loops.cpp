@@ -111,6 +111,7 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
   Value* const first = intention.frame(means);
   Value* const last = first + means.plan->slot_count;
   const std::size_t trail = unifier.mark();
+  const std::uint32_t young = heap_.first_young();
   machine().solve_all(condition, first, [&] {
     if (level.ends.size() == most) {
       level.has_more = true;
@@ -123,7 +124,7 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
     for (std::size_t i = 0; i < count; ++i) {
       Value* const cell = unifier.bindings_since(trail)[i];
       const bool is_slot = cell >= first && cell < last;
-      if (!is_slot && machine().is_in_frame(cell)) continue;
+      if (!is_slot && !machine().is_known_outside(cell, young)) continue;
       level.solutions.push_back(is_slot ? Value::slot(static_cast<std::uint32_t>(cell - first))
                                         : Value::reference(Value::Kind::variable, cell, 0));
       level.solutions.push_back(unifier.instantiate(*cell, first));

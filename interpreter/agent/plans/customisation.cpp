@@ -73,6 +73,7 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
                          std::vector<Option>& options) {
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
+  const std::uint32_t young = heap_.first_young();
   prepare_scratch(plan, scope == nullptr ? std::span<const Value>() : scope->frame);
   Value* const first = work().frame.data();
   Value* const last = first + plan.slot_count;
@@ -81,7 +82,7 @@ void Agent::find_options(const Plan& plan, const Event& event, const std::shared
     for (Value* const cell : unifier.bindings_since(trail)) {
       if (cell >= first && cell < last) {
         option.values[static_cast<std::size_t>(cell - first)] = unifier.apply(*cell);
-      } else if (!machine().is_in_frame(cell)) {
+      } else if (machine().is_known_outside(cell, young)) {
         option.bindings.emplace_back(Value::reference(Value::Kind::variable, cell, 0),
                                      unifier.apply(*cell));
       }
