@@ -1,7 +1,6 @@
 #include "interpreter/agent/agent.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <unordered_set>
@@ -193,13 +192,8 @@ bool Agent::remove_belief(Value literal, Intention* focus) {
 
 std::optional<Value> Agent::add_fact(Value literal, Place place) {
   heap_.require_room();
-  // Many rows double when they grow, and are there twice meanwhile, beside their index.
-  constexpr std::size_t kMany = 1024;
-  const Relation* const relation = beliefs_.find(literal_parts(literal).predicate);
-  const std::size_t rows = relation == nullptr ? 0 : relation->size();
-  if (rows >= kMany && std::has_single_bit(rows)) heap_.require_bytes(4 * rows * sizeof(Row));
   std::optional<Value> added = beliefs_.add(literal, place);
-  if (added) heap_.note_beside(sizeof(Row));
+  if (added) heap_.note_beside(Relation::kRowBytes);
   return added;
 }
 

@@ -90,6 +90,7 @@ void Heap::give_up() {
 void Heap::look_sooner(std::size_t limit) {
   const std::size_t all = all_bytes();
   count_at_ = std::min(count_at_, beside_ + (limit - std::min(limit, all)));
+  ask_at_ = std::min(ask_at_, count_at_);
 }
 
 void Heap::set_beside(std::size_t bytes) {
@@ -107,6 +108,8 @@ void Heap::set_beside(std::size_t bytes) {
   // before the limit is reached.
   const std::size_t room = limit_bytes_ - std::min(limit_bytes_, all);
   count_at_ = bytes + std::min(std::max(all, kLeast), std::max(room / 2, all / 16 + 256));
+  // Where nothing is left, the next count may be far away, but nothing more is to be had.
+  ask_at_ = room == 0 ? 0 : std::min(count_at_, bytes + room);
   // Terms have less room than there was when they were collected.
   const std::size_t before_limit = live_bytes_ / 2 + most_bytes() / 2;
   collect_at_ = std::min(

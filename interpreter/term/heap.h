@@ -256,7 +256,7 @@ class Heap {
   void note_beside(std::size_t bytes) { beside_ += bytes; }
   /// Before the owner gets something that is no term. Throws HeapExhausted at the limit.
   void require_room() {
-    if (beside_ > count_at_) require_bytes(0);
+    if (beside_ > ask_at_) require_bytes(0);
   }
   /// The same for so many bytes.
   void require_bytes(std::size_t bytes);
@@ -265,7 +265,7 @@ class Heap {
   /// Something has failed for want of memory lately, and what there is has not been counted since.
   [[nodiscard]] bool is_short() const { return full_at_ != 0; }
   /// What there is is to be collected and counted, however little has come.
-  void look_again() { collect_at_ = count_at_ = 0; }
+  void look_again() { collect_at_ = count_at_ = ask_at_ = 0; }
   /// So much has been noted that it is to be counted.
   [[nodiscard]] bool wants_count() const { return beside_ > count_at_; }
   /// Enough has been allocated since the last collection to make another worth while.
@@ -348,6 +348,7 @@ class Heap {
   std::size_t live_bytes_ = 0;  // after the last collection
   std::size_t beside_ = 0;
   std::size_t count_at_ = 16 * 1024;
+  std::size_t ask_at_ = count_at_;  // beyond it the limit may be reached
   // After so many failures for want of memory it is looked what has become free meanwhile.
   std::uint32_t failures_ = 0;
   std::uint32_t patience_ = 1;

@@ -422,7 +422,7 @@ std::size_t Relation::bytes() const {
     indexes = indexes_->facts == nullptr ? 0 : 1;
     indexes_->visit_arguments([&](const RowIndex&) { ++indexes; });
   }
-  return sizeof(Relation) + grown_bytes(rows_.size(), sizeof(Row) + indexes * 24) +
+  return sizeof(Relation) + grown_bytes(rows_.size(), sizeof(Row) + indexes * kIndexedRowBytes) +
          rules_owned_.size() * kRuleBytes;
 }
 

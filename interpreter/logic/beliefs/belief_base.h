@@ -156,6 +156,9 @@ class Relation {
   bool exists = false;
   /// Memory without terms, roughly.
   [[nodiscard]] std::size_t bytes() const;
+  /// What a row of many takes with its place in an index, old and new memory while they grow.
+  static constexpr std::size_t kIndexedRowBytes = 24;
+  static constexpr std::size_t kRowBytes = 2 * (sizeof(Row) + kIndexedRowBytes);
   /// Becomes as new, but keeps memory for a few rows.
   void reset();
 

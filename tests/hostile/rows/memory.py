@@ -44,8 +44,8 @@ ROWS = [
         "a.asl": "!go. +!go <- .send(b,achieve,x); .send(b,achieve,y); !go. " + HANDLED + "\n",
         "b.asl": "!wait. @w[atomic] +!wait <- .wait(50000); .print(unharmed). +!x. +!y.\n",
         "c.asl": "!see(20000). +!see(0) <- .print(unharmed). +!see(N) <- !see(N-1).\n"}, ["b has no memory left for messages", "[c] unharmed", "[b] unharmed"], 0, "--max-cycles", "1500000"),
-    society("three agents that are too much together", {
-        **{f"a{i}.asl": "!go(0). +!go(N) <- +b(N); !go(N+1).\n" for i in range(3)},
+    society("four agents that are too much together", {
+        **{f"a{i}.asl": "!go(0). +!go(N) <- +b(N); !go(N+1).\n" for i in range(4)},
         "c.asl": "!see(20000). +!see(0) <- .print(unharmed). +!see(N) <- !see(N-1).\n"}, ["all agents together", "[c] unharmed"]),
     stormy("events without end", "!go. +!go <- +b; -b; !!go; !!go.", cycles=700_000),
     society("agents without end", {"a.asl": "!go. +!go <- .create_agent(n,\"a.asl\"); !go. -!go[error_msg(M)] : .my_name(a) <- .print(M); .print(unharmed). -!go.\n"},
