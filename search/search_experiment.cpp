@@ -135,7 +135,8 @@ class ExperimentReader {
     if (experiment_.sut.empty()) experiment_.sut = (*chosen)->name;
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     return (*chosen)->read({node, path, reader_, folder, options_.files, options_.include,
-                            experiment_.defects, options_.trials == Trials::none, &policies_});
+                            experiment_.defects, options_.sut_check == SutCheck::omitted,
+                            &policies_});
   }
 
   /// Several generators may search the same system.
@@ -155,7 +156,7 @@ class ExperimentReader {
 
   /// As comparisons do, takes a policy that nobody chooses by for a mistake.
   void check_policies() {
-    if (options_.trials == Trials::none) return;
+    if (options_.sut_check == SutCheck::omitted) return;
     for (const auto& [path, policy] : policies_) {
       if (policy.is_taken) continue;
       reader_.error(policy.origin,

@@ -14,8 +14,9 @@ namespace jaywalk::search {
 
 inline constexpr std::int64_t kMostRepetitions = 100'000;
 
-/// Whether an experiment's SUT is tried with the least and the greatest values as it is read.
-enum class Trials { some, none };
+/// Whether an experiment's SUT is executed with its least and greatest values as it is read, so
+/// that impossible ranges are reported before the search begins.
+enum class SutCheck { done, omitted };
 
 struct SearchOptions {
   /// `dotted.path=value`, in order, as given to `--set`.
@@ -27,7 +28,7 @@ struct SearchOptions {
   /// Where the programs of agents are looked for.
   SourceFiles files;
   IncludeFolders include;
-  Trials trials = Trials::some;
+  SutCheck sut_check = SutCheck::done;
 };
 
 struct SearchExperiment {

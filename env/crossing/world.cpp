@@ -107,7 +107,7 @@ std::vector<Position> CrossingSpec::start_cells(const WorldStart& start) const {
   return {test->second.begin(), test->second.begin() + start.agents};
 }
 
-std::string CrossingSpec::obstacle(const WorldStart& start) const {
+std::string CrossingSpec::problem(const WorldStart& start) const {
   if (!start_cells(start).empty()) return {};
   return fmt::format("test {} has fewer than {} start cells in the scenario's file", start.test,
                      start.agents);

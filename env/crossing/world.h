@@ -41,7 +41,7 @@ class CrossingSpec final : public WorldSpec, public std::enable_shared_from_this
   /// The scenario's own, or those that are drawn (spawn.h).
   [[nodiscard]] std::vector<Position> start_cells(const WorldStart& start) const override;
   [[nodiscard]] bool has_given_starts() const override { return start_cells_ != nullptr; }
-  [[nodiscard]] std::string obstacle(const WorldStart& start) const override;
+  [[nodiscard]] std::string problem(const WorldStart& start) const override;
   [[nodiscard]] std::unique_ptr<const PreparedWorld> prepare(SymbolTable& symbols) const override;
 
  private:

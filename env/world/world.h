@@ -2,7 +2,7 @@
 
 // The seam between a world and all that runs tests in it: a world is what agents perceive and do
 // (Environment), what it looks like from outside (env/scene.h), the events of a test, what ends it
-// and what it scores. Trials, stores, metrics, assertions and pages know worlds by this file alone;
+// and what it scores. Tests, stores, metrics, assertions and pages know worlds by this file alone;
 // how a scenario describes one is in world_spec.h.
 //
 // The agents under comparison come first, by their numbers, then a world's other agents. Actors are

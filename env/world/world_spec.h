@@ -40,7 +40,7 @@ class PreparedWorld {
  public:
   virtual ~PreparedWorld() = default;
   [[nodiscard]] virtual const WorldSpec& spec() const = 0;
-  /// REQUIRES: there is no obstacle (WorldSpec::obstacle). What is made must not outlive this.
+  /// REQUIRES: there is no problem (WorldSpec::problem). What is made must not outlive this.
   [[nodiscard]] virtual std::unique_ptr<World> make(const WorldStart& start) const = 0;
 };
 
@@ -81,7 +81,7 @@ class WorldSpec {
   /// The scenario gives them, rather than that they are drawn.
   [[nodiscard]] virtual bool has_given_starts() const { return false; }
   /// Why a test cannot begin so; empty if it can.
-  [[nodiscard]] virtual std::string obstacle(const WorldStart& /*start*/) const { return {}; }
+  [[nodiscard]] virtual std::string problem(const WorldStart& /*start*/) const { return {}; }
 
   /// Ready for tests; `symbols` is not shared yet. REQUIRES: this is owned by a shared pointer.
   [[nodiscard]] virtual std::unique_ptr<const PreparedWorld> prepare(

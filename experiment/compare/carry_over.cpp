@@ -13,12 +13,12 @@ TestOrder test_order(const Scenario& scenario) {
 CarryOver::CarryOver(const ExperimentPlan& plan)
     : plan_(plan), chains_(plan.behaviours.size() * plan.agents.size()) {}
 
-std::size_t CarryOver::chain_of(const TestCase& test) const {
+std::size_t CarryOver::chain_of(const TestKey& test) const {
   const auto place = std::ranges::find(plan_.agents, test.agents) - plan_.agents.begin();
   return test.behaviour * plan_.agents.size() + static_cast<std::size_t>(place);
 }
 
-int CarryOver::head_start(const TestCase& test) const {
+int CarryOver::head_start(const TestKey& test) const {
   if (test.number == 0) return 0;
   const Chain& chain = chains_[chain_of(test)];
   const auto before = chain.find(test.number - 1);
@@ -26,23 +26,23 @@ int CarryOver::head_start(const TestCase& test) const {
   return before->second;
 }
 
-void CarryOver::finished(const TestCase& test, int left_over) {
+void CarryOver::finished(const TestKey& test, int left_over) {
   Chain& chain = chains_[chain_of(test)];
   chain[test.number] = left_over;
   if (test.number > 0) chain.erase(test.number - 1);
 }
 
-std::optional<TrialInput> in_its_chain(const PreparedScenario& prepared, TrialInput input,
-                                       const std::function<Proceed()>& proceed) {
-  if (test_order(prepared.scenario()) == TestOrder::any) return input;
-  TrialRunner runner(prepared);
-  TrialInput before = input;
-  for (before.test = 0; before.test < input.test; ++before.test) {
+std::optional<TestSetup> in_its_chain(const PreparedScenario& prepared, TestSetup setup,
+                                      const std::function<Proceed()>& proceed) {
+  if (test_order(prepared.scenario()) == TestOrder::any) return setup;
+  TestRunner runner(prepared);
+  TestSetup before = setup;
+  for (before.test = 0; before.test < setup.test; ++before.test) {
     if (proceed() == Proceed::no) return std::nullopt;
     before.head_start = runner.run(before).left_over;
   }
-  input.head_start = before.head_start;
-  return input;
+  setup.head_start = before.head_start;
+  return setup;
 }
 
 }  // namespace jaywalk

@@ -3,7 +3,7 @@
 // Chains of tests: with `world.av.carry_over` what a test leaves of the AV's last tick is the head
 // start of the next test of the same behaviour and number of agents. Such tests run one after
 // another (TestOrder::chained). A stored test keeps its head start, and can be run again alone.
-// Read trial.h and experiment.h before.
+// Read test_run.h and experiment.h before.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
+#include "experiment/test_run/test_run.h"
 
 namespace jaywalk {
 
@@ -26,13 +27,13 @@ class CarryOver {
   explicit CarryOver(const ExperimentPlan& plan);
 
   /// REQUIRES: the test before it was finished(), or it is number 0.
-  [[nodiscard]] int head_start(const TestCase& test) const;
-  void finished(const TestCase& test, int left_over);
+  [[nodiscard]] int head_start(const TestKey& test) const;
+  void finished(const TestKey& test, int left_over);
 
  private:
   /// By the test's number: of the last one, and of those that were finished long ago.
   using Chain = std::map<std::uint64_t, int>;
-  [[nodiscard]] std::size_t chain_of(const TestCase& test) const;
+  [[nodiscard]] std::size_t chain_of(const TestKey& test) const;
 
   const ExperimentPlan& plan_;
   std::vector<Chain> chains_;
@@ -40,8 +41,8 @@ class CarryOver {
 
 /// The test with the head start that the tests before it leave to it, which are run for that if the
 /// scenario's tests are chained. Nothing if `proceed`, asked before each of them, says no.
-[[nodiscard]] std::optional<TrialInput> in_its_chain(const PreparedScenario& prepared,
-                                                     TrialInput input,
-                                                     const std::function<Proceed()>& proceed);
+[[nodiscard]] std::optional<TestSetup> in_its_chain(const PreparedScenario& prepared,
+                                                    TestSetup setup,
+                                                    const std::function<Proceed()>& proceed);
 
 }  // namespace jaywalk

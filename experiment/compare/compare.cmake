@@ -23,7 +23,7 @@ target_sources(jaywalk_experiment PRIVATE
   compare/csv_fields.cpp
   compare/experiment.cpp
   compare/feedback.cpp
-  compare/findings.cpp
+  compare/test_assessment.cpp
   compare/kills/kills.cpp
   compare/kills/kills_csv.cpp
   compare/kills/kills_file.cpp
@@ -43,4 +43,4 @@ target_sources(jaywalk_experiment PRIVATE
   compare/situation_table.cpp
   compare/summary.cpp
   compare/troubles.cpp
-  compare/verdict.cpp)
+  compare/failure_condition.cpp)

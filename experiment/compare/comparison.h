@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "experiment/compare/avs/av_ranking.h"
-#include "experiment/compare/findings.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/compare/published/published.h"
 #include "experiment/compare/summary.h"
+#include "experiment/compare/test_assessment.h"
 #include "experiment/compare/troubles.h"
 
 namespace jaywalk {
@@ -28,7 +28,7 @@ struct Comparison {
   /// The assertions that were judged, and what assertions and metrics say of each of the summaries;
   /// empty if none were asked for.
   std::vector<std::string> assertions;
-  std::vector<FindingsSummary> findings;
+  std::vector<AssessmentSummary> assessments;
   /// What the tests with defective AVs came to; empty without such.
   KillMatrix kills;
   /// How models of the AV rank; empty unless several were compared.

@@ -98,39 +98,39 @@ class Work {
     const std::uint64_t first = chunk % chunks_per_cell_ * chunk_;
     const std::uint64_t last = std::min(first + chunk_, plan_.tests);
     const std::size_t row = index % plan_.rows();
-    TestCase test_case{.behaviour = row / plan_.agents.size(),
-                       .agents = plan_.agents[row % plan_.agents.size()],
-                       .vehicle = index / plan_.rows()};
+    TestKey key{.behaviour = row / plan_.agents.size(),
+                .agents = plan_.agents[row % plan_.agents.size()],
+                .vehicle = index / plan_.rows()};
     for (std::uint64_t number = first; number < last; ++number) {
       if (cancelled_) return false;
-      test_case.number = number;
-      Result<TestResult> result = test_(test_case);
+      key.number = number;
+      Result<TestResult> result = test_(key);
       if (!result) {
-        fail(chunk, test_case, std::move(result.diagnostics()));
+        fail(chunk, key, std::move(result.diagnostics()));
         return false;
       }
       if (plan_.summed_up) cell.results[number] = result.value();
       done_.fetch_add(1, std::memory_order_relaxed);
     }
-    if (cell.remaining.fetch_sub(last - first) == last - first) finish(cell, test_case);
+    if (cell.remaining.fetch_sub(last - first) == last - first) finish(cell, key);
     return true;
   }
 
-  void finish(Cell& cell, const TestCase& test_case) {
-    if (plan_.summed_up && test_case.vehicle == 0) {
+  void finish(Cell& cell, const TestKey& key) {
+    if (plan_.summed_up && key.vehicle == 0) {
       cell.summary = summarise(cell.results);
-      cell.summary->behaviour = plan_.behaviours[test_case.behaviour];
-      cell.summary->agents = test_case.agents;
+      cell.summary->behaviour = plan_.behaviours[key.behaviour];
+      cell.summary->agents = key.agents;
     }
     std::vector<TestResult>().swap(cell.results);
   }
 
-  void fail(std::uint64_t chunk, const TestCase& test_case, Diagnostics why) {
+  void fail(std::uint64_t chunk, const TestKey& key, Diagnostics why) {
     failed_ = true;
     const std::lock_guard lock(mutex_);
     if (failed_chunk_ && *failed_chunk_ < chunk) return;
     failed_chunk_ = chunk;
-    failed_test_ = test_case;
+    failed_test_ = key;
     failure_ = std::move(why);
   }
 
@@ -149,13 +149,13 @@ class Work {
   unsigned workers_done_ = 0;
   std::exception_ptr thrown_;
   std::optional<std::uint64_t> failed_chunk_;
-  TestCase failed_test_;
+  TestKey failed_test_;
   Diagnostics failure_;
 };
 
 }  // namespace
 
-std::size_t ExperimentPlan::cell_of(const TestCase& test) const {
+std::size_t ExperimentPlan::cell_of(const TestKey& test) const {
   const auto column = std::ranges::find(agents, test.agents) - agents.begin();
   return (test.vehicle * behaviours.size() + test.behaviour) * agents.size() +
          static_cast<std::size_t>(column);

@@ -2,7 +2,7 @@
 
 // Behaviours x numbers of agents x tests, run in parallel and summed up. The outcome is a function
 // of the tests alone: it does not depend on the number of threads. How one test is run is the
-// caller's business (see trial.h); so this file knows neither scenarios nor agents.
+// caller's business (see test_run.h); so this file knows neither scenarios nor agents.
 
 #include <cstdint>
 #include <functional>
@@ -17,7 +17,7 @@ namespace jaywalk {
 
 /// Which test: the index of its behaviour in the plan, the number of agents, its number from 0, and
 /// the index of the automated vehicle (AV) that it runs with.
-struct TestCase {
+struct TestKey {
   std::size_t behaviour = 0;
   std::uint32_t agents = 1;
   std::uint64_t number = 0;
@@ -25,7 +25,7 @@ struct TestCase {
 };
 
 /// Runs one test. Called from several threads at once.
-using TestFunction = std::function<Result<TestResult>(const TestCase&)>;
+using TestFunction = std::function<Result<TestResult>(const TestKey&)>;
 
 /// The results of the tests in progress are kept in memory, if they are summed up: about 40 bytes
 /// each.
@@ -54,7 +54,7 @@ struct ExperimentPlan {
   [[nodiscard]] std::size_t cells() const { return rows() * vehicles.size(); }
   /// In the order of vehicles, then behaviours, then numbers of agents. REQUIRES: a test of the
   /// plan.
-  [[nodiscard]] std::size_t cell_of(const TestCase& test) const;
+  [[nodiscard]] std::size_t cell_of(const TestKey& test) const;
 };
 
 struct Progress {
@@ -73,7 +73,7 @@ struct ExperimentOutcome {
   std::vector<Summary> summaries;
   Progress progress;
   /// The first test (in the plan's order) that could not be run, with the reason.
-  std::optional<TestCase> failed_test;
+  std::optional<TestKey> failed_test;
   Diagnostics failure;
 
   [[nodiscard]] bool complete() const { return progress.done == progress.total; }

@@ -15,12 +15,12 @@ CoverageFeedback::CoverageFeedback(const ExperimentPlan& plan, std::uint64_t gen
   }
 }
 
-CoverageFeedback::Cell& CoverageFeedback::cell_of(const TestCase& test) {
+CoverageFeedback::Cell& CoverageFeedback::cell_of(const TestKey& test) {
   const auto place = std::ranges::find(plan_.agents, test.agents) - plan_.agents.begin();
   return cells_[test.behaviour * plan_.agents.size() + static_cast<std::size_t>(place)];
 }
 
-std::optional<std::vector<CoveredBin>> CoverageFeedback::wait_for(const TestCase& test) {
+std::optional<std::vector<CoveredBin>> CoverageFeedback::wait_for(const TestKey& test) {
   const std::uint64_t generation = test.number / generation_;
   std::unique_lock lock(mutex_);
   Cell& cell = cell_of(test);
@@ -29,7 +29,7 @@ std::optional<std::vector<CoveredBin>> CoverageFeedback::wait_for(const TestCase
   return cell.told[generation];
 }
 
-void CoverageFeedback::finished(const TestCase& test) {
+void CoverageFeedback::finished(const TestKey& test) {
   const std::lock_guard lock(mutex_);
   Cell& cell = cell_of(test);
   --cell.missing[test.number / generation_];

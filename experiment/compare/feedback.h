@@ -13,7 +13,7 @@
 
 #include "experiment/compare/experiment.h"
 #include "experiment/compare/situation_table.h"
-#include "experiment/trial/covered_bins.h"
+#include "experiment/test_run/covered_bins.h"
 
 namespace jaywalk {
 
@@ -26,9 +26,9 @@ class CoverageFeedback {
                    const SituationTable& table);
 
   /// What a test receives. Nothing: waiting has been given up.
-  [[nodiscard]] std::optional<std::vector<CoveredBin>> wait_for(const TestCase& test);
+  [[nodiscard]] std::optional<std::vector<CoveredBin>> wait_for(const TestKey& test);
   /// The table has the test. Each test once, those that were finished long ago, too.
-  void finished(const TestCase& test);
+  void finished(const TestKey& test);
   /// Nobody waits any more: a test has failed, or the user wants to stop.
   void give_up();
 
@@ -39,7 +39,7 @@ class CoverageFeedback {
     SituationCoverage coverage;          // of the complete ones
     std::vector<std::vector<CoveredBin>> told;
   };
-  [[nodiscard]] Cell& cell_of(const TestCase& test);
+  [[nodiscard]] Cell& cell_of(const TestKey& test);
 
   const ExperimentPlan& plan_;
   std::uint64_t generation_;

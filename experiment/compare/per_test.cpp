@@ -20,7 +20,7 @@ std::string PerTestLines::header() const {
   return text + '\n';
 }
 
-std::string PerTestLines::line(const TestCase& test, const TestOutcome& outcome,
+std::string PerTestLines::line(const TestKey& test, const TestOutcome& outcome,
                                std::span<const Verdict> verdicts) const {
   std::string text =
       fmt::format("{},{}", csv_quoted(plan_.behaviours[test.behaviour]), test.agents);
@@ -35,19 +35,19 @@ std::string PerTestLines::line(const TestCase& test, const TestOutcome& outcome,
   return text + '\n';
 }
 
-std::vector<Verdict> verdicts_of(const TestFindings& findings) {
+std::vector<Verdict> verdicts_of(const TestAssessment& assessment) {
   std::vector<Verdict> verdicts;
-  for (const Judgement& judgement : findings.judgements) verdicts.push_back(judgement.verdict);
+  for (const Judgement& judgement : assessment.judgements) verdicts.push_back(judgement.verdict);
   return verdicts;
 }
 
 PerTestTable::PerTestTable(const ExperimentPlan& plan, std::vector<std::string> assertions)
     : plan_(plan), lines_(plan, std::move(assertions)) {}
 
-void PerTestTable::add(const TestCase& test, const TestOutcome& outcome,
-                       const TestFindings& findings) {
+void PerTestTable::add(const TestKey& test, const TestOutcome& outcome,
+                       const TestAssessment& assessment) {
   const std::lock_guard lock(mutex_);
-  rows_.push_back({.test = test, .outcome = outcome, .verdicts = verdicts_of(findings)});
+  rows_.push_back({.test = test, .outcome = outcome, .verdicts = verdicts_of(assessment)});
 }
 
 std::string PerTestTable::csv() const {

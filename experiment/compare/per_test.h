@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/compare/findings.h"
 #include "experiment/compare/summary.h"
+#include "experiment/compare/test_assessment.h"
 
 namespace jaywalk {
 
@@ -23,7 +23,7 @@ class PerTestLines {
   PerTestLines(const ExperimentPlan& plan, std::vector<std::string> assertions);
 
   [[nodiscard]] std::string header() const;
-  [[nodiscard]] std::string line(const TestCase& test, const TestOutcome& outcome,
+  [[nodiscard]] std::string line(const TestKey& test, const TestOutcome& outcome,
                                  std::span<const Verdict> verdicts) const;
 
  private:
@@ -31,7 +31,7 @@ class PerTestLines {
   std::vector<std::string> assertions_;
 };
 
-[[nodiscard]] std::vector<Verdict> verdicts_of(const TestFindings& findings);
+[[nodiscard]] std::vector<Verdict> verdicts_of(const TestAssessment& assessment);
 
 /// Collects from several threads; what it holds depends on the tests alone.
 class PerTestTable {
@@ -40,7 +40,7 @@ class PerTestTable {
   PerTestTable(const ExperimentPlan& plan, std::vector<std::string> assertions);
 
   /// REQUIRES: a test of the plan, numbered from 0; each once.
-  void add(const TestCase& test, const TestOutcome& outcome, const TestFindings& findings);
+  void add(const TestKey& test, const TestOutcome& outcome, const TestAssessment& assessment);
 
   /// A header line and a line for each test, in the order of the plan. REQUIRES: nobody adds
   /// meanwhile.
@@ -48,7 +48,7 @@ class PerTestTable {
 
  private:
   struct Row {
-    TestCase test;
+    TestKey test;
     TestOutcome outcome;
     std::vector<Verdict> verdicts;
   };

@@ -18,7 +18,7 @@ std::size_t SituationTable::cell_index(std::size_t behaviour, std::uint32_t agen
   return behaviour * plan_.agents.size() + static_cast<std::size_t>(place);
 }
 
-void SituationTable::add(const TestCase& test, const SituationBins& bins) {
+void SituationTable::add(const TestKey& test, const SituationBins& bins) {
   Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
   const std::size_t items = situation_items().size();
   std::call_once(cell.started, [&] { cell.bins.assign(plan_.tests * items, kNoBin); });

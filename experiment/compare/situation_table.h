@@ -18,7 +18,7 @@ class SituationTable {
   explicit SituationTable(const ExperimentPlan& plan);
 
   /// REQUIRES: a test of the plan.
-  void add(const TestCase& test, const SituationBins& bins);
+  void add(const TestKey& test, const SituationBins& bins);
   /// Of the first `tests` tests of a behaviour with a number of agents; those that were not added
   /// cover nothing. REQUIRES: nobody adds to those meanwhile.
   [[nodiscard]] SituationCoverage coverage(std::size_t behaviour, std::uint32_t agents,

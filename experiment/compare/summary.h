@@ -8,7 +8,7 @@
 #include <string>
 
 #include "experiment/compare/measures/statistics.h"
-#include "experiment/trial/test_result.h"
+#include "experiment/test_run/test_result.h"
 
 namespace jaywalk {
 

@@ -112,7 +112,7 @@ std::size_t TroublesTable::cell_index(std::size_t behaviour, std::uint32_t agent
   return behaviour * agents_.size() + column;
 }
 
-void TroublesTable::add(const TestCase& test, const TestTroubles& troubles) {
+void TroublesTable::add(const TestKey& test, const TestTroubles& troubles) {
   Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
   const std::lock_guard lock(cell.mutex);
   cell.sum.add(test.number, troubles);

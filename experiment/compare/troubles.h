@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/trial/test_troubles.h"
+#include "experiment/test_run/test_troubles.h"
 
 namespace jaywalk {
 
@@ -79,7 +79,7 @@ class TroublesTable {
       : agents_(plan.agents), cells_(plan.behaviours.size() * plan.agents.size()) {}
 
   /// REQUIRES: a test of the plan; each once.
-  void add(const TestCase& test, const TestTroubles& troubles);
+  void add(const TestKey& test, const TestTroubles& troubles);
   [[nodiscard]] Troubles troubles(std::size_t behaviour, std::uint32_t agents) const;
 
  private:

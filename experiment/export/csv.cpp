@@ -13,13 +13,13 @@ namespace {
 
 std::string findings_heading(const Comparison& comparison) {
   std::string text;
-  if (comparison.findings.empty()) return text;
+  if (comparison.assessments.empty()) return text;
   for (const std::string& id : comparison.assertions) {
     for (std::size_t i = 0; i < kVerdictCount; ++i) {
       text += fmt::format(",{}_{}", id, name(static_cast<Verdict>(i)));
     }
   }
-  if (comparison.findings.front().metrics.empty()) return text;
+  if (comparison.assessments.front().metrics.empty()) return text;
   for (const Metric& metric : metrics()) {
     for (const std::string_view column : {"count", "mean", "min", "q1", "median", "q3", "max"}) {
       text += fmt::format(",{}_{}", metric.name, column);
@@ -28,12 +28,12 @@ std::string findings_heading(const Comparison& comparison) {
   return text;
 }
 
-std::string findings_fields(const FindingsSummary& findings) {
+std::string assessment_fields(const AssessmentSummary& assessment) {
   std::string text;
-  for (const VerdictCounts& counts : findings.verdicts) {
+  for (const VerdictCounts& counts : assessment.verdicts) {
     for (const std::uint64_t count : counts.tests) text += fmt::format(",{}", count);
   }
-  for (const Distribution& metric : findings.metrics) {
+  for (const Distribution& metric : assessment.metrics) {
     text += fmt::format(",{}", metric.count);
     for (const double value : {metric.mean, metric.least, metric.lower_quartile, metric.median,
                                metric.upper_quartile, metric.greatest}) {
@@ -63,7 +63,7 @@ std::string to_csv(const Comparison& comparison) {
       if (!measure.low_column.empty()) add_csv_field(text, estimate.low);
       if (!measure.high_column.empty()) add_csv_field(text, estimate.high);
     }
-    if (!comparison.findings.empty()) text += findings_fields(comparison.findings[row]);
+    if (!comparison.assessments.empty()) text += assessment_fields(comparison.assessments[row]);
     text += '\n';
   }
   return text;

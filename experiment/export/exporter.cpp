@@ -25,7 +25,7 @@ const Exporter* find_exporter(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::string file_stem(const ResultsReader& store, const TestCase& test) {
+std::string file_stem(const ResultsReader& store, const TestKey& test) {
   return fmt::format("{}-{}-test-{}", store.description().behaviours[test.behaviour].name,
                      test.agents, test.number);
 }

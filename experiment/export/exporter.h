@@ -51,7 +51,7 @@ struct Exporter {
 [[nodiscard]] const Exporter* find_exporter(std::string_view name);
 
 /// The name of a test's files, without an ending: `proximity-10-test-7`.
-[[nodiscard]] std::string file_stem(const ResultsReader& store, const TestCase& test);
+[[nodiscard]] std::string file_stem(const ResultsReader& store, const TestKey& test);
 
 /// Writes a file of the export and notes it down.
 [[nodiscard]] bool write_export(const ExportRequest& request, const std::string& name,

@@ -38,17 +38,18 @@ Json to_object(const Distribution& metric) {
 }
 
 /// Verdicts and metrics, if they were asked for. Infinite values become null.
-void add_findings(Json& object, const Comparison& comparison, const FindingsSummary& findings) {
-  for (std::size_t i = 0; i < findings.verdicts.size(); ++i) {
+void add_assessments(Json& object, const Comparison& comparison,
+                     const AssessmentSummary& assessment) {
+  for (std::size_t i = 0; i < assessment.verdicts.size(); ++i) {
     Json& counts = object["verdicts"][comparison.assertions[i]];
     for (std::size_t verdict = 0; verdict < kVerdictCount; ++verdict) {
       counts[std::string(name(static_cast<Verdict>(verdict)))] =
-          findings.verdicts[i].tests[verdict];
+          assessment.verdicts[i].tests[verdict];
     }
-    counts["exercised_pct"] = exercised_pct(findings.verdicts[i]);
+    counts["exercised_pct"] = exercised_pct(assessment.verdicts[i]);
   }
-  for (std::size_t i = 0; i < findings.metrics.size(); ++i) {
-    object["metrics"][std::string(metrics()[i].name)] = to_object(findings.metrics[i]);
+  for (std::size_t i = 0; i < assessment.metrics.size(); ++i) {
+    object["metrics"][std::string(metrics()[i].name)] = to_object(assessment.metrics[i]);
   }
 }
 
@@ -172,8 +173,8 @@ std::string to_json(const Comparison& comparison) {
   Json results = Json::array();
   for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
     results.push_back(to_object(comparison.summaries[row], comparison.published));
-    if (!comparison.findings.empty()) {
-      add_findings(results.back(), comparison, comparison.findings[row]);
+    if (!comparison.assessments.empty()) {
+      add_assessments(results.back(), comparison, comparison.assessments[row]);
     }
     if (row < comparison.troubles.size()) {
       results.back()["what_happened_to_agents"] = to_object(comparison.troubles[row]);

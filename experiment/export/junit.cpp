@@ -109,19 +109,19 @@ std::string to_junit(const Comparison& comparison) {
   std::string suites;
   for (std::size_t i = 0; i < comparison.assertions.size(); ++i) {
     std::vector<Case> cases;
-    for (std::size_t row = 0; row < comparison.findings.size(); ++row) {
-      cases.push_back(case_of(comparison.summaries[row], comparison.findings[row].verdicts[i]));
+    for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
+      cases.push_back(case_of(comparison.summaries[row], comparison.assessments[row].verdicts[i]));
     }
     suites += suite(comparison.assertions[i], cases);
   }
   return document(suites + errored_suite(comparison));
 }
 
-std::string to_junit(const std::string& name, const Inquiry& inquiry,
-                     const TestFindings& findings) {
+std::string to_junit(const std::string& name, const Criteria& criteria,
+                     const TestAssessment& assessment) {
   std::vector<Case> cases;
-  for (std::size_t i = 0; i < findings.judgements.size(); ++i) {
-    cases.push_back(case_of(inquiry.assertions[i], findings.judgements[i]));
+  for (std::size_t i = 0; i < assessment.judgements.size(); ++i) {
+    cases.push_back(case_of(criteria.assertions[i], assessment.judgements[i]));
   }
   return document(suite(name, cases));
 }

@@ -13,7 +13,7 @@ namespace jaywalk {
 /// violated it, skipped if no test exercised it.
 [[nodiscard]] std::string to_junit(const Comparison& comparison);
 /// A suite for one test, called `name`, a case for each assertion.
-[[nodiscard]] std::string to_junit(const std::string& name, const Inquiry& inquiry,
-                                   const TestFindings& findings);
+[[nodiscard]] std::string to_junit(const std::string& name, const Criteria& criteria,
+                                   const TestAssessment& assessment);
 
 }  // namespace jaywalk

@@ -1,6 +1,6 @@
 #pragma once
 
-// A test as it was seen: every actor at every tick, and what happened. Recorded while a trial runs;
+// A test as it was seen: every actor at every tick, and what happened. Recorded while a test runs;
 // stored, measured, judged, drawn and exported afterwards. See env/scene.h for units and axes.
 
 #include <cstddef>

@@ -76,7 +76,7 @@ std::string why_not_the_same(const TrainingPlan& plan, const Policy& policy) {
 Training::Training(TrainingPlan plan, std::shared_ptr<Policy> policy)
     : plan_(std::move(plan)),
       policy_(std::move(policy)),
-      trials_(*plan_.prepared),
+      runners_(*plan_.prepared),
       ground_(plan_.prepared->scenario().world->ground()),
       discount_(
           std::pow(policy_->origin().spec.discount, plan_.prepared->scenario().world->tick_s())),
@@ -87,17 +87,16 @@ void Training::run_test(std::uint64_t number, Lesson& lesson) {
   lesson.episodes.emplace(*policy_, discount_);
   TickRewards rewards(spec, *lesson.episodes);
   const std::size_t vehicles = plan_.prepared->vehicles().size();
-  const TrialInput input{.behaviour = plan_.behaviour,
-                         .agents = plan_.agents,
-                         .seed = plan_.seed,
-                         .test = number,
-                         .vehicle = vehicles > 1 ? 1 + number % (vehicles - 1) : 0};
-  const TrialOptions options{
-      .observe = [&](const World& world, const Mas&) { rewards.tick(world); },
-      .record = needs_recording(spec.reward) ? &lesson.recording : nullptr,
-      .policies = &*lesson.episodes,
-      .interrupted = plan_.interrupted};
-  TrialResult result = trials_.run(input, options);
+  const TestSetup setup{.behaviour = plan_.behaviour,
+                        .agents = plan_.agents,
+                        .seed = plan_.seed,
+                        .test = number,
+                        .vehicle = vehicles > 1 ? 1 + number % (vehicles - 1) : 0};
+  const TestOptions options{.observe = [&](const World& world, const Mas&) { rewards.tick(world); },
+                            .record = needs_recording(spec.reward) ? &lesson.recording : nullptr,
+                            .policies = &*lesson.episodes,
+                            .interrupted = plan_.interrupted};
+  TestRun result = runners_.run(setup, options);
   lesson.errored = !result.completed;
   lesson.interrupted = result.interrupted;
   lesson.message = std::move(result.message);
@@ -112,7 +111,7 @@ std::vector<Training::Lesson> Training::run_tests(std::uint64_t count, std::stri
                              .tests = count,
                              .summed_up = false,
                              .threads = plan_.threads};
-  const auto run = [&](const TestCase& test) -> Result<TestResult> {
+  const auto run = [&](const TestKey& test) -> Result<TestResult> {
     run_test(first + test.number, lessons[test.number]);
     return TestResult{};
   };

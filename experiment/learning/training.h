@@ -13,7 +13,8 @@
 
 #include "experiment/learning/rewards.h"
 #include "experiment/policy/policy.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
+#include "experiment/test_run/test_run.h"
 
 namespace jaywalk {
 
@@ -59,7 +60,7 @@ class Training {
 
   TrainingPlan plan_;
   std::shared_ptr<Policy> policy_;
-  TrialRunners trials_;
+  TestRunners runners_;
   Ground ground_;
   double discount_;  // of a tick
   std::set<std::string> covered_;

@@ -30,7 +30,7 @@ std::size_t FactsTable::cell_index(std::size_t behaviour, std::uint32_t agents) 
   return behaviour * agents_.size() + column;
 }
 
-void FactsTable::add(const TestCase& test, const TestResult& result) {
+void FactsTable::add(const TestKey& test, const TestResult& result) {
   Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
   const std::lock_guard lock(cell.mutex);
   cell.facts.succeeded.resize(tests_);
@@ -40,13 +40,13 @@ void FactsTable::add(const TestCase& test, const TestResult& result) {
   if (!result.errored) ++cell.facts.ticks[result.ticks];
 }
 
-void FactsTable::add_place(const TestCase& test, double x_m, double y_m) {
+void FactsTable::add_place(const TestKey& test, double x_m, double y_m) {
   Cell& cell = cells_[cell_index(test.behaviour, test.agents)];
   const std::lock_guard lock(cell.mutex);
   ++cell.facts.places[square_of(x_m, y_m)];
 }
 
-void FactsTable::add(const TestCase& test, const TestResult& result, const Recording& recording) {
+void FactsTable::add(const TestKey& test, const TestResult& result, const Recording& recording) {
   add(test, result);
   if (result.errored) return;
   for (const RecordedEvent& event : recording.events()) {

@@ -36,10 +36,10 @@ class FactsTable {
   explicit FactsTable(const ExperimentPlan& plan);
 
   /// REQUIRES: a test of the plan, numbered from 0; each once.
-  void add(const TestCase& test, const TestResult& result);
+  void add(const TestKey& test, const TestResult& result);
   /// A pedestrian of the test met the precondition there.
-  void add_place(const TestCase& test, double x_m, double y_m);
-  void add(const TestCase& test, const TestResult& result, const Recording& recording);
+  void add_place(const TestKey& test, double x_m, double y_m);
+  void add(const TestKey& test, const TestResult& result, const Recording& recording);
 
   /// REQUIRES: nobody adds meanwhile.
   [[nodiscard]] const CellFacts& facts(std::size_t behaviour, std::uint32_t agents) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "experiment/policy/policy.h"
+#include "experiment/test_run/test_run.h"
 #include "interpreter/agent/agent.h"
 
 namespace jaywalk::reporting {
@@ -57,8 +58,8 @@ std::vector<PolicyMap> policy_maps(const PreparedScenario& prepared, const Polic
   const std::shared_ptr<const Policy>& policy = prepared.behaviours()[tests.behaviour].policy;
   if (policy == nullptr || !world.command().empty() || !world.simulator().name.empty()) return {};
   PlacedChoices choices(*policy, world.plan().cell_m);
-  TrialRunner runner(prepared);
-  TrialOptions options;
+  TestRunner runner(prepared);
+  TestOptions options;
   options.policies = &choices;
   options.observe = [&](const World& now, const Mas&) { choices.see(now.scene()); };
   for (std::uint64_t i = 0; i < tests.count; ++i) {

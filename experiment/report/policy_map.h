@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiment/report/facts.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 
 namespace jaywalk::reporting {
 

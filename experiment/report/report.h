@@ -20,7 +20,7 @@ namespace jaywalk::reporting {
 
 /// A test that is named in the report: why, and the picture of its tracks or its page, if any.
 struct ReplayLink {
-  TestCase test;
+  TestKey test;
   /// "the first that met the precondition", …
   std::string reason;
   /// Everybody's way, from the store; empty if it has no scenes of it.
@@ -32,7 +32,7 @@ struct ReplayLink {
 /// A test that violates an assertion.
 struct Violation {
   std::string assertion;
-  TestCase test;
+  TestKey test;
   double robustness = 0;
   std::optional<std::uint32_t> tick;
   std::string witness;

@@ -39,7 +39,7 @@ class DataReader {
   }
 
   /// The test with its number counted from the plan's first.
-  [[nodiscard]] TestCase in_plan(TestCase test) const {
+  [[nodiscard]] TestKey in_plan(TestKey test) const {
     test.number -= store_.description().first_test;
     return test;
   }
@@ -58,7 +58,7 @@ class DataReader {
         return Proceed::yes;
       }));
     }
-    note(store_.for_each_place("precondition", [&](const TestCase& test, double x_m, double y_m) {
+    note(store_.for_each_place("precondition", [&](const TestKey& test, double x_m, double y_m) {
       if (test.vehicle == 0) table.add_place(in_plan(test), x_m, y_m);
     }));
     for (const Summary& summary : data_.comparison.summaries) {
@@ -68,9 +68,9 @@ class DataReader {
 
   void read_violations() {
     if (data_.comparison.assertions.empty() || !data_.prepared) return;
-    note(store_.for_each_assessed([&](const TestCase& test, const std::vector<Assessment>& rows) {
+    note(store_.for_each_assessed([&](const TestKey& test, const std::vector<AssessmentRow>& rows) {
       if (test.vehicle > 0) return;
-      for (const Assessment& row : rows) note_violation(test, row);
+      for (const AssessmentRow& row : rows) note_violation(test, row);
     }));
     // Those of files, if there are any, take the place of the scenario's.
     take(store_.assertions(), data_.assertions);
@@ -84,8 +84,8 @@ class DataReader {
   }
 
   /// Keeps each behaviour's worst one of each assertion, the first of equals.
-  void note_violation(const TestCase& test, const Assessment& row) {
-    if (row.verdict != AssessmentVerdict::fail) return;
+  void note_violation(const TestKey& test, const AssessmentRow& row) {
+    if (row.verdict != StoredVerdict::fail) return;
     const double robustness = row.robustness.value_or(0);
     auto& all = candidates_[row.id];
     const auto found = all.find(test.behaviour);

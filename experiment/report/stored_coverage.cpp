@@ -7,7 +7,8 @@
 #include <optional>
 #include <thread>
 
-#include "experiment/trial/plan_coverage.h"
+#include "experiment/test_run/plan_coverage.h"
+#include "experiment/test_run/test_run.h"
 #include "interpreter/support/start_threads.h"
 
 namespace jaywalk {
@@ -74,14 +75,14 @@ Result<Reruns> find_reruns(const ResultsReader& store, const std::vector<TestFil
   Diagnostics trouble;
   for (const TestFilter& cell : cells) {
     auto failure = store.for_each_test(cell, [&](const StoredTest& test) {
-      const auto input = store.input(test.id);
-      if (!input) {
-        trouble.append(input.diagnostics());
+      const auto setup = store.setup(test.id);
+      if (!setup) {
+        trouble.append(setup.diagnostics());
         return Proceed::no;
       }
-      if (!obstacle(prepared, input.value()).empty()) return Proceed::yes;
-      std::uint32_t& most = reruns.behaviours[input.value().behaviour];
-      most = std::max(most, input.value().agents);
+      if (!problem(prepared, setup.value()).empty()) return Proceed::yes;
+      std::uint32_t& most = reruns.behaviours[setup.value().behaviour];
+      most = std::max(most, setup.value().agents);
       reruns.ids.push_back(test.id);
       return Proceed::yes;
     });
@@ -141,21 +142,21 @@ Result<SourceCoverage> stored_plan_coverage(const ResultsReader& store,
   std::atomic<bool> cancelled{false};
   std::mutex mutex;  // guards the store and what follows
   Diagnostics trouble;
-  const auto input_of = [&](std::int64_t id) -> std::optional<TrialInput> {
+  const auto input_of = [&](std::int64_t id) -> std::optional<TestSetup> {
     const std::lock_guard lock(mutex);
-    auto input = store.input(id);
-    if (input) return std::move(input).value();
-    trouble.append(input.diagnostics());
+    auto setup = store.setup(id);
+    if (setup) return std::move(setup).value();
+    trouble.append(setup.diagnostics());
     cancelled = true;
     return std::nullopt;
   };
   const auto work = [&] {
     const PlanCoverage::Borrowed observer(coverage);
     for (std::size_t i = next++; i < ids.size() && !cancelled; i = next++) {
-      if (const auto input = input_of(ids[i])) {
-        (void)run_trial(*prepared.value(), *input, {.observer = observer.get(), .interrupted = [&] {
-                                                      return cancelled.load();
-                                                    }});
+      if (const auto setup = input_of(ids[i])) {
+        (void)run_test(*prepared.value(), *setup, {.observer = observer.get(), .interrupted = [&] {
+                                                     return cancelled.load();
+                                                   }});
       }
       ++done;
     }

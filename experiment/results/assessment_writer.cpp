@@ -25,11 +25,11 @@ class AssessmentWriter::Impl {
     write_judging(*database_, before, description_);
   }
 
-  void replace(std::int64_t test_id, const std::vector<Assessment>& assessments) {
-    std::vector<Assessment> all = read_assessments(*database_, test_id);
-    std::erase_if(all, [&](const Assessment& old) {
+  void replace(std::int64_t test_id, const std::vector<AssessmentRow>& assessments) {
+    std::vector<AssessmentRow> all = read_assessments(*database_, test_id);
+    std::erase_if(all, [&](const AssessmentRow& old) {
       return std::ranges::any_of(assessments,
-                                 [&](const Assessment& each) { return each.id == old.id; });
+                                 [&](const AssessmentRow& each) { return each.id == old.id; });
     });
     all.insert(all.end(), assessments.begin(), assessments.end());
     remove_.run(row_id(test_id, 0), row_id(test_id + 1, 0));
@@ -67,7 +67,8 @@ void AssessmentWriter::note_judging(std::span<const SourcePtr> files, bool metri
   impl_->note_judging(files, metrics);
 }
 
-void AssessmentWriter::replace(std::int64_t test_id, const std::vector<Assessment>& assessments) {
+void AssessmentWriter::replace(std::int64_t test_id,
+                               const std::vector<AssessmentRow>& assessments) {
   impl_->replace(test_id, assessments);
 }
 

@@ -138,7 +138,7 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
   }
 }
 
-std::int64_t test_id(const ExperimentDescription& description, const TestCase& test) {
+std::int64_t test_id(const ExperimentDescription& description, const TestKey& test) {
   const auto agents = std::ranges::find(description.agents, test.agents);
   assert(agents != description.agents.end() && "a test of the plan");
   const auto column = static_cast<std::uint64_t>(agents - description.agents.begin());
@@ -148,21 +148,21 @@ std::int64_t test_id(const ExperimentDescription& description, const TestCase& t
                                    1);
 }
 
-std::int64_t twin_id(const ExperimentDescription& description, TestCase test) {
+std::int64_t twin_id(const ExperimentDescription& description, TestKey test) {
   test.vehicle = 0;
   return test_id(description, test);
 }
 
-std::optional<TestCase> find_test(const ExperimentDescription& description, std::int64_t id) {
+std::optional<TestKey> find_test(const ExperimentDescription& description, std::int64_t id) {
   if (id < 1 || description.tests == 0 || description.agents.empty()) return std::nullopt;
   const auto place = static_cast<std::uint64_t>(id - 1);
   const std::uint64_t cell = place / description.tests;
   if (cell >= cells(description)) return std::nullopt;
   const std::uint64_t row = cell / description.agents.size();
-  return TestCase{.behaviour = row % description.behaviours.size(),
-                  .agents = description.agents[cell % description.agents.size()],
-                  .number = place % description.tests + description.first_test,
-                  .vehicle = row / description.behaviours.size()};
+  return TestKey{.behaviour = row % description.behaviours.size(),
+                 .agents = description.agents[cell % description.agents.size()],
+                 .number = place % description.tests + description.first_test,
+                 .vehicle = row / description.behaviours.size()};
 }
 
 ExperimentPlan plan_of(const ExperimentDescription& description) {

@@ -11,7 +11,7 @@
 
 #include "experiment/compare/experiment.h"
 #include "experiment/results/store/stored_inputs.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 
 namespace jaywalk {
 
@@ -87,12 +87,12 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
 
 /// The number under which a store keeps a test, from 1 in the order of the plan. Shards and the
 /// whole run agree on it. REQUIRES: a test of the plan.
-[[nodiscard]] std::int64_t test_id(const ExperimentDescription& description, const TestCase& test);
+[[nodiscard]] std::int64_t test_id(const ExperimentDescription& description, const TestKey& test);
 /// That of the same test with the first vehicle.
-[[nodiscard]] std::int64_t twin_id(const ExperimentDescription& description, TestCase test);
+[[nodiscard]] std::int64_t twin_id(const ExperimentDescription& description, TestKey test);
 /// The inverse of test_id(). Nothing if the plan has no such test.
-[[nodiscard]] std::optional<TestCase> find_test(const ExperimentDescription& description,
-                                                std::int64_t id);
+[[nodiscard]] std::optional<TestKey> find_test(const ExperimentDescription& description,
+                                               std::int64_t id);
 
 /// What was run, on one thread.
 [[nodiscard]] ExperimentPlan plan_of(const ExperimentDescription& description);

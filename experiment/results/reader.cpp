@@ -13,8 +13,8 @@
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
 #include "experiment/results/stored_rows.h"
-#include "experiment/trial/covered_bins.h"
-#include "experiment/trial/tested_vehicles.h"
+#include "experiment/test_run/covered_bins.h"
+#include "experiment/test_run/tested_vehicles.h"
 
 namespace jaywalk {
 namespace {
@@ -58,7 +58,7 @@ class ResultsReader::Impl {
   }
 
   /// The test of that id; if the plan has none, reading has failed.
-  std::optional<TestCase> planned(std::int64_t id) {
+  std::optional<TestKey> planned(std::int64_t id) {
     auto test = find_test(description_, id);
     if (!test) database_->fail(fmt::format("the store is damaged: it has a test {}", id));
     return test;
@@ -160,7 +160,7 @@ Result<std::vector<AgentScore>> ResultsReader::scores(std::int64_t id) const {
   return impl_->checked(read_scores(impl_->database(), id));
 }
 
-Result<std::vector<Assessment>> ResultsReader::assessments(std::int64_t id) const {
+Result<std::vector<AssessmentRow>> ResultsReader::assessments(std::int64_t id) const {
   return impl_->checked(read_assessments(impl_->database(), id));
 }
 
@@ -174,7 +174,7 @@ Result<std::vector<std::string>> ResultsReader::assertion_ids() const {
 
 std::optional<Diagnostics> ResultsReader::for_each_place(
     std::string_view kind,
-    const std::function<void(const TestCase& test, double x_m, double y_m)>& callback) const {
+    const std::function<void(const TestKey& test, double x_m, double y_m)>& callback) const {
   read_places(impl_->database(), kind, [&](std::int64_t id, double x_m, double y_m) {
     if (const auto test = impl_->planned(id)) callback(*test, x_m, y_m);
   });
@@ -182,7 +182,7 @@ std::optional<Diagnostics> ResultsReader::for_each_place(
 }
 
 std::optional<Diagnostics> ResultsReader::for_each_assessed(
-    const std::function<void(const TestCase& test, const std::vector<Assessment>& assessments)>&
+    const std::function<void(const TestKey& test, const std::vector<AssessmentRow>& assessments)>&
         callback) const {
   read_all_assessments(impl_->database(), [&](std::int64_t id, const auto& assessments) {
     if (const auto test = impl_->planned(id)) callback(*test, assessments);
@@ -218,10 +218,10 @@ Result<std::vector<Assertion>> ResultsReader::assertions() const {
   return std::move(files).value().assertions;
 }
 
-Result<TrialInput> ResultsReader::input(std::int64_t id) const {
+Result<TestSetup> ResultsReader::setup(std::int64_t id) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
-  const TestCase& wanted = stored.value().test;
+  const TestKey& wanted = stored.value().test;
   auto scenario = prepared();
   if (!scenario) return std::move(scenario.diagnostics());
   const auto vehicle = find_vehicle(*scenario.value(), description().vehicles[wanted.vehicle]);
@@ -243,28 +243,28 @@ Result<TrialInput> ResultsReader::input(std::int64_t id) const {
   if (!feedback || !head_start || *head_start < 0 || *head_start > kMostHeadStart) {
     return store_error(path(), fmt::format("test {} has a damaged event", id));
   }
-  return TrialInput{.behaviour = wanted.behaviour,
-                    .agents = wanted.agents,
-                    .seed = description().seed,
-                    .test = wanted.number,
-                    .feedback = std::move(*feedback),
-                    .head_start = static_cast<int>(*head_start),
-                    .vehicle = *vehicle};
+  return TestSetup{.behaviour = wanted.behaviour,
+                   .agents = wanted.agents,
+                   .seed = description().seed,
+                   .test = wanted.number,
+                   .feedback = std::move(*feedback),
+                   .head_start = static_cast<int>(*head_start),
+                   .vehicle = *vehicle};
 }
 
-Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& options) const {
+Result<TestRun> ResultsReader::rerun(std::int64_t id, const TestOptions& options) const {
   auto stored = test(id);
   if (!stored) return std::move(stored.diagnostics());
   auto scenario = prepared();
   if (!scenario) return std::move(scenario.diagnostics());
-  auto trial_input = input(id);
-  if (!trial_input) return std::move(trial_input.diagnostics());
-  if (const std::string why = obstacle(*scenario.value(), trial_input.value()); !why.empty()) {
+  auto again = setup(id);
+  if (!again) return std::move(again.diagnostics());
+  if (const std::string why = problem(*scenario.value(), again.value()); !why.empty()) {
     return store_error(path(), why);
   }
-  TrialOptions stoppable = options;
+  TestOptions stoppable = options;
   if (!stoppable.interrupted) stoppable.interrupted = impl_->stopped();
-  TrialResult result = run_trial(*scenario.value(), trial_input.value(), stoppable);
+  TestRun result = run_test(*scenario.value(), again.value(), stoppable);
   if (result.interrupted) return store_error(path(), "interrupted");
   const TestResult& wanted = stored.value().result;
   const bool same = wanted.errored
@@ -278,24 +278,24 @@ Result<TrialResult> ResultsReader::rerun(std::int64_t id, const TrialOptions& op
       fmt::format("jaywalk {} stored it, this is {}", description().version, JAYWALK_VERSION));
 }
 
-std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) const {
+std::optional<Diagnostics> ResultsReader::add_assessments(Comparison& comparison) const {
   auto ids = assertion_ids();
   if (!ids) return std::move(ids.diagnostics());
   const ExperimentPlan plan = plan_of(description());
-  Inquiry inquiry;
-  inquiry.assertions.resize(ids.value().size());
-  FindingsTable table(inquiry, plan);
+  Criteria criteria;
+  criteria.assertions.resize(ids.value().size());
+  AssessmentTable table(criteria, plan);
   KillTable kills(plan, tests_in_shard(description()));
   bool any = false;
-  auto failure = for_each_assessed([&](TestCase test, const std::vector<Assessment>& rows) {
+  auto failure = for_each_assessed([&](TestKey test, const std::vector<AssessmentRow>& rows) {
     any = true;
     test.number -= description().first_test;
     kills.add(test, blames_the_av(rows));
-    if (test.vehicle == 0) table.add(test, from_assessments(rows, ids.value()));
+    if (test.vehicle == 0) table.add(test, from_rows(rows, ids.value()));
   });
   if (failure || !any) return failure;
   failure = for_each_test({.vehicle = std::nullopt, .errored = true}, [&](const StoredTest& each) {
-    TestCase test = each.test;
+    TestKey test = each.test;
     test.number -= description().first_test;
     kills.add_errored(test);
     return Proceed::yes;
@@ -305,19 +305,19 @@ std::optional<Diagnostics> ResultsReader::add_findings(Comparison& comparison) c
   comparison.assertions = std::move(ids).value();
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(plan.behaviours, summary.behaviour);
-    comparison.findings.push_back(table.summary(
+    comparison.assessments.push_back(table.summary(
         static_cast<std::size_t>(behaviour - plan.behaviours.begin()), summary.agents));
   }
   return std::nullopt;
 }
 
-/// REQUIRES: the findings are there.
+/// REQUIRES: the assessments are there.
 std::optional<Diagnostics> ResultsReader::add_avs(Comparison& comparison) const {
   AvTable table(plan_of(description()), tests_in_shard(description()));
   if (!table.wanted()) return std::nullopt;
   std::optional<Diagnostics> trouble;
   auto failure = for_each_test({.vehicle = std::nullopt}, [&](const StoredTest& each) {
-    TestCase test = each.test;
+    TestKey test = each.test;
     test.number -= description().first_test;
     Blame blame = Blame::unknown;
     if (each.outcome.impact_mps && !comparison.assertions.empty()) {
@@ -367,7 +367,7 @@ Result<Comparison> ResultsReader::comparison() const {
       if (!summary) return std::move(summary.diagnostics());
       if (summary.value().tests == 0 || summary.value().tests != tests_in_shard(plan)) continue;
       comparison.summaries.push_back(std::move(summary).value());
-      const TestCase first{.behaviour = behaviour, .agents = agents, .number = plan.first_test};
+      const TestKey first{.behaviour = behaviour, .agents = agents, .number = plan.first_test};
       const std::int64_t id = test_id(plan, first);
       auto troubles = impl_->checked(
           read_troubles(impl_->database(), id, id + static_cast<std::int64_t>(plan.tests) - 1));
@@ -375,7 +375,7 @@ Result<Comparison> ResultsReader::comparison() const {
       comparison.troubles.push_back(std::move(troubles).value());
     }
   }
-  if (auto failure = add_findings(comparison)) return std::move(*failure);
+  if (auto failure = add_assessments(comparison)) return std::move(*failure);
   if (auto failure = add_avs(comparison)) return std::move(*failure);
   // A scenario that this version cannot read any more has no published figures beside it.
   if (const auto scenario = prepared()) comparison.published = published_rows(*scenario.value());
@@ -399,7 +399,7 @@ std::optional<Diagnostics> write_per_test_table(const ResultsReader& store, cons
         trouble = rows.diagnostics();
         return Proceed::no;
       }
-      verdicts = verdicts_of(from_assessments(rows.value(), ids.value()));
+      verdicts = verdicts_of(from_rows(rows.value(), ids.value()));
     }
     sink(lines.line(each.test, each.outcome, verdicts));
     return Proceed::yes;

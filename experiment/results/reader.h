@@ -23,7 +23,7 @@ namespace jaywalk {
 /// A line of the list of tests.
 struct StoredTest {
   std::int64_t id = 0;
-  TestCase test;
+  TestKey test;
   TestResult result;
   TestOutcome outcome;
   /// How many of its scenes the store has; with none the test is run again when they are asked for.
@@ -78,7 +78,7 @@ class ResultsReader {
   /// Error: there is no such test.
   [[nodiscard]] Result<StoredTest> test(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
-  [[nodiscard]] Result<std::vector<Assessment>> assessments(std::int64_t id) const;
+  [[nodiscard]] Result<std::vector<AssessmentRow>> assessments(std::int64_t id) const;
   /// Who took part in the test; the first is the AV.
   [[nodiscard]] Result<std::vector<Actor>> actors(std::int64_t id) const;
 
@@ -86,10 +86,10 @@ class ResultsReader {
   /// error is what could not be read.
   [[nodiscard]] std::optional<Diagnostics> for_each_place(
       std::string_view kind,
-      const std::function<void(const TestCase& test, double x_m, double y_m)>& callback) const;
+      const std::function<void(const TestKey& test, double x_m, double y_m)>& callback) const;
   /// Calls back for each test that has assessments, in the order of the tests.
   [[nodiscard]] std::optional<Diagnostics> for_each_assessed(
-      const std::function<void(const TestCase& test, const std::vector<Assessment>& assessments)>&
+      const std::function<void(const TestKey& test, const std::vector<AssessmentRow>& assessments)>&
           callback) const;
   /// The ids of all assertions that any test was judged by.
   [[nodiscard]] Result<std::vector<std::string>> assertion_ids() const;
@@ -104,13 +104,13 @@ class ResultsReader {
   /// What its tests are judged by, as it was: the assertions of the files of `--assertions`, or
   /// else the scenario's.
   [[nodiscard]] Result<std::vector<Assertion>> assertions() const;
-  /// What to run for a test: `run_trial(*prepared, input)` repeats it. Error: it would start a
+  /// What to run for a test: `run_test(*prepared, setup)` repeats it. Error: it would start a
   /// command, which is refused.
-  [[nodiscard]] Result<TrialInput> input(std::int64_t id) const;
+  [[nodiscard]] Result<TestSetup> setup(std::int64_t id) const;
   /// Runs a test again, with what the caller wants to see of it; one that ended errored does so
   /// again, perhaps of something else. Error: its outcome is not the stored one, as when another
   /// version of the program wrote the store.
-  [[nodiscard]] Result<TrialResult> rerun(std::int64_t id, const TrialOptions& options = {}) const;
+  [[nodiscard]] Result<TestRun> rerun(std::int64_t id, const TestOptions& options = {}) const;
 
   /// What the tests come to: rows whose tests (those of the shard) are all there, with what
   /// assertions and metrics say of them, if the store has that.
@@ -119,7 +119,7 @@ class ResultsReader {
  private:
   class Impl;
   [[nodiscard]] Result<Summary> summary_of(std::size_t behaviour, std::uint32_t agents) const;
-  [[nodiscard]] std::optional<Diagnostics> add_findings(Comparison& comparison) const;
+  [[nodiscard]] std::optional<Diagnostics> add_assessments(Comparison& comparison) const;
   [[nodiscard]] std::optional<Diagnostics> add_avs(Comparison& comparison) const;
   explicit ResultsReader(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;

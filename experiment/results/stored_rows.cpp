@@ -38,7 +38,7 @@ std::optional<double> any_real_or_null(const Statement& row, int column) {
 }
 
 /// Whether the columns of kTestColumns say the same as the test's id.
-bool is_of(const Statement& row, const ExperimentDescription& description, const TestCase& test) {
+bool is_of(const Statement& row, const ExperimentDescription& description, const TestKey& test) {
   return row.text(11) == description.behaviours[test.behaviour].name &&
          row.number(12) == test.agents && row.text(13) == description.vehicles[test.vehicle] &&
          row.integer<std::uint64_t>(14) == test.number && description.shard.has(test.number);
@@ -87,15 +87,15 @@ Statement rows_of(Database& database, std::int64_t test_id, std::string_view col
 
 constexpr std::string_view kAssessmentColumns = "name, value, tick, actor, robustness, verdict";
 
-Assessment assessment_of(Database& database, std::int64_t test_id, const Statement& row) {
-  const auto verdict = parse_assessment_verdict(row.text(5));
+AssessmentRow assessment_of(Database& database, std::int64_t test_id, const Statement& row) {
+  const auto verdict = parse_stored_verdict(row.text(5));
   if (!verdict) damaged(database, "a verdict", test_id);
   return {.id = row.text(0),
           .value = any_real_or_null(row, 1),
           .tick = count_or_null(row, 2),
           .actor = count_or_null(row, 3),
           .robustness = any_real_or_null(row, 4),
-          .verdict = verdict.value_or(AssessmentVerdict::none)};
+          .verdict = verdict.value_or(StoredVerdict::none)};
 }
 
 /// The ids that the tests of a vehicle, a behaviour, a number of agents have.
@@ -248,8 +248,8 @@ Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last
   return sum.sum();
 }
 
-std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id) {
-  std::vector<Assessment> assessments;
+std::vector<AssessmentRow> read_assessments(Database& database, std::int64_t test_id) {
+  std::vector<AssessmentRow> assessments;
   Statement row = rows_of(database, test_id, kAssessmentColumns, "assessments");
   while (row.step()) assessments.push_back(assessment_of(database, test_id, row));
   return assessments;
@@ -257,8 +257,8 @@ std::vector<Assessment> read_assessments(Database& database, std::int64_t test_i
 
 void read_all_assessments(
     Database& database,
-    const std::function<void(std::int64_t test_id, const std::vector<Assessment>&)>& callback) {
-  std::vector<Assessment> assessments;
+    const std::function<void(std::int64_t test_id, const std::vector<AssessmentRow>&)>& callback) {
+  std::vector<AssessmentRow> assessments;
   std::int64_t test_id = 0;
   Statement row(database, fmt::format("SELECT {}, test_id, id FROM assessments ORDER BY id",
                                       kAssessmentColumns));

@@ -20,7 +20,7 @@ void read_tests(Database& database, const ExperimentDescription& description,
                                                   const ExperimentDescription& description,
                                                   std::int64_t id);
 [[nodiscard]] std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id);
-[[nodiscard]] std::vector<Assessment> read_assessments(Database& database, std::int64_t test_id);
+[[nodiscard]] std::vector<AssessmentRow> read_assessments(Database& database, std::int64_t test_id);
 /// What went wrong with the agents of the tests with these ids, both included.
 [[nodiscard]] Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last);
 [[nodiscard]] std::vector<Actor> read_actors(Database& database, std::int64_t test_id);
@@ -30,7 +30,7 @@ void read_places(Database& database, std::string_view kind,
                  const std::function<void(std::int64_t test_id, double x_m, double y_m)>& callback);
 void read_all_assessments(
     Database& database,
-    const std::function<void(std::int64_t test_id, const std::vector<Assessment>&)>& callback);
+    const std::function<void(std::int64_t test_id, const std::vector<AssessmentRow>&)>& callback);
 /// The text of the test's event of that kind; empty if there is none.
 [[nodiscard]] std::string read_event(Database& database, std::int64_t test_id,
                                      std::string_view kind);

@@ -12,27 +12,27 @@ constexpr std::array<std::string_view, 5> kVerdicts = {"none", "vacuous", "pass"
 
 }  // namespace
 
-std::string_view name(AssessmentVerdict verdict) {
+std::string_view name(StoredVerdict verdict) {
   return kVerdicts[static_cast<std::size_t>(verdict)];
 }
 
-std::optional<AssessmentVerdict> parse_assessment_verdict(std::string_view text) {
+std::optional<StoredVerdict> parse_stored_verdict(std::string_view text) {
   const auto found = std::ranges::find(kVerdicts, text);
   if (found == kVerdicts.end()) return std::nullopt;
-  return static_cast<AssessmentVerdict>(found - kVerdicts.begin());
+  return static_cast<StoredVerdict>(found - kVerdicts.begin());
 }
 
-TestRecord make_test_record(const TestCase& test, const TestResult& result,
-                            const TrialResult& trial, Recording recording) {
+TestRecord make_test_record(const TestKey& test, const TestResult& result, const TestRun& run,
+                            Recording recording) {
   TestRecord record{.test = test,
                     .result = result,
-                    .outcome = outcome_of(trial),
+                    .outcome = outcome_of(run),
                     .recording = std::move(recording)};
-  for (const AgentOutcome& outcome : trial.outcome.agents) {
+  for (const AgentOutcome& outcome : run.outcome.agents) {
     record.scores.push_back(
         {.cost = outcome.cost, .reward = outcome.reward, .actions = outcome.actions});
   }
-  record.drops = trial.troubles.drops;
+  record.drops = run.troubles.drops;
   return record;
 }
 

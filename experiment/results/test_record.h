@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "experiment/compare/assessment.h"
+#include "experiment/compare/assessment_row.h"
 #include "experiment/compare/experiment.h"
 #include "experiment/compare/summary.h"
 #include "experiment/judge/recording.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"
 
 namespace jaywalk {
 
@@ -24,20 +24,20 @@ struct AgentScore {
 };
 
 struct TestRecord {
-  TestCase test;
+  TestKey test;
   TestResult result;
   TestOutcome outcome;
   /// Of the agents in their order; the agent i is the recording's actor i + 1.
   std::vector<AgentScore> scores;
-  std::vector<Assessment> assessments;
+  std::vector<AssessmentRow> assessments;
   /// Why agents dropped intentions.
   std::vector<AgentDrop> drops;
   /// Everything that was seen. The store keeps actors and events, and scenes as its level says.
   Recording recording;
 };
 
-/// Puts the outcome of a trial and its recording together. `result` is what the measures see.
-[[nodiscard]] TestRecord make_test_record(const TestCase& test, const TestResult& result,
-                                          const TrialResult& trial, Recording recording);
+/// Puts the outcome of a test and its recording together. `result` is what the measures see.
+[[nodiscard]] TestRecord make_test_record(const TestKey& test, const TestResult& result,
+                                          const TestRun& run, Recording recording);
 
 }  // namespace jaywalk

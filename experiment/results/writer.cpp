@@ -136,7 +136,7 @@ class ResultsWriter::Impl {
 
   ~Impl() { close(); }
 
-  [[nodiscard]] bool had(const TestCase& test) const {
+  [[nodiscard]] bool had(const TestKey& test) const {
     const auto id = static_cast<std::size_t>(test_id(description_, test));
     return id < had_.has.size() && had_.has[id];
   }
@@ -281,7 +281,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(impl)));
 }
 
-bool ResultsWriter::had(const TestCase& test) const { return impl_->had(test); }
+bool ResultsWriter::had(const TestKey& test) const { return impl_->had(test); }
 std::uint64_t ResultsWriter::had() const { return impl_->had(); }
 void ResultsWriter::add(TestRecord record) { impl_->add(std::move(record)); }
 std::optional<std::string> ResultsWriter::failure() const { return impl_->failure(); }

@@ -36,7 +36,7 @@ class ResultsWriter {
   ResultsWriter& operator=(const ResultsWriter&) = delete;
 
   /// The store had the test when it was opened.
-  [[nodiscard]] bool had(const TestCase& test) const;
+  [[nodiscard]] bool had(const TestKey& test) const;
   /// How many it had.
   [[nodiscard]] std::uint64_t had() const;
 
@@ -69,7 +69,7 @@ class AssessmentWriter {
   /// measured.
   void note_judging(std::span<const SourcePtr> files, bool metrics);
   /// Assessments of the test with other ids stay.
-  void replace(std::int64_t test_id, const std::vector<Assessment>& assessments);
+  void replace(std::int64_t test_id, const std::vector<AssessmentRow>& assessments);
   /// Commits all of it, or says why nothing was written.
   [[nodiscard]] std::optional<std::string> finish();
 

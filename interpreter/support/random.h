@@ -1,6 +1,6 @@
 #pragma once
 
-// Sources of random numbers. Each agent and each trial has its own, seeded from the experiment's
+// Sources of random numbers. Each agent and each test has its own, seeded from the experiment's
 // seed; there is no global one.
 
 #include <cstdint>

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/test_run/test_run.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -33,19 +35,19 @@ class Walker {
       : plan_(plan),
         ground_(plan.prepared->scenario().world->ground()),
         brakes_(plan.prepared->scenario().world->vehicle().model != "constant"),
-        trials_(*plan.prepared) {}
+        runner_(*plan.prepared) {}
 
   Step follow(ScriptedWalk walk) {
     Recording recording;
-    const TrialInput input{.behaviour = plan_.behaviour,
-                           .agents = 1,
-                           .seed = plan_.seed,
-                           .starts = {walk.start},
-                           .parameters = {{"moves", {walk.moves}, {}}}};
+    const TestSetup setup{.behaviour = plan_.behaviour,
+                          .agents = 1,
+                          .seed = plan_.seed,
+                          .starts = {walk.start},
+                          .parameters = {{"moves", {walk.moves}, {}}}};
     // The scene of the last tick before a limit is not recorded, so that is one tick more, in which
     // it stays.
     const std::size_t ticks = walk.moves.size();
-    const TrialResult result = trials_.run(input, {.record = &recording, .max_ticks = ticks + 1});
+    const TestRun result = runner_.run(setup, {.record = &recording, .max_ticks = ticks + 1});
     const WorldResult& outcome = result.outcome;
     const auto within = [&](int tick) { return static_cast<std::size_t>(tick) <= ticks; };
     Step step{.walk = std::move(walk)};
@@ -78,7 +80,7 @@ class Walker {
   const ReachPlan& plan_;
   Ground ground_;
   bool brakes_;
-  TrialRunner trials_;
+  TestRunner runner_;
 };
 
 class Explorer {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "experiment/judge/situations/reach_file.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 
 namespace jaywalk::search {
 

@@ -313,7 +313,7 @@ Result<StoredSearches> read_search_store(const std::string& path) {
   SearchOptions options = options_in(*origin);
   options.files = copies_of(inputs);
   // Whoever made the store chose what the experiment names: nothing of it is run.
-  options.trials = Trials::none;
+  options.sut_check = SutCheck::omitted;
   auto experiment = parse_search(std::make_shared<const Source>(*name, *origin), options);
   if (!experiment) return std::move(experiment.diagnostics());
   StoredSearches stored{.experiment = std::move(experiment).value(), .results = {}};

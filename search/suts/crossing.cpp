@@ -12,7 +12,7 @@
 #include "env/crossing/world.h"
 #include "experiment/policy/learning_spec.h"
 #include "experiment/scenario/scenario_schema.h"
-#include "experiment/trial/tested_vehicles.h"
+#include "experiment/test_run/tested_vehicles.h"
 #include "search/suts/crossing_dimensions.h"
 #include "search/suts/crossing_run.h"
 #include "search/suts/crossing_starts.h"

@@ -116,7 +116,7 @@ CrossingMeasures::CrossingMeasures(const CrossingSettings& settings) {
 
 /// A test that was run.
 struct CrossingRun::Seen {
-  TrialResult result;
+  TestRun result;
   Recording recording;
   std::vector<Judgement> judgements;
 };
@@ -134,16 +134,16 @@ std::string CrossingRun::prepare(const TestInput& input) {
   auto prepared = PreparedScenario::prepare(std::move(scenario).value(), warnings);
   if (!prepared.ok()) return first_of(prepared.diagnostics());
   sets_ = std::move(sets);
-  trials_ = nullptr;  // it refers to the scenario
+  runner_ = nullptr;  // it refers to the scenario
   prepared_ = std::move(prepared).value();
-  trials_ = std::make_unique<TrialRunner>(*prepared_);
+  runner_ = std::make_unique<TestRunner>(*prepared_);
   ground_ = prepared_->scenario().world->ground();
   return {};
 }
 
-CrossingRun::Seen CrossingRun::see(const TrialInput& input) {
+CrossingRun::Seen CrossingRun::see(const TestSetup& setup) {
   Seen seen;
-  seen.result = trials_->run(input, {.record = &seen.recording, .interrupted = stopped()});
+  seen.result = runner_->run(setup, {.record = &seen.recording, .interrupted = stopped()});
   if (!seen.result.completed) return seen;
   const TestView view(seen.recording, ground_);
   for (const Assertion& assertion : settings_.assertions) {
@@ -154,15 +154,15 @@ CrossingRun::Seen CrossingRun::see(const TrialInput& input) {
 
 Outcome CrossingRun::run(const TestInput& input, std::size_t) {
   if (std::string why = prepare(input); !why.empty()) return {.error = std::move(why)};
-  TrialInput trial{.agents = settings_.agents,
-                   .seed = seed(input),
-                   .test = 0,
-                   .feedback = told_,
-                   .vehicle = settings_.vehicle,
-                   .starts = space_.starts(input),
-                   .parameters = space_.parameters(input)};
-  if (std::string why = obstacle(*prepared_, trial); !why.empty()) return {.error = std::move(why)};
-  const Seen seen = see(trial);
+  TestSetup setup{.agents = settings_.agents,
+                  .seed = seed(input),
+                  .test = 0,
+                  .feedback = told_,
+                  .vehicle = settings_.vehicle,
+                  .starts = space_.starts(input),
+                  .parameters = space_.parameters(input)};
+  if (std::string why = problem(*prepared_, setup); !why.empty()) return {.error = std::move(why)};
+  const Seen seen = see(setup);
   if (!seen.result.completed) return {.error = seen.result.message};
   Outcome outcome = measured(seen);
   if (settings_.assertions.empty()) return outcome;
@@ -171,8 +171,8 @@ Outcome CrossingRun::run(const TestInput& input, std::size_t) {
   if (settings_.defects.empty()) return outcome;
   bool healthy_blamed = false;
   if (blamed) {
-    trial.vehicle = 0;
-    const Seen healthy = see(trial);
+    setup.vehicle = 0;
+    const Seen healthy = see(setup);
     if (!healthy.result.completed) return {.error = healthy.result.message};
     healthy_blamed = blames_the_av(healthy.judgements);
   }

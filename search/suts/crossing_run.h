@@ -12,7 +12,8 @@
 #include "env/ground.h"
 #include "experiment/judge/assertions/assertion.h"
 #include "experiment/judge/situations/situations.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
+#include "experiment/test_run/test_run.h"
 #include "search/sut.h"
 #include "search/suts/crossing_space.h"
 
@@ -81,7 +82,7 @@ class CrossingRun : public Sut {
  private:
   struct Seen;
   [[nodiscard]] std::string prepare(const TestInput& input);
-  [[nodiscard]] Seen see(const TrialInput& input);
+  [[nodiscard]] Seen see(const TestSetup& setup);
   void cover(const SituationBins& bins);
   [[nodiscard]] Outcome measured(const Seen& seen);
   void measure_situations(const Recording& recording, Outcome& outcome);
@@ -90,10 +91,10 @@ class CrossingRun : public Sut {
   const CrossingSpace& space_;
   const CrossingSettings& settings_;
   const CrossingMeasures& measures_;
-  // Of the last test: most of the next one differ in what TrialInput says alone.
+  // Of the last test: most of the next one differ in what TestSetup says alone.
   std::vector<std::string> sets_;
   std::shared_ptr<const PreparedScenario> prepared_;
-  std::unique_ptr<TrialRunner> trials_;
+  std::unique_ptr<TestRunner> runner_;
   Ground ground_;
   /// Of this search's tests so far.
   SituationCoverage covered_;

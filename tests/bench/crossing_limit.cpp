@@ -16,7 +16,7 @@
 #include "env/crossing/spawn.h"
 #include "env/crossing/world.h"
 #include "env/grid/random.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"
 #include "interpreter/support/random.h"
 
 namespace jaywalk {
@@ -91,8 +91,8 @@ Ending run_by_hand(const HandWorld& world, std::uint32_t agents, std::uint64_t t
   }
 }
 
-Ending run_by_engine(TrialRunner& runner, std::uint32_t agents, std::uint64_t test) {
-  const TrialResult result = runner.run({.agents = agents, .test = test});
+Ending run_by_engine(TestRunner& runner, std::uint32_t agents, std::uint64_t test) {
+  const TestRun result = runner.run({.agents = agents, .test = test});
   return {result.outcome.success, result.outcome.ticks};
 }
 
@@ -126,7 +126,7 @@ int compare(std::uint64_t tests, std::uint32_t agents) {
   constexpr int kRepeatByHand = 50;  // it takes microseconds
   const auto [by_hand, hand_us] = measure(
       tests, kRepeatByHand, [&](std::uint64_t test) { return run_by_hand(world, agents, test); });
-  TrialRunner runner(*prepared.value());
+  TestRunner runner(*prepared.value());
   const auto [by_engine, engine_us] =
       measure(tests, 1, [&](std::uint64_t test) { return run_by_engine(runner, agents, test); });
   if (by_hand != by_engine) {

@@ -25,10 +25,10 @@ double measured_accuracy(const PreparedScenario& prepared, const std::string& pr
   std::atomic<bool> completed = true;
   const auto work = [&] {
     for (std::uint64_t test = next++; test < kAccuracyTests; test = next++) {
-      const TrialResult result = run_trial(prepared, {.behaviour = index,
-                                                      .agents = static_cast<std::uint32_t>(agents),
-                                                      .seed = 0,
-                                                      .test = test});
+      const TestRun result = run_test(prepared, {.behaviour = index,
+                                                 .agents = static_cast<std::uint32_t>(agents),
+                                                 .seed = 0,
+                                                 .test = test});
       if (result.outcome.success) ++successes;
       if (!result.completed) completed = false;
     }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/compare/findings.h"
+#include "experiment/compare/test_assessment.h"
 #include "scenarios.h"
 
 namespace jaywalk::testing_scenario {

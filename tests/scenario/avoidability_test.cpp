@@ -13,9 +13,9 @@
 namespace jaywalk::testing_scenario {
 namespace {
 
-Recording drive(const PreparedScenario& prepared, const TrialInput& input) {
+Recording drive(const PreparedScenario& prepared, const TestSetup& setup) {
   Recording recording;
-  const TrialResult result = run_trial(prepared, input, {.record = &recording});
+  const TestRun result = run_test(prepared, setup, {.record = &recording});
   EXPECT_TRUE(result.completed) << result.message;
   return recording;
 }
@@ -54,12 +54,12 @@ Counts judge_collisions(const World& world, const std::vector<std::string>& vehi
   const Ground on = driven->scenario().world->ground();
   Counts counts;
   for (std::uint64_t test = 0; test < tests; ++test) {
-    const TrialInput input{.behaviour = behaviour(*driven, world.behaviour),
-                           .agents = world.agents,
-                           .seed = seed,
-                           .test = test};
-    const Recording record = drive(*driven, input);
-    const Recording competent = drive(*healthy, input);
+    const TestSetup setup{.behaviour = behaviour(*driven, world.behaviour),
+                          .agents = world.agents,
+                          .seed = seed,
+                          .test = test};
+    const Recording record = drive(*driven, setup);
+    const Recording competent = drive(*healthy, setup);
     const TestView view(record, on);
     const TestView competent_view(competent, on);
     for (const ActorIndex user : view.road_users()) {

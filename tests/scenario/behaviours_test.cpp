@@ -18,14 +18,14 @@ using testing_scenario::paper;
 /// The positions of all agents before the first tick and after each.
 using Path = std::vector<std::vector<Position>>;
 
-Path path_of(const PreparedScenario& prepared, const TrialInput& input) {
+Path path_of(const PreparedScenario& prepared, const TestSetup& setup) {
   Path path;
-  TrialOptions options;
+  TestOptions options;
   options.observe = [&](const World& world, const Mas&) {
     const auto positions = find_crossing(world)->positions();
     path.emplace_back(positions.begin(), positions.end());
   };
-  const TrialResult result = run_trial(prepared, input, options);
+  const TestRun result = run_test(prepared, setup, options);
   EXPECT_TRUE(result.completed) << result.message;
   return path;
 }
@@ -70,8 +70,8 @@ TEST_P(DeterministicBehaviour, StepsAsSpecified) {
   const std::size_t index = behaviour(*prepared, GetParam().program);
   for (const std::uint32_t agents : {1U, 2U, 3U, 10U}) {
     for (std::uint64_t test = 0; test < 60; ++test) {
-      const TrialInput input{.behaviour = index, .agents = agents, .seed = 3, .test = test};
-      const Path observed = path_of(*prepared, input);
+      const TestSetup setup{.behaviour = index, .agents = agents, .seed = 3, .test = test};
+      const Path observed = path_of(*prepared, setup);
       ASSERT_GE(observed.size(), 2U);
       ASSERT_EQ(observed, expected_path(GetParam().kind, *prepared, observed))
           << agents << " agents, test " << test;

@@ -92,7 +92,7 @@ TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
   const auto fails = [](const std::string& script) {
     const auto prepared = scenario(
         "external", {"world.av.process=test", "world.av.command=[sh, -c, '" + script + "']"});
-    return run_trial(*prepared, {.agents = 1}).message;
+    return run_test(*prepared, {.agents = 1}).message;
   };
   EXPECT_EQ(fails("read line; exit 4"),
             "the controller 'sh': it ended with exit code 4 before it answered");

@@ -6,7 +6,7 @@
 
 #include "experiment/compare/feedback.h"
 #include "experiment/judge/situations/situations.h"
-#include "experiment/trial/plan_coverage.h"
+#include "experiment/test_run/plan_coverage.h"
 #include "scenarios.h"
 
 namespace jaywalk {
@@ -21,13 +21,13 @@ TEST(AnObserver, ChangesNoTest) {
   PlanCoverage coverage(*prepared, all_behaviours(*prepared, 4));
   for (std::size_t each = 0; each < prepared->behaviours().size(); ++each) {
     for (std::uint64_t test = 0; test < 10; ++test) {
-      const TrialInput input{.behaviour = each, .agents = 4, .test = test};
+      const TestSetup setup{.behaviour = each, .agents = 4, .test = test};
       Recording alone;
       Recording observed;
-      const TrialResult first = run_trial(*prepared, input, {.record = &alone});
+      const TestRun first = run_test(*prepared, setup, {.record = &alone});
       const PlanCoverage::Borrowed observer(coverage);
-      const TrialResult second =
-          run_trial(*prepared, input, {.record = &observed, .observer = observer.get()});
+      const TestRun second =
+          run_test(*prepared, setup, {.record = &observed, .observer = observer.get()});
       EXPECT_EQ(alone, observed) << prepared->behaviours()[each].name << ", test " << test;
       EXPECT_EQ(first.cycles, second.cycles);
     }
@@ -39,11 +39,11 @@ std::string plan_coverage_on(unsigned threads) {
   PlanCoverage coverage(*prepared, all_behaviours(*prepared, 3));
   const ExperimentPlan plan{
       .behaviours = {"proximity", "election"}, .agents = {1, 3}, .tests = 60, .threads = threads};
-  const auto test = [&](const TestCase& each) -> Result<TestResult> {
+  const auto test = [&](const TestKey& each) -> Result<TestResult> {
     const PlanCoverage::Borrowed observer(coverage);
     const std::size_t index = behaviour(*prepared, plan.behaviours[each.behaviour]);
-    (void)run_trial(*prepared, {.behaviour = index, .agents = each.agents, .test = each.number},
-                    {.observer = observer.get()});
+    (void)run_test(*prepared, {.behaviour = index, .agents = each.agents, .test = each.number},
+                   {.observer = observer.get()});
     return TestResult{};
   };
   (void)run_experiment(plan, test, [](const Progress&) { return Proceed::yes; });
@@ -104,13 +104,13 @@ FeedbackRun feedback_run(std::uint64_t generation, unsigned threads, std::uint64
   std::optional<CoverageFeedback> feedback;
   if (generation > 0) feedback.emplace(plan, generation, table);
   std::atomic<int> successes = 0;
-  const auto test = [&](const TestCase& each) -> Result<TestResult> {
-    TrialInput input{.behaviour = behaviour(*prepared, "coverage_directed"),
-                     .agents = each.agents,
-                     .test = each.number};
-    if (feedback) input.feedback = *feedback->wait_for(each);
+  const auto test = [&](const TestKey& each) -> Result<TestResult> {
+    TestSetup setup{.behaviour = behaviour(*prepared, "coverage_directed"),
+                    .agents = each.agents,
+                    .test = each.number};
+    if (feedback) setup.feedback = *feedback->wait_for(each);
     Recording recording;
-    const TrialResult result = run_trial(*prepared, input, {.record = &recording});
+    const TestRun result = run_test(*prepared, setup, {.record = &recording});
     successes += result.outcome.success ? 1 : 0;
     table.add(each, covered_bins(recording, on));
     if (feedback) feedback->finished(each);

@@ -72,10 +72,9 @@ TEST(StandardSet, HasNoNewBehaviourThatDropsAnIntention) {
     for (const std::uint32_t agents : {1U, 3U}) {
       std::size_t drops = 0;
       for (std::uint64_t test = 0; test < 30; ++test) {
-        drops +=
-            run_trial(*prepared,
-                      {.behaviour = behaviour(*prepared, name), .agents = agents, .test = test})
-                .troubles.drops.size();
+        drops += run_test(*prepared,
+                          {.behaviour = behaviour(*prepared, name), .agents = agents, .test = test})
+                     .troubles.drops.size();
       }
       EXPECT_EQ(drops, 0U) << name << " with " << agents;
     }

@@ -64,7 +64,7 @@ class ExternalController : public ::testing::Test {
 TEST_F(ExternalController, ThatIsKeptDrivesInManyTestsWithOneProcess) {
   const std::string script = "echo $$ >>" + file("pids") + "\n" + kScribe;
   const auto prepared = driven_by({"sh", "-c", script, file("said")}, "kept");
-  TrialRunner runner(*prepared);
+  TestRunner runner(*prepared);
   for (std::uint64_t test = 0; test < 4; ++test) {
     ASSERT_EQ(runner.run({.agents = 1, .seed = 5, .test = test}).message, "");
   }
@@ -75,7 +75,7 @@ TEST_F(ExternalController, ThatIsKeptDrivesInManyTestsWithOneProcess) {
 TEST_F(ExternalController, ThatIsKeptIsToldWhenTestsBeginAndEnd) {
   const auto prepared = driven_by({"sh", "-c", kScribe, file("said")}, "kept");
   {
-    TrialRunner runner(*prepared);
+    TestRunner runner(*prepared);
     for (const std::uint64_t test : {7U, 8U}) {
       ASSERT_EQ(runner.run({.agents = 1, .seed = 5, .test = test}).message, "");
     }
@@ -100,7 +100,7 @@ TEST_F(ExternalController, ThatIsKeptIsToldWhenTestsBeginAndEnd) {
 TEST_F(ExternalController, DrivesAlikeKeptAndStartedAnew) {
   const auto drive = [](const std::string& process) {
     const auto prepared = testing_scenario::scenario("external", {"world.av.process=" + process});
-    TrialRunner runner(*prepared);
+    TestRunner runner(*prepared);
     std::vector<Recording> recordings(4);
     for (std::uint64_t test = 0; test < recordings.size(); ++test) {
       (void)runner.run({.agents = 3, .test = test}, {.record = &recordings[test]});
@@ -115,7 +115,7 @@ TEST_F(ExternalController, SeesTheRoadItsOwnPlaceAndEverybodysWholeBox) {
       "external", {"world.av.process=test", "world.time_limit=5",
                    "world.obstacles=[{rows: [2, 2], cells: [30, 33]}]",
                    "world.av.command=" + json{"sh", "-c", kScribe, file("said")}.dump()});
-  ASSERT_EQ(run_trial(*prepared, {.agents = 1, .test = 3}).message, "");
+  ASSERT_EQ(run_test(*prepared, {.agents = 1, .test = 3}).message, "");
   const json view = lines("said").at(4);
   EXPECT_EQ(view["step"], 4);
   EXPECT_EQ(view["test"], 3);
@@ -138,7 +138,7 @@ TEST_F(ExternalController, CannotAskForMoreThanAVehicleCanDo) {
   const auto prepared = driven_by(
       {"sh", "-c", R"(while read line; do echo "{\"acceleration\": -1000}"; done)"}, "test");
   Recording recording;
-  const TrialResult result = run_trial(*prepared, {.agents = 1}, {.record = &recording});
+  const TestRun result = run_test(*prepared, {.agents = 1}, {.record = &recording});
   const double lost_mps = recording.scene(0)[0].speed_mps - recording.scene(1)[0].speed_mps;
   EXPECT_NEAR(lost_mps, 9.80665 * 0.2, 1e-6);
   EXPECT_THAT(result.note, HasSubstr("asked for -1000 m/s2; a vehicle does -9.807 to 5"));
@@ -147,7 +147,7 @@ TEST_F(ExternalController, CannotAskForMoreThanAVehicleCanDo) {
 TEST_F(ExternalController, IsNamedByItsScriptWhenItFails) {
   write("driver.sh", "read line; exit 4\n");
   const auto prepared = driven_by({"sh", file("driver.sh")}, "test");
-  EXPECT_THAT(run_trial(*prepared, {.agents = 1}).message, HasSubstr("driver.sh'"));
+  EXPECT_THAT(run_test(*prepared, {.agents = 1}).message, HasSubstr("driver.sh'"));
 }
 
 TEST_F(ExternalController, IsFoundBesideItsScenarioFromEverywhere) {
@@ -162,7 +162,7 @@ TEST_F(ExternalController, IsFoundBesideItsScenarioFromEverywhere) {
     std::filesystem::current_path(folder);
     const std::string path = folder == "/" ? file("own.yaml") : "own.yaml";
     const auto prepared = PreparedScenario::prepare(read_scenario(path).value(), warnings);
-    EXPECT_EQ(run_trial(*prepared.value(), {.agents = 1}).message, "") << folder;
+    EXPECT_EQ(run_test(*prepared.value(), {.agents = 1}).message, "") << folder;
     std::filesystem::current_path(before);
   }
 }

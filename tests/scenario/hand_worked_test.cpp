@@ -125,11 +125,11 @@ std::vector<int> rows_of_a_crosser(Position start) {
   const auto prepared =
       paper_from({start}, {"behaviours.random_behaviour.parameters.crossing_probability=1"});
   std::vector<int> rows;
-  TrialOptions options;
+  TestOptions options;
   options.observe = [&](const World& world, const Mas&) {
     rows.push_back(find_crossing(world)->positions()[0].x);
   };
-  const TrialResult result = run_trial(
+  const TestRun result = run_test(
       *prepared, {.behaviour = behaviour(*prepared, "random_behaviour"), .agents = 1}, options);
   EXPECT_TRUE(result.completed);
   return rows;
@@ -147,12 +147,12 @@ TEST(HandWorked, WalkersTurnRoundAtTheEndOfTheGrid) {
       paper_from({{1, 64}}, {"behaviours.random_behaviour.parameters.crossing_probability=0",
                              "behaviours.random_behaviour.parameters.first_way=forward"});
   std::vector<int> cells;
-  TrialOptions options;
+  TestOptions options;
   options.observe = [&](const World& world, const Mas&) {
     cells.push_back(find_crossing(world)->positions()[0].y);
   };
-  (void)run_trial(*prepared, {.behaviour = behaviour(*prepared, "random_behaviour"), .agents = 1},
-                  options);
+  (void)run_test(*prepared, {.behaviour = behaviour(*prepared, "random_behaviour"), .agents = 1},
+                 options);
   EXPECT_EQ(cells, (std::vector<int>{64, 65, 64, 63, 62, 61, 60, 59, 58, 57, 56, 55}));
 }
 

@@ -37,13 +37,13 @@ class ProgramsTest : public testing::Test {
     return text;
   }
 
-  /// What the agents print and what is logged in one trial.
-  TrialResult run(const PreparedScenario& prepared, std::uint32_t agents) {
-    TrialOptions options;
+  /// What the agents print and what is logged in one test.
+  TestRun run(const PreparedScenario& prepared, std::uint32_t agents) {
+    TestOptions options;
     options.print = [&](std::string_view line) { printed_.emplace_back(line); };
     options.log = [&](std::string_view line) { logged_.emplace_back(line); };
     options.max_cycles_per_tick = 10'000;
-    return run_trial(prepared, {.agents = agents}, options);
+    return run_test(prepared, {.agents = agents}, options);
   }
 
   std::string folder_ = testing::TempDir() + "jaywalk_" +
@@ -103,7 +103,7 @@ TEST_F(ProgramsTest, LearnThatThePreconditionWasMet) {
       "  bands: [{kind: pavement, rows: 2}, {kind: lane, rows: 4}]\n"
       "  zone: {ahead: [1, 66]}\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_TRUE(result.outcome.success);
   EXPECT_EQ(printed_,
             (std::vector<std::string>{"[p1] 1 in tick " + std::to_string(result.outcome.ticks)}));
@@ -112,7 +112,7 @@ TEST_F(ProgramsTest, LearnThatThePreconditionWasMet) {
 TEST_F(ProgramsTest, MayDoNothing) {
   const auto prepared = prepare("idle.\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 2);
+  const TestRun result = run(*prepared.value(), 2);
   EXPECT_TRUE(result.completed);
   EXPECT_EQ(result.outcome.ticks, 11);
 }
@@ -120,7 +120,7 @@ TEST_F(ProgramsTest, MayDoNothing) {
 TEST_F(ProgramsTest, AreStoppedWhenTheyLoop) {
   const auto prepared = prepare("!loop. +!loop <- !loop.\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_NE(result.message.find("p1"), std::string::npos) << result.message;
   EXPECT_EQ(outcome_of(result).ended_by, kErrored);
@@ -129,7 +129,7 @@ TEST_F(ProgramsTest, AreStoppedWhenTheyLoop) {
 TEST_F(ProgramsTest, MayStopTheTest) {
   const auto prepared = prepare("!quit. +!quit <- stay; .stopMAS.\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_EQ(result.message, "agent p1 stopped the system");
   EXPECT_EQ(outcome_of(result).ended_by, kErrored);
@@ -141,7 +141,7 @@ TEST_F(ProgramsTest, EndTestsErroredThatTakeTooManyInferences) {
       "!count.\n+!count <- stay; ?n(300); !count.\n-!count <- stay; !count.\n",
       "experiment: {limits: {inferences: 1000}}\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_NE(result.message.find("1000 inferences"), std::string::npos) << result.message;
   EXPECT_NE(result.message.find("walker.asl:3:"), std::string::npos) << result.message;
@@ -152,7 +152,7 @@ TEST_F(ProgramsTest, EndTestsErroredThatTakeTooMuchMemory) {
       prepare("!grow([1]).\n+!grow(L) <- .concat(L, L, M); !grow(M).\n-!grow(_).\n",
               "experiment: {limits: {memory_mb: 4}}\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_NE(result.message.find("walker.asl:2:"), std::string::npos) << result.message;
 }
@@ -161,7 +161,7 @@ TEST_F(ProgramsTest, EndTestsErroredThatTakeTooManyCycles) {
   const auto prepared =
       prepare("!stay. +!stay <- stay; !stay.\n", "experiment: {limits: {cycles: 5}}\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_NE(result.message.find("5 cycles"), std::string::npos) << result.message;
 }
@@ -174,7 +174,7 @@ TEST_F(ProgramsTest, EndTestsErroredThatTakeTooLong) {
       "!go. +!go <- ?far.\n",
       "experiment: {limits: {inferences: 0, time_s: 0.2}}\n");
   ASSERT_TRUE(prepared.ok()) << errors(prepared);
-  const TrialResult result = run(*prepared.value(), 1);
+  const TestRun result = run(*prepared.value(), 1);
   EXPECT_FALSE(result.completed);
   EXPECT_EQ(result.message, "the test took longer than its limit of 0.2 s");
 }

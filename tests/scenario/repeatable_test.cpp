@@ -1,4 +1,4 @@
-// A trial is a pure function of the scenario and its input: the order of trials, the thread and
+// A test is a pure function of the scenario and its setup: the order of tests, the thread and
 // what ran before do not matter.
 
 #include <filesystem>
@@ -30,8 +30,8 @@ using Key = std::pair<std::size_t, std::uint64_t>;
 std::map<Key, RunSummary> run_all(const PreparedScenario& prepared, const std::vector<Key>& order) {
   std::map<Key, RunSummary> results;
   for (const auto& [index, test] : order) {
-    const TrialResult result =
-        run_trial(prepared, {.behaviour = index, .agents = 4, .seed = 9, .test = test});
+    const TestRun result =
+        run_test(prepared, {.behaviour = index, .agents = 4, .seed = 9, .test = test});
     results[{index, test}] = {result.outcome.success, result.outcome.ticks, result.outcome.score(),
                               result.cycles};
   }
@@ -46,14 +46,14 @@ std::vector<Key> all_trials(const PreparedScenario& prepared) {
   return order;
 }
 
-TEST(Trials, GiveTheSameResultsInAnyOrder) {
+TEST(TestRuns, GiveTheSameResultsInAnyOrder) {
   const auto prepared = paper();
   const std::vector<Key> order = all_trials(*prepared);
   const std::vector<Key> backwards(order.rbegin(), order.rend());
   EXPECT_EQ(run_all(*prepared, order), run_all(*prepared, backwards));
 }
 
-TEST(Trials, GiveTheSameResultsOnSeveralThreads) {
+TEST(TestRuns, GiveTheSameResultsOnSeveralThreads) {
   const auto prepared = paper();
   const std::vector<Key> order = all_trials(*prepared);
   const std::map<Key, RunSummary> alone = run_all(*prepared, order);
@@ -66,7 +66,7 @@ TEST(Trials, GiveTheSameResultsOnSeveralThreads) {
 }
 
 // What they were built of has run other tests before, other behaviours, and more agents.
-TEST(Trials, GiveTheSameResultsWhereOneRunnerRunsAll) {
+TEST(TestRuns, GiveTheSameResultsWhereOneRunnerRunsAll) {
   for (const std::string name : {"paper", "traffic", "zebra", "features", "team", "negotiation"}) {
     Result<Scenario> read =
         read_scenario(testing_scenario::project_file("scenarios/" + name + ".yaml"));
@@ -74,15 +74,15 @@ TEST(Trials, GiveTheSameResultsWhereOneRunnerRunsAll) {
     Diagnostics warnings;
     const auto prepared = PreparedScenario::prepare(std::move(read).value(), warnings);
     ASSERT_TRUE(prepared.ok()) << prepared.diagnostics().render();
-    TrialRunner runner(*prepared.value());
+    TestRunner runner(*prepared.value());
     for (std::uint64_t test = 0; test < 6; ++test) {
       for (std::size_t index = 0; index < prepared.value()->behaviours().size(); ++index) {
-        const TrialInput input{
+        const TestSetup setup{
             .behaviour = index, .agents = test % 3 == 2 ? 7U : 4U, .seed = 9, .test = test / 2};
         Recording alone;
         Recording again;
-        const TrialResult expected = run_trial(*prepared.value(), input, {.record = &alone});
-        const TrialResult result = runner.run(input, {.record = &again});
+        const TestRun expected = run_test(*prepared.value(), setup, {.record = &alone});
+        const TestRun result = runner.run(setup, {.record = &again});
         ASSERT_EQ(again, alone) << name << ", behaviour " << index << ", test " << test;
         ASSERT_EQ(result.cycles, expected.cycles);
         ASSERT_EQ(result.message, expected.message);
@@ -92,26 +92,26 @@ TEST(Trials, GiveTheSameResultsWhereOneRunnerRunsAll) {
   }
 }
 
-TEST(Trials, DependOnTheSeedAndTheTest) {
+TEST(TestRuns, DependOnTheSeedAndTheTest) {
   const Scenario scenario;
   const std::vector<Position> first = start_cells(scenario, {.agents = 5, .seed = 1, .test = 0});
   EXPECT_NE(first, start_cells(scenario, {.agents = 5, .seed = 2, .test = 0}));
   EXPECT_NE(first, start_cells(scenario, {.agents = 5, .seed = 1, .test = 1}));
 }
 
-TEST(Trials, StartAllBehavioursAlike) {
+TEST(TestRuns, StartAllBehavioursAlike) {
   const auto prepared = paper();
   std::vector<std::vector<Position>> starts;
   for (std::size_t index = 0; index < prepared->behaviours().size(); ++index) {
     CrossingResult result;
-    (void)run_trial(*prepared, {.behaviour = index, .agents = 6, .seed = 2, .test = 7},
-                    {.observe = testing_scenario::observing(result)});
+    (void)run_test(*prepared, {.behaviour = index, .agents = 6, .seed = 2, .test = 7},
+                   {.observe = testing_scenario::observing(result)});
     starts.push_back(result.start);
   }
   for (const std::vector<Position>& start : starts) EXPECT_EQ(start, starts[0]);
 }
 
-TEST(Trials, RunAlikeFromStartCellsThatWereWrittenAndRead) {
+TEST(TestRuns, RunAlikeFromStartCellsThatWereWrittenAndRead) {
   const auto drawn = paper();
   const std::string file = testing::TempDir() + "jaywalk_starts.csv";
   std::ofstream(file) << print_start_cells(start_cells(drawn->scenario(), 3, 5, 10));
@@ -121,24 +121,24 @@ TEST(Trials, RunAlikeFromStartCellsThatWereWrittenAndRead) {
   std::filesystem::remove(file);
   ASSERT_NE(read, nullptr);
   for (std::uint64_t test = 0; test < 10; ++test) {
-    const TrialInput input{.behaviour = 0, .agents = 3, .seed = 5, .test = test};
+    const TestSetup setup{.behaviour = 0, .agents = 3, .seed = 5, .test = test};
     CrossingResult expected;
     CrossingResult result;
-    (void)run_trial(*drawn, input, {.observe = testing_scenario::observing(expected)});
-    (void)run_trial(*read, input, {.observe = testing_scenario::observing(result)});
+    (void)run_test(*drawn, setup, {.observe = testing_scenario::observing(expected)});
+    (void)run_test(*read, setup, {.observe = testing_scenario::observing(result)});
     EXPECT_EQ(result.start, expected.start);
     EXPECT_EQ(result.score(), expected.score());
   }
-  EXPECT_NE(obstacle(*read, {.behaviour = 0, .agents = 3, .seed = 5, .test = 10}), "");
+  EXPECT_NE(problem(*read, {.behaviour = 0, .agents = 3, .seed = 5, .test = 10}), "");
 }
 
-TEST(Trials, SayWhyTheyCannotRun) {
+TEST(TestRuns, SayWhyTheyCannotRun) {
   const auto prepared = testing_scenario::paper_from({{1, 20}});
-  EXPECT_EQ(obstacle(*prepared, {.agents = 1}), "");
-  EXPECT_EQ(obstacle(*prepared, {.agents = 0}), "a test needs at least one agent");
-  EXPECT_EQ(obstacle(*prepared, {.agents = 2}),
+  EXPECT_EQ(problem(*prepared, {.agents = 1}), "");
+  EXPECT_EQ(problem(*prepared, {.agents = 0}), "a test needs at least one agent");
+  EXPECT_EQ(problem(*prepared, {.agents = 2}),
             "test 0 has fewer than 2 start cells in the scenario's file");
-  EXPECT_EQ(obstacle(*prepared, {.behaviour = 7, .agents = 1}), "there is no behaviour 7, only 7");
+  EXPECT_EQ(problem(*prepared, {.behaviour = 7, .agents = 1}), "there is no behaviour 7, only 7");
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/compare/findings.h"
 #include "experiment/compare/measures/measures.h"
+#include "experiment/compare/test_assessment.h"
 #include "experiment/results/store/placement.h"
 #include "scenarios.h"
 
@@ -18,7 +18,7 @@ using testing_scenario::verdicts;
 
 constexpr std::uint64_t kRequirementTests = 60;
 
-double mean_naturalness(const PreparedScenario& prepared, const std::string& name) {
+double mean_natural_steps(const PreparedScenario& prepared, const std::string& name) {
   const Ground on = prepared.scenario().world->ground();
   double sum = 0;
   for (std::uint64_t test = 0; test < 100; ++test) {
@@ -30,10 +30,10 @@ double mean_naturalness(const PreparedScenario& prepared, const std::string& nam
 
 TEST(Naturalness, TellsPedestriansWhoMoveAsPeopleDoFromThoseWhoDoAnything) {  // F14
   const auto prepared = scenario("naturalness");
-  const double random = mean_naturalness(*prepared, "random_action");
+  const double random = mean_natural_steps(*prepared, "random_action");
   EXPECT_LT(random, 0.8);
-  EXPECT_GT(mean_naturalness(*prepared, "random_behaviour"), random + 0.15);
-  EXPECT_GT(mean_naturalness(*prepared, "intersect"), random + 0.15);
+  EXPECT_GT(mean_natural_steps(*prepared, "random_behaviour"), random + 0.15);
+  EXPECT_GT(mean_natural_steps(*prepared, "intersect"), random + 0.15);
 }
 
 TEST(RulesOfTheRoad, AreBrokenByAnAvThatIsTooFast) {  // F22

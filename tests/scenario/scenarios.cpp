@@ -62,23 +62,23 @@ std::size_t behaviour(const PreparedScenario& prepared, const std::string& name)
   return 0;
 }
 
-TrialObserver observing(CrossingResult& result) {
+TestObserver observing(CrossingResult& result) {
   return [&result](const World& world, const Mas&) { result = find_crossing(world)->result(); };
 }
 
 CrossingResult outcome(const PreparedScenario& prepared, const std::string& name,
                        std::uint32_t agents, std::uint64_t test) {
-  TrialOptions options;
+  TestOptions options;
   std::string log;
   options.log = [&](std::string_view line) { (log += line) += '\n'; };
   CrossingResult seen;
   options.observe = observing(seen);
-  const TrialResult result = run_trial(prepared,
-                                       {.behaviour = behaviour(prepared, name),
-                                        .agents = agents,
-                                        .seed = prepared.scenario().experiment.seed,
-                                        .test = test},
-                                       options);
+  const TestRun result = run_test(prepared,
+                                  {.behaviour = behaviour(prepared, name),
+                                   .agents = agents,
+                                   .seed = prepared.scenario().experiment.seed,
+                                   .test = test},
+                                  options);
   EXPECT_TRUE(result.completed) << result.message;
   EXPECT_EQ(log, "");
   return seen;
@@ -87,7 +87,7 @@ CrossingResult outcome(const PreparedScenario& prepared, const std::string& name
 Seen run(const PreparedScenario& prepared, const std::string& name, std::uint32_t agents,
          std::uint64_t test, std::uint64_t seed) {
   Seen seen;
-  const TrialResult result = run_trial(
+  const TestRun result = run_test(
       prepared,
       {.behaviour = behaviour(prepared, name), .agents = agents, .seed = seed, .test = test},
       {.observe = observing(seen.outcome), .record = &seen.recording});

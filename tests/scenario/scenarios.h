@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "env/crossing/world.h"
-#include "experiment/compare/findings.h"
-#include "experiment/trial/trial.h"
+#include "experiment/compare/test_assessment.h"
+#include "experiment/test_run/prepared_scenario.h"
+#include "experiment/test_run/test_run.h"
 
 namespace jaywalk::testing_scenario {
 
@@ -33,10 +34,10 @@ namespace jaywalk::testing_scenario {
 /// Gives start cells to a scenario of the crossing.
 void start_from(Scenario& scenario, StartCells cells);
 
-/// Keeps what has come of a test of the crossing. `result` must outlive the trial.
-[[nodiscard]] TrialObserver observing(CrossingResult& result);
+/// Keeps what has come of a test of the crossing. `result` must outlive the test.
+[[nodiscard]] TestObserver observing(CrossingResult& result);
 
-/// Runs a trial that must come to its end.
+/// Runs a test that must come to its end.
 [[nodiscard]] CrossingResult outcome(const PreparedScenario& prepared, const std::string& name,
                                      std::uint32_t agents, std::uint64_t test = 0);
 

@@ -19,21 +19,21 @@ TEST(Signals, SeeThePreconditionWhenTheWorldDoes) {
   for (std::size_t behaviour = 0; behaviour < prepared->behaviours().size(); ++behaviour) {
     for (std::uint64_t test = 0; test < 100; ++test) {
       Recording recording;
-      const TrialResult trial = run_trial(
-          *prepared, {.behaviour = behaviour, .agents = 4, .test = test}, {.record = &recording});
+      const TestRun run = run_test(*prepared, {.behaviour = behaviour, .agents = 4, .test = test},
+                                   {.record = &recording});
       const TestView view(recording, ground_of_paper);
-      const auto last = static_cast<std::size_t>(trial.outcome.ticks);
+      const auto last = static_cast<std::size_t>(run.outcome.ticks);
       ASSERT_EQ(view.ticks(), last + 1);
-      successes += trial.outcome.success ? 1 : 0;
+      successes += run.outcome.success ? 1 : 0;
       for (ActorIndex user = 1; user <= 4; ++user) {
         const auto inside = view.values(SignalId::in_zone, user);
         // A test ends when somebody gets into the zone.
         EXPECT_TRUE(std::ranges::all_of(inside.first(last), [](double in) { return in == 0; }));
-        const bool hit = std::ranges::count(trial.outcome.met_by, user - 1) > 0;
+        const bool hit = std::ranges::count(run.outcome.met_by, user - 1) > 0;
         if (hit) {
           EXPECT_EQ(inside[last], 1) << "behaviour " << behaviour << ", test " << test;
         }
-        if (!trial.outcome.success) {
+        if (!run.outcome.success) {
           EXPECT_EQ(inside[last], 0);
         }
       }

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "experiment/trial/simulator_version.h"
+#include "experiment/test_run/simulator_version.h"
 #include "tests/scenario/scenarios.h"
 
 namespace jaywalk {
@@ -46,9 +46,9 @@ TEST_P(FaultySimulator, CostsOneTestAndSaysWhy) {
   const auto prepared = testing_scenario::paper(
       {.sets = {simulator_of(constant(GetParam().name), ", step: 0.25, timeout: 1"),
                 "world.until=road_end"}});
-  TrialRunner runner(*prepared);
+  TestRunner runner(*prepared);
   for (const std::uint64_t test : {0U, 1U, 2U}) {
-    const TrialResult result = runner.run({.agents = 2, .test = test});
+    const TestRun result = runner.run({.agents = 2, .test = test});
     EXPECT_EQ(result.completed, test != 1) << result.message;
     if (test == 1) {
       EXPECT_THAT(result.message, HasSubstr("the simulator 'process': "));
@@ -84,14 +84,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ASimulator, OfAnotherVersionOfTheProtocolIsRefused) {
   const auto prepared = testing_scenario::paper({.sets = {simulator_of(constant("protocol"))}});
-  EXPECT_THAT(run_trial(*prepared, {.agents = 1}).message,
+  EXPECT_THAT(run_test(*prepared, {.agents = 1}).message,
               HasSubstr("it speaks version 2 of the protocol, this is version 1"));
 }
 
 TEST(ASimulator, ThatPromisesNoRepeatabilityIsNoted) {
   for (const std::string promise : {"", "random"}) {
     const auto prepared = testing_scenario::paper({.sets = {simulator_of(constant(promise))}});
-    const TrialResult result = run_trial(*prepared, {.agents = 1});
+    const TestRun result = run_test(*prepared, {.agents = 1});
     ASSERT_EQ(result.message, "");
     EXPECT_EQ(result.note.find("does not promise the same results") != std::string::npos,
               !promise.empty());
@@ -102,20 +102,20 @@ TEST(ASimulator, WhoseAvKeepsItsSpeedGivesTheTestsOfTheWorldByItself) {
   const auto alone = testing_scenario::paper();
   const auto simulated =
       testing_scenario::paper({.sets = {simulator_of(constant(), ", step: 0.5")}});
-  TrialRunner ours(*alone);
-  TrialRunner theirs(*simulated);
+  TestRunner ours(*alone);
+  TestRunner theirs(*simulated);
   int met = 0;
   for (std::size_t behaviour = 0; behaviour < alone->behaviours().size(); ++behaviour) {
     for (std::uint64_t test = 0; test < 10; ++test) {
-      const TrialInput input{.behaviour = behaviour, .agents = 3, .seed = 4, .test = test};
+      const TestSetup setup{.behaviour = behaviour, .agents = 3, .seed = 4, .test = test};
       Recording by_us;
       Recording by_them;
       CrossingResult our_end;
       CrossingResult their_end;
-      const TrialResult expected =
-          ours.run(input, {.observe = testing_scenario::observing(our_end), .record = &by_us});
-      const TrialResult found = theirs.run(
-          input, {.observe = testing_scenario::observing(their_end), .record = &by_them});
+      const TestRun expected =
+          ours.run(setup, {.observe = testing_scenario::observing(our_end), .record = &by_us});
+      const TestRun found = theirs.run(
+          setup, {.observe = testing_scenario::observing(their_end), .record = &by_them});
       ASSERT_EQ(found.message, "");
       EXPECT_EQ(found.outcome.success, expected.outcome.success);
       EXPECT_EQ(found.outcome.ticks, expected.outcome.ticks);
@@ -142,7 +142,7 @@ TEST(ASimulator, IsOneProcessForEachWorkerAndSeesWhereEverybodyGoes) {
                              ", step: 0.5, options: {town: Town01, gap: 3}")}});
   Recording recording;
   {
-    TrialRunner runner(*prepared);
+    TestRunner runner(*prepared);
     ASSERT_EQ(runner.run({.agents = 2, .seed = 6, .test = 8}, {.record = &recording}).message, "");
     ASSERT_EQ(runner.run({.agents = 2, .seed = 6, .test = 9}).message, "");
   }
@@ -171,8 +171,8 @@ TEST(ASimulator, GivesTheSameForAnyNumberOfThreads) {
   const auto prepared = testing_scenario::scenario("simulator");
   const auto results = [&](unsigned threads) {
     std::vector<std::string> texts;
-    TrialRunners runners(*prepared);
-    std::vector<TrialResult> all(6);
+    TestRunners runners(*prepared);
+    std::vector<TestRun> all(6);
     std::vector<Recording> recordings(all.size());
     std::vector<std::thread> workers;
     std::atomic<std::size_t> next = 0;
@@ -184,7 +184,7 @@ TEST(ASimulator, GivesTheSameForAnyNumberOfThreads) {
       });
     }
     for (std::thread& worker : workers) worker.join();
-    for (const TrialResult& each : all) EXPECT_EQ(each.message, "");
+    for (const TestRun& each : all) EXPECT_EQ(each.message, "");
     return recordings;
   };
   const auto one = results(1);
@@ -198,11 +198,11 @@ TEST(TheSimulatorToCopy, BrakesForPedestriansAndHasTrafficOfItsOwn) {
   double fastest_before_anybody = 0;
   for (std::uint64_t test = 0; test < 10; ++test) {
     Recording recording;
-    ASSERT_EQ(run_trial(*prepared,
-                        {.behaviour = testing_scenario::behaviour(*prepared, "proximity"),
-                         .agents = 3,
-                         .test = test},
-                        {.record = &recording})
+    ASSERT_EQ(run_test(*prepared,
+                       {.behaviour = testing_scenario::behaviour(*prepared, "proximity"),
+                        .agents = 3,
+                        .test = test},
+                       {.record = &recording})
                   .message,
               "");
     ASSERT_EQ(recording.actors().size(), 5U);
@@ -222,12 +222,12 @@ TEST(Esmini, BrakesForPedestriansAndGivesTheSameAgain) {
   const auto slowest_mps = [](const std::string& options) {
     const auto prepared = testing_scenario::scenario("esmini", {options});
     EXPECT_THAT(simulator_version(prepared->scenario()).value(), ::testing::StartsWith("esmini 3"));
-    TrialRunner runner(*prepared);
+    TestRunner runner(*prepared);
     std::vector<double> slowest;
     for (const std::uint64_t test : {0U, 1U, 2U, 3U, 0U}) {
       Recording recording;
       const auto behaviour = testing_scenario::behaviour(*prepared, "proximity");
-      const TrialResult result =
+      const TestRun result =
           runner.run({.behaviour = behaviour, .agents = 3, .test = test}, {.record = &recording});
       EXPECT_EQ(result.message, "");
       slowest.push_back(100);

@@ -55,7 +55,7 @@ int met(const std::string& name, const std::string& tick) {
   if (!prepared) return 0;
   int count = 0;
   for (std::uint64_t test = 0; test < kTests; ++test) {
-    const TrialResult result = run_trial(*prepared, {.agents = 1, .test = test});
+    const TestRun result = run_test(*prepared, {.agents = 1, .test = test});
     EXPECT_TRUE(result.completed) << result.message;
     EXPECT_TRUE(result.troubles.drops.empty()) << name << " at ticks of " << tick << " s";
     count += result.outcome.success ? 1 : 0;

@@ -13,7 +13,7 @@
 namespace jaywalk {
 namespace {
 
-// Of the seeds derived from a test's; those of the trial count from 0.
+// Of the seeds derived from a test's; those of the test count from 0.
 constexpr std::uint64_t kTrafficSeed = 0x73756d6f;
 // Vehicles come for that long after the begin of a test.
 constexpr double kComingS = 60;
@@ -84,7 +84,7 @@ std::string vehicle_type(const std::string& id, const SumoModel& model, double l
   const double emergency =
       model.emergency_decel_mps2.value_or(std::max(9.0, model.decel_mps2.value_or(0)));
   const double decel = model.decel_mps2.value_or(std::min(4.5, emergency));
-  // `constant` is done by commands; the model under it is of no meaning.
+  // `constant` is done by commands; the model under it is not used.
   const bool constant = model.name == "constant";
   return fmt::format(
       "<vType id=\"{}\" carFollowModel=\"{}\" accel=\"{:.9g}\" decel=\"{:.9g}\" "

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "experiment/compare/kills/kills.h"
-#include "experiment/trial/tested_vehicles.h"
+#include "experiment/test_run/tested_vehicles.h"
 
 namespace jaywalk {
 namespace {
@@ -19,17 +19,17 @@ Blame blame_of(bool failed, bool unavoidable) {
 
 }  // namespace
 
-Blame blame_of(const TestFindings& findings) {
-  return blame_of(blames_the_av(findings),
-                  std::ranges::any_of(findings.judgements, [](const Judgement& each) {
+Blame blame_of(const TestAssessment& assessment) {
+  return blame_of(blames_the_av(assessment),
+                  std::ranges::any_of(assessment.judgements, [](const Judgement& each) {
                     return each.verdict == Verdict::unavoidable;
                   }));
 }
 
-Blame blame_of(std::span<const Assessment> assessments) {
+Blame blame_of(std::span<const AssessmentRow> assessments) {
   return blame_of(blames_the_av(assessments),
-                  std::ranges::any_of(assessments, [](const Assessment& each) {
-                    return each.verdict == AssessmentVerdict::unavoidable;
+                  std::ranges::any_of(assessments, [](const AssessmentRow& each) {
+                    return each.verdict == StoredVerdict::unavoidable;
                   }));
 }
 
@@ -71,7 +71,7 @@ std::vector<RankedAv> ranked(const AvRanking& ranking) {
 AvTable::AvTable(const ExperimentPlan& plan, std::uint64_t expected)
     : plan_(plan), expected_(expected), cells_(compares_models(plan.vehicles) ? plan.cells() : 0) {}
 
-void AvTable::add(const TestCase& test, const TestResult& result, std::optional<double> impact_mps,
+void AvTable::add(const TestKey& test, const TestResult& result, std::optional<double> impact_mps,
                   Blame blame) {
   if (cells_.empty()) return;
   const std::lock_guard lock(mutex_);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/compare/findings.h"
+#include "experiment/compare/test_assessment.h"
 
 namespace jaywalk {
 
@@ -22,8 +22,8 @@ enum class Blame : std::uint8_t {
   avoidable,    ///< some assertion failed
   unavoidable,  ///< none failed, and one could not have been kept
 };
-[[nodiscard]] Blame blame_of(const TestFindings& findings);
-[[nodiscard]] Blame blame_of(std::span<const Assessment> assessments);
+[[nodiscard]] Blame blame_of(const TestAssessment& assessment);
+[[nodiscard]] Blame blame_of(std::span<const AssessmentRow> assessments);
 
 /// The tests of a behaviour with one number of agents and one model; or sums of such.
 struct AvCell {
@@ -81,7 +81,7 @@ class AvTable {
   AvTable(const ExperimentPlan& plan, std::uint64_t expected);
 
   /// REQUIRES: a test of the plan; each once.
-  void add(const TestCase& test, const TestResult& result, std::optional<double> impact_mps,
+  void add(const TestKey& test, const TestResult& result, std::optional<double> impact_mps,
            Blame blame);
   /// REQUIRES: nobody adds meanwhile.
   [[nodiscard]] AvRanking ranking(bool judged) const;

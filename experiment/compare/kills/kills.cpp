@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "experiment/trial/tested_vehicles.h"
+#include "experiment/test_run/tested_vehicles.h"
 
 namespace jaywalk {
 namespace {
@@ -36,11 +36,13 @@ bool blames_the_av(std::span<const Judgement> judgements) {
       judgements, [](const Judgement& judgement) { return judgement.verdict == Verdict::fail; });
 }
 
-bool blames_the_av(const TestFindings& findings) { return blames_the_av(findings.judgements); }
+bool blames_the_av(const TestAssessment& assessment) {
+  return blames_the_av(assessment.judgements);
+}
 
-bool blames_the_av(std::span<const Assessment> assessments) {
-  return std::ranges::any_of(assessments, [](const Assessment& assessment) {
-    return assessment.verdict == AssessmentVerdict::fail;
+bool blames_the_av(std::span<const AssessmentRow> assessments) {
+  return std::ranges::any_of(assessments, [](const AssessmentRow& assessment) {
+    return assessment.verdict == StoredVerdict::fail;
   });
 }
 
@@ -118,13 +120,13 @@ KillTable::KillTable(const ExperimentPlan& plan, std::uint64_t expected)
       expected_(expected),
       cells_(plan.vehicles.size() > 1 && !compares_models(plan.vehicles) ? plan.cells() : 0) {}
 
-void KillTable::add(const TestCase& test, bool blamed) {
+void KillTable::add(const TestKey& test, bool blamed) {
   add(test, blamed ? Outcome::blamed : Outcome::kept);
 }
 
-void KillTable::add_errored(const TestCase& test) { add(test, Outcome::errored); }
+void KillTable::add_errored(const TestKey& test) { add(test, Outcome::errored); }
 
-void KillTable::add(const TestCase& test, Outcome outcome) {
+void KillTable::add(const TestKey& test, Outcome outcome) {
   if (cells_.empty()) return;
   Cell& cell = cells_[plan_.cell_of(test)];
   std::call_once(cell.started, [&] { cell.tests.resize(plan_.tests); });

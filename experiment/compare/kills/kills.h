@@ -2,7 +2,7 @@
 
 // The kill matrix: which behaviours expose which defects of an automated vehicle (AV). A test kills
 // a defect if with the same seed and agents the healthy AV breaks no assertion and the defective
-// one breaks one that it could have kept. Read experiment.h and findings.h before.
+// one breaks one that it could have kept. Read experiment.h and test_assessment.h before.
 
 #include <cstdint>
 #include <mutex>
@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/compare/findings.h"
+#include "experiment/compare/test_assessment.h"
 
 namespace jaywalk {
 
 /// Some assertion failed. What could not have been helped (`unavoidable`) blames nobody.
 [[nodiscard]] bool blames_the_av(std::span<const Judgement> judgements);
-[[nodiscard]] bool blames_the_av(const TestFindings& findings);
-[[nodiscard]] bool blames_the_av(std::span<const Assessment> assessments);
+[[nodiscard]] bool blames_the_av(const TestAssessment& assessment);
+[[nodiscard]] bool blames_the_av(std::span<const AssessmentRow> assessments);
 
 /// The tests of a behaviour with one number of agents and one defect.
 struct KillCell {
@@ -98,9 +98,9 @@ class KillTable {
   KillTable(const ExperimentPlan& plan, std::uint64_t expected);
 
   /// REQUIRES: a test of the plan, numbered from 0; each once.
-  void add(const TestCase& test, bool blamed);
+  void add(const TestKey& test, bool blamed);
   /// The same for a test that ended errored.
-  void add_errored(const TestCase& test);
+  void add_errored(const TestKey& test);
   /// REQUIRES: nobody adds meanwhile.
   [[nodiscard]] KillMatrix matrix() const;
 
@@ -110,7 +110,7 @@ class KillTable {
     std::once_flag started;
     std::vector<Outcome> tests;
   };
-  void add(const TestCase& test, Outcome outcome);
+  void add(const TestKey& test, Outcome outcome);
   [[nodiscard]] KillCell compare(const Cell& healthy, const Cell& defective) const;
 
   ExperimentPlan plan_;

@@ -10,7 +10,7 @@
 #include "env/vehicle/defects.h"
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/judge/csv_line.h"
-#include "experiment/trial/tested_vehicles.h"
+#include "experiment/test_run/tested_vehicles.h"
 
 namespace jaywalk {
 namespace {

@@ -59,18 +59,18 @@ std::optional<double> rank_correlation(std::span<const double> first,
   return products / std::sqrt(of_x.squares * of_y.squares);
 }
 
-ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t trials,
+ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t tests,
                                    double confidence) {
-  assert(trials > 0 && successes <= trials);
+  assert(tests > 0 && successes <= tests);
   const double z = boost::math::quantile(boost::math::normal(), (1 + confidence) / 2);
-  const auto n = static_cast<double>(trials);
+  const auto n = static_cast<double>(tests);
   const double p = static_cast<double>(successes) / n;
   const double scale = 1 + z * z / n;
   const double centre = (p + z * z / (2 * n)) / scale;
   const double half = z / scale * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
   // At the ends the formula gives 0 and 1 but for rounding.
   return {.low = successes == 0 ? 0 : centre - half,
-          .high = successes == trials ? 1 : centre + half};
+          .high = successes == tests ? 1 : centre + half};
 }
 
 std::optional<ConfidenceInterval> mean_interval(const Sample& sample, double confidence) {

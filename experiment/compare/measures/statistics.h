@@ -42,8 +42,8 @@ class SampleMaker {
 };
 
 /// The interval of a proportion, from 0 to 1, after Wilson (1927), "Probable inference, the law of
-/// succession, and statistical inference". REQUIRES: successes <= trials and trials > 0.
-[[nodiscard]] ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t trials,
+/// succession, and statistical inference". REQUIRES: successes <= tests and tests > 0.
+[[nodiscard]] ConfidenceInterval wilson_interval(std::uint64_t successes, std::uint64_t tests,
                                                  double confidence = kConfidence);
 
 /// Spearman's coefficient of rank correlation; equal values share their ranks' mean. Nothing for

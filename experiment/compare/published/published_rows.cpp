@@ -10,7 +10,7 @@
 #include "experiment/compare/published/published.h"
 #include "experiment/compare/published/published_programs.h"
 #include "experiment/scenario/files/sha256.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 #include "interpreter/term/heap.h"
 
 namespace jaywalk {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/compare/findings.h"
+#include "experiment/compare/test_assessment.h"
 
 namespace jaywalk::reporting {
 

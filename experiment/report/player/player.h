@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// What the agents had in mind, tick by tick, and which plans they took. Give it to a trial as
+/// What the agents had in mind, tick by tick, and which plans they took. Give it to a test as
 /// observer, and its `observe`.
 class MindRecorder : public ReasoningObserver {
  public:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiment/report/player/player.h"
+#include "experiment/test_run/test_run.h"
 
 namespace jaywalk {
 
@@ -28,7 +29,7 @@ Result<std::string> replay_page(const ResultsReader& store, const StoredTest& te
   if (!prepared) return std::move(prepared.diagnostics());
   Recording recording;
   MindRecorder minds;
-  TrialOptions options;
+  TestOptions options;
   options.record = &recording;
   options.observer = &minds;
   options.observe = [&](const World&, const Mas& mas) { minds.observe(mas); };

@@ -21,9 +21,9 @@ std::vector<std::uint32_t> drawn_agents(const std::vector<std::uint32_t>& all) {
   return some;
 }
 
-const FindingsSummary* find_findings(const Comparison& comparison, const Summary* summary) {
+const AssessmentSummary* find_assessment(const Comparison& comparison, const Summary* summary) {
   if (summary == nullptr) return nullptr;
-  return &comparison.findings[static_cast<std::size_t>(summary - comparison.summaries.data())];
+  return &comparison.assessments[static_cast<std::size_t>(summary - comparison.summaries.data())];
 }
 
 std::vector<BoxGroup> groups_of(const Comparison& comparison, std::size_t metric) {
@@ -32,10 +32,10 @@ std::vector<BoxGroup> groups_of(const Comparison& comparison, std::size_t metric
   for (std::size_t i = 0; i < behaviours.size(); ++i) {
     BoxGroup group{.name = behaviours[i], .number = i};
     for (const std::uint32_t agents : drawn_agents(agents_of(comparison))) {
-      const auto* findings =
-          find_findings(comparison, find_summary(comparison, behaviours[i], agents));
-      if (findings == nullptr || metric >= findings->metrics.size()) continue;
-      group.boxes.push_back({std::to_string(agents), findings->metrics[metric]});
+      const auto* assessment =
+          find_assessment(comparison, find_summary(comparison, behaviours[i], agents));
+      if (assessment == nullptr || metric >= assessment->metrics.size()) continue;
+      group.boxes.push_back({std::to_string(agents), assessment->metrics[metric]});
     }
     groups.push_back(std::move(group));
   }
@@ -49,12 +49,12 @@ std::string metric_numbers(const Comparison& comparison, std::size_t metric) {
     table.column(title);
   }
   const std::string* behaviour = nullptr;
-  for (std::size_t row = 0; row < comparison.findings.size(); ++row) {
+  for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
     const Summary& summary = comparison.summaries[row];
-    if (metric >= comparison.findings[row].metrics.size()) continue;
+    if (metric >= comparison.assessments[row].metrics.size()) continue;
     if (behaviour == nullptr || *behaviour != summary.behaviour) table.heading(summary.behaviour);
     behaviour = &summary.behaviour;
-    const Distribution& of = comparison.findings[row].metrics[metric];
+    const Distribution& of = comparison.assessments[row].metrics[metric];
     std::vector<std::string> cells{std::to_string(summary.agents), grouped(of.count)};
     for (const double value :
          {of.mean, of.least, of.lower_quartile, of.median, of.upper_quartile, of.greatest}) {
@@ -70,7 +70,7 @@ std::string metric_numbers(const Comparison& comparison, std::size_t metric) {
 std::string section::metrics(const ReportData& data) {
   const Comparison& comparison = data.comparison;
   const bool measured = std::ranges::any_of(
-      comparison.findings, [](const FindingsSummary& row) { return !row.metrics.empty(); });
+      comparison.assessments, [](const AssessmentSummary& row) { return !row.metrics.empty(); });
   if (!measured) {
     return paragraph(
         data.store == nullptr

@@ -35,9 +35,9 @@ std::vector<Bar> bars_of(const Comparison& comparison, std::size_t assertion) {
   std::vector<Bar> bars;
   for (const std::string& behaviour : behaviours_of(comparison)) {
     Bar bar{.name = behaviour, .parts = std::vector<double>(kOrder.size())};
-    for (std::size_t row = 0; row < comparison.findings.size(); ++row) {
+    for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
       if (comparison.summaries[row].behaviour != behaviour) continue;
-      const VerdictCounts& counts = comparison.findings[row].verdicts[assertion];
+      const VerdictCounts& counts = comparison.assessments[row].verdicts[assertion];
       for (std::size_t i = 0; i < kOrder.size(); ++i) {
         bar.parts[i] += static_cast<double>(counts.of(kOrder[i]));
       }
@@ -69,16 +69,16 @@ std::string verdict_numbers(const Comparison& comparison, std::size_t assertion)
     table.column(title);
   }
   const std::string* behaviour = nullptr;
-  for (std::size_t row = 0; row < comparison.findings.size(); ++row) {
+  for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
     const Summary& summary = comparison.summaries[row];
-    const FindingsSummary& findings = comparison.findings[row];
-    const VerdictCounts& counts = findings.verdicts[assertion];
+    const AssessmentSummary& assessment = comparison.assessments[row];
+    const VerdictCounts& counts = assessment.verdicts[assertion];
     if (behaviour == nullptr || *behaviour != summary.behaviour) table.heading(summary.behaviour);
     behaviour = &summary.behaviour;
     std::vector<std::string> cells{std::to_string(summary.agents),
                                    decimal(exercised_pct(counts), 1)};
     for (const Verdict verdict : kOrder) cells.push_back(grouped(counts.of(verdict)));
-    const Distribution& robustness = findings.robustness[assertion];
+    const Distribution& robustness = assessment.robustness[assertion];
     for (const double value : {robustness.least, robustness.median, robustness.greatest}) {
       cells.push_back(robustness.count == 0 ? "–" : decimal(value, 3));
     }
@@ -113,7 +113,7 @@ std::string violations(const ReportData& data) {
 
 std::string section::verdicts(const ReportData& data) {
   const Comparison& comparison = data.comparison;
-  if (comparison.assertions.empty() || comparison.findings.empty()) {
+  if (comparison.assertions.empty() || comparison.assessments.empty()) {
     return paragraph(
         data.store == nullptr
             ? "None were judged: <code>--assertions FILE</code> judges each test."

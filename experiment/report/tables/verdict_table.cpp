@@ -14,13 +14,13 @@ namespace {
 template <class Each>
 void for_each_row(const Comparison& comparison, std::string& text, Each each) {
   const std::string* behaviour = nullptr;
-  for (std::size_t row = 0; row < comparison.findings.size(); ++row) {
+  for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
     const Summary& summary = comparison.summaries[row];
     if (behaviour == nullptr || *behaviour != summary.behaviour) {
       behaviour = &summary.behaviour;
       text += fmt::format("{}\n", *behaviour);
     }
-    each(summary, comparison.findings[row]);
+    each(summary, comparison.assessments[row]);
   }
 }
 
@@ -48,12 +48,12 @@ std::string verdict_line(const Assertion& assertion, const Judgement& judgement,
 }  // namespace
 
 std::string render_verdicts(const Comparison& comparison) {
-  if (comparison.assertions.empty() || comparison.findings.empty()) return {};
+  if (comparison.assertions.empty() || comparison.assessments.empty()) return {};
   std::string text = fmt::format("{:<22}  {:>6}  {:>11}  {:>7}  {:>7}  {:>11}\n", "verdicts",
                                  "agents", "exercised %", "pass", "fail", "unavoidable");
-  for_each_row(comparison, text, [&](const Summary& summary, const FindingsSummary& findings) {
-    for (std::size_t i = 0; i < findings.verdicts.size(); ++i) {
-      const VerdictCounts& counts = findings.verdicts[i];
+  for_each_row(comparison, text, [&](const Summary& summary, const AssessmentSummary& assessment) {
+    for (std::size_t i = 0; i < assessment.verdicts.size(); ++i) {
+      const VerdictCounts& counts = assessment.verdicts[i];
       text += fmt::format("  {:<20}  {:>6}  {:>11.1f}  {:>7}  {:>7}  {:>11}\n",
                           comparison.assertions[i], summary.agents, exercised_pct(counts),
                           counts.of(Verdict::pass), counts.of(Verdict::fail),
@@ -64,12 +64,12 @@ std::string render_verdicts(const Comparison& comparison) {
 }
 
 std::string render_metrics(const Comparison& comparison) {
-  if (comparison.findings.empty() || comparison.findings.front().metrics.empty()) return {};
+  if (comparison.assessments.empty() || comparison.assessments.front().metrics.empty()) return {};
   std::string text = fmt::format("{:<19}  {:>6}  {:>6}  {:>8}  {:>8}  {:>8}  {:>8}\n", "metrics",
                                  "agents", "tests", "mean", "min", "median", "max");
-  for_each_row(comparison, text, [&](const Summary& summary, const FindingsSummary& findings) {
-    for (std::size_t i = 0; i < findings.metrics.size(); ++i) {
-      const Distribution& metric = findings.metrics[i];
+  for_each_row(comparison, text, [&](const Summary& summary, const AssessmentSummary& assessment) {
+    for (std::size_t i = 0; i < assessment.metrics.size(); ++i) {
+      const Distribution& metric = assessment.metrics[i];
       text +=
           fmt::format("  {:<17}  {:>6}  {:>6}", metrics()[i].name, summary.agents, metric.count);
       for (const double value : {metric.mean, metric.least, metric.median, metric.greatest}) {
@@ -90,15 +90,15 @@ std::string render_tables(const Comparison& comparison) {
   return text;
 }
 
-std::string render_findings(const Inquiry& inquiry, const TestFindings& findings,
-                            std::span<const Actor> actors) {
+std::string render_assessment(const Criteria& criteria, const TestAssessment& assessment,
+                              std::span<const Actor> actors) {
   std::string text;
-  for (std::size_t i = 0; i < findings.judgements.size(); ++i) {
-    text += verdict_line(inquiry.assertions[i], findings.judgements[i], actors);
+  for (std::size_t i = 0; i < assessment.judgements.size(); ++i) {
+    text += verdict_line(criteria.assertions[i], assessment.judgements[i], actors);
   }
-  for (std::size_t i = 0; i < findings.metrics.size(); ++i) {
-    if (!findings.metrics[i]) continue;
-    const MetricValue& value = *findings.metrics[i];
+  for (std::size_t i = 0; i < assessment.metrics.size(); ++i) {
+    if (!assessment.metrics[i]) continue;
+    const MetricValue& value = *assessment.metrics[i];
     const std::string_view unit = metrics()[i].unit;
     text += fmt::format("{:<22}  {:.4g}{}{} at tick {} ({})\n", metrics()[i].name, value.value,
                         unit.empty() ? "" : " ", unit, value.tick, actors[value.actor].name);

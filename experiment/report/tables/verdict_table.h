@@ -16,7 +16,8 @@ namespace jaywalk {
 /// The table of measures (table.h), then these as far as there are any.
 [[nodiscard]] std::string render_tables(const Comparison& comparison);
 /// Of one test: a line for each assertion, and one for each metric that has a value.
-[[nodiscard]] std::string render_findings(const Inquiry& inquiry, const TestFindings& findings,
-                                          std::span<const Actor> actors);
+[[nodiscard]] std::string render_assessment(const Criteria& criteria,
+                                            const TestAssessment& assessment,
+                                            std::span<const Actor> actors);
 
 }  // namespace jaywalk

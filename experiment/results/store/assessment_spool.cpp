@@ -19,7 +19,7 @@ class AssessmentSpool::Impl {
 
   [[nodiscard]] Database& database() { return database_; }
   [[nodiscard]] const Database& database() const { return database_; }
-  void add(std::int64_t test_id, const std::vector<Assessment>& assessments) {
+  void add(std::int64_t test_id, const std::vector<AssessmentRow>& assessments) {
     rows_.write(test_id, assessments);
   }
 
@@ -36,12 +36,12 @@ class AssessmentSpool::Impl {
 AssessmentSpool::AssessmentSpool() : impl_(std::make_unique<Impl>()) {}
 AssessmentSpool::~AssessmentSpool() = default;
 
-void AssessmentSpool::add(std::int64_t test_id, const std::vector<Assessment>& assessments) {
+void AssessmentSpool::add(std::int64_t test_id, const std::vector<AssessmentRow>& assessments) {
   impl_->add(test_id, assessments);
 }
 
 void AssessmentSpool::for_each(
-    const std::function<void(std::int64_t test_id, const std::vector<Assessment>& assessments)>&
+    const std::function<void(std::int64_t test_id, const std::vector<AssessmentRow>& assessments)>&
         callback) {
   read_all_assessments(impl_->database(), callback);
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/compare/assessment.h"
+#include "experiment/compare/assessment_row.h"
 
 namespace jaywalk {
 
@@ -22,10 +22,10 @@ class AssessmentSpool {
   AssessmentSpool& operator=(const AssessmentSpool&) = delete;
 
   /// REQUIRES: ascending ids.
-  void add(std::int64_t test_id, const std::vector<Assessment>& assessments);
+  void add(std::int64_t test_id, const std::vector<AssessmentRow>& assessments);
   /// Calls back for each test that has assessments, in their order.
   void for_each(const std::function<void(std::int64_t test_id,
-                                         const std::vector<Assessment>& assessments)>& callback);
+                                         const std::vector<AssessmentRow>& assessments)>& callback);
   /// Why they could not be kept, if so (no space is left for temporary files).
   [[nodiscard]] std::optional<std::string> failure() const;
 

@@ -109,9 +109,9 @@ void RowWriter::write_drops(std::int64_t test_id, std::span<const AgentDrop> dro
   }
 }
 
-void RowWriter::write(std::int64_t test_id, std::span<const Assessment> assessments) {
+void RowWriter::write(std::int64_t test_id, std::span<const AssessmentRow> assessments) {
   std::int64_t row = row_id(test_id, 0);
-  for (const Assessment& each : assessments) {
+  for (const AssessmentRow& each : assessments) {
     assessment_.run(row++, test_id, each.id, name(each.verdict), each.value, each.tick, each.actor,
                     each.robustness);
   }

@@ -20,7 +20,7 @@ class RowWriter {
 
   /// REQUIRES: within a transaction, and that the store has no such test.
   void write(const TestRecord& record);
-  void write(std::int64_t test_id, std::span<const Assessment> assessments);
+  void write(std::int64_t test_id, std::span<const AssessmentRow> assessments);
 
  private:
   void write_actors(std::int64_t test_id, const TestRecord& record);

@@ -39,16 +39,16 @@ std::vector<Summary> run(const PreparedScenario& prepared, const std::string& na
                             .tests = tests,
                             .order = test_order(prepared.scenario()),
                             .threads = threads};
-  TrialRunners trials(prepared);
+  TestRunners runners(prepared);
   CarryOver carry_over(plan);
-  const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
+  const auto test = [&](const TestKey& test_case) -> Result<TestResult> {
     const bool chained = plan.order == TestOrder::chained;
-    const TrialResult result =
-        trials.run({.behaviour = index,
-                    .agents = test_case.agents,
-                    .seed = 0,
-                    .test = test_case.number,
-                    .head_start = chained ? carry_over.head_start(test_case) : 0});
+    const TestRun result =
+        runners.run({.behaviour = index,
+                     .agents = test_case.agents,
+                     .seed = 0,
+                     .test = test_case.number,
+                     .head_start = chained ? carry_over.head_start(test_case) : 0});
     if (chained) carry_over.finished(test_case, result.left_over);
     return TestResult{.succeeded = result.outcome.success,
                       .ticks = static_cast<std::uint32_t>(result.outcome.ticks),
@@ -135,15 +135,15 @@ TEST(AsPublishedProgram, RunsASingleTestAsItsBatchDoes) {
   CarryOver carry_over(plan);
   std::set<int> head_starts;
   for (std::uint64_t number = 0; number < plan.tests; ++number) {
-    const TestCase test{.agents = 2, .number = number};
-    const TrialInput input{
+    const TestKey test{.agents = 2, .number = number};
+    const TestSetup setup{
         .behaviour = index, .agents = 2, .test = number, .head_start = carry_over.head_start(test)};
     const auto alone = in_its_chain(*prepared, {.behaviour = index, .agents = 2, .test = number},
                                     [] { return Proceed::yes; });
     ASSERT_TRUE(alone);
-    EXPECT_EQ(alone->head_start, input.head_start) << number;
-    head_starts.insert(input.head_start);
-    carry_over.finished(test, run_trial(*prepared, input).left_over);
+    EXPECT_EQ(alone->head_start, setup.head_start) << number;
+    head_starts.insert(setup.head_start);
+    carry_over.finished(test, run_test(*prepared, setup).left_over);
   }
   EXPECT_EQ(head_starts, (std::set<int>{0, 1, 2, 3, 4, 5}));
   EXPECT_FALSE(in_its_chain(*prepared, {.behaviour = index, .agents = 2, .test = 9},

@@ -16,7 +16,7 @@ ExperimentPlan models() {
   return {.behaviours = {"p", "q"}, .agents = {1}, .tests = 4, .vehicles = {"constant", "Krauss"}};
 }
 
-TestCase test_of(std::size_t behaviour, std::uint64_t number, std::size_t vehicle) {
+TestKey test_of(std::size_t behaviour, std::uint64_t number, std::size_t vehicle) {
   return {.behaviour = behaviour, .agents = 1, .number = number, .vehicle = vehicle};
 }
 

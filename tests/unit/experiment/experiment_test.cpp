@@ -19,7 +19,7 @@ ExperimentPlan with_threads(unsigned threads) {
 }
 
 /// A made-up test whose outcome is a function of its case, with sums that depend on their order.
-TestResult invented(const TestCase& test) {
+TestResult invented(const TestKey& test) {
   const std::uint64_t hash = (test.number * 7919 + test.agents * 31 + test.behaviour * 17) % 1000;
   return {.succeeded = hash % 3 != 0,
           .ticks = static_cast<std::uint32_t>(hash % 11),
@@ -59,7 +59,7 @@ TEST(Experiment, HasTheSameOutcomeForAnyNumberOfThreads) {
 }
 
 TEST(Experiment, ReportsTheFirstTestThatCannotBeRunForAnyNumberOfThreads) {
-  const auto failing = [](const TestCase& test) -> Result<TestResult> {
+  const auto failing = [](const TestKey& test) -> Result<TestResult> {
     if (test.behaviour == 0 || test.agents == 1 || test.number < 50) return invented(test);
     Diagnostics diagnostics;
     diagnostics.error("test", std::to_string(test.number));
@@ -80,7 +80,7 @@ TEST(Experiment, ReportsTheFirstTestThatCannotBeRunForAnyNumberOfThreads) {
 TEST(Experiment, EndsWhenItIsToldToAndKeepsWhatIsFinished) {
   std::atomic<bool> told = false;
   // The third of six pairs never ends by itself.
-  const auto endless = [&told](const TestCase& test) -> Result<TestResult> {
+  const auto endless = [&told](const TestKey& test) -> Result<TestResult> {
     if (test.behaviour == 0 && test.agents == 20) told.wait(false);
     return invented(test);
   };
@@ -97,7 +97,7 @@ TEST(Experiment, EndsWhenItIsToldToAndKeepsWhatIsFinished) {
 }
 
 TEST(Experiment, ThrowsWhatATestThrows) {
-  const auto throwing = [](const TestCase& test) -> Result<TestResult> {
+  const auto throwing = [](const TestKey& test) -> Result<TestResult> {
     if (test.number == 40) throw std::bad_alloc();
     return invented(test);
   };

@@ -54,8 +54,8 @@ TEST(KillTable, CountsTestsThatBlameTheDefectiveAvAndNotTheHealthyOne) {
 TEST(KillTable, LeavesOutTestsThatEndedErroredWithEitherAv) {
   KillTable table(plan(), 4);
   for (std::uint64_t test = 0; test < 4; ++test) {
-    const TestCase healthy{.number = test};
-    const TestCase late{.number = test, .vehicle = 1};
+    const TestKey healthy{.number = test};
+    const TestKey late{.number = test, .vehicle = 1};
     test == 0 ? table.add_errored(healthy) : table.add(healthy, false);
     test == 1 ? table.add_errored(late) : table.add(late, true);
   }
@@ -145,12 +145,12 @@ TEST(BestKiller, IsTheFirstOfEquals) {
 }
 
 TEST(BlamesTheAv, OnlyForWhatCouldHaveBeenAvoided) {
-  const auto findings = [](Verdict verdict) {
-    return TestFindings{.judgements = {{.verdict = Verdict::pass}, {.verdict = verdict}}};
+  const auto assessment = [](Verdict verdict) {
+    return TestAssessment{.judgements = {{.verdict = Verdict::pass}, {.verdict = verdict}}};
   };
-  EXPECT_TRUE(blames_the_av(findings(Verdict::fail)));
-  EXPECT_FALSE(blames_the_av(findings(Verdict::unavoidable)));
-  EXPECT_FALSE(blames_the_av(findings(Verdict::vacuous)));
+  EXPECT_TRUE(blames_the_av(assessment(Verdict::fail)));
+  EXPECT_FALSE(blames_the_av(assessment(Verdict::unavoidable)));
+  EXPECT_FALSE(blames_the_av(assessment(Verdict::vacuous)));
 }
 
 TEST(KillsCsv, HasARowForEachBehaviourAndDefect) {

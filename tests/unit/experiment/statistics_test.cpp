@@ -10,14 +10,14 @@ namespace {
 // Newcombe (1998), "Two-sided confidence intervals for the single proportion", table I.
 TEST(WilsonInterval, AgreesWithPublishedValues) {
   struct Case {
-    std::uint64_t successes, trials;
+    std::uint64_t successes, tests;
     double low, high;
   };
   for (const Case& c : {Case{81, 263, 0.2553, 0.3662}, Case{15, 148, 0.0624, 0.1605},
                         Case{0, 20, 0.0, 0.1611}, Case{1, 29, 0.0061, 0.1718}}) {
-    const ConfidenceInterval interval = wilson_interval(c.successes, c.trials);
-    EXPECT_NEAR(interval.low, c.low, 5e-5) << c.successes << '/' << c.trials;
-    EXPECT_NEAR(interval.high, c.high, 5e-5) << c.successes << '/' << c.trials;
+    const ConfidenceInterval interval = wilson_interval(c.successes, c.tests);
+    EXPECT_NEAR(interval.low, c.low, 5e-5) << c.successes << '/' << c.tests;
+    EXPECT_NEAR(interval.high, c.high, 5e-5) << c.successes << '/' << c.tests;
   }
 }
 

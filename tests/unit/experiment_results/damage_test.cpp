@@ -185,7 +185,7 @@ TEST_F(Damage, ByAKillInTheMidstOfAChangeIsUndone) {
   auto store = ResultsReader::open(file("read.gpkg"));
   ASSERT_EQ(message_of(ResultsReader::open(file("read.gpkg"))), "");
   for (std::int64_t id = 1; id <= 48; ++id) {
-    const TestCase test = store.value()->test(id).value().test;
+    const TestKey test = store.value()->test(id).value().test;
     EXPECT_EQ(store.value()->recording(id).value(), run(test).recording);
   }
   copy_while_written(file("a.gpkg"), change, file("resume.gpkg"));

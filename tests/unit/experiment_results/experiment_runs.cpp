@@ -32,8 +32,8 @@ ExperimentDescription StoreTest::description(StoreLevel level, Shard shard) cons
   return description;
 }
 
-std::vector<TestCase> StoreTest::cases() const {
-  std::vector<TestCase> tests;
+std::vector<TestKey> StoreTest::cases() const {
+  std::vector<TestKey> tests;
   for (std::size_t behaviour = 0; behaviour < plan_.behaviours.size(); ++behaviour) {
     for (const std::uint32_t agents : plan_.agents) {
       for (std::uint64_t number = 0; number < plan_.tests; ++number) {
@@ -44,24 +44,24 @@ std::vector<TestCase> StoreTest::cases() const {
   return tests;
 }
 
-TestRecord StoreTest::run(const TestCase& test) const {
+TestRecord StoreTest::run(const TestKey& test) const {
   Recording recording;
-  const TrialInput input{
+  const TestSetup setup{
       .behaviour = test.behaviour, .agents = test.agents, .seed = kSeed, .test = test.number};
-  const TrialResult trial = run_trial(*prepared_, input, {.record = &recording});
-  const TestResult result{.succeeded = trial.outcome.success,
-                          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
-                          .score = trial.outcome.score(),
+  const TestRun run = run_test(*prepared_, setup, {.record = &recording});
+  const TestResult result{.succeeded = run.outcome.success,
+                          .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
+                          .score = run.outcome.score(),
                           .cpu_us = 0.5 + static_cast<double>(test.number),
                           .wall_us = 1.0 / 3};
-  return make_test_record(test, result, trial, std::move(recording));
+  return make_test_record(test, result, run, std::move(recording));
 }
 
 void StoreTest::write(const std::string& path, const ExperimentDescription& description,
-                      const std::vector<TestCase>& tests) const {
+                      const std::vector<TestKey>& tests) const {
   auto writer = ResultsWriter::resume(path, description);
   ASSERT_TRUE(writer.ok()) << writer.diagnostics().render();
-  for (const TestCase& test : tests) {
+  for (const TestKey& test : tests) {
     if (!writer.value()->had(test)) writer.value()->add(run(test));
   }
   EXPECT_EQ(writer.value()->finish(), std::nullopt);

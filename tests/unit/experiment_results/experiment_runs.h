@@ -28,12 +28,12 @@ class StoreTest : public testing::Test {
   [[nodiscard]] ExperimentDescription description(StoreLevel level = StoreLevel::found,
                                                   Shard shard = {}) const;
   /// All tests of the plan, in its order.
-  [[nodiscard]] std::vector<TestCase> cases() const;
+  [[nodiscard]] std::vector<TestKey> cases() const;
   /// Runs a test; its times are made up, so that they are the same each time.
-  [[nodiscard]] TestRecord run(const TestCase& test) const;
+  [[nodiscard]] TestRecord run(const TestKey& test) const;
   /// Writes a store with these tests; fails the test that calls it if that fails.
   void write(const std::string& path, const ExperimentDescription& description,
-             const std::vector<TestCase>& tests) const;
+             const std::vector<TestKey>& tests) const;
 
   std::shared_ptr<const PreparedScenario> prepared_;
   ExperimentPlan plan_;

@@ -69,7 +69,7 @@ TEST_F(StoreTest, RunsATestAgainWhereItHasNoScenes) {
   write(file("a.gpkg"), description(StoreLevel::summary), cases());
   const auto store = open(file("a.gpkg"));
   for (const std::int64_t id : {1, 20, 48}) {
-    const TestCase test = store->test(id).value().test;
+    const TestKey test = store->test(id).value().test;
     EXPECT_EQ(store->recording(id).value(), run(test).recording);
   }
 }
@@ -109,7 +109,7 @@ TEST_F(StoreTest, SelectsTests) {
 }
 
 TEST_F(StoreTest, IsContinuedWhereItWasLeft) {
-  const std::vector<TestCase> all = cases();
+  const std::vector<TestKey> all = cases();
   write(file("whole.gpkg"), description(), all);
   write(file("parts.gpkg"), description(), {all.begin() + 10, all.begin() + 23});
   EXPECT_FALSE(open(file("parts.gpkg"))->complete());
@@ -133,7 +133,7 @@ TEST_F(StoreTest, IsContinuedWhereItWasLeft) {
 TEST_F(StoreTest, SumsUpAsAnExperimentDoes) {
   write(file("a.gpkg"), description(), cases());
   const ExperimentOutcome direct = run_experiment(
-      plan_, [&](const TestCase& test) -> Result<TestResult> { return run(test).result; },
+      plan_, [&](const TestKey& test) -> Result<TestResult> { return run(test).result; },
       [](const Progress&) { return Proceed::yes; });
   const Comparison comparison = open(file("a.gpkg"))->comparison().value();
   ASSERT_EQ(comparison.summaries.size(), direct.summaries.size());
@@ -149,7 +149,7 @@ TEST_F(StoreTest, TakesTestsFromManyThreadsAtOnce) {
   write(file("one.gpkg"), description(), cases());
   auto writer = ResultsWriter::create(file("many.gpkg"), description());
   ASSERT_TRUE(writer.ok());
-  const std::vector<TestCase> all = cases();
+  const std::vector<TestKey> all = cases();
   {
     std::vector<std::jthread> threads;
     for (std::size_t first = 0; first < 8; ++first) {
@@ -164,9 +164,9 @@ TEST_F(StoreTest, TakesTestsFromManyThreadsAtOnce) {
 }
 
 TEST_F(StoreTest, KeepsAssessmentsAndReplacesThem) {
-  const std::vector<Assessment> first = {
+  const std::vector<AssessmentRow> first = {
       {.id = "min_distance", .value = 0.25, .tick = 7, .actor = 2},
-      {.id = "A1", .tick = 3, .robustness = -HUGE_VAL, .verdict = AssessmentVerdict::fail}};
+      {.id = "A1", .tick = 3, .robustness = -HUGE_VAL, .verdict = StoredVerdict::fail}};
   TestRecord record = run(cases().front());
   record.assessments = first;
   {
@@ -175,7 +175,7 @@ TEST_F(StoreTest, KeepsAssessmentsAndReplacesThem) {
     EXPECT_EQ(writer.value()->finish(), std::nullopt);
   }
   EXPECT_EQ(open(file("a.gpkg"))->assessments(1).value(), first);
-  const Assessment again{.id = "A1", .robustness = 1, .verdict = AssessmentVerdict::pass};
+  const AssessmentRow again{.id = "A1", .robustness = 1, .verdict = StoredVerdict::pass};
   {
     auto writer = AssessmentWriter::open(file("a.gpkg"));
     ASSERT_TRUE(writer.ok());

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/test_run/test_run.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -32,10 +34,10 @@ std::shared_ptr<const PreparedScenario> prepared(const std::string& more = {}) {
   return std::move(result).value();
 }
 
-SituationBins bins_of(const PreparedScenario& scenario, const TrialInput& input) {
-  TrialRunner trials(scenario);
+SituationBins bins_of(const PreparedScenario& scenario, const TestSetup& setup) {
+  TestRunner runners(scenario);
   Recording recording;
-  (void)trials.run(input, {.record = &recording});
+  (void)runners.run(setup, {.record = &recording});
   return covered_bins(recording, scenario.scenario().world->ground());
 }
 

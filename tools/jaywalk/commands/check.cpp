@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "env/environments.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 #include "interpreter/embed/project_agents.h"
 #include "interpreter/syntax/load.h"
 #include "search/search_experiment.h"

@@ -7,7 +7,8 @@
 #include "experiment/report/explanation_json.h"
 #include "experiment/report/player/replay_page.h"
 #include "experiment/report/player/side_by_side.h"
-#include "experiment/trial/plan_coverage.h"
+#include "experiment/test_run/plan_coverage.h"
+#include "experiment/test_run/test_run.h"
 #include "interpreter/explain/explanation.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/output_files.h"
@@ -22,13 +23,13 @@ Result<std::vector<Deliberation>> deliberations(const ResultsReader& store, cons
   const auto prepared = store.prepared();
   if (!prepared.ok()) return prepared.diagnostics();
   Probes probes(prepared.value()->symbols(), Probes::Detail::bindings);
-  const auto input = store.input(test.id);
-  if (!input.ok()) return input.diagnostics();
-  add_programs(*prepared.value(), {{input.value().behaviour, input.value().agents}}, probes);
+  const auto setup = store.setup(test.id);
+  if (!setup.ok()) return setup.diagnostics();
+  add_programs(*prepared.value(), {{setup.value().behaviour, setup.value().agents}}, probes);
   const ProbeTexts texts = find_texts(probes, prepared.value()->inputs());
   ExplainingObserver observer(probes, texts, std::move(wanted));
   std::uint32_t tick = 0;
-  TrialOptions options;
+  TestOptions options;
   options.observer = &observer;
   options.observe = [&](const World&, const Mas&) { observer.set_tick(++tick); };
   const auto result = store.rerun(test.id, options);
@@ -89,8 +90,8 @@ Result<std::string> failures(const ResultsReader& store, const StoredTest& test,
   const auto assessments = store.assessments(test.id);
   if (!assessments.ok()) return assessments.diagnostics();
   std::string text;
-  for (const Assessment& each : assessments.value()) {
-    if (each.verdict != AssessmentVerdict::fail) continue;
+  for (const AssessmentRow& each : assessments.value()) {
+    if (each.verdict != StoredVerdict::fail) continue;
     text += fmt::format("{} fails {}", name, each.id);
     if (each.tick) text += fmt::format(" in tick {}", *each.tick);
     text += '\n';

@@ -26,7 +26,7 @@ namespace {
 struct Request {
   std::unique_ptr<ResultsReader> store;
   std::shared_ptr<const PreparedScenario> prepared;
-  Inquiry inquiry;
+  Criteria criteria;
   std::vector<FailureCondition> conditions;
   std::optional<std::uint64_t> test;
 };
@@ -59,14 +59,14 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     console.report(stored.diagnostics());
     return std::nullopt;
   }
-  auto inquiry = read_inquiry(arguments, stored.value(), console);
-  if (!inquiry) return std::nullopt;
-  request.inquiry = std::move(*inquiry);
-  if (!asks(request.inquiry)) {
+  auto criteria = read_criteria(arguments, stored.value(), console);
+  if (!criteria) return std::nullopt;
+  request.criteria = std::move(*criteria);
+  if (!asks(request.criteria)) {
     console.error("there is nothing to judge", "--assertions names a file of assertions");
     return std::nullopt;
   }
-  if (!check_conditions(request.conditions, request.inquiry, console)) return std::nullopt;
+  if (!check_conditions(request.conditions, request.criteria, console)) return std::nullopt;
   return request;
 }
 
@@ -83,12 +83,12 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
     console.error(fmt::format("test {} ended errored: it is not judged", id));
     return ExitCode::failed;
   }
-  const TestFindings findings =
-      assess(request.inquiry, recording.value(), request.prepared->scenario().world->ground());
-  console.print(render_findings(request.inquiry, findings, recording.value().actors()));
+  const TestAssessment assessment =
+      assess(request.criteria, recording.value(), request.prepared->scenario().world->ground());
+  console.print(render_assessment(request.criteria, assessment, recording.value().actors()));
   if (const auto path = arguments.text("junit")) {
     const std::string name = fmt::format("test {}", id);
-    if (!write_output(*path, to_junit(name, request.inquiry, findings), console)) {
+    if (!write_output(*path, to_junit(name, request.criteria, assessment), console)) {
       return ExitCode::failed;
     }
   }
@@ -97,7 +97,7 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
 
 /// What the tests come to. `spool`: where their assessments go, if they are to be kept.
 struct Judged {
-  FindingsTable& table;
+  AssessmentTable& table;
   KillTable& kills;
   AssessmentSpool* spool = nullptr;
 };
@@ -105,7 +105,7 @@ struct Judged {
 /// One test of many.
 void judge_test(const Request& request, const StoredTest& stored, const Ground& on, Judged& judged,
                 Diagnostics& trouble) {
-  TestCase test = stored.test;
+  TestKey test = stored.test;
   test.number -= request.store->description().first_test;
   if (stored.result.errored) return judged.kills.add_errored(test);
   const auto recording = request.store->recording(stored.id);
@@ -113,11 +113,11 @@ void judge_test(const Request& request, const StoredTest& stored, const Ground& 
     trouble.append(recording.diagnostics());
     return;
   }
-  const TestFindings findings = assess(request.inquiry, recording.value(), on);
-  if (test.vehicle == 0) judged.table.add(test, findings);
-  judged.kills.add(test, blames_the_av(findings));
+  const TestAssessment assessment = assess(request.criteria, recording.value(), on);
+  if (test.vehicle == 0) judged.table.add(test, assessment);
+  judged.kills.add(test, blames_the_av(assessment));
   if (judged.spool != nullptr) {
-    judged.spool->add(stored.id, to_assessments(request.inquiry, findings));
+    judged.spool->add(stored.id, to_rows(request.criteria, assessment));
   }
 }
 
@@ -151,15 +151,15 @@ ExitCode judge_all(const Request& request, Judged judged, Console& console) {
   return ExitCode::success;
 }
 
-/// Puts the findings into the store, which nobody reads any more.
-bool write_assessments(const std::string& path, const Inquiry& inquiry, AssessmentSpool& spool,
+/// Puts the assessments into the store, which nobody reads any more.
+bool write_assessments(const std::string& path, const Criteria& criteria, AssessmentSpool& spool,
                        Console& console) {
   auto writer = AssessmentWriter::open(path);
   if (!writer) {
     console.report(writer.diagnostics());
     return false;
   }
-  writer.value()->note_judging(inquiry.files, inquiry.metrics);
+  writer.value()->note_judging(criteria.files, criteria.metrics);
   spool.for_each([&](std::int64_t id, const auto& rows) { writer.value()->replace(id, rows); });
   if (spool.failure()) {
     console.error(fmt::format("cannot write '{}': {}", path, *spool.failure()));
@@ -229,7 +229,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
 
   const ExperimentPlan plan = plan_of(request->store->description());
   KillTable kills(plan, tests_in_shard(request->store->description()));
-  FindingsTable table(request->inquiry, plan);
+  AssessmentTable table(request->criteria, plan);
   std::optional<AssessmentSpool> spool;
   if (arguments.has("write")) spool.emplace();
   const Judged judged{.table = table, .kills = kills, .spool = spool ? &*spool : nullptr};
@@ -242,13 +242,13 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.report(comparison.diagnostics());
     return ExitCode::usage;
   }
-  add_findings(request->inquiry, table, plan.behaviours, comparison.value());
+  add_assessments(request->criteria, table, plan.behaviours, comparison.value());
   comparison.value().kills = kills.matrix();
   request->store.reset();
   end.reset();  // a store is written whole or not at all
 
   bool written =
-      !spool || write_assessments(arguments.operands().front(), request->inquiry, *spool, console);
+      !spool || write_assessments(arguments.operands().front(), request->criteria, *spool, console);
   const std::array outputs = {
       OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
       OutputFile{"json", [&] { return to_json(comparison.value()); }},

@@ -7,6 +7,7 @@
 
 #include "experiment/learning/training.h"
 #include "experiment/scenario/files/write_file.h"
+#include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/progress_line.h"
@@ -72,7 +73,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.plan.sets = arguments.texts("set");
   request.tests = tests.value_or(defaults.tests);
   const std::string why =
-      obstacle(*request.plan.prepared, {.agents = request.plan.agents, .seed = request.plan.seed});
+      problem(*request.plan.prepared, {.agents = request.plan.agents, .seed = request.plan.seed});
   if (!why.empty()) console.error(why);
   return why.empty() ? std::optional(std::move(request)) : std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
@@ -68,7 +69,7 @@ std::optional<js::ReachPlan> read_request(const Arguments& arguments, Console& c
   plan.seed = seed.value_or(experiment.seed);
   plan.tests = tests.value_or(std::max<std::uint64_t>(plan.tests, experiment.tests));
   plan.most_states = states.value_or(plan.most_states);
-  if (const std::string why = obstacle(*plan.prepared, {.agents = 1}); !why.empty()) {
+  if (const std::string why = problem(*plan.prepared, {.agents = 1}); !why.empty()) {
     console.error(why);
     return std::nullopt;
   }

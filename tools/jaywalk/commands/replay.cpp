@@ -2,6 +2,7 @@
 
 #include "experiment/report/player/replay_page.h"
 #include "experiment/results/reader.h"
+#include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/commands/replay_pictures.h"
 #include "tools/jaywalk/console/output_files.h"
@@ -26,7 +27,7 @@ std::optional<ReplayWishes> read_wishes(const Arguments& arguments, Console& con
 ExitCode play(const ResultsReader& store, const StoredTest& test, double speed, Console& console) {
   const InterruptGuard interrupt;
   Viewer viewer(name_of(store, test), speed, interrupt, console);
-  TrialOptions options;
+  TestOptions options;
   options.print = [&](std::string_view line) { viewer.add_line(line); };
   options.observe = [&](const World& world, const Mas& mas) {
     if (!interrupt.interrupted()) viewer.show(world, mas);

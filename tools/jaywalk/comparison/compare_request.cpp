@@ -5,9 +5,9 @@
 
 #include "experiment/compare/carry_over.h"
 #include "experiment/scenario/number_list.h"
-#include "experiment/trial/simulator_version.h"
-#include "experiment/trial/tested_vehicles.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/simulator_version.h"
+#include "experiment/test_run/test_run.h"
+#include "experiment/test_run/tested_vehicles.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/options/coverage_options.h"
@@ -52,7 +52,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
 
 /// What keeps defects from being looked for.
 void check_defects(const Request& request, Diagnostics& diagnostics) {
-  if (request.inquiry.assertions.empty()) {
+  if (request.criteria.assertions.empty()) {
     diagnostics.error("--defects", "without assertions nothing blames an AV",
                       "--assertions names a file of them, as scenarios/assertions/crossing.yaml");
   }
@@ -128,7 +128,7 @@ std::string first_obstacle(const Request& request) {
     for (std::uint64_t test = 0; test < request.plan.tests; ++test) {
       // Obstacles are the same for all behaviours, and only given starts can be too few.
       std::string why =
-          obstacle(*request.prepared, {.agents = agents, .seed = request.seed, .test = test});
+          problem(*request.prepared, {.agents = agents, .seed = request.seed, .test = test});
       if (!why.empty() || !request.prepared->scenario().world->has_given_starts()) return why;
     }
   }
@@ -137,7 +137,7 @@ std::string first_obstacle(const Request& request) {
 
 /// Whether agents start in cells, where nothing keeps tests from being run.
 bool has_cells(const Request& request) {
-  const TrialInput first{.agents = request.plan.agents.front(), .seed = request.seed, .test = 0};
+  const TestSetup first{.agents = request.plan.agents.front(), .seed = request.seed, .test = 0};
   return !start_cells(request.prepared->scenario(), first).empty();
 }
 
@@ -198,9 +198,9 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   for (const PreparedBehaviour& behaviour : request.prepared->behaviours()) {
     request.plan.behaviours.push_back(behaviour.name);
   }
-  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
-  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
-  request.inquiry = std::move(*inquiry);
+  auto criteria = read_criteria(arguments, request.prepared->scenario().assertions, console);
+  if (!criteria || !check_conditions(request.conditions, *criteria, console)) return std::nullopt;
+  request.criteria = std::move(*criteria);
   request.ground = request.prepared->scenario().world->ground();
   auto simulator = simulator_version(request.prepared->scenario());
   if (!simulator.ok()) {
@@ -248,7 +248,7 @@ ExperimentDescription describe_experiment(const Request& request, const Argument
       describe(*request.prepared,
                scenario_options(arguments, listed(arguments, "behaviours"), request.limits),
                request.plan, request.seed);
-  add_judging(description, request.inquiry.files, request.inquiry.metrics);
+  add_judging(description, request.criteria.files, request.criteria.metrics);
   description.simulator = request.simulator;
   return description;
 }

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/compare/findings.h"
+#include "experiment/compare/failure_condition.h"
 #include "experiment/compare/kills/kills_file.h"
-#include "experiment/compare/verdict.h"
+#include "experiment/compare/test_assessment.h"
 #include "experiment/results/writer.h"
-#include "experiment/trial/plan_coverage.h"
+#include "experiment/test_run/plan_coverage.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
 #include "tools/jaywalk/options/store_options.h"
@@ -28,7 +28,7 @@ struct Request {
   ExperimentPlan plan;
   std::vector<FailureCondition> conditions;
   std::optional<StoreOptions> store;
-  Inquiry inquiry;
+  Criteria criteria;
   Ground ground;
   /// Who moves the vehicles (simulator_version.h).
   std::string simulator;

@@ -81,7 +81,7 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
   return unstored_report({.comparison = comparison,
                           .description = describe_experiment(request, arguments),
                           .prepared = request.prepared,
-                          .inquiry = request.inquiry,
+                          .criteria = request.criteria,
                           .facts = facts});
 }
 
@@ -95,10 +95,10 @@ std::optional<Comparison> comparison_of(const Request& request, const Collected&
     return stored;
   }
   Comparison comparison = make_comparison(request, outcome);
-  add_findings(request.inquiry, collected.findings, request.plan.behaviours, comparison);
+  add_assessments(request.criteria, collected.assessments, request.plan.behaviours, comparison);
   comparison.kills = collected.kills.matrix();
   add_kills(request.other_kills, comparison.kills);
-  comparison.avs = collected.avs.ranking(asks(request.inquiry));
+  comparison.avs = collected.avs.ranking(asks(request.criteria));
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(request.plan.behaviours, summary.behaviour);
     comparison.troubles.push_back(collected.troubles.troubles(

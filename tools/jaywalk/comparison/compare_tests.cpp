@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "experiment/results/reader.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/run/test_trace.h"
 
 namespace jaywalk::command::compare {
 namespace {
 
-Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::string why) {
+Diagnostics not_run(const TestKey& test, std::string_view behaviour, std::string why) {
   Diagnostics diagnostics;
   diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
                     std::move(why));
@@ -23,28 +23,27 @@ Diagnostics not_run(const TestCase& test, std::string_view behaviour, std::strin
 }
 
 /// Its place in the plan.
-std::uint64_t number_of(const ExperimentPlan& plan, const TestCase& test) {
+std::uint64_t number_of(const ExperimentPlan& plan, const TestKey& test) {
   return plan.cell_of(test) * plan.tests + test.number;
 }
 
 /// What is measured of a test; of one that ended errored the times alone.
-TestResult measured(const TrialResult& trial, double wall_us) {
-  TestResult result{.errored = !trial.completed,
-                    .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
-                    .cpu_us = trial.cpu_s * 1e6,
+TestResult measured(const TestRun& run, double wall_us) {
+  TestResult result{.errored = !run.completed,
+                    .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
+                    .cpu_us = run.cpu_s * 1e6,
                     .wall_us = wall_us};
   if (result.errored) return result;
-  result.succeeded = trial.outcome.success;
-  result.score = trial.outcome.score();
+  result.succeeded = run.outcome.success;
+  result.score = run.outcome.score();
   return result;
 }
 
 /// Tells those who want to know of the tests with the first vehicle, which the measures are of.
-void note_measured(const Request& request, const TestCase& test, const TestResult& result,
-                   const TrialResult& trial, const Recording& recording,
-                   const Listeners& listeners) {
+void note_measured(const Request& request, const TestKey& test, const TestResult& result,
+                   const TestRun& run, const Recording& recording, const Listeners& listeners) {
   if (test.vehicle > 0) return;
-  listeners.collected.troubles.add(test, trial.troubles);
+  listeners.collected.troubles.add(test, run.troubles);
   if (listeners.facts != nullptr) listeners.facts->add(test, result, recording);
   if (!request.situations) return;
   if (!result.errored) {
@@ -54,29 +53,29 @@ void note_measured(const Request& request, const TestCase& test, const TestResul
 }
 
 /// Runs a test, finds out about it and hands it to the store, if there is one.
-Result<TestResult> run_test(const Request& request, const TestCase& test, TrialRunners& trials,
-                            const Listeners& listeners) {
+Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
+                                    TestRunners& runners, const Listeners& listeners) {
   ResultsWriter* const store = listeners.store;
-  const bool recorded =
-      store != nullptr || listeners.facts != nullptr || asks(request.inquiry) || request.situations;
-  TrialInput input{.behaviour = test.behaviour,
-                   .agents = test.agents,
-                   .seed = request.seed,
-                   .test = test.number,
-                   .vehicle = test.vehicle};
+  const bool recorded = store != nullptr || listeners.facts != nullptr || asks(request.criteria) ||
+                        request.situations;
+  TestSetup setup{.behaviour = test.behaviour,
+                  .agents = test.agents,
+                  .seed = request.seed,
+                  .test = test.number,
+                  .vehicle = test.vehicle};
   std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   if (feedback) {
     auto told = feedback->wait_for(test);
     if (!told) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
-    input.feedback = std::move(*told);
+    setup.feedback = std::move(*told);
   }
   std::optional<CarryOver>& carry_over = listeners.collected.carry_over;
-  if (carry_over) input.head_start = carry_over->head_start(test);
+  if (carry_over) setup.head_start = carry_over->head_start(test);
   const auto start = std::chrono::steady_clock::now();
   Recording recording;
   // With a defect nobody asks what reasoning costs, and reading the clock costs a tenth of a test.
   const bool is_timed = test.vehicle == 0 || compares_models(request.plan.vehicles);
-  TrialOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = is_timed};
+  TestOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = is_timed};
   std::optional<PlanCoverage::Borrowed> observer;
   Observers observers;
   if (request.coverage != nullptr) observers.add(*observer.emplace(*request.coverage).get());
@@ -84,40 +83,40 @@ Result<TestResult> run_test(const Request& request, const TestCase& test, TrialR
   if (listeners.trace != nullptr) {
     observers.add(trace.emplace());
     options.observe = [&](const World& world, const Mas& mas) { trace->tick(world, mas); };
-    trace->begin(request.plan.behaviours[test.behaviour], input);
+    trace->begin(request.plan.behaviours[test.behaviour], setup);
   }
   options.observer = observers.get();
   options.interrupted = listeners.interrupted;
-  TrialResult trial = trials.run(input, options);
-  if (trial.interrupted) {
-    return not_run(test, request.plan.behaviours[test.behaviour], trial.message);
+  TestRun run = runners.run(setup, options);
+  if (run.interrupted) {
+    return not_run(test, request.plan.behaviours[test.behaviour], run.message);
   }
   if (trace) {
-    trace->end(trial);
+    trace->end(run);
     listeners.trace->add(number_of(request.plan, test), trace->lines());
   }
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
-  if (carry_over) carry_over->finished(test, trial.left_over);
-  const TestResult result = measured(trial, wall.count());
-  listeners.collected.notes.add(number_of(request.plan, test), trial.note);
-  note_measured(request, test, result, trial, recording, listeners);
-  std::vector<Assessment> assessments;
-  TestFindings found;
-  if (asks(request.inquiry) && result.errored) {
+  if (carry_over) carry_over->finished(test, run.left_over);
+  const TestResult result = measured(run, wall.count());
+  listeners.collected.notes.add(number_of(request.plan, test), run.note);
+  note_measured(request, test, result, run, recording, listeners);
+  std::vector<AssessmentRow> assessments;
+  TestAssessment found;
+  if (asks(request.criteria) && result.errored) {
     listeners.collected.kills.add_errored(test);
-  } else if (asks(request.inquiry)) {
-    found = assess(request.inquiry, recording, request.ground);
+  } else if (asks(request.criteria)) {
+    found = assess(request.criteria, recording, request.ground);
     // What a store has is summed up from there.
-    if (test.vehicle == 0 && store == nullptr) listeners.collected.findings.add(test, found);
+    if (test.vehicle == 0 && store == nullptr) listeners.collected.assessments.add(test, found);
     listeners.collected.kills.add(test, blames_the_av(found));
-    if (store != nullptr) assessments = to_assessments(request.inquiry, found);
+    if (store != nullptr) assessments = to_rows(request.criteria, found);
   }
-  listeners.collected.avs.add(test, result, outcome_of(trial).impact_mps, blame_of(found));
+  listeners.collected.avs.add(test, result, outcome_of(run).impact_mps, blame_of(found));
   if (PerTestTable* const table = listeners.collected.per_test.get()) {
-    table->add(test, outcome_of(trial), found);
+    table->add(test, outcome_of(run), found);
   }
   if (store != nullptr) {
-    TestRecord record = make_test_record(test, result, trial, std::move(recording));
+    TestRecord record = make_test_record(test, result, run, std::move(recording));
     record.assessments = std::move(assessments);
     store->add(std::move(record));
   }
@@ -190,13 +189,13 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
                                 const Listeners& listeners, const ProgressFunction& progress) {
   std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   std::atomic<std::uint64_t> done = 0;
-  TrialRunners trials(*request.prepared);
-  const auto test = [&](const TestCase& test_case) -> Result<TestResult> {
-    if (!selection.has(test_case)) {
-      if (listeners.trace != nullptr) listeners.trace->add(number_of(request.plan, test_case), {});
+  TestRunners runners(*request.prepared);
+  const auto test = [&](const TestKey& key) -> Result<TestResult> {
+    if (!selection.has(key)) {
+      if (listeners.trace != nullptr) listeners.trace->add(number_of(request.plan, key), {});
       return TestResult{};
     }
-    auto result = run_test(request, test_case, trials, listeners);
+    auto result = run_planned_test(request, key, runners, listeners);
     if (!result && feedback) feedback->give_up();
     if (result) done.fetch_add(1, std::memory_order_relaxed);
     return result;

@@ -37,7 +37,7 @@ class ControllerNotes {
 /// What is collected while tests run, beside their results.
 struct Collected {
   explicit Collected(const Request& request)
-      : findings(request.inquiry, request.plan),
+      : assessments(request.criteria, request.plan),
         kills(request.plan, request.plan.tests),
         avs(request.plan, request.plan.tests),
         troubles(request.plan),
@@ -45,12 +45,12 @@ struct Collected {
     const std::uint64_t generation = request.prepared->scenario().experiment.feedback;
     if (generation > 0) feedback.emplace(request.plan, generation, situations);
     if (request.per_test && !request.store) {
-      per_test = std::make_unique<PerTestTable>(request.plan, ids_of(request.inquiry));
+      per_test = std::make_unique<PerTestTable>(request.plan, ids_of(request.criteria));
     }
     if (request.plan.order == TestOrder::chained) carry_over.emplace(request.plan);
   }
 
-  FindingsTable findings;
+  AssessmentTable assessments;
   KillTable kills;
   AvTable avs;
   TroublesTable troubles;
@@ -77,7 +77,7 @@ class Selection {
  public:
   Selection(const Request& request, const ResultsWriter* store);
 
-  [[nodiscard]] bool has(const TestCase& test) const {
+  [[nodiscard]] bool has(const TestKey& test) const {
     return shard_.has(test.number) && (store_ == nullptr || !store_->had(test));
   }
   /// How many tests it has.

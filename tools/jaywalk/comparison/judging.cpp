@@ -8,25 +8,25 @@
 
 namespace jaywalk {
 
-std::optional<Inquiry> read_inquiry(const Arguments& arguments,
-                                    const std::vector<Assertion>& otherwise, Console& console) {
-  Inquiry inquiry{.metrics = arguments.has("metrics")};
+std::optional<Criteria> read_criteria(const Arguments& arguments,
+                                      const std::vector<Assertion>& otherwise, Console& console) {
+  Criteria criteria{.metrics = arguments.has("metrics")};
   Diagnostics diagnostics;
   auto named = read_assertion_files(arguments.texts("assertions"));
   if (!named) {
     diagnostics.append(std::move(named.diagnostics()));
   } else {
-    inquiry.assertions = std::move(named.value().assertions);
-    inquiry.files = std::move(named.value().sources);
+    criteria.assertions = std::move(named.value().assertions);
+    criteria.files = std::move(named.value().sources);
   }
-  if (!arguments.has("assertions")) inquiry.assertions = otherwise;
-  if (arguments.has("junit") && inquiry.assertions.empty() && !diagnostics.has_errors()) {
+  if (!arguments.has("assertions")) criteria.assertions = otherwise;
+  if (arguments.has("junit") && criteria.assertions.empty() && !diagnostics.has_errors()) {
     diagnostics.error("--junit", "there are no assertions to judge",
                       "--assertions names a file of them");
   }
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  return inquiry;
+  return criteria;
 }
 
 std::vector<FailureCondition> read_conditions(const Arguments& arguments,
@@ -43,11 +43,11 @@ std::vector<FailureCondition> read_conditions(const Arguments& arguments,
   return conditions;
 }
 
-bool check_conditions(const std::vector<FailureCondition>& conditions, const Inquiry& inquiry,
+bool check_conditions(const std::vector<FailureCondition>& conditions, const Criteria& criteria,
                       Console& console) {
   Diagnostics wrong;
   for (const FailureCondition& condition : conditions) {
-    wrong.append(problems(condition, inquiry.assertions));
+    wrong.append(problems(condition, criteria.assertions));
   }
   console.report(wrong);
   return !wrong.has_errors();
@@ -69,18 +69,18 @@ bool report_failures(const std::vector<FailureCondition>& conditions, const Comp
   return any;
 }
 
-void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
-                  const std::vector<std::string>& behaviours, Comparison& comparison) {
+void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
+                     const std::vector<std::string>& behaviours, Comparison& comparison) {
   comparison.assertions.clear();
-  comparison.findings.clear();
-  if (!asks(inquiry)) return;
-  for (const Assertion& assertion : inquiry.assertions) {
+  comparison.assessments.clear();
+  if (!asks(criteria)) return;
+  for (const Assertion& assertion : criteria.assertions) {
     comparison.assertions.push_back(assertion.id);
   }
   for (const Summary& summary : comparison.summaries) {
     const auto behaviour = std::ranges::find(behaviours, summary.behaviour) - behaviours.begin();
-    comparison.findings.push_back(
-        findings.summary(static_cast<std::size_t>(behaviour), summary.agents));
+    comparison.assessments.push_back(
+        assessments.summary(static_cast<std::size_t>(behaviour), summary.agents));
   }
 }
 

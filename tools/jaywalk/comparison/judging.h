@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiment/compare/comparison.h"
-#include "experiment/compare/verdict.h"
+#include "experiment/compare/failure_condition.h"
 #include "experiment/results/reader.h"
 #include "experiment/scenario/scenario.h"
 #include "tools/jaywalk/console/console.h"
@@ -29,12 +29,12 @@ inline constexpr std::array kJudgingOptions = {
 
 /// The assertions of the options, or else those others (the scenario's); nothing after reporting
 /// what is wrong.
-[[nodiscard]] std::optional<Inquiry> read_inquiry(const Arguments& arguments,
-                                                  const std::vector<Assertion>& otherwise,
-                                                  Console& console);
+[[nodiscard]] std::optional<Criteria> read_criteria(const Arguments& arguments,
+                                                    const std::vector<Assertion>& otherwise,
+                                                    Console& console);
 
-[[nodiscard]] inline bool asks(const Inquiry& inquiry) {
-  return inquiry.metrics || !inquiry.assertions.empty();
+[[nodiscard]] inline bool asks(const Criteria& criteria) {
+  return criteria.metrics || !criteria.assertions.empty();
 }
 
 /// The conditions of --fail-on; errors are added. Those about assertions can be checked only when
@@ -42,7 +42,7 @@ inline constexpr std::array kJudgingOptions = {
 [[nodiscard]] std::vector<FailureCondition> read_conditions(const Arguments& arguments,
                                                             Diagnostics& diagnostics);
 [[nodiscard]] bool check_conditions(const std::vector<FailureCondition>& conditions,
-                                    const Inquiry& inquiry, Console& console);
+                                    const Criteria& criteria, Console& console);
 
 /// Says which rows meet a condition; whether any does.
 [[nodiscard]] bool report_failures(const std::vector<FailureCondition>& conditions,
@@ -50,7 +50,7 @@ inline constexpr std::array kJudgingOptions = {
 
 /// Puts what was found out beside the summaries, in place of what was there. `behaviours` are those
 /// of the table's plan.
-void add_findings(const Inquiry& inquiry, const FindingsTable& findings,
-                  const std::vector<std::string>& behaviours, Comparison& comparison);
+void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
+                     const std::vector<std::string>& behaviours, Comparison& comparison);
 
 }  // namespace jaywalk

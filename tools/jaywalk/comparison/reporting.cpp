@@ -81,7 +81,7 @@ std::string unstored_report(const UnstoredTests& tests) {
   reporting::ReportData data{.comparison = tests.comparison,
                              .description = tests.description,
                              .prepared = tests.prepared,
-                             .assertions = tests.inquiry.assertions};
+                             .assertions = tests.criteria.assertions};
   const auto& behaviours = data.description.behaviours;
   for (const Summary& summary : data.comparison.summaries) {
     const auto behaviour = std::ranges::find(behaviours, summary.behaviour, &StoredBehaviour::name);

@@ -27,7 +27,7 @@ struct UnstoredTests {
   const Comparison& comparison;
   ExperimentDescription description;
   std::shared_ptr<const PreparedScenario> prepared;
-  const Inquiry& inquiry;
+  const Criteria& criteria;
   const reporting::FactsTable& facts;
 };
 [[nodiscard]] std::string unstored_report(const UnstoredTests& tests);

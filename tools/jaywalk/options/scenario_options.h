@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
 

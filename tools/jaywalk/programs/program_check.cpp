@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/support/excerpt.h"
 #include "interpreter/support/source_files.h"

@@ -41,17 +41,17 @@ std::optional<Recording> read_trace(const std::string& path, Console& console) {
 }
 
 /// The drive as the only test of a comparison, which conditions of --fail-on are about.
-Comparison comparison_of(const std::string& name, const Inquiry& inquiry,
-                         const Recording& recording, const TestFindings& findings) {
+Comparison comparison_of(const std::string& name, const Criteria& criteria,
+                         const Recording& recording, const TestAssessment& assessment) {
   const auto others = static_cast<std::uint32_t>(recording.actors().size() - 1);
   const ExperimentPlan plan{.behaviours = {name}, .agents = {others}, .tests = 1};
-  FindingsTable table(inquiry, plan);
-  table.add({.agents = others}, findings);
+  AssessmentTable table(criteria, plan);
+  table.add({.agents = others}, assessment);
   const TestResult result{.ticks = static_cast<std::uint32_t>(recording.scenes() - 1)};
   Comparison comparison{.summaries = {summarise({&result, 1})}};
   comparison.summaries.front().behaviour = name;
   comparison.summaries.front().agents = others;
-  add_findings(inquiry, table, plan.behaviours, comparison);
+  add_assessments(criteria, table, plan.behaviours, comparison);
   return comparison;
 }
 
@@ -77,27 +77,27 @@ ExitCode judge_trace(const std::string& path, const Arguments& arguments, Consol
   if (wrong.has_errors()) return ExitCode::usage;
   const auto scenario = scenario_of(arguments, console);
   if (!scenario) return ExitCode::usage;
-  const auto inquiry = read_inquiry(arguments, scenario->assertions, console);
-  if (!inquiry) return ExitCode::usage;
-  if (!asks(*inquiry)) {
+  const auto criteria = read_criteria(arguments, scenario->assertions, console);
+  if (!criteria) return ExitCode::usage;
+  if (!asks(*criteria)) {
     console.error("there is nothing to judge", "--assertions names a file of assertions");
     return ExitCode::usage;
   }
-  if (!check_conditions(conditions, *inquiry, console)) return ExitCode::usage;
+  if (!check_conditions(conditions, *criteria, console)) return ExitCode::usage;
   const auto recording = read_trace(path, console);
   if (!recording) return ExitCode::usage;
 
-  const TestFindings findings = assess(*inquiry, *recording, scenario->world->ground());
+  const TestAssessment assessment = assess(*criteria, *recording, scenario->world->ground());
   const std::string name = std::filesystem::path(path).stem().string();
   if (!arguments.has("quiet")) {
-    console.print(render_findings(*inquiry, findings, recording->actors()));
+    console.print(render_assessment(*criteria, assessment, recording->actors()));
   }
   if (const auto junit = arguments.text("junit")) {
-    if (!write_output(*junit, to_junit(name, *inquiry, findings), console)) {
+    if (!write_output(*junit, to_junit(name, *criteria, assessment), console)) {
       return ExitCode::failed;
     }
   }
-  const Comparison comparison = comparison_of(name, *inquiry, *recording, findings);
+  const Comparison comparison = comparison_of(name, *criteria, *recording, assessment);
   return report_failures(conditions, comparison, console) ? ExitCode::failed : ExitCode::success;
 }
 

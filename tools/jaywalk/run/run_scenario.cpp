@@ -15,9 +15,9 @@
 #include "experiment/export/junit.h"
 #include "experiment/report/tables/troubles_text.h"
 #include "experiment/report/tables/verdict_table.h"
-#include "experiment/trial/plan_coverage.h"
-#include "experiment/trial/simulator_version.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/plan_coverage.h"
+#include "experiment/test_run/simulator_version.h"
+#include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/interrupt.h"
@@ -37,13 +37,13 @@ constexpr double kDefaultSpeed = 2;
 
 struct Request {
   std::shared_ptr<const PreparedScenario> prepared;
-  TrialInput input;
+  TestSetup setup;
   std::optional<double> timeout_s;
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
   /// Who moves the vehicles (simulator_version.h).
   std::string simulator;
-  Inquiry inquiry;
+  Criteria criteria;
   std::vector<FailureCondition> conditions;
   /// Ticks a second.
   double speed = kDefaultSpeed;
@@ -72,7 +72,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   const auto agents = arguments.number("agents", 1, diagnostics);
   const auto seed = arguments.number("seed", 0, diagnostics);
   Request request;
-  request.input.test = arguments.number("test", 0, diagnostics).value_or(0);
+  request.setup.test = arguments.number("test", 0, diagnostics).value_or(0);
   request.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
   (void)arguments.number("max-inferences", 0, diagnostics);
   (void)arguments.number("max-memory", 0, diagnostics);
@@ -92,15 +92,15 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
       prepare_scenario(path, arguments, behaviours_of(arguments), console, limits_of(arguments));
   if (!request.prepared) return std::nullopt;
   const ExperimentSpec& defaults = request.prepared->scenario().experiment;
-  request.input.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
-  request.input.seed = seed.value_or(defaults.seed);
-  if (const std::string why = obstacle(*request.prepared, request.input); !why.empty()) {
+  request.setup.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
+  request.setup.seed = seed.value_or(defaults.seed);
+  if (const std::string why = problem(*request.prepared, request.setup); !why.empty()) {
     console.error(why);
     return std::nullopt;
   }
-  auto inquiry = read_inquiry(arguments, request.prepared->scenario().assertions, console);
-  if (!inquiry || !check_conditions(request.conditions, *inquiry, console)) return std::nullopt;
-  request.inquiry = std::move(*inquiry);
+  auto criteria = read_criteria(arguments, request.prepared->scenario().assertions, console);
+  if (!criteria || !check_conditions(request.conditions, *criteria, console)) return std::nullopt;
+  request.criteria = std::move(*criteria);
   auto simulator = simulator_version(request.prepared->scenario());
   if (!simulator.ok()) {
     console.report(simulator.diagnostics());
@@ -112,72 +112,72 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
 
 std::string title_of(const Request& request) {
   return fmt::format("{}, {} agent{}, seed {}, test {}",
-                     request.prepared->behaviours()[request.input.behaviour].name,
-                     request.input.agents, request.input.agents == 1 ? "" : "s", request.input.seed,
-                     request.input.test);
+                     request.prepared->behaviours()[request.setup.behaviour].name,
+                     request.setup.agents, request.setup.agents == 1 ? "" : "s", request.setup.seed,
+                     request.setup.test);
 }
 
 /// The store for this one test, with everything that is seen of it.
 std::unique_ptr<ResultsWriter> open_store(const Request& request, const Arguments& arguments,
                                           const std::string& path, Console& console) {
-  const PreparedBehaviour& behaviour = request.prepared->behaviours()[request.input.behaviour];
+  const PreparedBehaviour& behaviour = request.prepared->behaviours()[request.setup.behaviour];
   const ExperimentPlan plan{
-      .behaviours = {behaviour.name}, .agents = {request.input.agents}, .tests = 1};
+      .behaviours = {behaviour.name}, .agents = {request.setup.agents}, .tests = 1};
   ExperimentDescription description =
       describe(*request.prepared,
                scenario_options(arguments, behaviours_of(arguments), limits_of(arguments)), plan,
-               request.input.seed);
-  add_judging(description, request.inquiry.files, request.inquiry.metrics);
+               request.setup.seed);
+  add_judging(description, request.criteria.files, request.criteria.metrics);
   description.simulator = request.simulator;
   // The first behaviour is the one that runs; the others are no part of the plan.
   description.behaviours.resize(1);
-  description.first_test = request.input.test;
+  description.first_test = request.setup.test;
   return open_store({.path = path, .level = StoreLevel::all}, std::move(description), console);
 }
 
-TestResult result_of(const TrialResult& trial) {
-  return {.succeeded = trial.outcome.success,
-          .ticks = static_cast<std::uint32_t>(trial.outcome.ticks),
-          .score = trial.outcome.score()};
+TestResult result_of(const TestRun& run) {
+  return {.succeeded = run.outcome.success,
+          .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
+          .score = run.outcome.score()};
 }
 
-void store_test(const Request& request, const TrialResult& trial, Recording recording,
-                const TestFindings& findings, ResultsWriter& store) {
-  const TestCase test{.behaviour = request.input.behaviour,
-                      .agents = request.input.agents,
-                      .number = request.input.test};
-  TestRecord record = make_test_record(test, result_of(trial), trial, std::move(recording));
-  record.assessments = to_assessments(request.inquiry, findings);
+void store_test(const Request& request, const TestRun& run, Recording recording,
+                const TestAssessment& assessment, ResultsWriter& store) {
+  const TestKey test{.behaviour = request.setup.behaviour,
+                     .agents = request.setup.agents,
+                     .number = request.setup.test};
+  TestRecord record = make_test_record(test, result_of(run), run, std::move(recording));
+  record.assessments = to_rows(request.criteria, assessment);
   store.add(std::move(record));
 }
 
 /// The one test as a comparison, which conditions of --fail-on are about.
-Comparison comparison_of(const Request& request, const TrialResult& trial,
-                         const TestFindings& findings) {
-  const std::string& behaviour = request.prepared->behaviours()[request.input.behaviour].name;
+Comparison comparison_of(const Request& request, const TestRun& run,
+                         const TestAssessment& assessment) {
+  const std::string& behaviour = request.prepared->behaviours()[request.setup.behaviour].name;
   const ExperimentPlan plan{
-      .behaviours = {behaviour}, .agents = {request.input.agents}, .tests = 1};
-  FindingsTable table(request.inquiry, plan);
-  table.add({.agents = request.input.agents}, findings);
-  const TestResult result = result_of(trial);
+      .behaviours = {behaviour}, .agents = {request.setup.agents}, .tests = 1};
+  AssessmentTable table(request.criteria, plan);
+  table.add({.agents = request.setup.agents}, assessment);
+  const TestResult result = result_of(run);
   Comparison comparison{.summaries = {summarise({&result, 1})}};
   TroublesSum troubles;
-  troubles.add(request.input.test, trial.troubles);
+  troubles.add(request.setup.test, run.troubles);
   comparison.troubles.push_back(troubles.sum());
   comparison.summaries.front().behaviour = behaviour;
-  comparison.summaries.front().agents = request.input.agents;
-  add_findings(request.inquiry, table, plan.behaviours, comparison);
+  comparison.summaries.front().agents = request.setup.agents;
+  add_assessments(request.criteria, table, plan.behaviours, comparison);
   return comparison;
 }
 
 /// Writes the verdicts and looks at --fail-on.
-ExitCode conclude(const Request& request, const Arguments& arguments, const TrialResult& trial,
-                  const TestFindings& findings, Console& console) {
+ExitCode conclude(const Request& request, const Arguments& arguments, const TestRun& run,
+                  const TestAssessment& assessment, Console& console) {
   if (const auto path = arguments.text("junit")) {
-    const std::string xml = to_junit(title_of(request), request.inquiry, findings);
+    const std::string xml = to_junit(title_of(request), request.criteria, assessment);
     if (!write_output(*path, xml, console)) return ExitCode::failed;
   }
-  const Comparison comparison = comparison_of(request, trial, findings);
+  const Comparison comparison = comparison_of(request, run, assessment);
   std::string troubles = render_troubles(troubles_of(comparison));
   if (troubles.ends_with('\n')) troubles.pop_back();
   if (!troubles.empty()) console.note(troubles);
@@ -196,7 +196,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   const Deadline deadline(request->timeout_s);
   Viewer viewer(title_of(*request), request->speed, interrupt, console);
   const bool watch = arguments.has("watch");
-  TrialOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
+  TestOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
   options.log = [&](std::string_view line) { console.log(LogLevel::warning, line); };
   options.print = [&](std::string_view line) {
     if (watch) {
@@ -217,12 +217,12 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     store = open_store(*request, arguments, *store_path, console);
     if (!store) return ExitCode::usage;
   }
-  if (store || asks(request->inquiry)) options.record = &recording;
+  if (store || asks(request->criteria)) options.record = &recording;
   std::optional<PlanCoverage> coverage;
   std::optional<PlanCoverage::Borrowed> observer;
   Observers observers;
   if (arguments.has("coverage")) {
-    const BehavioursRun run{{request->input.behaviour, request->input.agents}};
+    const BehavioursRun run{{request->setup.behaviour, request->setup.agents}};
     observers.add(*observer.emplace(coverage.emplace(*request->prepared, run)).get());
   }
   std::optional<TraceFile> trace_file;
@@ -234,14 +234,14 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
       trace.tick(world, mas);
       show(world, mas);
     };
-    trace.begin(request->prepared->behaviours()[request->input.behaviour].name, request->input);
+    trace.begin(request->prepared->behaviours()[request->setup.behaviour].name, request->setup);
   }
   options.observer = observers.get();
   options.interrupted = [&] { return interrupt.interrupted(); };
-  const auto input = in_its_chain(*request->prepared, request->input, [&] {
+  const auto setup = in_its_chain(*request->prepared, request->setup, [&] {
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;
   });
-  const TrialResult result = input ? run_trial(*request->prepared, *input, options) : TrialResult{};
+  const TestRun result = setup ? run_test(*request->prepared, *setup, options) : TestRun{};
   observer.reset();
   if (trace_file) {
     trace.end(result);
@@ -257,15 +257,16 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     return ExitCode::failed;
   }
   if (!result.note.empty()) console.note(result.note);
-  TestFindings findings;
+  TestAssessment assessment;
   std::string found;
-  if (asks(request->inquiry)) {
-    findings = assess(request->inquiry, recording, request->prepared->scenario().world->ground());
-    found = render_findings(request->inquiry, findings, recording.actors());
+  if (asks(request->criteria)) {
+    assessment =
+        assess(request->criteria, recording, request->prepared->scenario().world->ground());
+    found = render_assessment(request->criteria, assessment, recording.actors());
     if (found.ends_with('\n')) found.pop_back();
   }
   if (store) {
-    store_test(*request, result, std::move(recording), findings, *store);
+    store_test(*request, result, std::move(recording), assessment, *store);
     if (!finish_store(*store, *store_path, console)) return ExitCode::failed;
   }
   if (watch) {
@@ -279,7 +280,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
         fmt::format("{}: {}", arguments.operands().front(), title_of(*request));
     if (!write_coverage(arguments, coverage->total(), subject, console)) return ExitCode::failed;
   }
-  return conclude(*request, arguments, result, findings, console);
+  return conclude(*request, arguments, result, assessment, console);
 }
 
 }  // namespace jaywalk

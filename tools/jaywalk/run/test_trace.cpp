@@ -6,12 +6,12 @@
 
 namespace jaywalk {
 
-void TestTrace::begin(std::string_view behaviour, const TrialInput& input) {
+void TestTrace::begin(std::string_view behaviour, const TestSetup& setup) {
   append({{"kind", "test"},
           {"behaviour", behaviour},
-          {"agents", input.agents},
-          {"test", input.test},
-          {"seed", input.seed}});
+          {"agents", setup.agents},
+          {"test", setup.test},
+          {"seed", setup.seed}});
 }
 
 void TestTrace::tick(const World& world, const Mas& mas) {
@@ -34,7 +34,7 @@ void TestTrace::tick(const World& world, const Mas& mas) {
   tick_ = ticks + 1;
 }
 
-void TestTrace::end(const TrialResult& result) {
+void TestTrace::end(const TestRun& result) {
   Line line{{"kind", "end"},
             {"completed", result.completed},
             {"met_precondition", result.outcome.success},

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/run/agent_trace.h"
 
 namespace jaywalk {
@@ -17,10 +17,10 @@ class TestTrace final : public AgentTrace {
  public:
   TestTrace() : AgentTrace("tick") {}
 
-  void begin(std::string_view behaviour, const TrialInput& input);
-  /// As TrialOptions::observe: before the first tick and after each.
+  void begin(std::string_view behaviour, const TestSetup& setup);
+  /// As TestOptions::observe: before the first tick and after each.
   void tick(const World& world, const Mas& mas);
-  void end(const TrialResult& result);
+  void end(const TestRun& result);
   /// The lines so far.
   [[nodiscard]] const std::string& lines() const { return lines_; }
 

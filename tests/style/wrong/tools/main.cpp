@@ -1,4 +1,4 @@
 #include <boost/program_options.hpp>
 #include <boost/spirit/home/x3.hpp>
 
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"

@@ -1,5 +1,5 @@
 #include <yaml-cpp/yaml.h>
 
 #include "env/tram/tram.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"
 #include "interpreter/mas/mas.h"

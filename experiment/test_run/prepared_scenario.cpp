@@ -1,3 +1,5 @@
+#include "experiment/test_run/prepared_scenario.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -8,7 +10,7 @@
 
 #include "experiment/scenario/files/code_lines.h"
 #include "experiment/scenario/scenario_yaml.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/tested_vehicles.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/support/excerpt.h"
 #include "interpreter/syntax/load.h"

@@ -1,9 +1,9 @@
-#include "experiment/trial/tested_vehicles.h"
+#include "experiment/test_run/tested_vehicles.h"
 
 #include <algorithm>
 
 #include "env/vehicle/defects.h"
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 
 namespace jaywalk {
 namespace {

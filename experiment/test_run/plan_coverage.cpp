@@ -1,4 +1,4 @@
-#include "experiment/trial/plan_coverage.h"
+#include "experiment/test_run/plan_coverage.h"
 
 namespace jaywalk {
 

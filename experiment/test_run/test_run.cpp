@@ -1,4 +1,4 @@
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/test_run.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "env/grid/random.h"
-#include "experiment/trial/covered_bins.h"
+#include "experiment/test_run/covered_bins.h"
 #include "interpreter/agent/agent.h"
 
 namespace jaywalk {
@@ -18,8 +18,8 @@ namespace {
 // What a test's seed is used for, so that where agents start does not depend on what they draw.
 enum class Purpose : std::uint64_t { start_cells = 0, agents = 1 };
 
-std::uint64_t seed_for(const TrialInput& input, Purpose purpose) {
-  return mix(mix(input.seed, input.test), static_cast<std::uint64_t>(purpose));
+std::uint64_t seed_for(const TestSetup& setup, Purpose purpose) {
+  return mix(mix(setup.seed, setup.test), static_cast<std::uint64_t>(purpose));
 }
 
 // What single agents are given takes the place of what all of a behaviour have.
@@ -73,10 +73,10 @@ void set_common_parameters(const PreparedBehaviour& behaviour, std::uint32_t num
   }
 }
 
-std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TrialInput& input) {
+std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TestSetup& setup) {
   std::vector<AgentSpec> specs;
-  const PreparedBehaviour& behaviour = prepared.behaviours()[input.behaviour];
-  for (std::uint32_t number = 1; number <= input.agents; ++number) {
+  const PreparedBehaviour& behaviour = prepared.behaviours()[setup.behaviour];
+  for (std::uint32_t number = 1; number <= setup.agents; ++number) {
     const auto own = behaviour.team.find(number);
     AgentSpec& spec = specs.emplace_back(AgentSpec{
         prepared.scenario().world->agent_name(number),
@@ -112,7 +112,7 @@ class TestDeadline {
 
 /// REQUIRES: deadline and options outlive the run. A test that asks for more than its memory is at
 /// fault as a whole: an agent whose steps fail would go on and be measured as if it had chosen to.
-void set_limits(const TestLimits& limits, const TestDeadline& deadline, const TrialOptions& trial,
+void set_limits(const TestLimits& limits, const TestDeadline& deadline, const TestOptions& wanted,
                 MasOptions& options) {
   constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
   options.max_run_inferences = limits.inferences;
@@ -121,8 +121,8 @@ void set_limits(const TestLimits& limits, const TestDeadline& deadline, const Tr
     options.max_agent_bytes = limits.memory_mb * kMegabyte;
     options.max_system_bytes = limits.memory_mb * kMegabyte;
   }
-  if (limits.time_s <= 0 && !trial.interrupted) return;
-  options.interrupted = [&deadline, &asked = trial.interrupted] {
+  if (limits.time_s <= 0 && !wanted.interrupted) return;
+  options.interrupted = [&deadline, &asked = wanted.interrupted] {
     return deadline.passed() || (asked && asked());
   };
 }
@@ -141,15 +141,15 @@ std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
                      outcome.agent.empty() ? "an agent" : "agent " + outcome.agent);
 }
 
-void record_events(const World& world, const TrialInput& input, const TrialResult& result,
+void record_events(const World& world, const TestSetup& setup, const TestRun& result,
                    Recording& recording) {
-  if (!input.feedback.empty()) {
+  if (!setup.feedback.empty()) {
     recording.add(RecordedEvent{
-        .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(input.feedback)});
+        .tick = 0, .actor = {}, .kind = "feedback", .text = feedback_text(setup.feedback)});
   }
-  if (input.head_start > 0) {
+  if (setup.head_start > 0) {
     recording.add(RecordedEvent{
-        .tick = 0, .actor = {}, .kind = "head_start", .text = fmt::format("{}", input.head_start)});
+        .tick = 0, .actor = {}, .kind = "head_start", .text = fmt::format("{}", setup.head_start)});
   }
   for (WorldEvent& each : world.events()) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
@@ -190,13 +190,13 @@ TestTroubles troubles_of(const Mas& mas, const WorldResult& outcome) {
   return troubles;
 }
 
-void give_up(std::string why, TrialResult& result) {
+void give_up(std::string why, TestRun& result) {
   result.completed = false;
   result.message = std::move(why);
 }
 
-void run_to_the_end(Mas& mas, const World& world, const TrialOptions& options,
-                    const TestDeadline& deadline, TrialResult& result) {
+void run_to_the_end(Mas& mas, const World& world, const TestOptions& options,
+                    const TestDeadline& deadline, TestRun& result) {
   const auto observe = [&] {
     if (options.observe) options.observe(world, mas);
     if (options.record != nullptr) options.record->add(world.scene());
@@ -215,9 +215,9 @@ void run_to_the_end(Mas& mas, const World& world, const TrialOptions& options,
   }
 }
 
-/// Of a trial that ended in the middle of anything.
-TrialResult without_memory(const TrialOptions& options) {
-  TrialResult failed;
+/// Of a test that ended in the middle of anything.
+TestRun without_memory(const TestOptions& options) {
+  TestRun failed;
   give_up("the machine has no memory left for the test", failed);
   failed.troubles.error = failed.message;
   if (options.record != nullptr) {
@@ -229,7 +229,7 @@ TrialResult without_memory(const TrialOptions& options) {
 }
 
 /// What the controller makes of the end may be wrong, too.
-void end_drive(World& world, TrialResult& result) {
+void end_drive(World& world, TestRun& result) {
   world.end();
   if (std::string failure = world.failure(); !failure.empty()) {
     give_up(std::move(failure), result);
@@ -238,16 +238,16 @@ void end_drive(World& world, TrialResult& result) {
 
 }  // namespace
 
-WorldStart start_of(const TrialInput& input) {
-  return {.agents = input.agents,
-          .test = input.test,
-          .seed = seed_for(input, Purpose::start_cells),
-          .head_start = input.head_start,
-          .cells = input.starts};
+WorldStart start_of(const TestSetup& setup) {
+  return {.agents = setup.agents,
+          .test = setup.test,
+          .seed = seed_for(setup, Purpose::start_cells),
+          .head_start = setup.head_start,
+          .cells = setup.starts};
 }
 
-std::vector<Position> start_cells(const Scenario& scenario, const TrialInput& input) {
-  return scenario.world->start_cells(start_of(input));
+std::vector<Position> start_cells(const Scenario& scenario, const TestSetup& setup) {
+  return scenario.world->start_cells(start_of(setup));
 }
 
 std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scenario,
@@ -260,19 +260,19 @@ std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scena
   return cells;
 }
 
-std::string obstacle(const PreparedScenario& prepared, const TrialInput& input) {
-  if (input.behaviour >= prepared.behaviours().size()) {
-    return fmt::format("there is no behaviour {}, only {}", input.behaviour,
+std::string problem(const PreparedScenario& prepared, const TestSetup& setup) {
+  if (setup.behaviour >= prepared.behaviours().size()) {
+    return fmt::format("there is no behaviour {}, only {}", setup.behaviour,
                        prepared.behaviours().size());
   }
-  if (input.agents == 0) return "a test needs at least one agent";
-  return prepared.scenario().world->obstacle(start_of(input));
+  if (setup.agents == 0) return "a test needs at least one agent";
+  return prepared.scenario().world->problem(start_of(setup));
 }
 
-TestOutcome outcome_of(const TrialResult& trial) {
-  const WorldResult& of = trial.outcome;
+TestOutcome outcome_of(const TestRun& run) {
+  const WorldResult& of = run.outcome;
   TestOutcome outcome{.ticks = static_cast<std::uint32_t>(of.all_ticks)};
-  if (!trial.completed) {
+  if (!run.completed) {
     outcome.ended_by = kErrored;
     return outcome;
   }
@@ -282,33 +282,33 @@ TestOutcome outcome_of(const TrialResult& trial) {
   return outcome;
 }
 
-void TrialRunner::add_agents(const TrialInput& input) {
-  if (specs_.empty() || behaviour_ != input.behaviour || agents_ != input.agents) {
-    specs_ = agents_of(prepared_, input);
-    behaviour_ = input.behaviour;
-    agents_ = input.agents;
+void TestRunner::add_agents(const TestSetup& setup) {
+  if (specs_.empty() || behaviour_ != setup.behaviour || agents_ != setup.agents) {
+    specs_ = agents_of(prepared_, setup);
+    behaviour_ = setup.behaviour;
+    agents_ = setup.agents;
   }
   // What is of this test alone is in the system's own names.
-  const std::vector<Parameter> feedback = beliefs(input.feedback, mas_->symbols());
-  const std::vector<Parameter> given = beliefs(input.parameters, mas_->symbols());
+  const std::vector<Parameter> feedback = beliefs(setup.feedback, mas_->symbols());
+  const std::vector<Parameter> given = beliefs(setup.parameters, mas_->symbols());
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     if ((feedback.empty() && given.empty()) || i >= agents_) {
       mas_->add_agent(specs_[i]);
       continue;
     }
     AgentSpec spec = specs_[i];
-    set_common_parameters(prepared_.behaviours()[input.behaviour],
+    set_common_parameters(prepared_.behaviours()[setup.behaviour],
                           static_cast<std::uint32_t>(i + 1), given, spec);
     spec.parameters.insert(spec.parameters.end(), feedback.begin(), feedback.end());
     mas_->add_agent(spec);
   }
 }
 
-TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& options) {
-  assert(obstacle(prepared_, input).empty() && "the caller has asked for obstacles");
-  const std::unique_ptr<World> world = prepared_.world(input.vehicle).make(start_of(input));
+TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
+  assert(problem(prepared_, setup).empty() && "the caller has asked for obstacles");
+  const std::unique_ptr<World> world = prepared_.world(setup.vehicle).make(start_of(setup));
   MasOptions mas_options;
-  mas_options.seed = seed_for(input, Purpose::agents);
+  mas_options.seed = seed_for(setup, Purpose::agents);
   mas_options.max_cycles_per_tick = options.max_cycles_per_tick;
   const TestLimits& limits = prepared_.scenario().experiment.limits;
   const TestDeadline deadline(limits.time_s);
@@ -321,23 +321,23 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   mas_options.observer = options.observer;
   mas_options.policies = options.policies;
   std::optional<PolicyReader> policy;
-  if (options.policies == nullptr && prepared_.behaviours()[input.behaviour].policy != nullptr) {
-    mas_options.policies = &policy.emplace(prepared_.behaviours()[input.behaviour].policy);
+  if (options.policies == nullptr && prepared_.behaviours()[setup.behaviour].policy != nullptr) {
+    mas_options.policies = &policy.emplace(prepared_.behaviours()[setup.behaviour].policy);
   }
   if (mas_ == nullptr) {
     mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), world.get());
   } else {
     mas_->restart(std::move(mas_options), world.get());
   }
-  add_agents(input);
-  world->begin({.test = input.test,
-                .seed = input.seed,
-                .behaviour = prepared_.behaviours()[input.behaviour].name,
-                .agents = input.agents,
+  add_agents(setup);
+  world->begin({.test = setup.test,
+                .seed = setup.seed,
+                .behaviour = prepared_.behaviours()[setup.behaviour].name,
+                .agents = setup.agents,
                 .processes = &processes_,
                 .simulators = &simulators_});
 
-  TrialResult result;
+  TestRun result;
   if (options.record != nullptr) {
     *options.record = Recording(prepared_.scenario().world->tick_s(), world->actors());
   }
@@ -345,7 +345,7 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   result.interrupted = !result.completed && options.interrupted && options.interrupted();
   if (result.completed) end_drive(*world, result);
   result.note = world->note();
-  if (options.record != nullptr) record_events(*world, input, result, *options.record);
+  if (options.record != nullptr) record_events(*world, setup, result, *options.record);
   result.outcome = world->result();
   // A chain goes on as if a new one began.
   result.left_over = result.completed ? world->left_over() : 0;
@@ -356,8 +356,8 @@ TrialResult TrialRunner::run(const TrialInput& input, const TrialOptions& option
   return result;
 }
 
-TrialResult TrialRunners::run(const TrialInput& input, const TrialOptions& options) {
-  std::unique_ptr<TrialRunner> runner;
+TestRun TestRunners::run(const TestSetup& setup, const TestOptions& options) {
+  std::unique_ptr<TestRunner> runner;
   {
     const std::lock_guard lock(mutex_);
     if (!idle_.empty()) {
@@ -365,10 +365,10 @@ TrialResult TrialRunners::run(const TrialInput& input, const TrialOptions& optio
       idle_.pop_back();
     }
   }
-  TrialResult result;
+  TestRun result;
   try {
-    if (runner == nullptr) runner = std::make_unique<TrialRunner>(prepared_);
-    result = runner->run(input, options);
+    if (runner == nullptr) runner = std::make_unique<TestRunner>(prepared_);
+    result = runner->run(setup, options);
   } catch (const std::bad_alloc&) {
     // Of the runner nothing is used again.
     return without_memory(options);
@@ -378,9 +378,9 @@ TrialResult TrialRunners::run(const TrialInput& input, const TrialOptions& optio
   return result;
 }
 
-TrialResult run_trial(const PreparedScenario& prepared, const TrialInput& input,
-                      const TrialOptions& options) {
-  return TrialRunner(prepared).run(input, options);
+TestRun run_test(const PreparedScenario& prepared, const TestSetup& setup,
+                 const TestOptions& options) {
+  return TestRunner(prepared).run(setup, options);
 }
 
 }  // namespace jaywalk

@@ -6,7 +6,7 @@
 //   PlanCoverage coverage(*prepared, {{behaviour, agents}});
 //   {
 //     const PlanCoverage::Borrowed observer(coverage);
-//     run_trial(*prepared, input, {.observer = observer.get()});
+//     run_test(*prepared, input, {.observer = observer.get()});
 //   }
 //   coverage_text(coverage.total());
 
@@ -16,7 +16,7 @@
 #include <mutex>
 #include <vector>
 
-#include "experiment/trial/trial.h"
+#include "experiment/test_run/prepared_scenario.h"
 #include "interpreter/coverage/source_coverage.h"
 
 namespace jaywalk {

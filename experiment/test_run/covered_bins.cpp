@@ -1,4 +1,4 @@
-#include "experiment/trial/covered_bins.h"
+#include "experiment/test_run/covered_bins.h"
 
 #include <charconv>
 

@@ -11,14 +11,14 @@
 namespace jaywalk {
 
 /// `none`: a metric, which has a value and no verdict.
-enum class AssessmentVerdict { none, vacuous, pass, fail, unavoidable };
+enum class StoredVerdict { none, vacuous, pass, fail, unavoidable };
 
 /// `none`, `vacuous`, `pass`, `fail`, `unavoidable`: the words of the store's column.
-[[nodiscard]] std::string_view name(AssessmentVerdict verdict);
-[[nodiscard]] std::optional<AssessmentVerdict> parse_assessment_verdict(std::string_view text);
+[[nodiscard]] std::string_view name(StoredVerdict verdict);
+[[nodiscard]] std::optional<StoredVerdict> parse_stored_verdict(std::string_view text);
 
 /// One row of the table `assessments`. Numbers may be infinite but not NaN.
-struct Assessment {
+struct AssessmentRow {
   /// Of the metric or assertion, `min_distance`; unique in its test together with the actor.
   std::string id;
   std::optional<double> value;
@@ -27,9 +27,9 @@ struct Assessment {
   /// Index into the recording's actors: the other road user, if it concerns one.
   std::optional<std::uint32_t> actor;
   std::optional<double> robustness;
-  AssessmentVerdict verdict = AssessmentVerdict::none;
+  StoredVerdict verdict = StoredVerdict::none;
 
-  friend bool operator==(const Assessment&, const Assessment&) = default;
+  friend bool operator==(const AssessmentRow&, const AssessmentRow&) = default;
 };
 
 }  // namespace jaywalk

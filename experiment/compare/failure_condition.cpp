@@ -1,4 +1,4 @@
-#include "experiment/compare/verdict.h"
+#include "experiment/compare/failure_condition.h"
 
 #include <algorithm>
 #include <array>
@@ -110,9 +110,10 @@ std::optional<double> value_of(const FailureCondition& condition, const Comparis
     return condition.measure->estimate(comparison.summaries[row]).value;
   }
   const auto assertion = std::ranges::find(comparison.assertions, condition.assertion);
-  if (assertion == comparison.assertions.end() || comparison.findings.empty()) return std::nullopt;
+  if (assertion == comparison.assertions.end() || comparison.assessments.empty())
+    return std::nullopt;
   const auto index = static_cast<std::size_t>(assertion - comparison.assertions.begin());
-  const VerdictCounts& counts = comparison.findings[row].verdicts[index];
+  const VerdictCounts& counts = comparison.assessments[row].verdicts[index];
   const auto field = std::ranges::find(kFields, condition.field) - kFields.begin();
   if (static_cast<std::size_t>(field) == kVerdictCount) return exercised_pct(counts);
   return static_cast<double>(counts.of(static_cast<Verdict>(field)));

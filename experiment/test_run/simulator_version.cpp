@@ -1,4 +1,4 @@
-#include "experiment/trial/simulator_version.h"
+#include "experiment/test_run/simulator_version.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "experiment/compare/verdict.h"
+#include "experiment/compare/failure_condition.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

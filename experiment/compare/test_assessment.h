@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/compare/assessment.h"
+#include "experiment/compare/assessment_row.h"
 #include "experiment/compare/experiment.h"
 #include "experiment/compare/measures/distribution.h"
 #include "experiment/judge/assertions/assertion.h"
@@ -21,33 +21,33 @@
 namespace jaywalk {
 
 /// What is to be found out about each test.
-struct Inquiry {
+struct Criteria {
   std::vector<Assertion> assertions;
   bool metrics = false;
   /// The files that take the place of the scenario's own assertions.
   std::vector<SourcePtr> files;
 };
 
-[[nodiscard]] std::vector<std::string> ids_of(const Inquiry& inquiry);
+[[nodiscard]] std::vector<std::string> ids_of(const Criteria& criteria);
 
-struct TestFindings {
+struct TestAssessment {
   /// In the order of the assertions.
   std::vector<Judgement> judgements;
   /// In the order of metrics(); empty unless asked for.
   std::vector<std::optional<MetricValue>> metrics;
 };
 
-[[nodiscard]] TestFindings assess(const Inquiry& inquiry, const Recording& recording,
-                                  const Ground& ground);
+[[nodiscard]] TestAssessment assess(const Criteria& criteria, const Recording& recording,
+                                    const Ground& ground);
 
 /// As stores keep them: a row for each assertion and for each metric that has a value.
-[[nodiscard]] std::vector<Assessment> to_assessments(const Inquiry& inquiry,
-                                                     const TestFindings& findings);
+[[nodiscard]] std::vector<AssessmentRow> to_rows(const Criteria& criteria,
+                                                 const TestAssessment& assessment);
 
 /// The inverse, as far as stores keep it: judgements in the order of those ids (vacuous if there is
 /// no row) and, if there is a value of any, metrics. Of the witnesses the first is kept.
-[[nodiscard]] TestFindings from_assessments(std::span<const Assessment> rows,
-                                            std::span<const std::string> assertions);
+[[nodiscard]] TestAssessment from_rows(std::span<const AssessmentRow> rows,
+                                       std::span<const std::string> assertions);
 
 struct VerdictCounts {
   /// In the order of Verdict.
@@ -65,22 +65,22 @@ struct VerdictCounts {
 [[nodiscard]] double exercised_pct(const VerdictCounts& counts);
 
 /// Of one behaviour with one number of agents.
-struct FindingsSummary {
+struct AssessmentSummary {
   std::vector<VerdictCounts> verdicts;  // in the order of the assertions
   std::vector<Distribution> metrics;    // in the order of metrics(), if asked for
   /// Of the tests that met the precondition, in the order of the assertions.
   std::vector<Distribution> robustness;
 };
 
-/// Collects findings from several threads; what it sums up depends on the tests alone.
-class FindingsTable {
+/// Collects assessments from several threads; what it sums up depends on the tests alone.
+class AssessmentTable {
  public:
-  FindingsTable(const Inquiry& inquiry, const ExperimentPlan& plan);
+  AssessmentTable(const Criteria& criteria, const ExperimentPlan& plan);
 
   /// REQUIRES: a test of the plan; each once.
-  void add(const TestCase& test, const TestFindings& findings);
+  void add(const TestKey& test, const TestAssessment& assessment);
   /// Of the tests that were added. REQUIRES: nobody adds meanwhile.
-  [[nodiscard]] FindingsSummary summary(std::size_t behaviour, std::uint32_t agents) const;
+  [[nodiscard]] AssessmentSummary summary(std::size_t behaviour, std::uint32_t agents) const;
 
  private:
   struct Cell {

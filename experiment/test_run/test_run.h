@@ -1,0 +1,163 @@
+#pragma once
+
+// One test: a behaviour, some agents, a seed. A test is a pure function of the prepared scenario
+// and its setup; tests may run on several threads at once and in any order. Read scenario.h
+// before.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "env/simulator/simulator.h"
+#include "env/vehicle/controller_processes.h"
+#include "env/world/world_spec.h"
+#include "experiment/judge/recording.h"
+#include "experiment/policy/policy.h"
+#include "experiment/scenario/scenario.h"
+#include "experiment/test_run/covered_bins.h"
+#include "experiment/test_run/prepared_scenario.h"
+#include "experiment/test_run/test_result.h"
+#include "experiment/test_run/test_troubles.h"
+#include "interpreter/mas/mas.h"
+
+namespace jaywalk {
+
+/// All that decides a test: with the same setup it comes out the same. Which test of an experiment
+/// it is says a TestKey (compare/experiment.h).
+struct TestSetup {
+  /// Index into the prepared scenario's behaviours.
+  std::size_t behaviour = 0;
+  std::uint32_t agents = 1;
+  /// The experiment's seed and the test's number, from 0.
+  std::uint64_t seed = 0;
+  std::uint64_t test = 0;
+  /// What the agents believe of earlier tests: the beliefs covered(Item, Bin, Times).
+  std::vector<CoveredBin> feedback;
+  /// What the test before has left over, in a world in which that matters (carry_over.h).
+  int head_start = 0;
+  /// Index into the prepared scenario's vehicles.
+  std::size_t vehicle = 0;
+  /// The cells where the agents start, if that is not for the scenario to say. REQUIRES: as many as
+  /// agents, or none; a world that has cells.
+  std::vector<Position> starts;
+  /// These take the place of what the scenario sets for all agents of the behaviour. REQUIRES: the
+  /// programs have such initial beliefs.
+  std::vector<ParameterSetting> parameters;
+};
+
+/// Looks at a test as it runs: called before the first tick and after each.
+using TestObserver = std::function<void(const World& world, const Mas& mas)>;
+
+struct TestOptions {
+  TestObserver observe;
+  /// Receives every scene of the test, and its events: `precondition`, of each agent that met it,
+  /// `collision`, of the one the AV touched, the world's own (World::events), `errored`, why the
+  /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
+  /// `head_start`, if there was one. Null: nothing is recorded.
+  Recording* record = nullptr;
+  /// Looks at the agents as they reason (interpreter/agent/surroundings/observer.h). Null: nobody
+  /// does.
+  ReasoningObserver* observer = nullptr;
+  /// Whom agents ask that learn, in place of the behaviour's policy; null: that.
+  OptionPolicies* policies = nullptr;
+  std::function<void(std::string_view line)> print;
+  std::function<void(std::string_view line)> log;
+  /// Reasoning cycles of one agent in one tick before the test is given up.
+  std::uint64_t max_cycles_per_tick = 1'000'000;
+  /// Reasoning cycles of one agent in all before the test is given up, in place of the scenario's
+  /// limit; and ticks. 0: that limit, and none.
+  std::uint64_t max_cycles = 0;
+  std::uint64_t max_ticks = 0;
+  bool measure_cpu = false;
+  /// Asked now and then, in the middle of whatever agents do: true gives the test up. Not set:
+  /// never.
+  std::function<bool()> interrupted;
+};
+
+/// All that came of running a test. A TestResult is what measures see of it, a TestOutcome what
+/// tables of single tests show, a TestRecord what a store keeps.
+struct TestRun {
+  WorldResult outcome;
+  /// The head start of the next test (World::left_over).
+  int left_over = 0;
+  /// The test came to an end of its own; otherwise it is errored and `message` says why and where:
+  /// which agent ran away, reached a limit or stopped it, or what the AV's controller did.
+  bool completed = true;
+  /// It was given up because TestOptions::interrupted said so: that is no result.
+  bool interrupted = false;
+  std::string message;
+  std::uint64_t cycles = 0;
+  TestTroubles troubles;
+  /// What the author of the AV's controller should know; usually empty.
+  std::string note;
+  /// CPU time that the agents spent reasoning, if measured.
+  double cpu_s = 0;
+};
+
+/// What comes of it for a table of single tests.
+[[nodiscard]] TestOutcome outcome_of(const TestRun& run);
+
+/// Runs tests one after another, each as if it were the only one: what it has built for one is
+/// used again for the next, which with the same behaviour and number of agents costs little.
+class TestRunner {
+ public:
+  /// The scenario must outlive it.
+  explicit TestRunner(const PreparedScenario& prepared) : prepared_(prepared) {}
+
+  /// As run_test.
+  [[nodiscard]] TestRun run(const TestSetup& setup, const TestOptions& options = {});
+
+ private:
+  void add_agents(const TestSetup& setup);
+
+  const PreparedScenario& prepared_;
+  std::unique_ptr<Mas> mas_;
+  // The agents of the last test.
+  std::size_t behaviour_ = 0;
+  std::uint32_t agents_ = 0;
+  std::vector<AgentSpec> specs_;
+  ControllerProcesses processes_;
+  Simulators simulators_;
+};
+
+/// Test runners for tests on several threads: each test borrows one.
+class TestRunners {
+ public:
+  /// The scenario must outlive them.
+  explicit TestRunners(const PreparedScenario& prepared) : prepared_(prepared) {}
+
+  /// As run_test, on any thread. Without enough memory the test is errored.
+  [[nodiscard]] TestRun run(const TestSetup& setup, const TestOptions& options = {});
+
+ private:
+  const PreparedScenario& prepared_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<TestRunner>> idle_;
+};
+
+/// One test by itself. REQUIRES: a behaviour of the scenario, at least one agent and, if the
+/// scenario has start cells, as many in this test.
+[[nodiscard]] TestRun run_test(const PreparedScenario& prepared, const TestSetup& setup,
+                               const TestOptions& options = {});
+
+/// How the world begins the test. The seed for where agents start is mix(mix(seed, test),
+/// 0); it does not depend on the behaviour.
+[[nodiscard]] WorldStart start_of(const TestSetup& setup);
+
+/// The start cells of a test, in a world that has cells: the scenario's own or drawn ones.
+[[nodiscard]] std::vector<Position> start_cells(const Scenario& scenario, const TestSetup& setup);
+
+/// Those of the tests from 0, by number (print_start_cells).
+[[nodiscard]] std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scenario,
+                                                                         std::uint32_t agents,
+                                                                         std::uint64_t seed,
+                                                                         std::uint64_t tests);
+
+/// Why the test cannot run (a behaviour or start cells that do not exist); empty if it can.
+[[nodiscard]] std::string problem(const PreparedScenario& prepared, const TestSetup& setup);
+
+}  // namespace jaywalk
