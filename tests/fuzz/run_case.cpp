@@ -8,9 +8,11 @@
 #include <fstream>
 #include <new>
 #include <unistd.h>
+#include <utility>
 
 #include "tests/helpers/run_agents.h"
 #include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk::fuzz {
 namespace {
@@ -67,14 +69,13 @@ bool runs_agents(const Case& made, const std::vector<std::string>& words) {
 /// random reach them often.
 std::vector<std::string> with_limits(const Case& made, std::vector<std::string> words) {
   if (!runs_agents(made, words)) return words;
-  constexpr std::array<std::array<std::string_view, 2>, 2> kLimits{
-      {{"max-inferences", "1000000"}, {"max-memory", "64"}}};
+  constexpr std::array<std::pair<OptionName, std::string_view>, 2> kLimits{
+      {{option::kMaxInferences, "1000000"}, {option::kMaxMemory, "64"}}};
   for (const Command& command : commands()) {
     if (command.name != words.front()) continue;
     for (const OptionSpec& option : options_of(command)) {
       for (const auto& [name, value] : kLimits) {
-        if (option.name == name)
-          words.push_back("--" + std::string(name) + "=" + std::string(value));
+        if (option.name == name) words.push_back(name.dashed() + "=" + std::string(value));
       }
     }
   }

@@ -17,6 +17,7 @@
 
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 namespace {
@@ -47,7 +48,7 @@ const Command* find_command(std::string_view name) {
 
 ExitCode wrong_command(const std::string& word, Console& console) {
   const bool option = word.starts_with('-');
-  std::vector<std::string> known = {"--help", "--version"};
+  std::vector<std::string> known = {option::kHelp.dashed(), "--version"};
   if (!option) {
     known.clear();
     for (const Command& command : commands()) known.emplace_back(command.name);
@@ -67,12 +68,12 @@ ExitCode execute(const Command& command, const Arguments& arguments,
   constexpr std::array kLevelValues = {LogLevel::warning, LogLevel::error, LogLevel::info,
                                        LogLevel::debug};
   Diagnostics diagnostics;
-  const auto colour = arguments.choice("color", kColours, diagnostics);
-  const auto level = arguments.choice("log-level", kLevels, diagnostics);
+  const auto colour = arguments.choice(option::kColor, kColours, diagnostics);
+  const auto level = arguments.choice(option::kLogLevel, kLevels, diagnostics);
   Console console(static_cast<ColourChoice>(colour));
   console.set_log_level(kLevelValues[level]);
   ExitCode code = ExitCode::usage;
-  if (arguments.has("help")) {
+  if (arguments.has(option::kHelp)) {
     console.print(help_text(command));
     code = ExitCode::success;
   } else if (diagnostics.has_errors()) {
@@ -88,7 +89,7 @@ ExitCode execute(const Command& command, const Arguments& arguments,
 std::vector<std::string> with_long_help(std::span<const std::string> words) {
   std::vector<std::string> result(words.begin(), words.end());
   const auto end = std::ranges::find(result, "--");
-  std::replace(result.begin(), end, std::string("-h"), std::string("--help"));
+  std::replace(result.begin(), end, std::string("-h"), option::kHelp.dashed());
   return result;
 }
 
@@ -100,10 +101,10 @@ ExitCode dispatch(std::span<const std::string> words) {
   }
   const std::string& first = words.front();
   if (first == "help" && words.size() > 1 && !words[1].starts_with('-')) {
-    const std::array asked = {words[1], std::string("--help")};
+    const std::array asked = {words[1], option::kHelp.dashed()};
     return dispatch(asked);
   }
-  if (first == "--help" || first == "-h" || first == "help") {
+  if (first == option::kHelp.dashed() || first == "-h" || first == "help") {
     console.print(overview());
     return console.finish() ? ExitCode::success : ExitCode::failed;
   }

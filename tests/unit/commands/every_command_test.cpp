@@ -37,9 +37,9 @@ TEST_P(EveryCommand, DeclaresEachOptionOnceAndSaysWhatItIsFor) {
   options.insert(options.end(), common_options().begin(), common_options().end());
   std::set<std::string_view> names;
   for (const OptionSpec& option : options) {
-    EXPECT_TRUE(names.insert(option.name).second) << option.name;
-    EXPECT_FALSE(option.summary.empty()) << option.name;
-    EXPECT_TRUE(option.written == Written::no || !option.value.empty()) << option.name;
+    EXPECT_TRUE(names.insert(option.name.text()).second) << option.name.text();
+    EXPECT_FALSE(option.summary.empty()) << option.name.text();
+    EXPECT_TRUE(option.written == Written::no || !option.value.empty()) << option.name.text();
   }
 }
 

@@ -21,6 +21,7 @@
 #include "search/search_experiment.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
@@ -170,8 +171,8 @@ CommandHelp help() {
           "--list` names the warnings; a comment `// jaywalk: allow CODE` silences one in\n"
           "its line and the next, `allow-file CODE` in the file. Exits with 2 if there are\n"
           "errors.\n",
-      .options = {{"werror", "", "treat warnings as errors"},
-                  {"list", "", "name the warnings that there are, and check nothing"}},
+      .options = {{option::kWerror, "", "treat warnings as errors"},
+                  {option::kList, "", "name the warnings that there are, and check nothing"}},
       .examples =
           "  jaywalk check agents/crossing/proximity.asl\n"
           "  jaywalk check agents scenarios/*.yaml --werror\n"};
@@ -180,7 +181,7 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  if (arguments.has("list")) {
+  if (arguments.has(option::kList)) {
     console.print(names_of_checks());
     return ExitCode::success;
   }
@@ -212,7 +213,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   console.print(fmt::format("{} checked: {}, {}\n", counted(checked, "file"),
                             counted(found.error_count(), "error"),
                             counted(found.warning_count(), "warning")));
-  const bool failed = found.has_errors() || (arguments.has("werror") && found.warning_count() > 0);
+  const bool failed =
+      found.has_errors() || (arguments.has(option::kWerror) && found.warning_count() > 0);
   return failed || !all_checked ? ExitCode::usage : ExitCode::success;
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 std::string option_lines(std::span<const OptionSpec> options) {
   const auto left = [](const OptionSpec& option) {
-    return fmt::format("  --{}{}{}", option.name, option.value.empty() ? "" : " ", option.value);
+    return fmt::format("  {}{}{}", option.name.dashed(), option.value.empty() ? "" : " ",
+                       option.value);
   };
   std::size_t width = 0;
   for (const OptionSpec& option : options) width = std::max(width, left(option).size());

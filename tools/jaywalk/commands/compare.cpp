@@ -9,6 +9,7 @@
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 
 namespace jaywalk::command::compare {
@@ -23,49 +24,49 @@ CommandHelp help() {
           "whatever the behaviour. The results do not depend on --threads.\n",
       .options =
           {
-              {"behaviours", "LIST",
+              {option::kBehaviours, "LIST",
                "these behaviours: names of the scenario's, of installed ones\n"
                "(jaywalk list behaviours) or .asl files, separated by commas;\n"
                "repeatable"},
-              {"agents", "LIST", "these numbers of agents, as 1..10,15,20"},
-              {"tests", "N", "tests for each behaviour and number of agents"},
-              {"threads", "N", "threads (default: as many as cores)"},
-              {"csv", "FILE", "write the results as CSV", Written::file},
-              {"json", "FILE", "write the results as JSON, the published ones with them",
+              {option::kAgents, "LIST", "these numbers of agents, as 1..10,15,20"},
+              {option::kTests, "N", "tests for each behaviour and number of agents"},
+              {option::kThreads, "N", "threads (default: as many as cores)"},
+              {option::kCsv, "FILE", "write the results as CSV", Written::file},
+              {option::kJson, "FILE", "write the results as JSON, the published ones with them",
                Written::file},
-              {"defects", "LIST",
+              {option::kDefects, "LIST",
                "run each test with a healthy AV and with each of these defects\n"
                "of it (jaywalk list defects), as latency,short-range=12, or all"},
-              {"avs", "LIST",
+              {option::kAvs, "LIST",
                "run each test with each of these models of the AV and rank them:\n"
                "the world's (jaywalk list vehicles) or its simulator's, as\n"
                "constant,braking,idm"},
-              {"kills", "FILE", "write which behaviours killed which defects as CSV",
+              {option::kKills, "FILE", "write which behaviours killed which defects as CSV",
                Written::file},
-              {"with-kills", "FILE",
+              {option::kWithKills, "FILE",
                "put the kills of such a file, as `search --kills` writes it, beside\n"
                "them; repeatable"},
-              {"per-test", "FILE",
+              {option::kPerTest, "FILE",
                "write each test as a line of CSV: how it ended, ticks until the\n"
                "precondition, collision, impact speed, verdicts",
                Written::file},
-              {"starts", "FILE",
+              {option::kStarts, "FILE",
                "write the start cells of the largest number of agents as CSV,\n"
                "which world.spawn.cells reads",
                Written::file},
-              {"report", "FILE", "write a page (.html) or a picture (.svg) of the results",
+              {option::kReport, "FILE", "write a page (.html) or a picture (.svg) of the results",
                Written::file},
-              {"fail-on", "EXPR",
+              {option::kFailOn, "EXPR",
                "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
                "== !=), as accuracy<40, or of an assertion ID.fail>0 (also\n"
                "pass, vacuous, unavoidable, exercised_pct); repeatable"},
               kPolicyOption,
-              {"situations", "", "print which situations the tests covered"},
+              {option::kSituations, "", "print which situations the tests covered"},
               kCoverageOption,
               kTraceOption,
               kStrictOption,
               kFormatOption,
-              {"quiet", "", "print no table"},
+              {option::kQuiet, "", "print no table"},
           },
       .examples =
           "  jaywalk compare scenarios/paper.yaml\n"
@@ -137,7 +138,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     written = write_coverage(arguments, request->coverage->total(), subject, console) && written;
   }
   show_comparison(arguments, *comparison, console);
-  if (arguments.has("situations")) {
+  if (arguments.has(option::kSituations)) {
     console.print((prints_table(arguments) ? "\n" : "") +
                   situations_of(*request, *comparison, collected.situations));
   }

@@ -11,6 +11,7 @@
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 #include "tools/jaywalk/options/usual_options.h"
 
@@ -27,12 +28,13 @@ std::optional<Options> read_options(const Arguments& arguments, const ResultsRea
   Diagnostics diagnostics;
   Options options;
   options.threads = read_threads(arguments, diagnostics);
-  options.wanted.behaviour = arguments.text("behaviour");
-  const auto agents = arguments.number("agents", 1, diagnostics);
+  options.wanted.behaviour = arguments.text(option::kBehaviour);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
   if (agents) {
     const auto& known = store.description().agents;
     if (std::ranges::find(known, *agents) == known.end()) {
-      diagnostics.error("--agents", fmt::format("the store has no tests with {} agents", *agents));
+      diagnostics.error(option::kAgents.dashed(),
+                        fmt::format("the store has no tests with {} agents", *agents));
     }
     options.wanted.agents = static_cast<std::uint32_t>(*agents);
   }
@@ -40,7 +42,7 @@ std::optional<Options> read_options(const Arguments& arguments, const ResultsRea
   for (const auto& behaviour : store.description().behaviours) names.push_back(behaviour.name);
   if (options.wanted.behaviour &&
       std::ranges::find(names, *options.wanted.behaviour) == names.end()) {
-    diagnostics.error("--behaviour",
+    diagnostics.error(option::kBehaviour.dashed(),
                       fmt::format("the store has no behaviour '{}'", *options.wanted.behaviour),
                       did_you_mean(*options.wanted.behaviour, names));
   }
@@ -64,28 +66,28 @@ ExitCode report_failure(const Result<Value>& result, const InterruptGuard& inter
 }  // namespace
 
 CommandHelp help() {
-  return {
-      .usage = "STORE [OPTIONS]",
-      .description =
-          "Tells which situations the tests of a store have covered: in bins of where the\n"
-          "pedestrian who met the precondition first started, where and when it did, how\n"
-          "long before a collision, and so on, with the holes and how coverage grew from\n"
-          "test to test. With --coverage the tests are run again to see which plans,\n"
-          "conditions and formulas of the agents' programs they used.\n",
-      .options =
-          {
-              {"behaviour", "NAME", "of this behaviour's tests"},
-              {"agents", "N", "of the tests with this number of agents"},
-              {"csv", "FILE", "write the situations as CSV", Written::file},
-              {"json", "FILE", "write the situations as JSON, with their growth", Written::file},
-              kCoverageOption,
-              kAllowCommandsOption,
-              {"threads", "N", "threads for --coverage (default: as many as cores)"},
-              {"quiet", "", "print no table"},
-          },
-      .examples =
-          "  jaywalk coverage runs.gpkg\n"
-          "  jaywalk coverage runs.gpkg --behaviour election --coverage election.html\n"};
+  return {.usage = "STORE [OPTIONS]",
+          .description =
+              "Tells which situations the tests of a store have covered: in bins of where the\n"
+              "pedestrian who met the precondition first started, where and when it did, how\n"
+              "long before a collision, and so on, with the holes and how coverage grew from\n"
+              "test to test. With --coverage the tests are run again to see which plans,\n"
+              "conditions and formulas of the agents' programs they used.\n",
+          .options =
+              {
+                  {option::kBehaviour, "NAME", "of this behaviour's tests"},
+                  {option::kAgents, "N", "of the tests with this number of agents"},
+                  {option::kCsv, "FILE", "write the situations as CSV", Written::file},
+                  {option::kJson, "FILE", "write the situations as JSON, with their growth",
+                   Written::file},
+                  kCoverageOption,
+                  kAllowCommandsOption,
+                  {option::kThreads, "N", "threads for --coverage (default: as many as cores)"},
+                  {option::kQuiet, "", "print no table"},
+              },
+          .examples =
+              "  jaywalk coverage runs.gpkg\n"
+              "  jaywalk coverage runs.gpkg --behaviour election --coverage election.html\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
@@ -105,11 +107,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!rows.ok()) return report_failure(rows, interrupt, console);
   if (prints_table(arguments)) console.print(situation_text(rows.value()));
   const std::array outputs = {
-      OutputFile{"csv", [&] { return situation_csv(rows.value()); }},
-      OutputFile{"json", [&] { return situation_json(rows.value()); }},
+      OutputFile{option::kCsv, [&] { return situation_csv(rows.value()); }},
+      OutputFile{option::kJson, [&] { return situation_json(rows.value()); }},
   };
   bool written = write_outputs(arguments, outputs, console);
-  if (arguments.has("coverage")) {
+  if (arguments.has(option::kCoverage)) {
     const auto plans = stored_plan_coverage(*store, options->wanted, options->threads, progress);
     line.clear();
     if (!plans.ok()) return report_failure(plans, interrupt, console);

@@ -12,6 +12,7 @@
 #include "interpreter/explain/explanation.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 
 namespace jaywalk::command::explain {
@@ -140,9 +141,9 @@ CommandHelp help() {
           "then what the agents decided where they first decided otherwise.\n",
       .options =
           {
-              {"agent", "NAME", "of this agent only, as p1"},
-              {"tick", "N", "in this tick only, from 1"},
-              {"json", "FILE", "write it as JSON instead", Written::file},
+              {option::kAgent, "NAME", "of this agent only, as p1"},
+              {option::kTick, "N", "in this tick only, from 1"},
+              {option::kJson, "FILE", "write it as JSON instead", Written::file},
               kAllowCommandsOption,
           },
       .examples =
@@ -155,8 +156,8 @@ CommandHelp help() {
 
 ExitCode execute(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  ExplainingObserver::Wanted wanted{.agent = arguments.text("agent")};
-  if (const auto tick = arguments.number("tick", 0, diagnostics)) {
+  ExplainingObserver::Wanted wanted{.agent = arguments.text(option::kAgent)};
+  if (const auto tick = arguments.number(option::kTick, 0, diagnostics)) {
     wanted.tick = static_cast<std::uint32_t>(std::min<std::uint64_t>(*tick, 0xFFFF'FFFFU));
   }
   if (diagnostics.has_errors()) {
@@ -168,7 +169,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto test = find_stored_test(*store, arguments, console);
   if (!test) return ExitCode::usage;
   if (wanted.agent && !has_agent(*store, *test, *wanted.agent, console)) return ExitCode::usage;
-  if (test->test.vehicle > 0 && !arguments.has("json")) {
+  if (test->test.vehicle > 0 && !arguments.has(option::kJson)) {
     const auto text = both_runs(*store, *test, wanted);
     if (text.ok()) console.print(fmt::format("{}\n\n{}", name_of(*store, *test), text.value()));
     if (!text.ok()) console.report(text.diagnostics());
@@ -179,7 +180,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.report(found.diagnostics());
     return ExitCode::usage;
   }
-  if (const auto path = arguments.text("json")) {
+  if (const auto path = arguments.text(option::kJson)) {
     const bool written = write_output(*path, explanation_json(found.value()), console);
     return written ? ExitCode::success : ExitCode::failed;
   }

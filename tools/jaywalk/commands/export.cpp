@@ -9,6 +9,7 @@
 #include "experiment/export/exporter.h"
 #include "experiment/export/openscenario/validate.h"
 #include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 
 namespace jaywalk::command::export_ {
@@ -24,7 +25,7 @@ ExitCode list_exporters(Console& console) {
 }
 
 const Exporter* wanted_exporter(const Arguments& arguments, Console& console) {
-  const std::string name = arguments.text("format").value_or("openscenario");
+  const std::string name = arguments.text(option::kFormat).value_or("openscenario");
   if (const Exporter* found = find_exporter(name)) return found;
   std::vector<std::string> names;
   for (const Exporter& each : exporters()) names.emplace_back(each.name);
@@ -38,10 +39,10 @@ const Exporter* wanted_exporter(const Arguments& arguments, Console& console) {
 Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
                                                const Arguments& arguments) {
   Diagnostics diagnostics;
-  const auto number = arguments.number("test", 0, diagnostics);
+  const auto number = arguments.number(option::kTest, 0, diagnostics);
   if (diagnostics.has_errors()) return diagnostics;
   TestFilter filter;
-  if (!arguments.has("all") && !number) filter.succeeded = true;
+  if (!arguments.has(option::kAll) && !number) filter.succeeded = true;
   std::vector<std::int64_t> chosen;
   auto failure = store.for_each_test(filter, [&](const StoredTest& each) {
     if (number.value_or(each.test.number) == each.test.number) chosen.push_back(each.id);
@@ -49,7 +50,7 @@ Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
   });
   if (failure) return std::move(*failure);
   if (!chosen.empty() || !number) return chosen;
-  diagnostics.error("--test", fmt::format("the store has no test {}", *number));
+  diagnostics.error(option::kTest.dashed(), fmt::format("the store has no test {}", *number));
   return diagnostics;
 }
 
@@ -72,11 +73,11 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
   }
   const ExportRequest request{.store = store,
                               .tests = tests.value(),
-                              .folder = arguments.text("out").value_or("."),
+                              .folder = arguments.text(option::kOut).value_or("."),
                               .dialect = dialect,
-                              .connection = arguments.text("connection").value_or(""),
-                              .schema = arguments.text("schema").value_or(""),
-                              .overwrite = arguments.has("overwrite")};
+                              .connection = arguments.text(option::kConnection).value_or(""),
+                              .schema = arguments.text(option::kSchema).value_or(""),
+                              .overwrite = arguments.has(option::kOverwrite)};
   std::error_code error;
   std::filesystem::create_directories(request.folder, error);
   if (error) {
@@ -92,7 +93,7 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
   console.note(fmt::format("{} tests exported", request.tests.size()));
   for (const std::string& file : files.value().files) console.print(file + '\n');
   Diagnostics invalid;
-  if (const auto schemas = arguments.text("validate"))
+  if (const auto schemas = arguments.text(option::kValidate))
     validate(files.value().files, *schemas, invalid);
   console.report(invalid);
   return invalid.has_errors() ? ExitCode::failed : ExitCode::success;
@@ -101,42 +102,43 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
 }  // namespace
 
 CommandHelp help() {
-  return {
-      .usage = "STORE [OPTIONS]",
-      .description =
-          "Writes the tests of a store as files for other programs: those that met the\n"
-          "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
-      .options =
-          {
-              {"format", "NAME",
-               "what to write: openscenario (default), csv, trace, json,\n"
-               "postgis"},
-              {"out", "DIR", "where to; made if it is not there (default: here)", Written::folder},
-              {"test", "N", "the tests of this number alone"},
-              {"all", "", "all tests"},
-              {"dialect", "NAME", "of openscenario: standard (default) or carla"},
-              {"validate", "DIR",
-               "check the files against ASAM's .xsd files in DIR, each against\n"
-               "the schema of its own version, by xmllint"},
-              {"connection", "TEXT",
-               "of postgis: the database, as ogr2ogr wants it, with or without\n"
-               "PG: before it"},
-              {"schema", "NAME",
-               "of postgis: the schema for the tables (default: the store's\n"
-               "name); it must be new"},
-              {"overwrite", "", "of postgis: replace the store's tables in an existing schema"},
-              kAllowCommandsOption,
-              {"list", "", "name the formats"},
-          },
-      .examples =
-          "  jaywalk export runs.gpkg --out found\n"
-          "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
-          "  jaywalk export runs.gpkg --format csv --all --out tables\n"
-          "  jaywalk export runs.gpkg --format postgis --connection 'PG:dbname=tests'\n"};
+  return {.usage = "STORE [OPTIONS]",
+          .description =
+              "Writes the tests of a store as files for other programs: those that met the\n"
+              "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
+          .options =
+              {
+                  {option::kFormat, "NAME",
+                   "what to write: openscenario (default), csv, trace, json,\n"
+                   "postgis"},
+                  {option::kOut, "DIR", "where to; made if it is not there (default: here)",
+                   Written::folder},
+                  {option::kTest, "N", "the tests of this number alone"},
+                  {option::kAll, "", "all tests"},
+                  {option::kDialect, "NAME", "of openscenario: standard (default) or carla"},
+                  {option::kValidate, "DIR",
+                   "check the files against ASAM's .xsd files in DIR, each against\n"
+                   "the schema of its own version, by xmllint"},
+                  {option::kConnection, "TEXT",
+                   "of postgis: the database, as ogr2ogr wants it, with or without\n"
+                   "PG: before it"},
+                  {option::kSchema, "NAME",
+                   "of postgis: the schema for the tables (default: the store's\n"
+                   "name); it must be new"},
+                  {option::kOverwrite, "",
+                   "of postgis: replace the store's tables in an existing schema"},
+                  kAllowCommandsOption,
+                  {option::kList, "", "name the formats"},
+              },
+          .examples =
+              "  jaywalk export runs.gpkg --out found\n"
+              "  jaywalk export runs.gpkg --test 7 --dialect carla --out carla\n"
+              "  jaywalk export runs.gpkg --format csv --all --out tables\n"
+              "  jaywalk export runs.gpkg --format postgis --connection 'PG:dbname=tests'\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  if (arguments.has("list")) return list_exporters(console);
+  if (arguments.has(option::kList)) return list_exporters(console);
   const auto& operands = arguments.operands();
   if (operands.size() != 1) {
     console.error(fmt::format("expected one store, found {}", operands.size()),
@@ -146,7 +148,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const std::array<std::string, 2> dialects{"standard", "carla"};
   Diagnostics diagnostics;
   const auto dialect =
-      static_cast<ScenarioDialect>(arguments.choice("dialect", dialects, diagnostics));
+      static_cast<ScenarioDialect>(arguments.choice(option::kDialect, dialects, diagnostics));
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
     return ExitCode::usage;

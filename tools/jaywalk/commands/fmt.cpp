@@ -11,6 +11,7 @@
 #include "interpreter/support/line_diff.h"
 #include "interpreter/syntax/format/formatter.h"
 #include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/programs/program_files.h"
 
 namespace jaywalk::command::fmt_ {
@@ -66,9 +67,9 @@ CommandHelp help() {
               "is added or taken away; comments stay. A plan written on one line stays on one\n"
               "if it fits, others get a line for each formula. A file with mistakes is left as\n"
               "it is.\n",
-          .options = {{"check", "",
+          .options = {{option::kCheck, "",
                        "write nothing; name the files that would change,\nand exit with 1"},
-                      {"diff", "", "write nothing; show what would change"}},
+                      {option::kDiff, "", "write nothing; show what would change"}},
           .examples =
               "  jaywalk fmt agent.asl\n"
               "  jaywalk fmt agents --check --diff\n"
@@ -80,7 +81,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.error("expected at least one file", "jaywalk fmt --help shows how to write it");
     return ExitCode::usage;
   }
-  const Mode mode{.check = arguments.has("check"), .diff = arguments.has("diff")};
+  const Mode mode{.check = arguments.has(option::kCheck), .diff = arguments.has(option::kDiff)};
   std::vector<std::string> files;
   bool any_wrong = !expand_folders(arguments.operands(), kEndings, console, files);
   bool any_different = false;

@@ -16,6 +16,7 @@
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 #include "tools/jaywalk/run/judge_trace.h"
 
@@ -39,7 +40,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
                       "jaywalk judge --help shows how to write it");
   }
   Request request{.conditions = read_conditions(arguments, diagnostics),
-                  .test = arguments.number("test", 1, diagnostics)};
+                  .test = arguments.number(option::kTest, 1, diagnostics)};
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   auto store = ResultsReader::open(arguments.operands().front(), commands_of(arguments));
@@ -86,7 +87,7 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
   const TestAssessment assessment =
       assess(request.criteria, recording.value(), request.prepared->scenario().world->ground());
   console.print(render_assessment(request.criteria, assessment, recording.value().actors()));
-  if (const auto path = arguments.text("junit")) {
+  if (const auto path = arguments.text(option::kJunit)) {
     const std::string name = fmt::format("test {}", id);
     if (!write_output(*path, to_junit(name, request.criteria, assessment), console)) {
       return ExitCode::failed;
@@ -193,19 +194,20 @@ CommandHelp help() {
           "with semicolons). jaywalk export --format trace writes such tables.\n",
       .options =
           {
-              {"trace", "FILE.csv", "judge this drive instead of a store's tests"},
-              {"scenario", "FILE.yaml",
+              {option::kTrace, "FILE.csv", "judge this drive instead of a store's tests"},
+              {option::kScenario, "FILE.yaml",
                "of a trace: the scenario whose lanes it is on, and whose\n"
                "assertions count (default: the paper's road)"},
-              {"test", "N", "report everything about the test of this number in the store"},
-              {"write", "", "keep the verdicts and metrics in the store, in place of old ones"},
-              {"csv", "FILE", "write the results as CSV", Written::file},
-              {"json", "FILE", "write the results as JSON", Written::file},
-              {"fail-on", "EXPR",
+              {option::kTest, "N", "report everything about the test of this number in the store"},
+              {option::kWrite, "",
+               "keep the verdicts and metrics in the store, in place of old ones"},
+              {option::kCsv, "FILE", "write the results as CSV", Written::file},
+              {option::kJson, "FILE", "write the results as JSON", Written::file},
+              {option::kFailOn, "EXPR",
                "exit with 1 if a row meets it: ASSERTION.VERDICT>NUMBER, as\n"
                "collision_avoidance.fail>0, or MEASURE<NUMBER; repeatable"},
               kAllowCommandsOption,
-              {"quiet", "", "print no table"},
+              {option::kQuiet, "", "print no table"},
           },
       .examples =
           "  jaywalk judge paper.gpkg --assertions scenarios/assertions/crossing.yaml\n"
@@ -218,8 +220,9 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  if (const auto trace = arguments.text("trace")) return judge_trace(*trace, arguments, console);
-  if (arguments.has("scenario")) {
+  if (const auto trace = arguments.text(option::kTrace))
+    return judge_trace(*trace, arguments, console);
+  if (arguments.has(option::kScenario)) {
     console.error("--scenario is about a trace", "a store has its own");
     return ExitCode::usage;
   }
@@ -231,7 +234,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   KillTable kills(plan, tests_in_shard(request->store->description()));
   AssessmentTable table(request->criteria, plan);
   std::optional<AssessmentSpool> spool;
-  if (arguments.has("write")) spool.emplace();
+  if (arguments.has(option::kWrite)) spool.emplace();
   const Judged judged{.table = table, .kills = kills, .spool = spool ? &*spool : nullptr};
   const ExitCode code = judge_all(*request, judged, console);
   if (code != ExitCode::success) return code;
@@ -250,9 +253,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   bool written =
       !spool || write_assessments(arguments.operands().front(), request->criteria, *spool, console);
   const std::array outputs = {
-      OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
-      OutputFile{"json", [&] { return to_json(comparison.value()); }},
-      OutputFile{"junit", [&] { return to_junit(comparison.value()); }},
+      OutputFile{option::kCsv, [&] { return to_csv(comparison.value()); }},
+      OutputFile{option::kJson, [&] { return to_json(comparison.value()); }},
+      OutputFile{option::kJunit, [&] { return to_junit(comparison.value()); }},
   };
   written = write_outputs(arguments, outputs, console) && written;
   if (prints_table(arguments)) {

@@ -12,6 +12,7 @@
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
@@ -37,32 +38,34 @@ void check_usage(const Arguments& arguments, Diagnostics& diagnostics) {
                       fmt::format("expected one scenario, found {}", arguments.operands().size()),
                       "jaywalk learn --help shows how to write it");
   }
-  if (!arguments.has("policy")) {
-    diagnostics.error("--policy", "where is to be kept what is learned?", "--policy learned.json");
+  if (!arguments.has(option::kPolicy)) {
+    diagnostics.error(option::kPolicy.dashed(), "where is to be kept what is learned?",
+                      "--policy learned.json");
   }
 }
 
 std::optional<Request> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
   check_usage(arguments, diagnostics);
-  const auto agents = arguments.number("agents", 1, diagnostics);
-  const auto tests = arguments.number("tests", 1, diagnostics);
-  const auto seed = arguments.number("seed", 0, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
+  const auto tests = arguments.number(option::kTests, 1, diagnostics);
+  const auto seed = arguments.number(option::kSeed, 0, diagnostics);
   const unsigned threads = read_threads(arguments, diagnostics);
   // No policy is read but the one that goes on.
   std::vector<std::string> sets{"policy=[]"};
   std::ranges::copy(limit_sets(arguments, diagnostics), std::back_inserter(sets));
   if (agents.value_or(1) > kMaxAgents) {
-    diagnostics.error("--agents", fmt::format("at most {}", kMaxAgents));
+    diagnostics.error(option::kAgents.dashed(), fmt::format("at most {}", kMaxAgents));
   }
   if (tests.value_or(1) > kMostTests) {
-    diagnostics.error("--tests", fmt::format("at most {}", kMostTests));
+    diagnostics.error(option::kTests.dashed(), fmt::format("at most {}", kMostTests));
   }
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<std::string> behaviours;
-  if (const auto behaviour = arguments.text("behaviour")) behaviours.push_back(*behaviour);
-  Request request{.file = *arguments.text("policy"), .resume = arguments.has("resume")};
+  if (const auto behaviour = arguments.text(option::kBehaviour)) behaviours.push_back(*behaviour);
+  Request request{.file = *arguments.text(option::kPolicy),
+                  .resume = arguments.has(option::kResume)};
   request.plan.prepared = prepare_scenario(located(arguments.operands().front()), arguments,
                                            std::move(behaviours), console, sets);
   if (request.plan.prepared == nullptr) return std::nullopt;
@@ -70,7 +73,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.plan.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
   request.plan.seed = seed.value_or(defaults.seed);
   request.plan.threads = threads;
-  request.plan.sets = arguments.texts("set");
+  request.plan.sets = arguments.texts(option::kSet);
   request.tests = tests.value_or(defaults.tests);
   const std::string why =
       problem(*request.plan.prepared, {.agents = request.plan.agents, .seed = request.plan.seed});
@@ -186,18 +189,18 @@ CommandHelp help() {
           "What is learned does not depend on --threads.\n",
       .options =
           {
-              {"policy", "FILE", "where what is learned is kept", Written::file},
-              {"resume", "", "go on with FILE, up to --tests in all"},
-              {"behaviour", "FILE",
+              {option::kPolicy, "FILE", "where what is learned is kept", Written::file},
+              {option::kResume, "", "go on with FILE, up to --tests in all"},
+              {option::kBehaviour, "FILE",
                "this program (.asl), behaviour of the scenario or installed one\n"
                "(jaywalk list behaviours) instead of the first"},
-              {"agents", "N", "the number of pedestrians in each test"},
-              {"tests", "N", "tests to learn from"},
-              {"learner", "NAME", "who learns (jaywalk list learners)"},
-              {"defects", "LIST",
+              {option::kAgents, "N", "the number of pedestrians in each test"},
+              {option::kTests, "N", "tests to learn from"},
+              {option::kLearner, "NAME", "who learns (jaywalk list learners)"},
+              {option::kDefects, "LIST",
                "the AV has each of these defects in turn (jaywalk list defects)"},
-              {"threads", "N", "threads (default: as many as cores)"},
-              {"quiet", "", "print no table"},
+              {option::kThreads, "N", "threads (default: as many as cores)"},
+              {option::kQuiet, "", "print no table"},
           },
       .examples =
           "  jaywalk learn scenarios/learning/steps.yaml --policy learned.json\n"
@@ -220,7 +223,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   Training training(request->plan, policy);
   const ExitCode code = train(*request, training, console);
   if (code != ExitCode::success) return code;
-  if (!arguments.has("quiet")) console.print(curve_text(training.policy()));
+  if (!arguments.has(option::kQuiet)) console.print(curve_text(training.policy()));
   if (const std::uint64_t errored = policy->origin().errored; errored > 0) {
     console.note(fmt::format("{} of {} tests ended errored, and nothing was learned from them",
                              errored, policy->origin().tests));

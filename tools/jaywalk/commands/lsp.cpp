@@ -11,6 +11,7 @@
 #include "tools/jaywalk/lsp/lsp_frames.h"
 #include "tools/jaywalk/lsp/lsp_server.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk::command::lsp {
 namespace {
@@ -45,7 +46,7 @@ CommandHelp help() {
           "Diagnostics are those of `jaywalk check`, with their codes; there are hover,\n"
           "completion, definitions, references, renaming, an outline and formatting. The\n"
           "README says how editors attach it.\n",
-      .options = {{"stdio", "", "accepted; there is no other way"}},
+      .options = {{option::kStdio, "", "accepted; there is no other way"}},
       .examples =
           "  jaywalk lsp\n"
           "  jaywalk lsp --include agents/common\n"};

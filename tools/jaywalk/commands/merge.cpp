@@ -13,6 +13,7 @@
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk::command::merge {
 namespace {
@@ -30,8 +31,8 @@ ExitCode show(const std::string& path, const Arguments& arguments, Console& cons
     return ExitCode::usage;
   }
   const std::array outputs = {
-      OutputFile{"csv", [&] { return to_csv(comparison.value()); }},
-      OutputFile{"json", [&] { return to_json(comparison.value()); }},
+      OutputFile{option::kCsv, [&] { return to_csv(comparison.value()); }},
+      OutputFile{option::kJson, [&] { return to_json(comparison.value()); }},
   };
   const bool written = write_outputs(arguments, outputs, console);
   show_comparison(arguments, comparison.value(), console);
@@ -48,11 +49,11 @@ CommandHelp help() {
               "once. What no shard has can be run with compare --resume on the new store.\n",
           .options =
               {
-                  {"csv", "FILE", "write the results as CSV", Written::file},
-                  {"json", "FILE", "write the results as JSON, the published ones with them",
+                  {option::kCsv, "FILE", "write the results as CSV", Written::file},
+                  {option::kJson, "FILE", "write the results as JSON, the published ones with them",
                    Written::file},
                   kFormatOption,
-                  {"quiet", "", "print no table"},
+                  {option::kQuiet, "", "print no table"},
               },
           .examples =
               "  jaywalk merge all.gpkg 1.gpkg 2.gpkg 3.gpkg 4.gpkg\n"

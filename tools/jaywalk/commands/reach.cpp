@@ -12,6 +12,7 @@
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
@@ -52,9 +53,9 @@ std::optional<js::ReachPlan> read_request(const Arguments& arguments, Console& c
                       "jaywalk reach --help shows how to write it");
   }
   js::ReachPlan plan;
-  const auto tests = arguments.number("tests", 1, diagnostics);
-  const auto seed = arguments.number("seed", 0, diagnostics);
-  const auto states = arguments.number("most-states", 1, diagnostics);
+  const auto tests = arguments.number(option::kTests, 1, diagnostics);
+  const auto seed = arguments.number(option::kSeed, 0, diagnostics);
+  const auto states = arguments.number(option::kMostStates, 1, diagnostics);
   plan.threads = read_threads(arguments, diagnostics);
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
@@ -89,11 +90,11 @@ CommandHelp help() {
           "which the behaviour `scripted` repeats (its parameter `moves`).\n",
       .options =
           {
-              {"tests", "N", "take the start cells of N tests (default: 2000)"},
-              {"most-states", "N", "give up after N states (default: 5000000)"},
-              {"threads", "N", "threads (default: as many as cores)"},
-              {"csv", "FILE", "write a row for each situation as CSV", Written::file},
-              {"quiet", "", "print no table"},
+              {option::kTests, "N", "take the start cells of N tests (default: 2000)"},
+              {option::kMostStates, "N", "give up after N states (default: 5000000)"},
+              {option::kThreads, "N", "threads (default: as many as cores)"},
+              {option::kCsv, "FILE", "write a row for each situation as CSV", Written::file},
+              {option::kQuiet, "", "print no table"},
           },
       .examples =
           "  jaywalk reach scenarios/coverage_feedback.yaml --csv walks.csv\n"
@@ -113,8 +114,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.note("interrupted");
     return ExitCode::interrupted;
   }
-  if (!arguments.has("quiet")) console.print(js::reach_text(found));
-  const std::array outputs = {OutputFile{"csv", [&] { return js::reach_csv(found); }}};
+  if (!arguments.has(option::kQuiet)) console.print(js::reach_text(found));
+  const std::array outputs = {OutputFile{option::kCsv, [&] { return js::reach_csv(found); }}};
   return write_outputs(arguments, outputs, console) ? ExitCode::success : ExitCode::failed;
 }
 

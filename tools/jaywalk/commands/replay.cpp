@@ -7,6 +7,7 @@
 #include "tools/jaywalk/commands/replay_pictures.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/viewer.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 
 namespace jaywalk::command::replay {
@@ -14,10 +15,10 @@ namespace {
 
 std::optional<ReplayWishes> read_wishes(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  ReplayWishes wanted{.tick = arguments.number("tick", 0, diagnostics),
-                      .speed = arguments.positive("speed", diagnostics).value_or(2)};
-  if (wanted.tick && !arguments.has("png")) {
-    diagnostics.error("--tick", "has no meaning without --png");
+  ReplayWishes wanted{.tick = arguments.number(option::kTick, 0, diagnostics),
+                      .speed = arguments.positive(option::kSpeed, diagnostics).value_or(2)};
+  if (wanted.tick && !arguments.has(option::kPng)) {
+    diagnostics.error(option::kTick.dashed(), "has no meaning without --png");
   }
   if (!diagnostics.has_errors()) return wanted;
   console.report(diagnostics);
@@ -51,28 +52,29 @@ ExitCode write_page(const ResultsReader& store, const StoredTest& test, const st
 }  // namespace
 
 CommandHelp help() {
-  return {.usage = "STORE [OPTIONS]",
-          .description =
-              "Plays a test of a store: in the terminal, tick by tick, or as a page with a player\n"
-              "that shows every agent's beliefs and intentions. The test is run again from what\n"
-              "the store has of it, so that everything can be seen, whatever was stored.\n",
-          .options =
-              {
-                  kStoredTestOptions[0],
-                  kStoredTestOptions[1],
-                  kStoredTestOptions[2],
-                  kStoredTestOptions[3],
-                  kAllowCommandsOption,
-                  {"speed", "N", "ticks per second in the terminal and in a GIF (default 2)"},
-                  {"html", "FILE", "write the player's page instead", Written::file},
-                  {"png", "FILE", "write a picture instead", Written::file},
-                  {"tick", "T", "of this tick (default: when the first thing happens)"},
-                  {"gif", "FILE", "write a moving picture instead", Written::file},
-              },
-          .examples =
-              "  jaywalk replay runs.gpkg --test 7\n"
-              "  jaywalk replay runs.gpkg --behaviour election --agents 5 --html replay.html\n"
-              "  jaywalk replay runs.gpkg --test 7 --png moment.png --gif test.gif\n"};
+  return {
+      .usage = "STORE [OPTIONS]",
+      .description =
+          "Plays a test of a store: in the terminal, tick by tick, or as a page with a player\n"
+          "that shows every agent's beliefs and intentions. The test is run again from what\n"
+          "the store has of it, so that everything can be seen, whatever was stored.\n",
+      .options =
+          {
+              kStoredTestOptions[0],
+              kStoredTestOptions[1],
+              kStoredTestOptions[2],
+              kStoredTestOptions[3],
+              kAllowCommandsOption,
+              {option::kSpeed, "N", "ticks per second in the terminal and in a GIF (default 2)"},
+              {option::kHtml, "FILE", "write the player's page instead", Written::file},
+              {option::kPng, "FILE", "write a picture instead", Written::file},
+              {option::kTick, "T", "of this tick (default: when the first thing happens)"},
+              {option::kGif, "FILE", "write a moving picture instead", Written::file},
+          },
+      .examples =
+          "  jaywalk replay runs.gpkg --test 7\n"
+          "  jaywalk replay runs.gpkg --behaviour election --agents 5 --html replay.html\n"
+          "  jaywalk replay runs.gpkg --test 7 --png moment.png --gif test.gif\n"};
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
@@ -82,11 +84,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!store) return ExitCode::usage;
   const auto test = find_stored_test(*store, arguments, console);
   if (!test) return ExitCode::usage;
-  if (arguments.has("png") || arguments.has("gif")) {
+  if (arguments.has(option::kPng) || arguments.has(option::kGif)) {
     const ExitCode drawn = write_pictures(*store, *test, *wanted, arguments, console);
-    if (drawn != ExitCode::success || !arguments.has("html")) return drawn;
+    if (drawn != ExitCode::success || !arguments.has(option::kHtml)) return drawn;
   }
-  if (const auto page = arguments.text("html")) return write_page(*store, *test, *page, console);
+  if (const auto page = arguments.text(option::kHtml))
+    return write_page(*store, *test, *page, console);
   return play(*store, *test, wanted->speed, console);
 }
 

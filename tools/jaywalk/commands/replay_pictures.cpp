@@ -6,6 +6,7 @@
 
 #include "experiment/report/player/replay_page.h"
 #include "experiment/scenario/files/write_file.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/picture/gif.h"
 #include "tools/picture/test_picture.h"
 
@@ -63,10 +64,10 @@ ExitCode write_pictures(const ResultsReader& store, const StoredTest& test,
                                      prepared.value()->scenario().world->plan(), recording.value(),
                                      twin.value() ? &*twin.value() : nullptr);
   bool written = true;
-  if (const auto path = arguments.text("png")) {
+  if (const auto path = arguments.text(option::kPng)) {
     written = write(*path, picture.draw(*tick).png(), console);
   }
-  if (const auto path = arguments.text("gif")) {
+  if (const auto path = arguments.text(option::kGif)) {
     written = write(*path, movie(picture, recording.value(), wanted.speed), console) && written;
   }
   return written ? ExitCode::success : ExitCode::failed;

@@ -11,6 +11,7 @@
 #include "tools/jaywalk/comparison/reporting.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 
 namespace jaywalk::command::report {
@@ -37,9 +38,9 @@ CommandHelp help() {
           "the searches' page.\n",
       .options =
           {
-              {"html", "FILE", "the page's name (default: the store's, ending in .html)",
+              {option::kHtml, "FILE", "the page's name (default: the store's, ending in .html)",
                Written::file},
-              {"replays", "",
+              {option::kReplays, "",
                "run the tests that the page names again and link pages that\n"
                "play them, in a folder beside it"},
               kAllowCommandsOption,
@@ -56,7 +57,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.error("expected a store, found none", "jaywalk report --help shows how to write it");
     return ExitCode::usage;
   }
-  const std::string html = arguments.text("html").value_or(beside(stores.front()));
+  const std::string html = arguments.text(option::kHtml).value_or(beside(stores.front()));
   const TemporaryFolder folder;  // for as long as the report is made
   const InterruptGuard interrupt;
   const PromptEnd end(interrupt, [&] {
@@ -73,11 +74,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const auto page =
       stored_report(stores.size() > 1 ? together : stores.front(), html,
-                    arguments.has("replays") ? ReplayPages::beside : ReplayPages::none,
+                    arguments.has(option::kReplays) ? ReplayPages::beside : ReplayPages::none,
                     commands_of(arguments), console);
   if (!page) return ExitCode::usage;
   if (!write_output(html, *page, console)) return ExitCode::failed;
-  if (!arguments.has("html")) console.print(html + '\n');
+  if (!arguments.has(option::kHtml)) console.print(html + '\n');
   return ExitCode::success;
 }
 

@@ -10,6 +10,7 @@
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/run/run_program.h"
@@ -19,18 +20,19 @@ namespace jaywalk::command::run {
 namespace {
 
 /// Options that mean something for one kind of file only.
-constexpr std::array<std::string_view, 14> kForScenarios = {
-    "set",   "preset",     "behaviour", "agents", "test",    "watch",  "speed",
-    "store", "assertions", "metrics",   "junit",  "fail-on", "strict", "policy"};
-constexpr std::array<std::string_view, 4> kForPrograms = {"realtime", "threads", "ignore-java",
-                                                          "allow-write"};
+constexpr std::array kForScenarios = {
+    option::kSet,   option::kPreset, option::kBehaviour, option::kAgents,     option::kTest,
+    option::kWatch, option::kSpeed,  option::kStore,     option::kAssertions, option::kMetrics,
+    option::kJunit, option::kFailOn, option::kStrict,    option::kPolicy};
+constexpr std::array kForPrograms = {option::kRealtime, option::kThreads, option::kIgnoreJava,
+                                     option::kAllowWrite};
 
-bool refuse(std::span<const std::string_view> options, std::string_view kind,
-            const Arguments& arguments, Console& console) {
+bool refuse(std::span<const OptionName> options, std::string_view kind, const Arguments& arguments,
+            Console& console) {
   Diagnostics diagnostics;
-  for (const std::string_view option : options) {
+  for (const OptionName option : options) {
     if (arguments.has(option)) {
-      diagnostics.error(fmt::format("--{}", option), fmt::format("has no meaning for {}", kind));
+      diagnostics.error(option.dashed(), fmt::format("has no meaning for {}", kind));
     }
   }
   console.report(diagnostics);
@@ -50,41 +52,41 @@ CommandHelp help() {
           "pending; the exit code is then 0, or 1 if an agent asked for that.\n",
       .options =
           {
-              {"timeout", "S", "give up after so many seconds, with exit code 1"},
-              {"max-cycles", "N", "stop after so many reasoning cycles of one agent"},
-              {"max-inferences", "N", "stop after so many inferences of all agents together"},
-              {"max-ticks", "N", "stop after so many ticks"},
-              {"max-memory", "MB",
+              {option::kTimeout, "S", "give up after so many seconds, with exit code 1"},
+              {option::kMaxCycles, "N", "stop after so many reasoning cycles of one agent"},
+              {option::kMaxInferences, "N", "stop after so many inferences of all agents together"},
+              {option::kMaxTicks, "N", "stop after so many ticks"},
+              {option::kMaxMemory, "MB",
                "what each agent, and all of them together, may own (default 1024,\n"
                "and half of the machine's memory); what asks for more fails"},
-              {"realtime", "", "timers follow the wall clock"},
-              {"threads", "N",
+              {option::kRealtime, "", "timers follow the wall clock"},
+              {option::kThreads, "N",
                "so many agents reason at the same time (default 1); what they\n"
                "do and print does not depend on it"},
-              {"ignore-java", "", "run a project without its Java classes"},
-              {"allow-write", "FOLDER",
+              {option::kIgnoreJava, "", "run a project without its Java classes"},
+              {option::kAllowWrite, "FOLDER",
                "the agents may write files in this folder, too, not only in the\n"
                "working one; repeatable"},
-              {"behaviour", "FILE",
+              {option::kBehaviour, "FILE",
                "of a scenario: this program (.asl), behaviour of the scenario\n"
                "or installed one (jaywalk list behaviours) instead of the first"},
-              {"agents", "N", "of a scenario: the number of pedestrians"},
-              {"test", "N", "of a scenario: which test, from 0"},
+              {option::kAgents, "N", "of a scenario: the number of pedestrians"},
+              {option::kTest, "N", "of a scenario: which test, from 0"},
               kPolicyOption,
-              {"watch", "", "of a scenario: draw the test tick by tick"},
-              {"speed", "X", "of --watch: ticks a second (default 2)"},
+              {option::kWatch, "", "of a scenario: draw the test tick by tick"},
+              {option::kSpeed, "X", "of --watch: ticks a second (default 2)"},
               kCoverageOption,
-              {"trace", "FILE.jsonl",
+              {option::kTrace, "FILE.jsonl",
                "write what happens, a JSON object a line: test (of a program:\n"
                "run), tick (cycle), percept, event, message, plan, action with\n"
                "its outcome, failure, end",
                Written::file},
-              {"store", "FILE", "of a scenario: keep the test in this new GeoPackage (.gpkg)",
-               Written::file},
-              {"strict", "",
+              {option::kStore, "FILE",
+               "of a scenario: keep the test in this new GeoPackage (.gpkg)", Written::file},
+              {option::kStrict, "",
                "of a scenario: exit with 1 if agents dropped intentions or\n"
                "never acted"},
-              {"fail-on", "EXPR",
+              {option::kFailOn, "EXPR",
                "of a scenario: exit with 1 if the test meets it, as\n"
                "collision_avoidance.fail>0; repeatable"},
           },

@@ -21,6 +21,7 @@
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
@@ -35,14 +36,14 @@ bool outputs_make_sense(const Arguments& arguments, const js::SearchExperiment& 
                         Console& console) {
   Diagnostics diagnostics;
   if (experiment.defects.empty()) {
-    if (arguments.has("kills")) {
-      diagnostics.error("--kills", "has no meaning without defects",
+    if (arguments.has(option::kKills)) {
+      diagnostics.error(option::kKills.dashed(), "has no meaning without defects",
                         "--defects names them, or all; jaywalk list defects shows them");
     }
   } else {
-    for (const char* option : {"report", "export"}) {
+    for (const OptionName option : {option::kReport, option::kExport}) {
       if (!arguments.has(option)) continue;
-      diagnostics.error(fmt::format("--{}", option), "shows searches of one AV, not of its defects",
+      diagnostics.error(option.dashed(), "shows searches of one AV, not of its defects",
                         "--kills FILE keeps what they kill; `compare --with-kills FILE --report` "
                         "shows it beside what behaviours do");
     }
@@ -58,21 +59,22 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
                       fmt::format("expected one experiment, found {}", arguments.operands().size()),
                       "jaywalk search --help shows how to write it");
   }
-  const auto seed = arguments.number("seed", 0, diagnostics);
-  const auto repetitions = arguments.number("repetitions", 1, diagnostics);
+  const auto seed = arguments.number(option::kSeed, 0, diagnostics);
+  const auto repetitions = arguments.number(option::kRepetitions, 1, diagnostics);
   const unsigned threads = read_threads(arguments, diagnostics);
-  std::vector<std::string> sets = arguments.texts("set");
+  std::vector<std::string> sets = arguments.texts(option::kSet);
   std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
-  if (std::vector<std::string> policies = arguments.texts("policy"); !policies.empty()) {
+  if (std::vector<std::string> policies = arguments.texts(option::kPolicy); !policies.empty()) {
     // The key's paths are relative to the experiment's folder, the option's to this one.
     for (std::string& file : policies) file = std::filesystem::absolute(file).string();
     sets.push_back(fmt::format("sut.policy={}", nlohmann::json(policies).dump()));
   }
-  if (arguments.has("resume") && !arguments.has("store")) {
-    diagnostics.error("--resume", "there is no --store to go on with");
+  if (arguments.has(option::kResume) && !arguments.has(option::kStore)) {
+    diagnostics.error(option::kResume.dashed(), "there is no --store to go on with");
   }
   if (repetitions && *repetitions > 100'000) {
-    diagnostics.error("--repetitions", fmt::format("at most 100000, found {}", *repetitions));
+    diagnostics.error(option::kRepetitions.dashed(),
+                      fmt::format("at most 100000, found {}", *repetitions));
   }
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
@@ -83,8 +85,8 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   Result<js::SearchExperiment> experiment = js::read_search(
       located(arguments.operands().front()),
       {.sets = std::move(sets),
-       .defects = arguments.text("defects"),
-       .generators = listed(arguments, "generators"),
+       .defects = arguments.text(option::kDefects),
+       .generators = listed(arguments, option::kGenerators),
        .files = std::move(include_path->files),
        .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
   if (!experiment.ok()) {
@@ -142,32 +144,35 @@ CommandHelp help() {
           "over the repetitions. The results do not depend on --threads.\n",
       .options =
           {
-              {"generators", "LIST",
+              {option::kGenerators, "LIST",
                "these generators: names of the experiment's or of the table,\n"
                "separated by commas; repeatable"},
-              {"repetitions", "N", "searches of each generator"},
-              {"threads", "N", "threads (default: as many as cores)"},
-              {"set", "KEY=VALUE",
+              {option::kRepetitions, "N", "searches of each generator"},
+              {option::kThreads, "N", "threads (default: as many as cores)"},
+              {option::kSet, "KEY=VALUE",
                "another value for a key of the experiment, as a dotted path\n"
                "(budget.tests=100); repeatable"},
-              {"seed", "N", "the seed from which all chance derives"},
-              {"defects", "LIST",
+              {option::kSeed, "N", "the seed from which all chance derives"},
+              {option::kDefects, "LIST",
                "search the AV with each of these defects (jaywalk list defects),\n"
                "as latency,short-range=12, or all: which generator kills which?"},
-              {"kills", "FILE",
+              {option::kKills, "FILE",
                "write that as CSV, which compare --with-kills puts beside what\n"
                "behaviours kill",
                Written::file},
-              {"csv", "FILE", "write a row for each search as CSV", Written::file},
-              {"json", "FILE", "write everything, each test with it, as JSON", Written::file},
-              {"store", "FILE.gpkg", "keep every finished test in a GeoPackage", Written::file},
-              {"resume", "", "go on with the store where an earlier process ended"},
-              {"report", "FILE.html", "write a page with tables and pictures", Written::file},
-              {"export", "FOLDER",
+              {option::kCsv, "FILE", "write a row for each search as CSV", Written::file},
+              {option::kJson, "FILE", "write everything, each test with it, as JSON",
+               Written::file},
+              {option::kStore, "FILE.gpkg", "keep every finished test in a GeoPackage",
+               Written::file},
+              {option::kResume, "", "go on with the store where an earlier process ended"},
+              {option::kReport, "FILE.html", "write a page with tables and pictures",
+               Written::file},
+              {option::kExport, "FOLDER",
                "write the failing roads as OpenDRIVE with OpenSCENARIO and as\n"
                "the SBST competition's JSON",
                Written::folder},
-              {"quiet", "", "print no table"},
+              {option::kQuiet, "", "print no table"},
               kPolicyOption,
           },
       .examples =
@@ -186,10 +191,10 @@ namespace {
 std::optional<std::unique_ptr<js::SearchStore>> open_store(const Arguments& arguments,
                                                            const js::SearchExperiment& experiment,
                                                            Console& console) {
-  const auto path = arguments.text("store");
+  const auto path = arguments.text(option::kStore);
   if (!path) return std::unique_ptr<js::SearchStore>();
-  const auto mode =
-      arguments.has("resume") ? js::SearchStore::Mode::resume : js::SearchStore::Mode::create;
+  const auto mode = arguments.has(option::kResume) ? js::SearchStore::Mode::resume
+                                                   : js::SearchStore::Mode::create;
   auto store = js::SearchStore::open(*path, mode, experiment);
   if (!store.ok()) {
     console.report(store.diagnostics());
@@ -260,7 +265,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   bool interrupted = false;
   std::optional<js::SearchKills> kills;
   if (!experiment->defects.empty()) kills.emplace(*experiment);
-  const bool needs_tests = !kills || arguments.has("csv") || arguments.has("json");
+  const bool needs_tests = !kills || arguments.has(option::kCsv) || arguments.has(option::kJson);
   const js::SearchResults results =
       run(*experiment, store->get(), console, interrupted, kills ? &*kills : nullptr,
           needs_tests ? Keep::tests : Keep::counts);
@@ -275,14 +280,14 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     well = false;
   };
   if (*store) check("the store", (*store)->finish(results));
-  if (const auto folder = arguments.text("export")) {
+  if (const auto folder = arguments.text(option::kExport)) {
     check("the failing roads", js::export_failures(*folder, *experiment, results).value_or(""));
   }
   const std::array outputs = {
-      OutputFile{"csv", [&] { return js::to_csv(generators); }},
-      OutputFile{"kills", [&] { return to_kills_csv(matrix); }},
-      OutputFile{"json", [&] { return js::to_json(*experiment, generators); }},
-      OutputFile{"report", [&] { return js::to_html(*experiment, generators); }},
+      OutputFile{option::kCsv, [&] { return js::to_csv(generators); }},
+      OutputFile{option::kKills, [&] { return to_kills_csv(matrix); }},
+      OutputFile{option::kJson, [&] { return js::to_json(*experiment, generators); }},
+      OutputFile{option::kReport, [&] { return js::to_html(*experiment, generators); }},
   };
   if (!write_outputs(arguments, outputs, console)) well = false;
   if (prints_table(arguments)) {
@@ -293,7 +298,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     well = false;
   if (!well) return ExitCode::failed;
   if (results.complete || !interrupted) return ExitCode::success;
-  console.note(arguments.has("store")
+  console.note(arguments.has(option::kStore)
                    ? "interrupted; the table has the finished searches. The same command with "
                      "--resume goes on"
                    : "interrupted; the table has the finished searches. With --store, --resume "

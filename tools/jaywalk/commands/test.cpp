@@ -26,6 +26,7 @@
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::test {
@@ -47,14 +48,14 @@ std::optional<Options> read_options(const Arguments& arguments, Console& console
   if (!include_path) return std::nullopt;
   Options options{.include_path = std::move(*include_path), .limits = {}, .filter = {}};
   Diagnostics diagnostics;
-  options.limits.seed = arguments.number("seed", 0, diagnostics).value_or(0);
+  options.limits.seed = arguments.number(option::kSeed, 0, diagnostics).value_or(0);
   options.limits.max_cycles =
-      arguments.number("max-cycles", 1, diagnostics).value_or(options.limits.max_cycles);
+      arguments.number(option::kMaxCycles, 1, diagnostics).value_or(options.limits.max_cycles);
   options.limits.timeout_s =
-      arguments.positive("timeout", diagnostics).value_or(options.limits.timeout_s);
+      arguments.positive(option::kTimeout, diagnostics).value_or(options.limits.timeout_s);
   options.threads = read_threads(arguments, diagnostics);
-  options.filter = arguments.text("filter").value_or("");
-  options.limits.coverage = arguments.has("coverage");
+  options.filter = arguments.text(option::kFilter).value_or("");
+  options.limits.coverage = arguments.has(option::kCoverage);
   check_coverage_options(arguments, diagnostics);
   if (!diagnostics.has_errors()) return options;
   console.report(diagnostics);
@@ -237,13 +238,13 @@ CommandHelp help() {
           "Jason's test files run as they are. Exits with 1 if a test fails.\n",
       .options =
           {
-              {"filter", "TEXT", "only tests whose 'file: name' contains the text"},
-              {"junit", "FILE", "write the results as JUnit XML", Written::file},
+              {option::kFilter, "TEXT", "only tests whose 'file: name' contains the text"},
+              {option::kJunit, "FILE", "write the results as JUnit XML", Written::file},
               kCoverageOption,
-              {"threads", "N", "run so many tests at a time (default: all cores)"},
-              {"seed", "N", "of the agents' random numbers (default 0)"},
-              {"max-cycles", "N", "reasoning cycles of an agent in a test (default 1000000)"},
-              {"timeout", "S", "seconds that a test may take (default 60)"},
+              {option::kThreads, "N", "run so many tests at a time (default: all cores)"},
+              {option::kSeed, "N", "of the agents' random numbers (default 0)"},
+              {option::kMaxCycles, "N", "reasoning cycles of an agent in a test (default 1000000)"},
+              {option::kTimeout, "S", "seconds that a test may take (default 60)"},
           },
       .examples =
           "  jaywalk test agents/crossing/tests\n"
@@ -287,7 +288,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                         console))
       return ExitCode::failed;
   }
-  if (const auto file = arguments.text("junit")) {
+  if (const auto file = arguments.text(option::kJunit)) {
     if (!write_output(*file, junit_xml(tests, *reports), console)) return ExitCode::failed;
   }
   return code;

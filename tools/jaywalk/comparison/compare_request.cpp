@@ -11,6 +11,7 @@
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
@@ -31,11 +32,11 @@ struct Options {
 
 Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   Options options;
-  options.seed = arguments.number("seed", 0, diagnostics);
-  options.tests = arguments.number("tests", 1, diagnostics);
+  options.seed = arguments.number(option::kSeed, 0, diagnostics);
+  options.tests = arguments.number(option::kTests, 1, diagnostics);
   options.threads = read_threads(arguments, diagnostics);
-  if (const auto text = arguments.text("agents")) {
-    auto list = parse_number_list(*text, "--agents");
+  if (const auto text = arguments.text(option::kAgents)) {
+    auto list = parse_number_list(*text, option::kAgents.dashed());
     if (list) {
       options.agents = std::move(list).value();
     } else {
@@ -53,19 +54,22 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
 /// What keeps defects from being looked for.
 void check_defects(const Request& request, Diagnostics& diagnostics) {
   if (request.criteria.assertions.empty()) {
-    diagnostics.error("--defects", "without assertions nothing blames an AV",
+    diagnostics.error(option::kDefects.dashed(), "without assertions nothing blames an AV",
                       "--assertions names a file of them, as scenarios/assertions/crossing.yaml");
   }
   if (request.prepared->world(0).spec().vehicle().model == "constant") {
-    diagnostics.error("--defects", "the AV is of the model constant: no defect shows in it",
+    diagnostics.error(option::kDefects.dashed(),
+                      "the AV is of the model constant: no defect shows in it",
                       "set world.av.model to one that brakes (jaywalk list vehicles)");
   }
   if (request.prepared->scenario().experiment.feedback > 0) {
-    diagnostics.error("--defects", "what tests cover would reach those with other AVs",
+    diagnostics.error(option::kDefects.dashed(),
+                      "what tests cover would reach those with other AVs",
                       "experiment.feedback=0 runs them without that");
   }
   if (request.plan.order == TestOrder::chained) {
-    diagnostics.error("--defects", "each test of this scenario needs the one before it",
+    diagnostics.error(option::kDefects.dashed(),
+                      "each test of this scenario needs the one before it",
                       "set world.av.carry_over=false");
   }
 }
@@ -74,15 +78,15 @@ void check_defects(const Request& request, Diagnostics& diagnostics) {
 void check_avs(const Request& request, Diagnostics& diagnostics) {
   const ExperimentSpec& experiment = request.prepared->scenario().experiment;
   if (!experiment.defects.empty()) {
-    diagnostics.error("--avs", "models and defects cannot be compared at once",
+    diagnostics.error(option::kAvs.dashed(), "models and defects cannot be compared at once",
                       "leave out one of experiment.avs and experiment.defects");
   }
   if (experiment.feedback > 0) {
-    diagnostics.error("--avs", "what tests cover would reach those with other AVs",
+    diagnostics.error(option::kAvs.dashed(), "what tests cover would reach those with other AVs",
                       "experiment.feedback=0 runs them without that");
   }
   if (request.plan.order == TestOrder::chained) {
-    diagnostics.error("--avs", "each test of this scenario needs the one before it",
+    diagnostics.error(option::kAvs.dashed(), "each test of this scenario needs the one before it",
                       "set world.av.carry_over=false");
   }
 }
@@ -91,21 +95,23 @@ void check_avs(const Request& request, Diagnostics& diagnostics) {
 Diagnostics excesses(const Request& request) {
   Diagnostics diagnostics;
   if (request.plan.tests > kMaxTests) {
-    diagnostics.error("--tests",
+    diagnostics.error(option::kTests.dashed(),
                       fmt::format("at most {}, found {}", kMaxTests, request.plan.tests));
   }
   for (const std::uint32_t agents : request.plan.agents) {
     if (agents > kMaxAgents) {
-      diagnostics.error("--agents", fmt::format("at most {}, found {}", kMaxAgents, agents));
+      diagnostics.error(option::kAgents.dashed(),
+                        fmt::format("at most {}, found {}", kMaxAgents, agents));
     }
   }
   const bool is_part = request.store && request.store->shard.count > 1;
   if (is_part && request.prepared->scenario().experiment.feedback > 0) {
-    diagnostics.error("--shard", "the tests of a part need what the other parts' tests cover",
+    diagnostics.error(option::kShard.dashed(),
+                      "the tests of a part need what the other parts' tests cover",
                       "experiment.feedback=0 runs them without that");
   }
   if (is_part && request.plan.order == TestOrder::chained) {
-    diagnostics.error("--shard", "each test of this scenario needs the one before it",
+    diagnostics.error(option::kShard.dashed(), "each test of this scenario needs the one before it",
                       "share out behaviours and numbers of agents instead (--behaviours, "
                       "--agents), or set world.av.carry_over=false");
   }
@@ -114,8 +120,8 @@ Diagnostics excesses(const Request& request) {
   if (request.plan.vehicles.size() > 1 && !models) {
     check_defects(request, diagnostics);
   } else {
-    for (const std::string_view option : request.pointless) {
-      diagnostics.error(fmt::format("--{}", option), "has no meaning without defects",
+    for (const OptionName option : request.pointless) {
+      diagnostics.error(option.dashed(), "has no meaning without defects",
                         "--defects names them, or all; jaywalk list defects shows them");
     }
   }
@@ -145,7 +151,7 @@ bool has_cells(const Request& request) {
 bool read_other_kills(const Arguments& arguments, Request& request, Console& console) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 26U;
   Diagnostics diagnostics;
-  for (const std::string& path : arguments.texts("with-kills")) {
+  for (const std::string& path : arguments.texts(option::kWithKills)) {
     const auto source = read_source(path, kMostBytes);
     auto lines = source.ok() ? parse_kills(source.value())
                              : Result<std::vector<KillLine>>(source.diagnostics());
@@ -183,7 +189,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   }
   Request request{
       .prepared = prepare_scenario(located(arguments.operands().front()), arguments,
-                                   listed(arguments, "behaviours"), console, options.limits),
+                                   listed(arguments, option::kBehaviours), console, options.limits),
       .limits = options.limits,
       .conditions = options.conditions,
       .store = options.store};
@@ -208,7 +214,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
     return std::nullopt;
   }
   request.simulator = std::move(simulator).value();
-  if (arguments.has("coverage")) {
+  if (arguments.has(option::kCoverage)) {
     const std::uint32_t most = std::ranges::max(request.plan.agents);
     request.coverage =
         std::make_unique<PlanCoverage>(*request.prepared, all_behaviours(*request.prepared, most));
@@ -216,12 +222,12 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   const bool has_defects =
       request.plan.vehicles.size() > 1 && !compares_models(request.plan.vehicles);
   if (has_defects && !read_other_kills(arguments, request, console)) return std::nullopt;
-  for (const char* option : {"kills", "with-kills"}) {
-    if (!has_defects && arguments.has(option)) request.pointless.emplace_back(option);
+  for (const OptionName option : {option::kKills, option::kWithKills}) {
+    if (!has_defects && arguments.has(option)) request.pointless.push_back(option);
   }
-  request.per_test = arguments.has("per-test");
-  request.writes_starts = arguments.has("starts");
-  request.situations = arguments.has("situations") || defaults.feedback > 0;
+  request.per_test = arguments.has(option::kPerTest);
+  request.writes_starts = arguments.has(option::kStarts);
+  request.situations = arguments.has(option::kSituations) || defaults.feedback > 0;
   return request;
 }
 
@@ -237,7 +243,7 @@ bool can_be_run(const Request& request, Console& console) {
   }
   if (!request.writes_starts || has_cells(request)) return true;
   Diagnostics diagnostics;
-  diagnostics.error("--starts", "agents of this world do not start in cells",
+  diagnostics.error(option::kStarts.dashed(), "agents of this world do not start in cells",
                     "it is for worlds with a grid, as that of scenarios/paper.yaml");
   console.report(diagnostics);
   return false;
@@ -246,7 +252,7 @@ bool can_be_run(const Request& request, Console& console) {
 ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
   ExperimentDescription description =
       describe(*request.prepared,
-               scenario_options(arguments, listed(arguments, "behaviours"), request.limits),
+               scenario_options(arguments, listed(arguments, option::kBehaviours), request.limits),
                request.plan, request.seed);
   add_judging(description, request.criteria.files, request.criteria.metrics);
   description.simulator = request.simulator;

@@ -36,7 +36,7 @@ struct Request {
   std::unique_ptr<PlanCoverage> coverage;
   bool situations = false;
   /// Options that are given and need defects, if there are none.
-  std::vector<std::string> pointless;
+  std::vector<OptionName> pointless;
   /// Kills that were counted elsewhere and stand beside.
   std::vector<KillLine> other_kills;
   /// So are the single tests.

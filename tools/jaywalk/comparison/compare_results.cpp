@@ -16,6 +16,7 @@
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/comparison/reporting.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk::command::compare {
 namespace {
@@ -75,7 +76,7 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
                                      const reporting::FactsTable& facts, Console& console) {
   if (!wants_page(arguments)) return render_svg(comparison);
   if (request.store) {
-    return stored_report(request.store->path, *arguments.text("report"), ReplayPages::none,
+    return stored_report(request.store->path, *arguments.text(option::kReport), ReplayPages::none,
                          Commands::refused, console, request.other_kills);
   }
   return unstored_report({.comparison = comparison,
@@ -108,7 +109,7 @@ std::optional<Comparison> comparison_of(const Request& request, const Collected&
 }
 
 bool wants_page(const Arguments& arguments) {
-  const auto report = arguments.text("report");
+  const auto report = arguments.text(option::kReport);
   return report && !report->ends_with(".svg");
 }
 
@@ -116,18 +117,18 @@ bool write_files(const Arguments& arguments, const Request& request, const Colle
                  const Comparison& comparison, const reporting::FactsTable& facts,
                  Console& console) {
   const std::array files = {
-      OutputFile{"csv", [&] { return to_csv(comparison); }},
-      OutputFile{"kills", [&] { return to_kills_csv(comparison.kills); }},
-      OutputFile{.option = "per-test",
+      OutputFile{option::kCsv, [&] { return to_csv(comparison); }},
+      OutputFile{option::kKills, [&] { return to_kills_csv(comparison.kills); }},
+      OutputFile{.option = option::kPerTest,
                  .text = nullptr,
                  .pieces =
                      [&](const TextSink& sink) {
                        return write_per_test_csv(request, collected, sink, console);
                      }},
-      OutputFile{"json", [&] { return to_json(comparison); }},
-      OutputFile{"junit", [&] { return to_junit(comparison); }},
-      OutputFile{"starts", [&] { return start_cells_csv(request); }},
-      OutputFile{"report",
+      OutputFile{option::kJson, [&] { return to_json(comparison); }},
+      OutputFile{option::kJunit, [&] { return to_junit(comparison); }},
+      OutputFile{option::kStarts, [&] { return start_cells_csv(request); }},
+      OutputFile{option::kReport,
                  [&] { return report_of(arguments, request, comparison, facts, console); }},
   };
   return write_outputs(arguments, files, console);

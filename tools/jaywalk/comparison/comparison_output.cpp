@@ -10,6 +10,7 @@
 #include "experiment/report/tables/troubles_text.h"
 #include "experiment/report/tables/verdict_table.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 namespace {
@@ -18,7 +19,7 @@ enum class Format { table, csv, json, markdown };
 
 Format read_format(const Arguments& arguments, Diagnostics& diagnostics) {
   static const std::array<std::string, 4> kFormats = {"table", "csv", "json", "markdown"};
-  return static_cast<Format>(arguments.choice("format", kFormats, diagnostics));
+  return static_cast<Format>(arguments.choice(option::kFormat, kFormats, diagnostics));
 }
 
 std::string in_format(Format format, const Comparison& comparison) {
@@ -66,7 +67,7 @@ void warn_of_errored(const Comparison& comparison, Console& console) {
 }
 
 bool fails_strictly(const Arguments& arguments, const Comparison& comparison, Console& console) {
-  if (!arguments.has("strict") || !is_troubled(troubles_of(comparison))) return false;
+  if (!arguments.has(option::kStrict) || !is_troubled(troubles_of(comparison))) return false;
   console.error("--strict: agents dropped intentions or never acted, or tests ended errored");
   return true;
 }

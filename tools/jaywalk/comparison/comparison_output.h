@@ -9,13 +9,14 @@
 #include "experiment/compare/comparison.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 inline constexpr OptionSpec kFormatOption{
-    "format", "NAME", "print the results as csv, json or markdown instead of a table"};
+    option::kFormat, "NAME", "print the results as csv, json or markdown instead of a table"};
 inline constexpr OptionSpec kStrictOption{
-    "strict", "", "exit with 1 if agents dropped intentions or never acted"};
+    option::kStrict, "", "exit with 1 if agents dropped intentions or never acted"};
 
 /// Adds an error for an unknown format.
 void check_format(const Arguments& arguments, Diagnostics& diagnostics);

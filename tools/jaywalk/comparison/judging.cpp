@@ -6,22 +6,24 @@
 
 #include <fmt/format.h>
 
+#include "tools/jaywalk/options/option_names.h"
+
 namespace jaywalk {
 
 std::optional<Criteria> read_criteria(const Arguments& arguments,
                                       const std::vector<Assertion>& otherwise, Console& console) {
-  Criteria criteria{.metrics = arguments.has("metrics")};
+  Criteria criteria{.metrics = arguments.has(option::kMetrics)};
   Diagnostics diagnostics;
-  auto named = read_assertion_files(arguments.texts("assertions"));
+  auto named = read_assertion_files(arguments.texts(option::kAssertions));
   if (!named) {
     diagnostics.append(std::move(named.diagnostics()));
   } else {
     criteria.assertions = std::move(named.value().assertions);
     criteria.files = std::move(named.value().sources);
   }
-  if (!arguments.has("assertions")) criteria.assertions = otherwise;
-  if (arguments.has("junit") && criteria.assertions.empty() && !diagnostics.has_errors()) {
-    diagnostics.error("--junit", "there are no assertions to judge",
+  if (!arguments.has(option::kAssertions)) criteria.assertions = otherwise;
+  if (arguments.has(option::kJunit) && criteria.assertions.empty() && !diagnostics.has_errors()) {
+    diagnostics.error(option::kJunit.dashed(), "there are no assertions to judge",
                       "--assertions names a file of them");
   }
   console.report(diagnostics);
@@ -32,7 +34,7 @@ std::optional<Criteria> read_criteria(const Arguments& arguments,
 std::vector<FailureCondition> read_conditions(const Arguments& arguments,
                                               Diagnostics& diagnostics) {
   std::vector<FailureCondition> conditions;
-  for (const std::string& text : arguments.texts("fail-on")) {
+  for (const std::string& text : arguments.texts(option::kFailOn)) {
     auto condition = parse_failure_condition(text);
     if (condition) {
       conditions.push_back(std::move(condition).value());

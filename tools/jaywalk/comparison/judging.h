@@ -14,17 +14,18 @@
 #include "experiment/scenario/scenario.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 inline constexpr std::array kJudgingOptions = {
-    OptionSpec{"assertions", "FILE",
+    OptionSpec{option::kAssertions, "FILE",
                "judge the tests by these assertions (.yaml) instead of the\n"
                "scenario's; repeatable"},
-    OptionSpec{"metrics", "",
+    OptionSpec{option::kMetrics, "",
                "measure the tests: minimum distance, time to collision, ...\n"
                "(jaywalk list metrics)"},
-    OptionSpec{"junit", "FILE", "write the verdicts as JUnit XML", Written::file},
+    OptionSpec{option::kJunit, "FILE", "write the verdicts as JUnit XML", Written::file},
 };
 
 /// The assertions of the options, or else those others (the scenario's); nothing after reporting

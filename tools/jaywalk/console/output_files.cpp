@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/jaywalk/options/option_names.h"
+
 namespace jaywalk {
 
 bool write_output(const std::string& path, std::string_view text, Console& console) {
@@ -25,7 +27,7 @@ bool write_output(const std::string& path, const TextSource& source, Console& co
 }
 
 bool prints_table(const Arguments& arguments) {
-  return !arguments.has("quiet") && !arguments.has_value(kStandardOutput);
+  return !arguments.has(option::kQuiet) && !arguments.has_value(kStandardOutput);
 }
 
 bool can_write_outputs(const Arguments& arguments, std::span<const OptionSpec> options,
@@ -38,8 +40,7 @@ bool can_write_outputs(const Arguments& arguments, std::span<const OptionSpec> o
       const auto why =
           option.written == Written::folder ? why_no_folder(path) : why_not_writable(path);
       if (!why) continue;
-      diagnostics.error(fmt::format("--{}", option.name),
-                        fmt::format("cannot write '{}': {}", path, *why));
+      diagnostics.error(option.name.dashed(), fmt::format("cannot write '{}': {}", path, *why));
     }
   }
   console.report(diagnostics);

@@ -35,7 +35,7 @@ inline constexpr std::string_view kStandardOutput = "-";
 
 /// The option that asks for a file, and what goes into it; nothing: why not has been reported.
 struct OutputFile {
-  std::string_view option;
+  OptionName option;
   std::function<std::optional<std::string>()> text;
   /// Of what is too long for memory, instead.
   TextSource pieces = nullptr;

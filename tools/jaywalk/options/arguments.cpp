@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tools/jaywalk/options/option_names.h"
+
 namespace jaywalk {
 namespace {
 
@@ -17,7 +19,7 @@ namespace po = boost::program_options;
 std::string unknown_hint(std::string_view name, std::span<const OptionSpec> options) {
   const auto dashes = std::min(name.find_first_not_of('-'), name.size());
   std::vector<std::string> known;
-  for (const OptionSpec& option : options) known.emplace_back(option.name);
+  for (const OptionSpec& option : options) known.emplace_back(option.name.text());
   const auto meant = closest(name.substr(dashes), known);
   return meant ? fmt::format("did you mean '--{}'?", *meant) : "--help names the options";
 }
@@ -31,12 +33,10 @@ std::optional<Number> parse(const std::string& text) {
   return value;
 }
 
-std::string dashed(std::string_view option) { return fmt::format("--{}", option); }
-
 po::options_description description_of(std::span<const OptionSpec> options) {
   po::options_description description;
   for (const OptionSpec& option : options) {
-    const std::string name(option.name);
+    const std::string name(option.name.text());
     if (option.value.empty()) {
       description.add_options()(name.c_str(), "");
     } else {
@@ -50,61 +50,62 @@ po::options_description description_of(std::span<const OptionSpec> options) {
 
 std::span<const OptionSpec> common_options() {
   static constexpr std::array kOptions = {
-      OptionSpec{"color", "WHEN", "colours: auto (default), always or never"},
-      OptionSpec{"log-level", "LEVEL", "what is logged: error, warning (default), info or debug"},
-      OptionSpec{"help", "", "show this help"},
+      OptionSpec{option::kColor, "WHEN", "colours: auto (default), always or never"},
+      OptionSpec{option::kLogLevel, "LEVEL",
+                 "what is logged: error, warning (default), info or debug"},
+      OptionSpec{option::kHelp, "", "show this help"},
   };
   return kOptions;
 }
 
-bool Arguments::has(std::string_view option) const { return text(option).has_value(); }
+bool Arguments::has(OptionName option) const { return text(option).has_value(); }
 
 bool Arguments::has_value(std::string_view value) const {
   return std::ranges::any_of(options_, [&](const auto& option) { return option.second == value; });
 }
 
-std::optional<std::string> Arguments::text(std::string_view option) const {
+std::optional<std::string> Arguments::text(OptionName option) const {
   std::vector<std::string> all = texts(option);
   if (all.empty()) return std::nullopt;
   return std::move(all.back());
 }
 
-std::vector<std::string> Arguments::texts(std::string_view option) const {
+std::vector<std::string> Arguments::texts(OptionName option) const {
   std::vector<std::string> values;
   for (const auto& [name, value] : options_) {
-    if (name == option) values.push_back(value);
+    if (name == option.text()) values.push_back(value);
   }
   return values;
 }
 
-std::optional<std::uint64_t> Arguments::number(std::string_view option, std::uint64_t low,
+std::optional<std::uint64_t> Arguments::number(OptionName option, std::uint64_t low,
                                                Diagnostics& diagnostics) const {
   const auto given = text(option);
   if (!given) return std::nullopt;
   const auto value = parse<std::uint64_t>(*given);
   if (value && *value >= low) return value;
-  diagnostics.error(dashed(option),
+  diagnostics.error(option.dashed(),
                     fmt::format("expected a whole number from {}, found '{}'", low, *given));
   return std::nullopt;
 }
 
-std::optional<double> Arguments::positive(std::string_view option, Diagnostics& diagnostics) const {
+std::optional<double> Arguments::positive(OptionName option, Diagnostics& diagnostics) const {
   const auto given = text(option);
   if (!given) return std::nullopt;
   const auto value = parse<double>(*given);
   if (value && *value > 0 && std::isfinite(*value)) return value;
-  diagnostics.error(dashed(option),
+  diagnostics.error(option.dashed(),
                     fmt::format("expected a number greater than 0, found '{}'", *given));
   return std::nullopt;
 }
 
-std::size_t Arguments::choice(std::string_view option, std::span<const std::string> words,
+std::size_t Arguments::choice(OptionName option, std::span<const std::string> words,
                               Diagnostics& diagnostics) const {
   const auto given = text(option);
   if (!given) return 0;
   const auto found = std::ranges::find(words, *given);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  diagnostics.error(dashed(option),
+  diagnostics.error(option.dashed(),
                     fmt::format("expected one of {}, found '{}'", fmt::join(words, ", "), *given),
                     did_you_mean(*given, words));
   return 0;
@@ -142,7 +143,7 @@ Result<Arguments> parse_arguments(std::span<const std::string> words,
   } catch (const po::error_with_option_name& error) {
     const std::string name = error.get_option_name();
     const auto spec = std::ranges::find(
-        options, name, [](const OptionSpec& option) { return dashed(option.name); });
+        options, name, [](const OptionSpec& option) { return option.name.dashed(); });
     const bool flag = spec != options.end() && spec->value.empty();
     diagnostics.error(name, flag ? "takes no value" : "needs a value");
   } catch (const po::error& error) {

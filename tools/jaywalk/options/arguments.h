@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
+#include "tools/jaywalk/options/option_name.h"
 
 namespace jaywalk {
 
@@ -19,7 +20,7 @@ namespace jaywalk {
 enum class Written { no, file, folder };
 
 struct OptionSpec {
-  std::string_view name;
+  OptionName name;
   /// What its value is called, "N"; empty if it has none.
   std::string_view value;
   std::string_view summary;
@@ -34,21 +35,20 @@ class Arguments {
  public:
   /// What is not an option, in order.
   [[nodiscard]] const std::vector<std::string>& operands() const { return operands_; }
-  [[nodiscard]] bool has(std::string_view option) const;
+  [[nodiscard]] bool has(OptionName option) const;
   /// Some option has this value.
   [[nodiscard]] bool has_value(std::string_view value) const;
   /// The value given last.
-  [[nodiscard]] std::optional<std::string> text(std::string_view option) const;
+  [[nodiscard]] std::optional<std::string> text(OptionName option) const;
   /// All values, in order.
-  [[nodiscard]] std::vector<std::string> texts(std::string_view option) const;
+  [[nodiscard]] std::vector<std::string> texts(OptionName option) const;
   /// Adds an error and returns nothing if the value is no whole number from `low`.
-  [[nodiscard]] std::optional<std::uint64_t> number(std::string_view option, std::uint64_t low,
+  [[nodiscard]] std::optional<std::uint64_t> number(OptionName option, std::uint64_t low,
                                                     Diagnostics& diagnostics) const;
   /// A number of seconds or the like, greater than zero.
-  [[nodiscard]] std::optional<double> positive(std::string_view option,
-                                               Diagnostics& diagnostics) const;
+  [[nodiscard]] std::optional<double> positive(OptionName option, Diagnostics& diagnostics) const;
   /// One of several words; the first of them if the option is not given.
-  [[nodiscard]] std::size_t choice(std::string_view option, std::span<const std::string> words,
+  [[nodiscard]] std::size_t choice(OptionName option, std::span<const std::string> words,
                                    Diagnostics& diagnostics) const;
 
  private:

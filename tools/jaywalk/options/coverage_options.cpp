@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 namespace {
@@ -18,9 +19,9 @@ std::string render(const std::string& path, const SourceCoverage& coverage,
 }  // namespace
 
 void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics) {
-  for (const std::string& path : arguments.texts("coverage")) {
+  for (const std::string& path : arguments.texts(option::kCoverage)) {
     if (path.ends_with(".html") || path.ends_with(".info") || path.ends_with(".txt")) continue;
-    diagnostics.error("--coverage",
+    diagnostics.error(option::kCoverage.dashed(),
                       fmt::format("expected a file .txt, .html or .info, found '{}'", path));
   }
 }
@@ -28,7 +29,7 @@ void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics
 bool write_coverage(const Arguments& arguments, const SourceCoverage& coverage,
                     const std::string& subject, Console& console) {
   bool written = true;
-  for (const std::string& path : arguments.texts("coverage")) {
+  for (const std::string& path : arguments.texts(option::kCoverage)) {
     written = write_output(path, render(path, coverage, subject), console) && written;
   }
   return written;

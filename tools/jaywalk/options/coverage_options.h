@@ -7,11 +7,12 @@
 #include "interpreter/coverage/source_coverage.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 inline constexpr OptionSpec kCoverageOption{
-    "coverage", "FILE",
+    option::kCoverage, "FILE",
     "write which plans, conditions and formulas of the agents'\n"
     "programs were used: a listing (.txt), a page (.html) or a\n"
     "tracefile of LCOV (.info); repeatable. A rule's last call\n"

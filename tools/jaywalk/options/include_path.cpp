@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
 
 namespace jaywalk {
@@ -13,19 +14,21 @@ namespace jaywalk {
 IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics) {
   IncludePath path;
   path.files = files_on_disk();
-  path.folders = arguments.texts("include");
-  for (const std::string& folder : arguments.texts("allow-read")) {
+  path.folders = arguments.texts(option::kInclude);
+  for (const std::string& folder : arguments.texts(option::kAllowRead)) {
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored)) {
       path.files.allow_reading(folder);
     } else {
-      diagnostics.error("--allow-read", fmt::format("there is no folder '{}'", folder));
+      diagnostics.error(option::kAllowRead.dashed(),
+                        fmt::format("there is no folder '{}'", folder));
     }
   }
-  for (const std::string& mapping : arguments.texts("map")) {
+  for (const std::string& mapping : arguments.texts(option::kMap)) {
     const auto equals = mapping.find('=');
     if (equals == std::string::npos || equals == 0) {
-      diagnostics.error("--map", fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
+      diagnostics.error(option::kMap.dashed(),
+                        fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
                         "write it as --map '$jasonJar=FOLDER'");
     } else {
       path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));

@@ -8,17 +8,18 @@
 #include "interpreter/syntax/load.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 inline constexpr std::array kIncludeOptions = {
-    OptionSpec{"include", "FOLDER",
+    OptionSpec{option::kInclude, "FOLDER",
                "look for included files here, too; repeatable (the installed\n"
                "agents are in $jaywalk/crossing)"},
-    OptionSpec{"map", "PREFIX=FOLDER",
+    OptionSpec{option::kMap, "PREFIX=FOLDER",
                "what stands for a prefix of included files: '$jasonJar=DIR';\n"
                "repeatable"},
-    OptionSpec{"allow-read", "FOLDER",
+    OptionSpec{option::kAllowRead, "FOLDER",
                "programs may read files in this folder, too; repeatable (else those\n"
                "of their own and their project's folder, of --include and --map)"},
 };

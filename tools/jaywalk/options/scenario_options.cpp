@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
 
@@ -17,24 +18,24 @@ namespace jaywalk {
 namespace {
 
 /// The options of kLimitOptions, and their keys in experiment.limits.
-constexpr std::array<std::pair<const char*, std::string_view>, 4> kLimitKeys = {{
-    {"max-cycles", "cycles"},
-    {"max-inferences", "inferences"},
-    {"max-memory", "memory_mb"},
-    {"timeout", "time_s"},
+constexpr std::array<std::pair<OptionName, std::string_view>, 4> kLimitKeys = {{
+    {option::kMaxCycles, "cycles"},
+    {option::kMaxInferences, "inferences"},
+    {option::kMaxMemory, "memory_mb"},
+    {option::kTimeout, "time_s"},
 }};
 
 /// Options that are keys of the scenario: their names, the keys, and what stands around the value.
 struct KeyOfOption {
-  const char* option;
+  OptionName option;
   std::string_view key;
   std::string_view begin;
   std::string_view end;
 };
 constexpr std::array<KeyOfOption, 3> kKeysOfOptions = {{
-    {"defects", "experiment.defects", "", ""},
-    {"avs", "experiment.avs", "[", "]"},
-    {"learner", "learning.learner", "", ""},
+    {option::kDefects, "experiment.defects", "", ""},
+    {option::kAvs, "experiment.avs", "[", "]"},
+    {option::kLearner, "learning.learner", "", ""},
 }};
 
 }  // namespace
@@ -45,10 +46,10 @@ bool is_scenario_file(const std::string& path) {
 
 std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& diagnostics,
                                     std::string_view within) {
-  for (const char* whole : {"max-cycles", "max-inferences", "max-memory"}) {
+  for (const OptionName whole : {option::kMaxCycles, option::kMaxInferences, option::kMaxMemory}) {
     (void)arguments.number(whole, 0, diagnostics);
   }
-  (void)arguments.positive("timeout", diagnostics);
+  (void)arguments.positive(option::kTimeout, diagnostics);
   std::vector<std::string> sets;
   for (const auto& [option, key] : kLimitKeys) {
     const auto value = arguments.text(option);
@@ -67,20 +68,20 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
       behaviour = located(behaviour);
     }
   }
-  std::vector<std::string> sets = arguments.texts("set");
+  std::vector<std::string> sets = arguments.texts(option::kSet);
   std::map<std::string, SourcePtr> given_by;
   // As the scenario's key would have it, between these.
   for (const auto& [option, key, begin, end] : kKeysOfOptions) {
     const auto value = arguments.text(option);
     if (!value) continue;
     sets.push_back(fmt::format("{}={}{}{}", key, begin, *value, end));
-    given_by[sets.back()] = std::make_shared<const Source>(fmt::format("--{}", option), *value);
+    given_by[sets.back()] = std::make_shared<const Source>(option.dashed(), *value);
   }
-  if (const auto policies = arguments.texts("policy"); !policies.empty()) {
+  if (const auto policies = arguments.texts(option::kPolicy); !policies.empty()) {
     sets.push_back(fmt::format("policy={}", nlohmann::json(policies).dump()));
   }
   sets.insert(sets.end(), more_sets.begin(), more_sets.end());
-  return {.preset = arguments.text("preset"),
+  return {.preset = arguments.text(option::kPreset),
           .sets = std::move(sets),
           .given_by = std::move(given_by),
           .behaviours = std::move(behaviours),
@@ -105,7 +106,7 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
     console.report(prepared.diagnostics());
     return nullptr;
   }
-  if (!arguments.has("no-check")) {
+  if (!arguments.has(option::kNoCheck)) {
     // They are among what the checker says.
     warnings = {};
     Checked checked;

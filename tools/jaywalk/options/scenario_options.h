@@ -14,33 +14,35 @@
 #include "experiment/test_run/prepared_scenario.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 inline constexpr std::array kScenarioOptions = {
-    OptionSpec{"set", "KEY=VALUE",
+    OptionSpec{option::kSet, "KEY=VALUE",
                "another value for a key of the scenario, as a dotted path\n"
                "(world.length=80); repeatable"},
-    OptionSpec{"preset", "NAME", "begin with these values instead of the scenario's preset"},
-    OptionSpec{"seed", "N", "the seed from which all chance derives"},
-    OptionSpec{"no-check", "", "leave out the warnings of `jaywalk check`"},
+    OptionSpec{option::kPreset, "NAME", "begin with these values instead of the scenario's preset"},
+    OptionSpec{option::kSeed, "N", "the seed from which all chance derives"},
+    OptionSpec{option::kNoCheck, "", "leave out the warnings of `jaywalk check`"},
 };
 
 /// What agents choose by whose plans are learned(P): the scenario's `policy`.
 inline constexpr OptionSpec kPolicyOption{
-    "policy", "FILE",
+    option::kPolicy, "FILE",
     "what `jaywalk learn` has written, for the behaviour that it is of;\nrepeatable"};
 
 /// The limits of one test: the scenario's `experiment.limits`.
 inline constexpr std::array kLimitOptions = {
-    OptionSpec{"max-cycles", "N",
+    OptionSpec{option::kMaxCycles, "N",
                "of one test, which ends errored beyond: reasoning cycles of one\n"
                "agent, as the next three"},
-    OptionSpec{"max-inferences", "N", "inferences of all agents (default 200000000; 0: no limit)"},
-    OptionSpec{"max-memory", "MB",
+    OptionSpec{option::kMaxInferences, "N",
+               "inferences of all agents (default 200000000; 0: no limit)"},
+    OptionSpec{option::kMaxMemory, "MB",
                "memory of one agent, and of all together (default 1024, and half\n"
                "of the machine's)"},
-    OptionSpec{"timeout", "S",
+    OptionSpec{option::kTimeout, "S",
                "seconds by the wall clock (default: no limit): the one limit\n"
                "whose outcome depends on the machine"},
 };

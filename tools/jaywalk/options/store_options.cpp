@@ -7,41 +7,43 @@
 #include <fmt/format.h>
 
 #include "experiment/results/reader.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 std::optional<StoreOptions> read_store_options(const Arguments& arguments,
                                                Diagnostics& diagnostics) {
   StoreOptions options;
-  options.resume = arguments.has("resume");
-  options.retry_errors = arguments.has("retry-errors");
-  if (options.retry_errors && !options.resume && arguments.has("store")) {
-    diagnostics.error("--retry-errors", "has no meaning without --resume");
+  options.resume = arguments.has(option::kResume);
+  options.retry_errors = arguments.has(option::kRetryErrors);
+  if (options.retry_errors && !options.resume && arguments.has(option::kStore)) {
+    diagnostics.error(option::kRetryErrors.dashed(), "has no meaning without --resume");
   }
-  if (const auto text = arguments.text("store-level")) {
+  if (const auto text = arguments.text(option::kStoreLevel)) {
     options.level = parse_store_level(*text);
     if (!options.level) {
-      diagnostics.error("--store-level",
+      diagnostics.error(option::kStoreLevel.dashed(),
                         fmt::format("expected summary, found or all, found '{}'", *text));
     }
   }
-  if (const auto text = arguments.text("shard")) {
+  if (const auto text = arguments.text(option::kShard)) {
     const auto shard = parse_shard(*text);
     options.shard = shard.value_or(Shard{});
     if (!shard) {
-      diagnostics.error("--shard",
+      diagnostics.error(option::kShard.dashed(),
                         fmt::format("expected I/N with I from 1 to N, found '{}'", *text),
                         "the second of four parts is 2/4");
     }
   }
-  const auto path = arguments.text("store");
+  const auto path = arguments.text(option::kStore);
   if (path) {
     options.path = *path;
     return options;
   }
-  for (const char* option : {"store-level", "shard", "resume", "retry-errors"}) {
+  for (const OptionName option :
+       {option::kStoreLevel, option::kShard, option::kResume, option::kRetryErrors}) {
     if (arguments.has(option)) {
-      diagnostics.error(fmt::format("--{}", option), "has no meaning without --store");
+      diagnostics.error(option.dashed(), "has no meaning without --store");
     }
   }
   return std::nullopt;

@@ -11,21 +11,23 @@
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
-inline constexpr OptionSpec kStoreOption{
-    "store", "FILE", "keep every test in this GeoPackage (.gpkg), which is new", Written::file};
+inline constexpr OptionSpec kStoreOption{option::kStore, "FILE",
+                                         "keep every test in this GeoPackage (.gpkg), which is new",
+                                         Written::file};
 
 inline constexpr std::array kStoreOptions = {
     kStoreOption,
-    OptionSpec{"store-level", "LEVEL",
+    OptionSpec{option::kStoreLevel, "LEVEL",
                "whose positions are kept at every tick: summary (no\n"
                "test's), found (default: of tests that met the\n"
                "precondition), all"},
-    OptionSpec{"resume", "", "run only what the store does not have yet"},
-    OptionSpec{"retry-errors", "", "with --resume: run tests that ended errored again"},
-    OptionSpec{"shard", "I/N",
+    OptionSpec{option::kResume, "", "run only what the store does not have yet"},
+    OptionSpec{option::kRetryErrors, "", "with --resume: run tests that ended errored again"},
+    OptionSpec{option::kShard, "I/N",
                "run the I-th of N parts of the tests; needs --store.\n"
                "`jaywalk merge` puts the parts together"},
 };

@@ -6,11 +6,12 @@
 
 #include "env/vehicle/defects.h"
 #include "experiment/compare/kills/kills.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 Commands commands_of(const Arguments& arguments) {
-  return arguments.has("allow-commands") ? Commands::allowed : Commands::refused;
+  return arguments.has(option::kAllowCommands) ? Commands::allowed : Commands::refused;
 }
 
 std::unique_ptr<ResultsReader> open_results(const Arguments& arguments, std::string_view command,
@@ -31,14 +32,14 @@ namespace {
 /// The vehicle that --defect names; nothing after adding an error.
 std::optional<std::size_t> wanted_vehicle(const ResultsReader& store, const Arguments& arguments,
                                           Diagnostics& diagnostics) {
-  const auto name = arguments.text("defect");
+  const auto name = arguments.text(option::kDefect);
   if (!name) return 0;
   const std::vector<std::string>& all = store.description().vehicles;
   const auto parsed = parse_defect(*name);
   const std::string wanted = parsed ? text_of(*parsed) : *name;
   const auto found = std::ranges::find(all, wanted);
   if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
-  const auto source = std::make_shared<const Source>("--defect", *name);
+  const auto source = std::make_shared<const Source>(option::kDefect.dashed(), *name);
   diagnostics.error({source, {0, static_cast<std::uint32_t>(name->size())}},
                     fmt::format("no test of the store is with '{}'", wanted),
                     did_you_mean(wanted, all));
@@ -58,9 +59,9 @@ bool is_worth_seeing(const ResultsReader& store, const StoredTest& test) {
 std::optional<StoredTest> find_stored_test(const ResultsReader& store, const Arguments& arguments,
                                            Console& console) {
   Diagnostics diagnostics;
-  const auto number = arguments.number("test", 0, diagnostics);
-  const auto agents = arguments.number("agents", 1, diagnostics);
-  const auto behaviour = arguments.text("behaviour");
+  const auto number = arguments.number(option::kTest, 0, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
+  const auto behaviour = arguments.text(option::kBehaviour);
   const auto vehicle = wanted_vehicle(store, arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);

@@ -9,21 +9,23 @@
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
 inline constexpr std::array kStoredTestOptions = {
-    OptionSpec{"test", "N", "the test's number (default: the first that met the precondition)"},
-    OptionSpec{"agents", "N", "with this number of agents"},
-    OptionSpec{"behaviour", "NAME", "of this behaviour"},
-    OptionSpec{"defect", "NAME",
+    OptionSpec{option::kTest, "N",
+               "the test's number (default: the first that met the precondition)"},
+    OptionSpec{option::kAgents, "N", "with this number of agents"},
+    OptionSpec{option::kBehaviour, "NAME", "of this behaviour"},
+    OptionSpec{option::kDefect, "NAME",
                "with this defect of the AV, beside the same test of the healthy\n"
                "one (without --test: the first that kills it)"},
 };
 
 /// Of every command that runs a store's tests again.
 inline constexpr OptionSpec kAllowCommandsOption{
-    "allow-commands", "",
+    option::kAllowCommands, "",
     "start the command that the stored scenario names, if it does (an\n"
     "AV of one's own): only for stores that you trust"};
 

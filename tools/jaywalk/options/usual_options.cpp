@@ -4,10 +4,11 @@
 #include <thread>
 
 #include "interpreter/support/text.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
-std::vector<std::string> listed(const Arguments& arguments, std::string_view option) {
+std::vector<std::string> listed(const Arguments& arguments, OptionName option) {
   std::vector<std::string> items;
   for (const std::string& text : arguments.texts(option)) {
     std::string_view rest = text;
@@ -24,7 +25,7 @@ std::vector<std::string> listed(const Arguments& arguments, std::string_view opt
 unsigned read_threads(const Arguments& arguments, Diagnostics& diagnostics) {
   constexpr std::uint64_t kMost = 1024;
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto wanted = arguments.number("threads", 1, diagnostics);
+  const auto wanted = arguments.number(option::kThreads, 1, diagnostics);
   return static_cast<unsigned>(std::min(kMost, wanted.value_or(cores)));
 }
 

@@ -11,7 +11,7 @@
 namespace jaywalk {
 
 /// All values of an option, each a list separated by commas, as one list.
-[[nodiscard]] std::vector<std::string> listed(const Arguments& arguments, std::string_view option);
+[[nodiscard]] std::vector<std::string> listed(const Arguments& arguments, OptionName option);
 
 /// --threads: as many as cores unless it is given, and never more than make sense.
 [[nodiscard]] unsigned read_threads(const Arguments& arguments, Diagnostics& diagnostics);

@@ -11,6 +11,7 @@
 #include "experiment/report/tables/verdict_table.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
 
 namespace jaywalk {
@@ -18,7 +19,7 @@ namespace {
 
 /// The scenario whose ground the drive was on and whose assertions count unless others are given.
 std::optional<Scenario> scenario_of(const Arguments& arguments, Console& console) {
-  const auto path = arguments.text("scenario");
+  const auto path = arguments.text(option::kScenario);
   if (!path) {
     console.note("on the paper's road: --scenario names another");
     return Scenario{};
@@ -57,9 +58,10 @@ Comparison comparison_of(const std::string& name, const Criteria& criteria,
 
 /// Options that speak of the tests of a store.
 bool only_for_stores(const Arguments& arguments, Console& console) {
-  for (const char* option : {"test", "write", "csv", "json"}) {
+  for (const OptionName option : {option::kTest, option::kWrite, option::kCsv, option::kJson}) {
     if (!arguments.has(option)) continue;
-    console.error(fmt::format("--{} is about the tests of a store, not about a trace", option));
+    console.error(
+        fmt::format("{} is about the tests of a store, not about a trace", option.dashed()));
     return true;
   }
   if (arguments.operands().empty()) return false;
@@ -89,10 +91,10 @@ ExitCode judge_trace(const std::string& path, const Arguments& arguments, Consol
 
   const TestAssessment assessment = assess(*criteria, *recording, scenario->world->ground());
   const std::string name = std::filesystem::path(path).stem().string();
-  if (!arguments.has("quiet")) {
+  if (!arguments.has(option::kQuiet)) {
     console.print(render_assessment(*criteria, assessment, recording->actors()));
   }
-  if (const auto junit = arguments.text("junit")) {
+  if (const auto junit = arguments.text(option::kJunit)) {
     if (!write_output(*junit, to_junit(name, *criteria, assessment), console)) {
       return ExitCode::failed;
     }

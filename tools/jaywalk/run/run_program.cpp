@@ -20,6 +20,7 @@
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
 #include "tools/jaywalk/run/program_trace.h"
@@ -41,18 +42,19 @@ struct Limits {
 std::optional<Limits> read_limits(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
   Limits limits;
-  limits.mas.seed = arguments.number("seed", 0, diagnostics).value_or(0);
-  limits.mas.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
-  limits.mas.max_run_inferences = arguments.number("max-inferences", 1, diagnostics).value_or(0);
-  limits.mas.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
-  if (const auto megabytes = arguments.number("max-memory", 1, diagnostics)) {
+  limits.mas.seed = arguments.number(option::kSeed, 0, diagnostics).value_or(0);
+  limits.mas.max_cycles = arguments.number(option::kMaxCycles, 1, diagnostics).value_or(0);
+  limits.mas.max_run_inferences =
+      arguments.number(option::kMaxInferences, 1, diagnostics).value_or(0);
+  limits.mas.max_ticks = arguments.number(option::kMaxTicks, 1, diagnostics).value_or(0);
+  if (const auto megabytes = arguments.number(option::kMaxMemory, 1, diagnostics)) {
     limits.mas.max_agent_bytes = std::min(*megabytes, kMostMegabytes) << 20U;
     limits.mas.max_system_bytes = limits.mas.max_agent_bytes;
   }
-  limits.mas.realtime = arguments.has("realtime");
+  limits.mas.realtime = arguments.has(option::kRealtime);
   limits.mas.threads = static_cast<std::size_t>(
-      std::min(arguments.number("threads", 1, diagnostics).value_or(1), kMostThreads));
-  limits.timeout_s = arguments.positive("timeout", diagnostics);
+      std::min(arguments.number(option::kThreads, 1, diagnostics).value_or(1), kMostThreads));
+  limits.timeout_s = arguments.positive(option::kTimeout, diagnostics);
   check_coverage_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
@@ -158,9 +160,9 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
 
 /// Where programs may write: in the working folder, and where the user says.
 AllowedFolders writable_folders(const Arguments& arguments) {
-  AllowedFolders writable("--allow-write");
+  AllowedFolders writable(option::kAllowWrite.dashed());
   writable.add(".");
-  for (const std::string& folder : arguments.texts("allow-write")) writable.add(folder);
+  for (const std::string& folder : arguments.texts(option::kAllowWrite)) writable.add(folder);
   return writable;
 }
 
@@ -171,7 +173,7 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
   std::vector<AgentSpec> agents = compile_all(
-      sources, arguments.has("no-check") ? ProgramCheck::off : check, *symbols, diagnostics);
+      sources, arguments.has(option::kNoCheck) ? ProgramCheck::off : check, *symbols, diagnostics);
   console.report(diagnostics);
   if (agents.empty() && diagnostics.has_errors()) return ExitCode::usage;
   MasOptions options = limits.mas;
@@ -200,7 +202,7 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   Observers observers;
   Probes probes(symbols, Probes::Detail::counts);
   std::optional<CoverageObserver> coverage;
-  if (arguments.has("coverage")) {
+  if (arguments.has(option::kCoverage)) {
     for (const AgentSpec& agent : agents) probes.add(agent.program);
     observers.add(coverage.emplace(probes));
   }
@@ -253,7 +255,8 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   const auto include_path = read_include_path(arguments, console);
   if (!limits || !include_path) return ExitCode::usage;
   Diagnostics diagnostics;
-  const JavaParts java = arguments.has("ignore-java") ? JavaParts::ignored : JavaParts::refused;
+  const JavaParts java =
+      arguments.has(option::kIgnoreJava) ? JavaParts::ignored : JavaParts::refused;
   auto sources = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
   if (!sources) return ExitCode::usage;

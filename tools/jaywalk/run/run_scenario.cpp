@@ -25,6 +25,7 @@
 #include "tools/jaywalk/console/viewer.h"
 #include "tools/jaywalk/console/watch.h"
 #include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/store_options.h"
 #include "tools/jaywalk/run/test_trace.h"
@@ -50,17 +51,17 @@ struct Request {
 };
 
 std::vector<std::string> behaviours_of(const Arguments& arguments) {
-  if (const auto behaviour = arguments.text("behaviour")) return {*behaviour};
+  if (const auto behaviour = arguments.text(option::kBehaviour)) return {*behaviour};
   return {};
 }
 
 /// What these options set, as `--set` would: so it is kept with a stored test.
 std::vector<std::string> limits_of(const Arguments& arguments) {
   std::vector<std::string> sets;
-  if (const auto inferences = arguments.text("max-inferences")) {
+  if (const auto inferences = arguments.text(option::kMaxInferences)) {
     sets.push_back("experiment.limits.inferences=" + *inferences);
   }
-  if (const auto megabytes = arguments.text("max-memory")) {
+  if (const auto megabytes = arguments.text(option::kMaxMemory)) {
     sets.push_back("experiment.limits.memory_mb=" + *megabytes);
   }
   return sets;
@@ -69,18 +70,18 @@ std::vector<std::string> limits_of(const Arguments& arguments) {
 std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
                                     Console& console) {
   Diagnostics diagnostics;
-  const auto agents = arguments.number("agents", 1, diagnostics);
-  const auto seed = arguments.number("seed", 0, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
+  const auto seed = arguments.number(option::kSeed, 0, diagnostics);
   Request request;
-  request.setup.test = arguments.number("test", 0, diagnostics).value_or(0);
-  request.max_cycles = arguments.number("max-cycles", 1, diagnostics).value_or(0);
-  (void)arguments.number("max-inferences", 0, diagnostics);
-  (void)arguments.number("max-memory", 0, diagnostics);
-  request.max_ticks = arguments.number("max-ticks", 1, diagnostics).value_or(0);
-  request.timeout_s = arguments.positive("timeout", diagnostics);
-  request.speed = arguments.positive("speed", diagnostics).value_or(kDefaultSpeed);
+  request.setup.test = arguments.number(option::kTest, 0, diagnostics).value_or(0);
+  request.max_cycles = arguments.number(option::kMaxCycles, 1, diagnostics).value_or(0);
+  (void)arguments.number(option::kMaxInferences, 0, diagnostics);
+  (void)arguments.number(option::kMaxMemory, 0, diagnostics);
+  request.max_ticks = arguments.number(option::kMaxTicks, 1, diagnostics).value_or(0);
+  request.timeout_s = arguments.positive(option::kTimeout, diagnostics);
+  request.speed = arguments.positive(option::kSpeed, diagnostics).value_or(kDefaultSpeed);
   if (agents.value_or(1) > kMaxAgents) {
-    diagnostics.error("--agents", fmt::format("at most {}", kMaxAgents));
+    diagnostics.error(option::kAgents.dashed(), fmt::format("at most {}", kMaxAgents));
   }
   request.conditions = read_conditions(arguments, diagnostics);
   check_coverage_options(arguments, diagnostics);
@@ -173,7 +174,7 @@ Comparison comparison_of(const Request& request, const TestRun& run,
 /// Writes the verdicts and looks at --fail-on.
 ExitCode conclude(const Request& request, const Arguments& arguments, const TestRun& run,
                   const TestAssessment& assessment, Console& console) {
-  if (const auto path = arguments.text("junit")) {
+  if (const auto path = arguments.text(option::kJunit)) {
     const std::string xml = to_junit(title_of(request), request.criteria, assessment);
     if (!write_output(*path, xml, console)) return ExitCode::failed;
   }
@@ -195,7 +196,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   const InterruptGuard interrupt;
   const Deadline deadline(request->timeout_s);
   Viewer viewer(title_of(*request), request->speed, interrupt, console);
-  const bool watch = arguments.has("watch");
+  const bool watch = arguments.has(option::kWatch);
   TestOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
   options.log = [&](std::string_view line) { console.log(LogLevel::warning, line); };
   options.print = [&](std::string_view line) {
@@ -210,7 +211,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
     if (watch && !interrupt.interrupted()) viewer.show(world, mas);
     if (world.finished()) outcome = world.describe_result();
   };
-  const auto store_path = arguments.text("store");
+  const auto store_path = arguments.text(option::kStore);
   std::unique_ptr<ResultsWriter> store;
   Recording recording;
   if (store_path) {
@@ -221,7 +222,7 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   std::optional<PlanCoverage> coverage;
   std::optional<PlanCoverage::Borrowed> observer;
   Observers observers;
-  if (arguments.has("coverage")) {
+  if (arguments.has(option::kCoverage)) {
     const BehavioursRun run{{request->setup.behaviour, request->setup.agents}};
     observers.add(*observer.emplace(coverage.emplace(*request->prepared, run)).get());
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario/files/write_file.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
@@ -57,7 +58,7 @@ std::string TraceFile::finish() {
 }
 
 bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace, Console& console) {
-  const auto path = arguments.text("trace");
+  const auto path = arguments.text(option::kTrace);
   if (!path) return true;
   trace.emplace(*path);
   if (trace->failure().empty()) return true;
@@ -69,7 +70,8 @@ bool finish_trace(const Arguments& arguments, std::optional<TraceFile>& trace, C
   if (!trace) return true;
   const std::string why = trace->finish();
   if (why.empty()) return true;
-  console.error(fmt::format("cannot write '{}': {}", arguments.text("trace").value_or(""), why));
+  console.error(
+      fmt::format("cannot write '{}': {}", arguments.text(option::kTrace).value_or(""), why));
   return false;
 }
 

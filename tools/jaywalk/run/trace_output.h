@@ -13,6 +13,7 @@
 #include "experiment/scenario/files/temporary.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
+#include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
 
@@ -48,7 +49,7 @@ class TraceFile {
 };
 
 inline constexpr OptionSpec kTraceOption{
-    "trace", "FILE.jsonl",
+    option::kTrace, "FILE.jsonl",
     "write what happens, a JSON object a line: test, tick, percept,\n"
     "event, message, plan, action with its outcome, failure, end",
     Written::file};
