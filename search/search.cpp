@@ -70,6 +70,7 @@ class Shared {
           changed_.wait_for(lock, kProgressInterval, [&] { return ended_ == threads; });
       SearchProgress now = progress_;
       for (const double spent : spent_) now.spent += spent / static_cast<double>(spent_.size());
+      // The observer may take its time, and may ask what locks: never under the mutex.
       lock.unlock();
       if (observer_.progress && observer_.progress(now) == Continue::no) stop = true;
       lock.lock();
@@ -113,11 +114,11 @@ class Search {
       const auto start = Clock::now();
       Asking asking(model_.space(), spent());
       TestInput input = generator_->ask(asking);
+      // Learning from the test before is part of what this test cost the generator.
       const double generation = seconds_since(start) + telling_s_;
       if (const Validity validity = model_.space().check(input); !validity.valid()) {
         shared_.trouble(subject(),
-                        fmt::format("none of {} candidates is a valid test; of the last one it is "
-                                    "said: {}",
+                        fmt::format("none of {} candidates is a valid test; the last one: {}",
                                     asking.candidates(), validity.message),
                         "the keys of 'sut' decide which tests there are and which are valid");
         return;
@@ -130,6 +131,7 @@ class Search {
       const Budget& budget = plan_.budget;
       const double cost =
           row.test.outcome.simulated_s + budget.overhead_s + plan_.generation_s(spec_);
+      // A test that would end after the budget does not count: it was still running then.
       if (budget.virtual_s > 0 && run_.spent_s + cost > budget.virtual_s) break;
       if (!keep(std::move(row), cost) || takes_no_time(cost)) return;
     }
@@ -163,6 +165,7 @@ class Search {
     const auto used = [&share](double part, double whole) {
       if (whole > 0) share = std::max(share, part / whole);
     };
+    // Whichever limit is nearest ends the search; one of 0 is none.
     used(run_.spent_s, budget.virtual_s);
     used(static_cast<double>(run_.tests.size()), static_cast<double>(budget.tests));
     used(static_cast<double>(failures_), static_cast<double>(budget.failures));
@@ -181,6 +184,7 @@ class Search {
         return false;
       }
       row = known;
+      // The SUT may measure a test by those before it, so that it has to see the known ones, too.
       sut_->remember(row.test.outcome);
       return true;
     }
@@ -202,6 +206,7 @@ class Search {
         return false;
       }
     }
+    // First the store, then the generator: a test that could not be kept must not be learned from.
     run_.spent_s += cost;
     failures_ += row.test.failed ? 1 : 0;
     run_.tests.push_back(std::move(row));
@@ -248,6 +253,8 @@ SearchResults run_searches(const SearchPlan& plan, TestLog* log, const SearchObs
     for (std::uint32_t repetition = 0; repetition < plan.repetitions; ++repetition) {
       results.runs.push_back({.generator = generator.name,
                               .repetition = repetition,
+                              // By the generator's name, so that a search does not depend on which
+                              // others are in the plan.
                               .seed = mix(mix_name(plan.seed, generator.seed_name()), repetition)});
     }
   }

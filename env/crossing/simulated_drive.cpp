@@ -44,6 +44,7 @@ std::string wrong_state(std::string_view who, const SimulatedVehicle& vehicle) {
     return fmt::format("the {} of '{}' is {:g}", what, who, value);
   };
   if (!vehicle.present) return {};
+  // Written so that a NaN is wrong, too.
   if (!(std::fabs(state.x_m) <= kMostM)) return problem("x", state.x_m);
   if (!(std::fabs(state.y_m) <= kMostM)) return problem("y", state.y_m);
   if (!(state.speed_mps >= 0 && state.speed_mps <= kMostMps)) {
@@ -123,7 +124,7 @@ std::string SimulatedDrive::wrong_start(const SimulatedStart& start) const {
   const double wanted = front_y(now_.av.state, body_.length_m);
   const double found = front_y(start.scene.av.state, body_.length_m);
   if (std::fabs(found - wanted) <= kNearStartM) return {};
-  return fmt::format("the front of the AV begins at y = {:g} m, asked was {:g} m", found, wanted);
+  return fmt::format("the front of the AV begins at y = {:g} m, expected {:g} m", found, wanted);
 }
 
 std::string SimulatedDrive::wrong(const SimulatedScene& scene) const {
@@ -150,7 +151,7 @@ std::string SimulatedDrive::wrong(const std::vector<SimulatedScene>& scenes,
   }
   const double wanted = tick.begin_s + tick.length_s;
   if (std::fabs(time_s - wanted) <= kSameTimeS) return {};
-  return fmt::format("it has come to {:g} s, asked was {:g} s", time_s, wanted);
+  return fmt::format("it is at {:g} s, expected {:g} s", time_s, wanted);
 }
 
 std::vector<SimulatedBody> SimulatedDrive::bodies_in(int tick,
@@ -187,6 +188,7 @@ ActorState SimulatedDrive::traffic_state(std::size_t index) const {
 
 bool SimulatedDrive::touches(const SimulatedScene& scene, std::size_t body,
                              const std::vector<SimulatedBody>& bodies, double share) const {
+  // A simulator that reports contacts knows the shapes better than boxes do.
   if (scene.contacts) return std::ranges::find(*scene.contacts, body) != scene.contacts->end();
   const bool ours = body < actors_.size();
   if (!ours && !scene.traffic[body - actors_.size()].present) return false;
@@ -231,12 +233,14 @@ std::vector<Collision> SimulatedDrive::drive(int tick, std::span<const RoadUser>
            std::ranges::find(collisions, body, &Collision::body) != collisions.end();
   };
   for (std::size_t i = 0; i < scenes.size(); ++i) {
+    // Scenes are at equal distances in time, the last one at the end of the tick.
     const double share = static_cast<double>(i + 1) / static_cast<double>(scenes.size());
     for (std::size_t body = 0; body < bodies.size(); ++body) {
       if (bodies[body].kind == ActorKind::signal || is_hit(body)) continue;
       if (!touches(scenes[i], body, moved, share)) continue;
       collisions.push_back({body, tick, scenes[i].av.state.speed_mps});
     }
+    // The next scene's sweep begins here.
     now_ = std::move(scenes[i]);
   }
   return collisions;

@@ -63,7 +63,7 @@ std::string NumberedProcess::mismatch(const nlohmann::json& answer, std::size_t 
                     : std::string();
   }
   if (!repeated->is_number_integer() || *repeated != number) {
-    return fmt::format("it answers {} {}, asked was {}", settings_.key, repeated->dump(), number);
+    return fmt::format("it answers {} {}, expected {}", settings_.key, repeated->dump(), number);
   }
   repeats_ = true;
   return {};

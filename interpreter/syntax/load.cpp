@@ -225,7 +225,7 @@ class Loader {
       return std::nullopt;
     }
     if (name.starts_with(kLibraryPrefix)) return find_in_library(name, where);
-    warn(where, fmt::format("nobody knows the folder '{}', from which is included here", prefix),
+    warn(where, fmt::format("unknown folder '{}' in this include", prefix),
          fmt::format("say where it is with --map '{}=FOLDER'", prefix));
     return std::nullopt;
   }

@@ -115,7 +115,7 @@ TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
       "object");
   EXPECT_EQ(fails(R"(while read line; do echo "{\"step\": 3, \"acceleration\": 0}"; done)"),
             "the controller 'sh': line 1 of its output, '{\"step\": 3, \"acceleration\": 0}': it "
-            "answers step 3, asked was 0");
+            "answers step 3, expected 0");
 }
 
 TEST(PerceptionByFeatures, DoesNotGrowWithTheMapOrTheCrowd) {  // F3

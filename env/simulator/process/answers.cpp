@@ -102,7 +102,7 @@ std::string check_echo(const json& answer, std::uint64_t test) {
   (void)reader.number(answer, "step", "its answer");  // which one, the process has checked
   const double found = reader.number(answer, "test", "its answer");
   if (!reader.problem().empty() || found == static_cast<double>(test)) return reader.problem();
-  return fmt::format("it answers for test {:g}, asked was {}", found, test);
+  return fmt::format("it answers for test {:g}, expected {}", found, test);
 }
 
 std::string read_start(const json& answer, SimulatedCast& cast, SimulatedStart& start) {
@@ -130,7 +130,7 @@ std::string read_scene(const json& answer, const SimulatedCast& cast, double tim
   if (!reader.problem().empty() || std::fabs(scene.time_s - time_s) <= kSameS) {
     return reader.problem();
   }
-  return fmt::format("its time is {:g} s, asked was {:g} s", scene.time_s, time_s);
+  return fmt::format("its time is {:g} s, expected {:g} s", scene.time_s, time_s);
 }
 
 }  // namespace jaywalk

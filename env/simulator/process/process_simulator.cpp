@@ -24,7 +24,7 @@ using nlohmann::json;
 /// How long an answer may take unless the scenario says so; and the first one, which loads all.
 constexpr double kAnswerS = 10;
 constexpr double kStartS = 60;
-/// How long a simulator is watched for lines that nobody asked for before a test ends.
+/// How long a simulator is watched for unexpected lines before a test ends.
 constexpr std::chrono::milliseconds kSettle{1};
 
 constexpr std::array kProcessKeys{
@@ -43,7 +43,7 @@ constexpr std::array kProcessKeys{
                .most = 3600},
     SettingKey{.name = "options",
                .kind = SettingKind::map,
-               .meaning = "names and values that it is told when a test begins"},
+               .meaning = "names and values that it receives when a test begins"},
 };
 
 class ProcessSimulator final : public Simulator {

@@ -74,7 +74,7 @@ TEST_F(Numbered, FindsALateLineTooManyByTheNumber) {
   start(std::string(R"(if [ $i = 2 ]; then echo '{"n": 1, "v": 1}'; fi; )") + kRepeating);
   EXPECT_EQ(ask().json["v"], 0);
   EXPECT_EQ(ask().json["v"], 1);
-  EXPECT_THAT(ask().error, HasSubstr("it answers n 1, asked was 2"));
+  EXPECT_THAT(ask().error, HasSubstr("it answers n 1, expected 2"));
 }
 
 TEST_F(Numbered, RefusesAnAnswerWithoutTheNumberOnceItWasRepeated) {
@@ -85,7 +85,7 @@ TEST_F(Numbered, RefusesAnAnswerWithoutTheNumberOnceItWasRepeated) {
 
 TEST_F(Numbered, RefusesANumberThatIsNone) {
   start(R"(echo "{\"n\": \"0\"}")");
-  EXPECT_THAT(ask().error, HasSubstr("it answers n \"0\", asked was 0"));
+  EXPECT_THAT(ask().error, HasSubstr("it answers n \"0\", expected 0"));
 }
 
 TEST_F(Numbered, RefusesWhatIsNoObject) {

@@ -146,7 +146,7 @@ TEST_F(ExternalSut, MayAnswerNumbersThatNobodyCanReckonWith) {
 TEST_F(ExternalSut, MayAnswerAnotherTest) {
   run(R"(while read line; do echo "{\"test\": 7, \"max_oob\": 0.5}"; done)", 2);
   ASSERT_EQ(errors_.size(), 2U);
-  EXPECT_THAT(errors_[1], HasSubstr("it answers test 7, asked was 1"));
+  EXPECT_THAT(errors_[1], HasSubstr("it answers test 7, expected 1"));
 }
 
 TEST_F(ExternalSut, GetsTheTestsNumberOfTheStore) {

@@ -68,7 +68,7 @@ ExitCode report_failure(const Result<Value>& result, const InterruptGuard& inter
 CommandHelp help() {
   return {.usage = "STORE [OPTIONS]",
           .description =
-              "Tells which situations the tests of a store have covered: in bins of where the\n"
+              "Shows which situations the tests of a store have covered: in bins of where the\n"
               "pedestrian who met the precondition first started, where and when it did, how\n"
               "long before a collision, and so on, with the holes and how coverage grew from\n"
               "test to test. With --coverage the tests are run again to see which plans,\n"

@@ -132,7 +132,7 @@ CommandHelp help() {
   CommandHelp help{
       .usage = "STORE [OPTIONS]",
       .description =
-          "Tells why agents did what they did in a stored test: for each of their\n"
+          "Explains why agents did what they did in a stored test: for each of their\n"
           "deliberations the plans that were relevant, which of them were applicable, on\n"
           "which condition the contexts of the others failed and with which bindings, what\n"
           "was chosen, and where the beliefs came from. The test is run again from what the\n"

@@ -39,7 +39,7 @@ void check_usage(const Arguments& arguments, Diagnostics& diagnostics) {
                       "jaywalk learn --help shows how to write it");
   }
   if (!arguments.has(option::kPolicy)) {
-    diagnostics.error(option::kPolicy.dashed(), "where is to be kept what is learned?",
+    diagnostics.error(option::kPolicy.dashed(), "expected a file to keep what is learned in",
                       "--policy learned.json");
   }
 }

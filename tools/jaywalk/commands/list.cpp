@@ -214,7 +214,7 @@ constexpr std::array kKinds = {
     Kind{"simulators", "who can move vehicles in the world's place, world.simulator",
          simulator_text},
     Kind{"metrics", "what --metrics measures of each test", metric_text},
-    Kind{"signals", "what assertions speak of", signal_text},
+    Kind{"signals", "what assertions can refer to", signal_text},
     Kind{"learners", "who can learn from agents' choices",
          [] { return named_rows(learner_kinds()); }},
     Kind{"generators", "what search can look for tests with",

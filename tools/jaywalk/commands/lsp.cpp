@@ -58,7 +58,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto include_path = read_include_path(arguments, console);
   if (!include_path) return ExitCode::usage;
   if (!arguments.operands().empty()) {
-    console.error("expected no file", "editors send what is to be looked at");
+    console.error("expected no file", "editors send the texts themselves");
     return ExitCode::usage;
   }
   jaywalk::lsp::Server server(*include_path, [](std::string_view message) {
