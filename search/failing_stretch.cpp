@@ -39,6 +39,7 @@ class ArcLine {
     const std::size_t last = path_.size() - 2;
     const double middle = (path_.arc_m(i) + path_.arc_m(i + 1)) / 2;
     if ((arc_m < middle && i == 0) || (arc_m >= middle && i == last)) return path_.heading(i);
+    // The two pieces between whose middles the place lies.
     const std::size_t from = arc_m < middle ? i - 1 : i;
     const double begin = (path_.arc_m(from) + path_.arc_m(from + 1)) / 2;
     const double end = (path_.arc_m(from + 1) + path_.arc_m(from + 2)) / 2;
@@ -74,6 +75,7 @@ lane::Polyline aligned(const ArcLine& line, double worst_m) {
     const Point point = line.at(worst_m - kStretchBefore_m + i * kStep_m);
     const double dx = point.x_m - origin.x_m;
     const double dy = point.y_m - origin.y_m;
+    // Turned so that the road runs along +x at the worst place, whatever its direction was.
     points.push_back({c * dx + s * dy, c * dy - s * dx});
   }
   return points;
@@ -92,6 +94,7 @@ std::vector<RoadPiece> pieces_near(const lane::Path& path, double worst_m) {
 double replacement_cost(const RoadPiece& a, const RoadPiece& b) {
   const double turn = std::fabs(a.turn_deg - b.turn_deg);
   const double length = std::fabs(a.length_m - b.length_m);
+  // The tool competition's measure: each part of the cost saturates at 1.
   if (turn < kSameTurn_deg && length < kSameLength_m) return 0;
   return (turn / (1 + turn) + length / (1 + length)) / 2;
 }
@@ -161,6 +164,7 @@ double twin_share(std::span<const FailingStretch> stretches, double reach_m) {
 }
 
 double edit_distance(std::span<const RoadPiece> a, std::span<const RoadPiece> b) {
+  // One row of the usual table, overwritten from left to right; `diagonal` is what stood there.
   std::vector<double> costs(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) costs[j] = static_cast<double>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -197,6 +201,7 @@ double sparseness(std::span<const FailingStretch> stretches) {
   const std::size_t count = std::min(stretches.size(), kMostCompared);
   if (count < 2) return 0;
   const auto pieces = [&](std::size_t i) -> const std::vector<RoadPiece>& {
+    // Of more stretches than are compared, evenly spaced ones.
     return stretches[i * stretches.size() / count].pieces;
   };
   std::vector<double> farthest(count);
@@ -211,6 +216,7 @@ double sparseness(std::span<const FailingStretch> stretches) {
     std::ranges::sort(others, std::greater<>{});
     for (const auto& [most, j] : others) {
       if (most <= farthest[i]) break;
+      // Always in the same order: the sums of the other one may differ by rounding.
       const double distance = edit_distance(pieces(std::min(i, j)), pieces(std::max(i, j)));
       farthest[i] = std::max(farthest[i], distance);
       farthest[j] = std::max(farthest[j], distance);

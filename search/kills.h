@@ -26,7 +26,7 @@ class SearchKills {
 
   /// A row for each generator, under its own name. The first kill is the median over the
   /// repetitions; a cell has no tests as long as some repetition is not complete.
-  /// REQUIRES: nobody adds meanwhile.
+  /// REQUIRES: no thread adds at the same time.
   [[nodiscard]] KillMatrix matrix() const;
 
   /// Tests and how many defects they kill together.

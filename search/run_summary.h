@@ -1,6 +1,6 @@
 #pragma once
 
-// What the searches of a generator come to, and how two generators compare. Read search.h before.
+// The results of a generator's searches, and how two generators compare. Read search.h before.
 
 #include <functional>
 #include <limits>

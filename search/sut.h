@@ -24,7 +24,7 @@ namespace jaywalk::search {
 
 class RoadSpace;
 
-/// What came of one execution.
+/// The outcome of one execution.
 struct Outcome {
   /// Why the SUT has no result (it crashed, hung, answered nonsense); empty if it has one.
   std::string error;

@@ -25,6 +25,7 @@ Rectangle box_of(const RoadUser& body, double cell_m) {
 
 std::vector<SeenLane> lanes_of(const CrossingParameters& parameters) {
   std::vector<SeenLane> lanes;
+  // A drawn ground has no bands from which lanes could be read.
   if (!parameters.map.empty()) return lanes;
   const std::vector<Interval> rows = band_rows(parameters);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -143,6 +144,7 @@ std::vector<SeenObstacle> Av::seen_obstacles() const {
 double Av::decide(double time_s, double period_s, const Surroundings& around) {
   if (!controller_) return 0;
   const double cell = parameters_.cell_m;
+  // Off the lanes what it drives on counts as its lane.
   const Interval lane = av_lane(parameters_).empty() ? parameters_.av.rows : av_lane(parameters_);
   const std::vector<SeenActor> actors = look(around);
   const std::vector<StopLine> lines = stop_lines(around);
@@ -171,6 +173,7 @@ int Av::periods() const {
   const double wanted = parameters_.av.vehicle.period_s;
   const int as_wanted =
       wanted > 0 ? std::max(1, static_cast<int>(std::lround(parameters_.tick_s / wanted))) : 1;
+  // A model that needs to decide oftener does, whatever the scenario says.
   return std::max(as_wanted, periods_of(*controller_, parameters_.tick_s));
 }
 
@@ -193,6 +196,7 @@ std::vector<Collision> Av::drive(int tick, std::span<const RoadUser> bodies,
   for (int period = 0; period < periods; ++period) {
     const double acceleration =
         decide((tick - 1) * parameters_.tick_s + period * period_s, period_s, around);
+    // The rear before it drives and the front after it: all that its box sweeps in this period.
     const double rear_m = front_m() - parameters_.av.length * parameters_.cell_m;
     // In cells per tick, and in cells.
     const Motion next =

@@ -74,11 +74,13 @@ ActionResult Crossing::act(const ActionRequest& action) {
     return refusal("unknown action, expected move(Way), move(Way,Cells), stay or show(Colour)");
   }
   RoadUser& body = bodies_[index];
+  // Marked before the step is known to succeed: a step that failed was an attempt, too.
   if (std::exchange(body.acted_in, ticks_ + 1) == ticks_ + 1) {
     return refusal("a second step in the same tick");
   }
   if (body.kind == ActorKind::signal) return refusal("a signal does not move");
   ActionResult result = move(body, action.args);
+  // Costs, zone and percepts go by whole cells.
   if (index < pedestrians_) positions_[index] = cell(body.place);
   return result;
 }
@@ -105,6 +107,7 @@ ActionResult Crossing::show(std::size_t agent, std::span<const Value> args) {
   const ActorParameters& actor = parameters_.actors[agent - pedestrians_];
   for (const auto colour : {SignalColour::green, SignalColour::amber, SignalColour::red}) {
     if (!args[0].same_as(vocabulary_.atom(colour))) continue;
+    // Only a change is an event.
     if (std::exchange(signals_[actor.crosswalk], colour) != colour) {
       result_.signals.push_back({ticks_ + 1, agent, colour});
     }
@@ -146,6 +149,7 @@ void Crossing::sweep_zone() {
   const Interval cells = zone_cells();
   for (const Position& position : positions_) {
     if (!in_zone(position, cells)) continue;
+    // The cell nearest to the AV is what it would hit first.
     result_.hit_cell = std::min(result_.hit_cell.value_or(position.y), position.y);
   }
   if (!result_.hit_cell) return;
@@ -153,6 +157,7 @@ void Crossing::sweep_zone() {
   result_.success = true;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (!in_zone(positions_[i], cells)) continue;
+    // Several pedestrians in that cell meet the precondition together.
     const bool first = positions_[i].y == *result_.hit_cell;
     if (first) result_.met_by.push_back(i);
     if (first || parameters_.scoring.rewarded == Rewarded::zone) {
@@ -169,6 +174,8 @@ void Crossing::advance() {
   }
   if (!result_.success) {
     result_.ticks = ticks_;
+    // Within the tick the actions come before the costs, these before the zone, and the AV drives
+    // last. The tick of the precondition costs, those of the aftermath do not.
     charge_costs();
     sweep_zone();
   }
@@ -194,6 +201,7 @@ void Crossing::move_traffic() {
     const std::size_t index = i - first_traffic();
     const ActorState at = av_.simulated()->traffic_state(index);
     RoadUser& body = bodies_[i];
+    // A place in cells is that of a cell's middle, in metres that of its near corner plus a half.
     body.place = {at.x_m / cell - 0.5, at.y_m / cell - 0.5};
     body.facing = nearest_direction(at.heading_rad);
     body.step = at.speed_mps * parameters_.tick_s / cell;
@@ -212,6 +220,8 @@ void Crossing::drive() {
   move_traffic();
   origin_ = zone_origin_at(parameters_, av_.driven());
   if (!parameters_.zone.ahead) zone_ahead_ = zone_ahead(parameters_, av_.speed());
+  // Percepts that stay while the AV does are only built again when this number changes
+  // (perceive.cpp).
   if (av_.speed() != speed_before || zone_ahead_ != ahead_before) ++rest_number_;
 }
 
@@ -225,6 +235,7 @@ std::optional<EndReason> Crossing::end_reason() const {
     return parameters_.end == TestEnd::precondition ? EndReason::precondition
                                                     : EndReason::collision;
   }
+  // During the aftermath the time limit still ends the test, the end of the road does not.
   if (max_ticks_ > 0 && ticks_ >= max_ticks_) return EndReason::time_limit;
   if (!begun && origin_ >= parameters_.road_end) return EndReason::road_end;
   return std::nullopt;

@@ -45,7 +45,7 @@ enum class EndReason { precondition, collision, road_end, time_limit };
 /// `precondition`, `collision`, `road_end` or `time_limit`.
 [[nodiscard]] std::string_view name(EndReason reason);
 
-/// What came of a test; the agents are the pedestrians. Nobody is stopped by a collision.
+/// The outcome of a test; the agents are the pedestrians. Nobody is stopped by a collision.
 struct CrossingResult : WorldResult {
   /// The nearest occupied cell of the zone when the precondition was met, and the zone's origin.
   std::optional<int> hit_cell;

@@ -43,7 +43,10 @@ class Band {
   }
 
   void relax(const BandParameters& p) {
+    // Bending energy goes with the fourth power of the distance of nodes: so the line does not
+    // depend on it.
     const double spring = std::pow(step_ / p.stiffness_m, 4);
+    // The car starts in the middle of its lane and straight on.
     const std::size_t fixed = static_cast<std::size_t>(p.start_m / step_) + 2;
     for (int sweep = 0; sweep < p.sweeps; sweep += kTogether) {
       relax_together(fixed, std::min(kTogether, p.sweeps - sweep),
@@ -99,6 +102,7 @@ class Band {
       const Point& u = line_[k - 1];
       const Point& v = line_[k];
       const Point& w = line_[k + 1];
+      // The second difference at k, by the offset of node i.
       const double weight = k == i ? -2 : 1;
       gradient += weight * ((u.x_m - 2 * v.x_m + w.x_m) * normals_[i].x_m +
                             (u.y_m - 2 * v.y_m + w.y_m) * normals_[i].y_m);

@@ -86,6 +86,7 @@ void Motorway::perceive(AgentId agent, Percepts& percepts) const {
 void Motorway::execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) {
   assert(actions.size() == results.size());
   for (MotorwayVehicle& each : vehicles_) {
+    // Whoever does not act in a tick keeps the speed; a wreck goes on braking.
     each.acceleration_mps2 = each.crashed ? -parameters_.drivers.braking_mps2 : 0;
     each.failed = false;
   }
@@ -141,6 +142,8 @@ std::string Motorway::change_lane(Value way, MotorwayVehicle& vehicle) {
 void Motorway::advance() {
   ++ticks_;
   const double tick_s = parameters_.tick_s;
+  // The AV decides once in each period; everybody then drives in steps short enough that nobody
+  // jumps over anybody.
   const double wanted_s = parameters_.av.vehicle.period_s;
   int periods = wanted_s > 0 ? std::max(1, static_cast<int>(std::lround(tick_s / wanted_s))) : 1;
   if (controller_) periods = std::max(periods, periods_of(*controller_, tick_s));
@@ -219,6 +222,7 @@ void Motorway::drive(double step_s, MotorwayVehicle& vehicle) const {
 void Motorway::crash() {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     for (std::size_t j = i + 1; j < vehicles_.size(); ++j) {
+      // Of a pair one may have crashed before: the other still does.
       if (vehicles_[i].crashed && vehicles_[j].crashed) continue;
       if (!box_of(vehicles_[i]).overlaps(box_of(vehicles_[j]))) continue;
       wreck(i, j);
@@ -250,6 +254,7 @@ void Motorway::look_for_precondition() {
   const SeenLane& lane = lanes_[static_cast<std::size_t>(parameters_.av.lane - 1)];
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     const Rectangle box = box_of(vehicles_[i]);
+    // Some part of the vehicle in the AV's lane is enough: cutting in begins at the lane's edge.
     const double gap_m = box.near - av_front_m_;
     if (box.right <= lane.left_m || box.left >= lane.right_m) continue;
     if (gap_m < 0 || gap_m > parameters_.headway_s * av_speed_mps_) continue;

@@ -8,7 +8,7 @@
 // vehicles drive for a tick in steps of at most 0.1 s, the AV deciding as often as its model wants.
 //
 // Agents' vehicles that touch have crashed: both brake to a stand as hard as they can, change lanes
-// no further and obey no more; they stay where they stand. The test goes on.
+// no further and ignore their agents; they stay where they stand. The test goes on.
 
 #include <cstdint>
 #include <memory>

@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// What came of a question.
+/// The answer to a question, or why there is none.
 struct LineAnswer {
   /// Without its line break; of meaning only if `error` is empty.
   std::string line;
@@ -30,7 +30,7 @@ class LineProcess {
   /// Longer answers are refused.
   static constexpr std::size_t kMaxLineBytes = std::size_t{16} << 20U;
 
-  /// What becomes of the child's standard error.
+  /// Where the child's standard error goes.
   enum class Errors {
     shown,   ///< it is ours
     quoted,  ///< kept from the user; its last line is part of the error if the child ends early

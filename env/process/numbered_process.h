@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// What came of a question.
+/// The answer to a question, or why there is none.
 struct JsonAnswer {
   /// An object; of meaning only if `error` is empty.
   nlohmann::json json;

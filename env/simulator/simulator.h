@@ -2,7 +2,7 @@
 
 // The simulator seam: what stands between a world and a simulator that moves the automated vehicle
 // (AV) and other traffic in it. Agents, percepts, preconditions, scores, collisions and recordings
-// stay the world's; the simulator is told where everybody goes and answers where its vehicles are.
+// stay the world's; the simulator receives where everybody goes and answers where its vehicles are.
 // Everything is in metres, seconds and radians on the plane of env/scene.h: y runs along the road
 // the way the AV drives, x to its right, headings are counted counter-clockwise from x. Simulators
 // are the rows of simulators.def; another one is a class in a folder beside this file and a row.

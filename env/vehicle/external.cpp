@@ -43,7 +43,7 @@ namespace {
 
 // A controller that thinks for longer is taken for dead.
 constexpr std::chrono::milliseconds kLimit{5000};
-// How long one that does not repeat the step is watched for lines that nobody asked for.
+// How long one that does not repeat the step is watched for unexpected lines.
 constexpr std::chrono::milliseconds kSettling{1};
 // Answers beyond a hundred times gravity are refused; what is less absurd is limited.
 constexpr double kAbsurdMps2 = 1000;

@@ -12,7 +12,7 @@ constexpr NumberRange kMetresFar{0, 1e6};
 constexpr NumberRange kStandoff{0, 100};
 constexpr NumberRange kAcceleration{0.01, 100};
 
-// A controller of one's own has its own reaction and brakes as it likes.
+// An external controller has its own reaction and brakes as it likes.
 void check_external(const SectionContext& context) {
   for (const char* key : {"reaction", "deceleration", "acceleration", "standoff"}) {
     const auto given = context.origins.find(fmt::format("world.av.{}", key));

@@ -33,7 +33,7 @@ class VehicleSection : protected SectionReader {
   void read_command(const ConfigNode& node, const std::string& path, VehicleParameters& vehicle);
 };
 
-/// Reports keys that have no meaning for a controller of one's own, and commands that are missing.
+/// Reports keys that have no meaning for an external controller, and commands that are missing.
 void check_vehicle(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,
                    const std::string& scenario, const SectionContext& context);
 /// What keeps defects from showing: whoever does not brake can neither brake wrongly nor show how

@@ -100,7 +100,7 @@ struct DriveBriefing {
   std::uint32_t agents = 0;
   double road_m = 0;
   double cruise_mps = 0;
-  /// Processes that outlive the test, for a controller of one's own that keeps its; null: there are
+  /// Processes that outlive the test, for an external controller that keeps its; null: there are
   /// none.
   ControllerProcesses* processes = nullptr;
   /// Those of the thread, for a world whose vehicles one of them moves.
@@ -173,7 +173,7 @@ class VehicleController {
   [[nodiscard]] virtual std::string note() const { return {}; }
 };
 
-/// What no vehicle on a dry road exceeds: answers of controllers of one's own are limited to that.
+/// What no vehicle on a dry road exceeds: answers of external controllers are limited to that.
 inline constexpr double kHardestBrakingMps2 = kGravityMps2;
 inline constexpr double kHardestAccelerationMps2 = 5;
 

@@ -37,7 +37,7 @@ struct Collision {
   double impact_mps = 0;
 };
 
-/// What came of a test.
+/// The outcome of a test.
 struct WorldResult {
   /// The precondition of the assertion under test was met.
   bool success = false;
@@ -78,7 +78,7 @@ class World : public Environment {
   /// What the AV's controller or simulator receives before the test, as far as the caller knows it.
   /// There may be more actors from then on.
   virtual void begin(DriveBriefing briefing) = 0;
-  /// Tells the AV's controller how the test ended. REQUIRES: it is finished.
+  /// Reports to the AV's controller how the test ended. REQUIRES: it is finished.
   virtual void end() = 0;
   /// What the author of the AV's controller should know; usually empty.
   [[nodiscard]] virtual std::string note() const { return {}; }

@@ -34,7 +34,7 @@ struct FailureCondition {
 [[nodiscard]] std::optional<double> value_of(const FailureCondition& condition,
                                              const Comparison& comparison, std::size_t row);
 
-/// What the condition speaks of, `accuracy` or `recovery.fail`.
+/// What the condition is about, `accuracy` or `recovery.fail`.
 [[nodiscard]] std::string subject_of(const FailureCondition& condition);
 
 /// Why the comparison has no such assertion; nothing if it has.

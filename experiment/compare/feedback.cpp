@@ -11,7 +11,7 @@ CoverageFeedback::CoverageFeedback(const ExperimentPlan& plan, std::uint64_t gen
   for (Cell& cell : cells_) {
     cell.missing.assign(generations, generation);
     cell.missing.back() = plan.tests - (generations - 1) * generation;
-    cell.told.emplace_back();
+    cell.covered.emplace_back();
   }
 }
 
@@ -26,7 +26,7 @@ std::optional<std::vector<CoveredBin>> CoverageFeedback::wait_for(const TestKey&
   Cell& cell = cell_of(test);
   changed_.wait(lock, [&] { return given_up_ || cell.complete >= generation; });
   if (given_up_) return std::nullopt;
-  return cell.told[generation];
+  return cell.covered[generation];
 }
 
 void CoverageFeedback::finished(const TestKey& test) {
@@ -37,7 +37,7 @@ void CoverageFeedback::finished(const TestKey& test) {
     const std::uint64_t first = cell.complete * generation_;
     table_.add_to(cell.coverage, test.behaviour, test.agents, first,
                   std::min(first + generation_, plan_.tests));
-    cell.told.push_back(feedback_of(cell.coverage));
+    cell.covered.push_back(feedback_of(cell.coverage));
     ++cell.complete;
   }
   changed_.notify_all();

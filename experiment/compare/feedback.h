@@ -29,7 +29,7 @@ class CoverageFeedback {
   [[nodiscard]] std::optional<std::vector<CoveredBin>> wait_for(const TestKey& test);
   /// The table has the test. Each test once, those that were finished long ago, too.
   void finished(const TestKey& test);
-  /// Nobody waits any more: a test has failed, or the user wants to stop.
+  /// Ends all waiting: a test has failed, or the user wants to stop.
   void give_up();
 
  private:
@@ -37,7 +37,7 @@ class CoverageFeedback {
     std::vector<std::uint64_t> missing;  // tests by generation
     std::uint64_t complete = 0;          // generations
     SituationCoverage coverage;          // of the complete ones
-    std::vector<std::vector<CoveredBin>> told;
+    std::vector<std::vector<CoveredBin>> covered;
   };
   [[nodiscard]] Cell& cell_of(const TestKey& test);
 

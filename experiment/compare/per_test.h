@@ -42,8 +42,8 @@ class PerTestTable {
   /// REQUIRES: a test of the plan, numbered from 0; each once.
   void add(const TestKey& test, const TestOutcome& outcome, const TestAssessment& assessment);
 
-  /// A header line and a line for each test, in the order of the plan. REQUIRES: nobody adds
-  /// meanwhile.
+  /// A header line and a line for each test, in the order of the plan. REQUIRES: no thread adds at
+  /// the same time.
   [[nodiscard]] std::string csv() const;
 
  private:

@@ -31,7 +31,7 @@ struct Summary {
   [[nodiscard]] std::uint64_t judged() const { return tests - errored; }
 };
 
-/// Sums up tests that nobody keeps: all of them are added twice, in the order of their numbers.
+/// Sums up tests that are not kept: all of them are added twice, in the order of their numbers.
 class SummaryMaker {
  public:
   static constexpr int kPasses = 2;

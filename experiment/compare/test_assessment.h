@@ -79,7 +79,7 @@ class AssessmentTable {
 
   /// REQUIRES: a test of the plan; each once.
   void add(const TestKey& test, const TestAssessment& assessment);
-  /// Of the tests that were added. REQUIRES: nobody adds meanwhile.
+  /// Of the tests that were added. REQUIRES: no thread adds at the same time.
   [[nodiscard]] AssessmentSummary summary(std::size_t behaviour, std::uint32_t agents) const;
 
  private:

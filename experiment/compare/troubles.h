@@ -50,7 +50,7 @@ struct Troubles {
   [[nodiscard]] bool never_acted() const { return pedestrians > 0 && idle == pedestrians; }
 };
 
-/// Sums up tests; what comes of it depends on the tests alone, whatever their order.
+/// Sums up tests; the sum depends on the tests alone, whatever their order.
 class TroublesSum {
  public:
   /// `test` is the test's number; each once.

@@ -125,6 +125,7 @@ class TraceParser {
     std::string_view where;
   };
 
+  /// `where` must be a view into the source's text: its place follows from its address.
   SourceSpan span(std::string_view where) const {
     const auto begin = static_cast<std::uint32_t>(where.data() - source_->text().data());
     return {source_, Span{begin, begin + static_cast<std::uint32_t>(where.size())}};
@@ -177,6 +178,7 @@ class TraceParser {
     double value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     constexpr double kGreatest = 1e9;
+    // from_chars accepts "inf" and "nan", which no place or speed can be.
     const bool read = code == std::errc() && end == text.data() + text.size() && !text.empty();
     if (!read || !std::isfinite(value)) {
       error(text, fmt::format("expected a number for {}, found '{}'", kColumns[column].name, text));
@@ -211,6 +213,7 @@ class TraceParser {
     double time = 0;
     Row row{.where = trimmed(line)};
     bool good = read(fields, kTime, kAny, time);
+    // All columns are read even after a mistake, so that each of them is reported.
     good = read(fields, kX, kAny, row.state.x_m) && good;
     good = read(fields, kY, kAny, row.state.y_m) && good;
     good = read(fields, kHeading, kAny, row.state.heading_rad) && good;
@@ -248,6 +251,7 @@ class TraceParser {
         !read(fields, kWidth, kLeastSize, actor.width_m)) {
       return std::nullopt;
     }
+    // The first row of an actor decides its kind and size; later ones must agree.
     const auto [known, is_new] = numbers_.try_emplace(actor.name, actors_.size());
     if (is_new) {
       actors_.push_back({.actor = std::move(actor)});
@@ -271,6 +275,8 @@ class TraceParser {
     }
     const std::size_t count = times_.size();
     if (count < 3) return true;
+    // Compared with the first step, not with the one before: small errors must not add up to a
+    // drift.
     const double step = times_[1] - times_[0];
     const double last = times_[count - 1] - times_[count - 2];
     if (std::abs(last - step) <= kUneven * step) return true;
@@ -288,6 +294,7 @@ class TraceParser {
     for (std::size_t i = 0; i < actors_.size(); ++i) {
       if (actors_[i].rows == times_.size()) continue;
       std::size_t scene = 0;
+      // Fewer rows than times, and no time twice: one is missing, and the first gap is named.
       while (seen_.contains({scene, i})) ++scene;
       diagnostics_.error(
           source_->name(),
@@ -318,6 +325,7 @@ class TraceParser {
 
   [[nodiscard]] Recording recording() const {
     const std::vector<std::size_t> order = this->order();
+    // `place` is the inverse of `order`: from the number in the file to that in the recording.
     std::vector<std::size_t> place(order.size());
     std::vector<Actor> actors;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -357,6 +365,8 @@ class TraceParser {
         if (!columns_[kSpeed]) state.speed_mps = way / step;
         if (columns_[kHeading]) continue;
         state.heading_rad = way > 0 ? std::atan2(dy, dx)
+                            // Who stands keeps the heading; who never moved looks along the road
+                            // (+y).
                             : t > 0 ? scenes[t - 1][i].heading_rad
                                     : std::numbers::pi / 2;
       }

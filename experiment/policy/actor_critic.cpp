@@ -133,6 +133,8 @@ class ActorCritic final : public Learner {
   }
 
   void learn(std::span<const Episode> generation) override {
+    // Scales first, then one batch, by which all passes improve: the policy that chose stays the
+    // reference of the clipped objective.
     note_scales(generation);
     ChoiceBatch batch = batch_of(generation);
     if (batch.decisions.empty()) return;
@@ -179,6 +181,7 @@ class ActorCritic final : public Learner {
   }
 
   void scale_into(std::span<const double> features, Matrix& columns, Eigen::Index column) const {
+    // What was never seen before may be far from all that was.
     constexpr double kMost = 10;
     for (std::size_t i = 0; i < features.size(); ++i) {
       const double number = (features[i] - features_[i].mean()) / features_[i].deviation();
@@ -195,6 +198,7 @@ class ActorCritic final : public Learner {
 
   void note_scales(std::span<const Episode> generation) {
     for (const Episode& episode : generation) {
+      // Discounted returns, from the end of the episode; what follows the last decision is worth 0.
       double follows = 0;
       for (std::size_t i = episode.size(); i-- > 0;) {
         follows = episode[i].reward + episode[i].discount * follows;
@@ -232,9 +236,12 @@ class ActorCritic final : public Learner {
         const Transition& decision = episode[i];
         const auto here = static_cast<double>(expected(0, static_cast<Eigen::Index>(first + i)));
         const double reward = decision.reward / returns_.deviation();
+        // Equation 16, from the end: the temporal difference, and the discounted advantage behind
+        // it.
         advantage = reward + decision.discount * next - here +
                     decision.discount * settings_.trace * advantage;
         batch.advantages[first + i] = advantage;
+        // The critic's target: what it expected, corrected by what was better.
         batch.returns[first + i] = advantage + here;
         next = here;
       }
@@ -259,6 +266,7 @@ class ActorCritic final : public Learner {
                            {settings_.clip, settings_.entropy}, numbers(gradient, i));
     }
     actor_.clear_gradients();
+    // The mean over the batch, so that the rate does not depend on its size.
     actor_.backward(gradient / static_cast<float>(scores.cols()));
     actor_steps_.step();
   }
@@ -269,6 +277,7 @@ class ActorCritic final : public Learner {
     for (Eigen::Index i = 0; i < expected.cols(); ++i) {
       const double error =
           static_cast<double>(expected(0, i)) - batch.returns[static_cast<std::size_t>(i)];
+      // Of the mean squared error.
       gradient(0, i) = static_cast<float>(2 * error / static_cast<double>(expected.cols()));
     }
     critic_.clear_gradients();

@@ -59,7 +59,8 @@ class Learner {
   virtual void learn(std::span<const Episode> generation) = 0;
   /// All that it has learned, so that restore() makes it the same to the last bit.
   [[nodiscard]] virtual nlohmann::json state() const = 0;
-  /// Throws std::exception, and is of no use then, if that is not the state of such a learner.
+  /// Throws std::exception, and must not be used afterwards, if that is not the state of such a
+  /// learner.
   virtual void restore(const nlohmann::json& state) = 0;
 };
 

@@ -41,7 +41,7 @@ class FactsTable {
   void add_place(const TestKey& test, double x_m, double y_m);
   void add(const TestKey& test, const TestResult& result, const Recording& recording);
 
-  /// REQUIRES: nobody adds meanwhile.
+  /// REQUIRES: no thread adds at the same time.
   [[nodiscard]] const CellFacts& facts(std::size_t behaviour, std::uint32_t agents) const;
 
  private:

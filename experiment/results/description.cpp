@@ -74,6 +74,7 @@ std::string difference_of_inputs(const ExperimentDescription& left,
                        right.inputs.size());
   }
   for (std::size_t i = 0; i < left.inputs.size(); ++i) {
+    // By content alone: the same files may lie elsewhere on another machine.
     if (left.inputs[i].sha256 != right.inputs[i].sha256) {
       return fmt::format("the text of '{}' is not the same", left.inputs[i].path);
     }
@@ -129,6 +130,7 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
     StoredInput input = stored_input(*file);
     auto same = std::ranges::find(description.inputs, input.path, &StoredInput::path);
     if (same != description.inputs.end() && same->sha256 != input.sha256) {
+      // Two files of one name but different texts: the text's digest distinguishes them.
       input.path += '@' + input.sha256.substr(0, 8);
       same = std::ranges::find(description.inputs, input.path, &StoredInput::path);
     }
@@ -142,6 +144,7 @@ std::int64_t test_id(const ExperimentDescription& description, const TestKey& te
   const auto agents = std::ranges::find(description.agents, test.agents);
   assert(agents != description.agents.end() && "a test of the plan");
   const auto column = static_cast<std::uint64_t>(agents - description.agents.begin());
+  // Vehicles outermost, so that the tests of the measures come first; ids count from 1.
   const std::uint64_t row = test.vehicle * description.behaviours.size() + test.behaviour;
   const std::uint64_t cell = row * description.agents.size() + column;
   return static_cast<std::int64_t>(cell * description.tests + test.number - description.first_test +

@@ -234,11 +234,13 @@ Result<TestSetup> ResultsReader::setup(std::int64_t id) const {
     return store_error(path(), fmt::format("to run its tests again it starts '{}'", command),
                        "--allow-commands lets it; whoever made the store chose the command");
   }
-  const auto told = impl_->checked(read_event(impl_->database(), id, "feedback"));
-  if (!told) return told.diagnostics();
+  // What the test received from earlier ones was stored with it, so that it runs alone as it did
+  // then.
+  const auto event = impl_->checked(read_event(impl_->database(), id, "feedback"));
+  if (!event) return event.diagnostics();
   const auto ahead = impl_->checked(read_event(impl_->database(), id, "head_start"));
   if (!ahead) return ahead.diagnostics();
-  auto feedback = parse_feedback(told.value());
+  auto feedback = parse_feedback(event.value());
   const auto head_start = ahead.value().empty() ? 0 : parse_integer(ahead.value());
   if (!feedback || !head_start || *head_start < 0 || *head_start > kMostHeadStart) {
     return store_error(path(), fmt::format("test {} has a damaged event", id));
@@ -267,6 +269,8 @@ Result<TestRun> ResultsReader::rerun(std::int64_t id, const TestOptions& options
   TestRun result = run_test(*scenario.value(), again.value(), stoppable);
   if (result.interrupted) return store_error(path(), "interrupted");
   const TestResult& wanted = stored.value().result;
+  // Bit for bit: the same version with the same inputs gives the same numbers. Of an errored test
+  // only that it errs again counts, since a limit of time depends on the machine.
   const bool same = wanted.errored
                         ? !result.completed
                         : result.completed && result.outcome.success == wanted.succeeded &&
@@ -283,17 +287,20 @@ std::optional<Diagnostics> ResultsReader::add_assessments(Comparison& comparison
   if (!ids) return std::move(ids.diagnostics());
   const ExperimentPlan plan = plan_of(description());
   Criteria criteria;
+  // The table only needs their number: the verdicts are stored, nothing is judged again.
   criteria.assertions.resize(ids.value().size());
   AssessmentTable table(criteria, plan);
   KillTable kills(plan, tests_in_shard(description()));
   bool any = false;
   auto failure = for_each_assessed([&](TestKey test, const std::vector<AssessmentRow>& rows) {
+    // A shard's tests are numbered within the whole plan, the tables of this store from 0.
     any = true;
     test.number -= description().first_test;
     kills.add(test, blames_the_av(rows));
     if (test.vehicle == 0) table.add(test, from_rows(rows, ids.value()));
   });
   if (failure || !any) return failure;
+  // Errored tests have no assessments, but the kill matrix counts them as not decided.
   failure = for_each_test({.vehicle = std::nullopt, .errored = true}, [&](const StoredTest& each) {
     TestKey test = each.test;
     test.number -= description().first_test;
@@ -320,6 +327,7 @@ std::optional<Diagnostics> ResultsReader::add_avs(Comparison& comparison) const 
     TestKey test = each.test;
     test.number -= description().first_test;
     Blame blame = Blame::unknown;
+    // Blame is about collisions alone, which are few: only their rows are read.
     if (each.outcome.impact_mps && !comparison.assertions.empty()) {
       const auto rows = assessments(each.id);
       if (!rows.ok()) {
@@ -365,6 +373,7 @@ Result<Comparison> ResultsReader::comparison() const {
     for (const std::uint32_t agents : plan.agents) {
       auto summary = summary_of(behaviour, agents);
       if (!summary) return std::move(summary.diagnostics());
+      // A row of which tests are missing would be compared as if it were whole.
       if (summary.value().tests == 0 || summary.value().tests != tests_in_shard(plan)) continue;
       comparison.summaries.push_back(std::move(summary).value());
       const TestKey first{.behaviour = behaviour, .agents = agents, .number = plan.first_test};

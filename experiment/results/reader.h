@@ -58,7 +58,7 @@ class ResultsReader {
   ResultsReader& operator=(const ResultsReader&) = delete;
 
   /// From now on reading fails, and tests that are run again are given up, as soon as that is true;
-  /// it is asked now and then.
+  /// it is called from time to time.
   void stop_when(std::function<bool()> stopped);
 
   [[nodiscard]] const std::string& path() const;
@@ -112,7 +112,7 @@ class ResultsReader {
   /// version of the program wrote the store.
   [[nodiscard]] Result<TestRun> rerun(std::int64_t id, const TestOptions& options = {}) const;
 
-  /// What the tests come to: rows whose tests (those of the shard) are all there, with what
+  /// The summary of the tests: rows whose tests (those of the shard) are all there, with what
   /// assertions and metrics say of them, if the store has that.
   [[nodiscard]] Result<Comparison> comparison() const;
 

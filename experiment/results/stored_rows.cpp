@@ -101,6 +101,8 @@ AssessmentRow assessment_of(Database& database, std::int64_t test_id, const Stat
 /// The ids that the tests of a vehicle, a behaviour, a number of agents have.
 std::pair<std::int64_t, std::int64_t> ids_of(const ExperimentDescription& description,
                                              const TestFilter& filter) {
+  // Ids follow the plan: vehicles, then behaviours, then numbers of agents, then tests
+  // (description.h).
   if (!filter.vehicle) return {0, kMaxTestId};
   const auto tests = static_cast<std::int64_t>(description.tests);
   std::int64_t width = tests * static_cast<std::int64_t>(description.agents.size());
@@ -109,6 +111,7 @@ std::pair<std::int64_t, std::int64_t> ids_of(const ExperimentDescription& descri
   first += static_cast<std::int64_t>(*filter.vehicle) * of_vehicle;
   if (!filter.behaviour) return {first, first + of_vehicle - 1};
   first += static_cast<std::int64_t>(*filter.behaviour) * width;
+  // Of a number of agents that the plan does not have the WHERE clause leaves nothing.
   const auto column = std::ranges::find(description.agents, filter.agents.value_or(0));
   if (column != description.agents.end()) {
     first += (column - description.agents.begin()) * tests;
@@ -153,6 +156,7 @@ void read_tests(Database& database, const ExperimentDescription& description,
   if (filter.errored) errored = *filter.errored ? 1 : 0;
   Statement row(database, sql);
   row.bind(first, last, filter.agents, succeeded,
+           // To SQLite a negative limit is none.
            filter.limit ? static_cast<std::int64_t>(*filter.limit) : std::int64_t{-1}, errored);
   while (row.step() && callback(test_of(database, description, row)) == Proceed::yes) {
   }
@@ -170,6 +174,7 @@ std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id) {
   std::vector<AgentScore> scores;
   Statement row = rows_of(database, test_id, "cost, reward, actions", "actors");
   while (row.step()) {
+    // The AV and the other actors have no costs and rewards.
     if (row.is_null(0)) continue;
     scores.push_back({.cost = row.real(0), .reward = row.real(1), .actions = row.count(2)});
   }
@@ -204,6 +209,7 @@ void read_drops(Database& database, std::int64_t first, std::int64_t last,
   TestTroubles test;
   std::int64_t id = 0;
   while (drop.step()) {
+    // Rows are sorted by test: with the next test's first row the one before is whole.
     if (drop.number(0) != id && !test.drops.empty()) {
       callback(id, test);
       test.drops.clear();
@@ -225,6 +231,7 @@ void read_drops(Database& database, std::int64_t first, std::int64_t last,
 }  // namespace
 
 Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last) {
+  // One row sums the actors of all tests of the range; actor 0 is the AV, which is no agent.
   TroublesSum sum;
   Statement actors(database,
                    "SELECT count(*), count(actions), sum(actions = 0) FROM actors "
@@ -280,6 +287,7 @@ std::vector<std::string> read_assertion_ids(Database& database) {
   Statement row(database, fmt::format("SELECT name FROM assessments WHERE verdict <> 'none' "
                                       "GROUP BY name ORDER BY min(id % {}), name",
                                       kMaxRows));
+  // A test's rows are in the order of the assertions, so the least row number sorts them.
   while (row.step()) ids.push_back(row.text(0));
   return ids;
 }

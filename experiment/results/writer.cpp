@@ -63,6 +63,7 @@ std::optional<Diagnostics> mismatch(const std::string& path, const ExperimentDes
 bool is_extension(const ExperimentDescription& stored, const ExperimentDescription& wanted) {
   ExperimentDescription extended = stored;
   extended.tests = wanted.tests;
+  // Compared as if it had as many tests: nothing else may differ.
   return wanted.tests > stored.tests && !mismatch({}, extended, wanted);
 }
 
@@ -89,6 +90,7 @@ std::optional<Diagnostics> take_out_errored(const std::string& path) {
   store.execute(
       "CREATE TEMP TABLE errored AS SELECT id FROM main.tests WHERE ended_by = 'errored'");
   for (const std::string_view table : kTablesOfTests) {
+    // kTablesOfTests has `tests` among them; the other tables refer to it.
     const std::string_view key = table == "tests" ? "id" : "test_id";
     store.execute(
         fmt::format("DELETE FROM main.{} WHERE {} IN (SELECT id FROM errored)", table, key));
@@ -148,6 +150,7 @@ class ResultsWriter::Impl {
   void add(TestRecord record) {
     const std::size_t size = weight(record);
     std::unique_lock lock(mutex_);
+    // A single record may be heavier than all that may wait: it is let in alone.
     taken_.wait(lock, [&] { return failure_ || weight_ == 0 || weight_ + size <= kMaxWaiting; });
     if (failure_) return;
     waiting_.push_back(std::move(record));
@@ -193,6 +196,7 @@ class ResultsWriter::Impl {
   bool take(std::vector<TestRecord>& records) {
     std::unique_lock lock(mutex_);
     came_in_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
+    // More may come in while this waits, which then share the transaction.
     came_in_.wait_for(lock, kGather, [&] { return closed_ || weight_ > kMaxWaiting / 2; });
     records.swap(waiting_);
     weight_ = 0;

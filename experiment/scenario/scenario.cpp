@@ -39,10 +39,13 @@ class ScenarioBuilder {
 
   Result<Scenario> build() {
     if (!parse_layers() || !choose_world()) return std::move(diagnostics_);
+    // The order of the layers: preset, file, settings; each takes the place of what those before
+    // say.
     read_preset();
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     read_layer(file_, folder, draft_, diagnostics_);
     select_behaviours();
+    // Between file and settings, since only now is it known which behaviours there are.
     set_behaviours_of_preset();
     for (const ConfigNode& setting : settings_) read_layer(setting, "", draft_, diagnostics_);
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
@@ -136,6 +139,7 @@ class ScenarioBuilder {
     if (!layer || layer->kind != ConfigNode::Kind::map) return;
     const auto behaviours = std::ranges::find(layer->entries, "behaviours", &ConfigEntry::key);
     if (behaviours != layer->entries.end()) {
+      // Kept for later: a preset sets parameters of behaviours, but adds none.
       preset_behaviours_ = std::move(behaviours->value);
       layer->entries.erase(behaviours);
     }
@@ -171,6 +175,7 @@ class ScenarioBuilder {
   }
 
   std::optional<BehaviourSpec> find_behaviour(const std::string& wanted) {
+    // By name, then by file: a name of the scenario hides an installed one.
     const std::string path = program_path("", wanted, world_->name);
     std::vector<std::string> names;
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
@@ -208,6 +213,7 @@ class ScenarioBuilder {
     draft_.world->check(scenario.name, context);
     check_avs();
     check_behaviours();
+    // Files are only read for a scenario that is right so far.
     if (!diagnostics_.has_errors()) draft_.world->read_files(context, scenario.sources);
     if (!diagnostics_.has_errors()) read_programs();
     finish_learning();

@@ -148,7 +148,7 @@ class Preparation {
 };
 
 /// Policies to the behaviours that have their options. One that is for none is a mistake; who has
-/// none chooses by chance, and is said to.
+/// without one chooses by chance, and a note says so.
 void give_policies(const Scenario& scenario, const SymbolTable& symbols,
                    std::vector<PreparedBehaviour>& behaviours, Diagnostics& errors,
                    Diagnostics& warnings) {

@@ -77,6 +77,7 @@ std::vector<AgentSpec> agents_of(const PreparedScenario& prepared, const TestSet
   std::vector<AgentSpec> specs;
   const PreparedBehaviour& behaviour = prepared.behaviours()[setup.behaviour];
   for (std::uint32_t number = 1; number <= setup.agents; ++number) {
+    // The order of precedence: the member's program, then what single agents are given.
     const auto own = behaviour.team.find(number);
     AgentSpec& spec = specs.emplace_back(AgentSpec{
         prepared.scenario().world->agent_name(number),
@@ -131,6 +132,7 @@ std::string describe(const RunOutcome& outcome, const TestDeadline& deadline) {
   if (outcome.end == RunEnd::interrupted) {
     return deadline.passed() ? deadline.message() : "interrupted";
   }
+  // Some messages name their place already.
   if (!outcome.message.empty()) {
     const bool placed =
         outcome.where.empty() || outcome.message.find(outcome.where) != std::string::npos;
@@ -182,6 +184,7 @@ TestTroubles troubles_of(const Mas& mas, const WorldResult& outcome) {
   TestTroubles troubles{.agents = mas.agent_count(), .pedestrians = outcome.agents.size()};
   for (const AgentOutcome& each : outcome.agents) troubles.idle += each.actions == 0;
   for (std::uint32_t number = 0; number < mas.agent_count(); ++number) {
+    // An agent that has ended took its record of drops with it.
     if (!mas.is_alive(AgentId{number})) continue;
     for (const DropCause& cause : mas.agent(AgentId{number}).drops()) {
       troubles.drops.push_back({.actor = number + 1, .cause = cause});
@@ -203,6 +206,7 @@ void run_to_the_end(Mas& mas, const World& world, const TestOptions& options,
   };
   observe();
   while (!world.finished()) {
+    // The last step may both finish the world and end the run: then the test is complete.
     if (!mas.step() && !world.finished()) {
       return give_up(describe(mas.outcome(), deadline), result);
     }
@@ -321,12 +325,14 @@ TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
   mas_options.observer = options.observer;
   mas_options.policies = options.policies;
   std::optional<PolicyReader> policy;
+  // The options' policy takes precedence: a learner watches and explores through it.
   if (options.policies == nullptr && prepared_.behaviours()[setup.behaviour].policy != nullptr) {
     mas_options.policies = &policy.emplace(prepared_.behaviours()[setup.behaviour].policy);
   }
   if (mas_ == nullptr) {
     mas_ = std::make_unique<Mas>(prepared_.symbols(), std::move(mas_options), world.get());
   } else {
+    // The system of the last test keeps its memory, and nothing else (Mas::restart).
     mas_->restart(std::move(mas_options), world.get());
   }
   add_agents(setup);
@@ -342,6 +348,7 @@ TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
     *options.record = Recording(prepared_.scenario().world->tick_s(), world->actors());
   }
   run_to_the_end(*mas_, *world, options, deadline, result);
+  // Asked again, since the run may have ended by a limit of its own just before.
   result.interrupted = !result.completed && options.interrupted && options.interrupted();
   if (result.completed) end_drive(*world, result);
   result.note = world->note();

@@ -73,8 +73,8 @@ struct TestOptions {
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
   bool measure_cpu = false;
-  /// Asked now and then, in the middle of whatever agents do: true gives the test up. Not set:
-  /// never.
+  /// Called from time to time, in the middle of whatever agents do: true gives the test up. Not
+  /// set: never.
   std::function<bool()> interrupted;
 };
 
@@ -98,7 +98,7 @@ struct TestRun {
   double cpu_s = 0;
 };
 
-/// What comes of it for a table of single tests.
+/// Its line in a table of single tests.
 [[nodiscard]] TestOutcome outcome_of(const TestRun& run);
 
 /// Runs tests one after another, each as if it were the only one: what it has built for one is

@@ -68,6 +68,7 @@ bool has_future_goal(Agent& agent, Intention& intention, Value goal) {
     unifier.set_slot_names(means.plan->slot_names);
     const bool is_top = i + 1 == intention.stack.size();
     const Step* step = means.current;
+    // Below the top the current step is under way: it waits for the means above it.
     if (!is_top && step != nullptr) step = step->next;
     for (; step != nullptr; step = step->next) {
       if (step->kind != Step::Kind::achieve && step->kind != Step::Kind::achieve_new_focus)
@@ -102,6 +103,7 @@ Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
       call.agent()->drop(*intention);
     }
   }
+  // The executing intention last: with it goes what the action refers to.
   if (!own) return Outcome::succeeded;
   call.agent()->drop(*call.intention());
   return Outcome::suspended;
@@ -157,6 +159,7 @@ Outcome desire(ActionCall& call) {
     if (is_goal(event)) events.push_back(event);
   };
   const Circumstance& c = agent.circumstance();
+  // The event that is being handled counts: its plan may ask for its own goal.
   if (agent.selected_event() != nullptr) add(*agent.selected_event());
   for (const Event& event : c.events) add(event);
   if (c.atomic_event) add(*c.atomic_event);
@@ -188,6 +191,7 @@ Outcome drop_event(ActionCall& call) {
 Outcome drop_all_intentions(ActionCall& call) {
   std::vector<Intention*> others = Goals(*call.agent()).all_intentions();
   std::erase(others, call.intention());
+  // Appointments (.at) would bring goals back.
   Waits(*call.agent()).cancel_schedule();
   return drop_all(call, others);
 }
@@ -240,6 +244,7 @@ Outcome done(ActionCall& call) {
   Intention* const own = call.intention();
   if (own == nullptr || own->is_finished()) return Outcome::failed;
   const bool is_branch = own->shared > 0;
+  // A branch shares the lower part of the stack with the intention that it branched from.
   std::optional<std::size_t> depth = is_branch ? own->shared - 1 : own->stack.size() - 1;
   const Value goal = call.count() == 1 ? call.arg(0) : agent.goal_of(*own, own->stack[*depth]);
   const std::size_t trail = call.unifier().mark();
@@ -250,6 +255,7 @@ Outcome done(ActionCall& call) {
     depth = ended == nullptr ? std::nullopt : Goals(agent).find(*ended, goal);
   }
   call.unifier().undo(trail);
+  // Branches of the goal that ends have nothing to return to.
   if (depth && ended == own) {
     for (Intention* const other : Goals(agent).all_intentions()) {
       if (other->origin == own->id) agent.drop(*other);

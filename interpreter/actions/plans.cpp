@@ -59,6 +59,7 @@ Outcome add(ActionCall& call, Value what, Value source, Place place) {
   const bool is_text = what.is_text();
   if (is_text) {
     std::string text(what.text()->view());
+    // Jason removes all backslashes, not only those before quotes.
     std::erase(text, '\\');
     plan = read_plan(text, call.heap(), call.symbols(), call.machine().actions(), problem);
   } else if (!is_plan(what)) {
@@ -68,6 +69,7 @@ Outcome add(ActionCall& call, Value what, Value source, Place place) {
       call.agent()->add_plan_term(plan, source, place, problem)) {
     return Outcome::succeeded;
   }
+  // A text that cannot be parsed is an exception in Jason, a plan that cannot be added a failure.
   if (is_text && plan.is_unset()) return call.java_exception(problem);
   if (problem.empty()) {
     return call.wrong_arguments(
@@ -224,6 +226,7 @@ Outcome list_plans(ActionCall& call) {
   for (const Plan* const plan : plans) {
     if (plan->is_standard) continue;
     std::string text = term_text(call.agent()->plan_term(*plan), call.symbols());
+    // Without the braces around it.
     call.agent()->host().print(*call.agent(), text.substr(2, text.size() - 4) + ".");
   }
   return Outcome::succeeded;

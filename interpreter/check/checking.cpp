@@ -36,7 +36,7 @@ Checking::Checking(const SourceTree& program, const Vocabulary& vocabulary)
                       .uses = uses_in(file->components),
                       .is_main = file == program.files.front(),
                       .allowed = allowed_in(*file->source),
-                      .told = {},
+                      .reported = {},
                       .found = {}});
   }
   has_initial_goal_ = std::ranges::any_of(
@@ -57,7 +57,7 @@ bool Checking::is_mentioned(std::string_view name) const {
 
 void Checking::warn(CheckedFile& file, Span where, std::string message, std::string hint) {
   if (file.allowed.contains(code_)) return;
-  if (!file.told.emplace(where.begin, code_).second) return;
+  if (!file.reported.emplace(where.begin, code_).second) return;
   file.found.warning({file.file->source, where}, std::string(code_), std::move(message),
                      std::move(hint));
 }

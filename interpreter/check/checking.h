@@ -25,7 +25,7 @@ struct CheckedFile {
   /// Codes that a comment silences in the whole file.
   std::set<std::string, std::less<>> allowed;
   /// What was reported: by place and code, once each.
-  std::set<std::pair<std::uint32_t, std::string_view>> told;
+  std::set<std::pair<std::uint32_t, std::string_view>> reported;
   Diagnostics found;
 };
 
@@ -40,7 +40,7 @@ class Checking {
   [[nodiscard]] const NameSet& answers() const { return answers_; }
   [[nodiscard]] std::vector<CheckedFile>& files() { return files_; }
 
-  /// Nobody but the program itself and its known environment tells it anything.
+  /// Its beliefs come from the program itself and its known environment alone.
   [[nodiscard]] bool told_everything() const {
     return vocabulary_.environment_known && !index_.sends_messages;
   }
@@ -54,7 +54,7 @@ class Checking {
   /// Whether the program, or another agent, mentions the name where it may use it.
   [[nodiscard]] bool is_mentioned(std::string_view name) const;
 
-  /// From here on, warnings bear that code.
+  /// From here on, warnings have that code.
   void begin(std::string_view code) { code_ = code; }
   void warn(CheckedFile& file, Span where, std::string message, std::string hint = {});
   void warn(const Vocabulary::Setting& setting, std::string message, std::string hint = {});

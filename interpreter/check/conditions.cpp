@@ -115,8 +115,10 @@ std::optional<int> constant_order(const Node& relation) {
   const Node& right = *relation.args[1];
   const auto x = value_of(left);
   const auto y = value_of(right);
+  // A comparison with NaN is decided by the engine's own rules: nothing is said of it.
   if (x && y && !std::isnan(*x) && !std::isnan(*y)) return *x < *y ? -1 : static_cast<int>(*x > *y);
   if (print(left) == print(right) && !varies(left)) return 0;
+  // Different constants are unequal, but which is less depends on the order of all terms: not said.
   const bool ordered = relation.op < Operator::equal;
   if (!ordered && is_constant(left) && is_constant(right) && left.kind == right.kind &&
       left.annots == nullptr && right.annots == nullptr && left.ns == nullptr &&

@@ -71,17 +71,17 @@ void unknown_actions(Checking& checking) {
 void unknown_internal_actions(Checking& checking) {
   const auto& known = checking.vocabulary().internal_actions;
   if (known.empty()) return;
-  std::set<std::string_view> told;  // a package that is missing is mostly called more than once
+  std::set<std::string_view> reported;  // a package that is missing is mostly called more than once
   for (CheckedFile& file : checking.files()) {
     for (const Node* action : file.uses.internal_actions) {
       if (!checking.index().functions.arities(action->text).empty()) continue;
       if (entry_of(known, short_name(action->text)) != nullptr) continue;
-      if (told.contains(action->text)) continue;
+      if (reported.contains(action->text)) continue;
       const std::size_t before = file.found.warning_count();
       checking.warn(file, action->span,
                     fmt::format("there is no internal action '{}'", action->text),
                     did_you_mean(action->text, names_of(known)));
-      if (file.found.warning_count() > before) told.insert(action->text);
+      if (file.found.warning_count() > before) reported.insert(action->text);
     }
   }
 }

@@ -44,9 +44,9 @@ class Occurrences {
   void tell(Checking& checking, CheckedFile& file) const {
     for (const auto& [name, node] : first_) {
       // One warning for a variable is enough.
-      const bool told = file.told.contains({node->span.begin, "unbound-variable"}) ||
-                        file.told.contains({node->span.begin, "variable-goal"});
-      if (told || repeated_.contains(name)) continue;
+      const bool reported = file.reported.contains({node->span.begin, "unbound-variable"}) ||
+                            file.reported.contains({node->span.begin, "variable-goal"});
+      if (reported || repeated_.contains(name)) continue;
       std::string hint = checking.is_full(file) ? "" : did_you_mean(name, others(name));
       if (hint.empty()) hint = fmt::format("write '_{}' if that is meant", name);
       checking.warn(file, node->span, fmt::format("the variable '{}' occurs only here", name),

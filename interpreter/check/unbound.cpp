@@ -31,12 +31,14 @@ class Flow {
   Flow(Checking& checking, CheckedFile& file) : checking_(checking), file_(file) {}
 
   void plan(const ast::Plan& plan) {
+    // What the trigger has may be bound by the event; whether it is, nobody knows here.
     if (plan.label != nullptr) bound_.add_all_in(*plan.label);
     bound_.add_all_in(*plan.trigger.literal);
     if (plan.context != nullptr) query(*plan.context);
     const auto entered = bound_.mark();
     if (plan.goal_condition != nullptr) {
       query(*plan.goal_condition);
+      // The condition is looked at before each step of the goal: what it binds does not stay.
       bound_.undo(entered);
     }
     formulas(plan.body);
@@ -87,6 +89,8 @@ class Flow {
   void disjunction(const Node& node) {
     const auto before = bound_.mark();
     query(*node.args[0]);
+    // Either side may be the one that holds: the right one begins as the left one did, and what
+    // either binds counts.
     const auto left = bound_.undo(before);
     query(*node.args[1]);
     bound_.add(left);
@@ -122,6 +126,7 @@ class Flow {
     // `=` within .eval and .count is said to leak; that is not reported.
     bound_.lose(before, kCollector);
     for (const Node* argument : node.args) {
+      // With two arguments (`.count(Query, N)`) the other one is the result, with three the last.
       const bool result = argument != &asked && (node.args.size() < 3 || argument != node.args[0]);
       if (result) bound_.add_all_in(*argument);
     }
@@ -156,6 +161,7 @@ class Flow {
       case BodyOperator::none:
         if (node.kind == Kind::body) {
           formulas(node.formulas);
+          // A body in a variable is run here, and may bind anything.
         } else if (node.kind == Kind::variable) {
           bound_.add_everything();
         } else {
@@ -197,6 +203,7 @@ class Flow {
     const auto before = bound_.mark();
     query(*literal.args[0]);
     if (literal.args.size() > 1) block(*literal.args[1]);
+    // The branches exclude each other, but either may have been taken.
     const auto when_true = bound_.undo(before);
     if (literal.args.size() > 2) block(*literal.args[2]);
     bound_.add(when_true);
@@ -283,6 +290,7 @@ class Flow {
 
 void unbound_variables(Checking& checking) {
   for (CheckedFile& file : checking.files()) {
+    // A sub-plan stands behind the plan that it is in, and is looked at within that.
     std::set<const ast::Plan*> inner;
     for (const ast::Plan* plan : file.uses.plans) {
       inner.insert(plan->subplans.begin(), plan->subplans.end());

@@ -37,7 +37,7 @@ bool is_test(const ast::Plan& plan) {
   return false;
 }
 
-// Beyond so many goals, none is looked for that almost bears a plan's name.
+// Beyond so many goals, none is looked for that has almost a plan's name.
 constexpr std::size_t kMostGoals = 500;
 
 /// The goals that are posted, those with plans and those without.

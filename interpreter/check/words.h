@@ -1,6 +1,6 @@
 #pragma once
 
-// Words of a vocabulary and how messages speak of numbers of arguments.
+// Words of a vocabulary and how messages name numbers of arguments.
 
 #include <set>
 #include <span>

@@ -59,6 +59,7 @@ void add_counts(CoveredPlan& sum, const CoveredPlan& more) {
 
 void count_outcomes(const std::vector<CoveredCondition>& conditions, Share& outcomes) {
   for (const CoveredCondition& condition : conditions) {
+    // Each condition has two outcomes: that it holds, and that it does not.
     outcomes.of += 2;
     outcomes.covered += (condition.counts.held > 0 ? 1U : 0U) + (condition.failed() > 0 ? 1U : 0U);
   }
@@ -95,6 +96,7 @@ void SourceCoverage::add(const SourceCoverage& other) {
     CoveredFile& own = files[name];
     if (own.source == nullptr) own.source = file.source;
     for (const auto& [place, plan] : file.plans) {
+      // By place: a file that several agents load, or that is included twice, is one file here.
       const auto [found, is_new] = own.plans.try_emplace(place, plan);
       if (!is_new) add_counts(found->second, plan);
     }
@@ -135,6 +137,7 @@ SourceCoverage locate(const Probes& probes, const CoverageCounts& counts, const 
 
 SourceCoverage locate_in_files(const Probes& probes, const CoverageCounts& counts,
                                const SourceFiles& files) {
+  // Only their names are kept in programs; the texts are read again to find what stands where.
   std::set<std::string> names;
   for (const ProbedPlan& plan : probes.plans()) names.insert(plan.plan->file);
   for (const ProbedRule& rule : probes.rules()) {

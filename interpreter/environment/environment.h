@@ -22,7 +22,7 @@ struct ActionRequest {
   std::span<const Value> args;
 };
 
-/// What came of it. A failed action fails the plan that asked for it (`error(action_failed)`);
+/// Its outcome. A failed action fails the plan that asked for it (`error(action_failed)`);
 /// `reason` becomes the text of the failure's `error_msg`.
 struct ActionResult {
   bool succeeded = true;

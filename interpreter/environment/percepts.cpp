@@ -60,14 +60,14 @@ void Percepts::drop_rest() {
 
 void Percepts::keep_common_end() {
   while (news_.size() > news_before_ && gone_.size() > gone_before_) {
-    const std::size_t told = news_.back();
+    const std::size_t newest = news_.back();
     const std::size_t last = gone_.size() - 1;
-    const bool is_common = predicate(told) == gone_predicate(last) &&
-                           std::ranges::equal(args(told), gone_args(last),
+    const bool is_common = predicate(newest) == gone_predicate(last) &&
+                           std::ranges::equal(args(newest), gone_args(last),
                                               [](Value a, Value b) { return a.same_as(b); });
     if (!is_common) return;
     news_.pop_back();
-    gone_args_.resize(gone_args_.size() - args(told).size());
+    gone_args_.resize(gone_args_.size() - args(newest).size());
     gone_.pop_back();
   }
 }

@@ -254,11 +254,11 @@ void ExplainingObserver::formula_failed(Agent& agent, const Intention& intention
                                             agent.symbols()))
                     .empty();
       });
-  Deliberation told{.agent = agent.name(), .tick = tick_};
-  told.failure = std::move(failed);
+  Deliberation added{.agent = agent.name(), .tick = tick_};
+  added.failure = std::move(failed);
   // What is being deliberated stays the last.
   const auto place = deliberations_.end() - (recording_ ? 1 : 0);
-  deliberations_.insert(place, std::move(told));
+  deliberations_.insert(place, std::move(added));
 }
 
 // Those that were not tried, too, in the order of the program.

@@ -24,8 +24,10 @@ std::string shown_facts(const Relation& relation, const SymbolTable& symbols) {
   std::string text;
   std::size_t shown = 0;
   std::size_t count = 0;
+  // The newest first, as the agent itself would find them.
   for (std::int64_t seq = relation.end_seq() - 1; seq >= relation.first_seq(); --seq) {
     const Row& row = relation.row(seq);
+    // A rule, or a fact that was removed.
     if (row.fact.is_unset()) continue;
     ++count;
     if (shown == kShownFacts) continue;
@@ -51,6 +53,8 @@ std::string missing_belief_hint(const Agent& agent, Predicate asked) {
     if (!has_rows(*other)) continue;
     const Signature& signature = symbols.signature(other->predicate());
     if (signature.functor == wanted.functor && signature.ns == wanted.ns) {
+      // From near to far: another number of arguments or negation, another namespace, a similar
+      // name.
       const bool negation = signature.negated != wanted.negated;
       return fmt::format("nothing is believed about {}, but about {}{}", name,
                          indicator(signature, symbols),
@@ -76,6 +80,7 @@ std::string missing_plan_hint(const Agent& agent, const Event& event) {
   const std::string op = trigger_operator(event.op, event.kind);
   std::vector<std::string> others;
   for (const auto& plan : agent.library().plans()) {
+    // Plans that every agent has, or that fit any event, are no near miss.
     if (plan->is_standard || plan->any_predicate) continue;
     const Signature& signature = symbols.signature(plan->key.predicate);
     const bool same_event = plan->key.op == event.op && plan->key.kind == event.kind;

@@ -92,6 +92,7 @@ double number_in(std::string_view text) {
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code == std::errc::result_out_of_range) {
+    // from_chars leaves the value alone where strtod rounds to infinity or zero.
     return std::strtod(std::string(text).c_str(), nullptr);  // infinity or (almost) nothing
   }
   assert(code == std::errc() && end == text.data() + text.size() && "the lexer's numbers are ours");
@@ -121,6 +122,7 @@ Node* Builder::make_node(Kind kind, Span span) {
 Span Builder::span_from(const Token* begin) const { return {begin->span.begin, token_->span.end}; }
 
 void Builder::begin_frame(const Token* begin) {
+  // The stacks are shared by all that is under way: a frame notes how much of each lies below it.
   frames_.push_back({.begin = begin,
                      .values = values_.size(),
                      .formulas = formulas_.size(),
@@ -142,6 +144,7 @@ Builder::Value Builder::pop_value() {
 }
 
 std::span<const Node* const> Builder::pop_values(std::size_t mark, int& depth) {
+  // Collected first and copied at once, as the arena never frees.
   std::vector<const Node*>& nodes = scratch_;
   nodes.clear();
   for (std::size_t i = mark; i < values_.size(); ++i) {
@@ -167,6 +170,7 @@ void Builder::push_formula(ast::Formula formula, int depth) {
 }
 
 void Builder::error(Span span, std::string message, std::string hint) {
+  // Not reported yet: if the parser fails before this place it goes back, and reads it again.
   mistakes_.push_back({span, std::move(message), std::move(hint), token_->span.begin});
 }
 
@@ -198,6 +202,7 @@ void Builder::tilde() {
 }
 
 void Builder::begin_named(Kind kind) {
+  // The namespace and `~` before a name belong to its span.
   const Token* const begin = prefix_begin_ != nullptr ? prefix_begin_ : token_;
   begin_frame(begin);
   Node* const node = make_node(kind, span_from(begin));
@@ -313,6 +318,7 @@ void Builder::infix_operator() {
   const Precedence precedence = precedence_of(op);
   while (pending_.size() > frames_.back().pending) {
     const Precedence waiting = precedence_of(pending_.back().op);
+    // An operator that binds less than the next one waits; of equals a right-associative one does.
     if (waiting < precedence || (waiting == precedence && is_right_associative(precedence))) break;
     if (waiting == Precedence::relation && precedence == Precedence::relation) {
       error(token_->span, "comparisons cannot be chained",
@@ -327,9 +333,11 @@ void Builder::infix_operator() {
 void Builder::reduce() {
   const Pending pending = pending_.back();
   pending_.pop_back();
+  // Operands lie on the stack in the order of writing: the right one on top.
   const Value right = pop_value();
   const bool unary = is_unary(pending.op);
   const Value left = unary ? right : pop_value();
+  // Arithmetic wants numbers, `not`, `&` and `|` want formulas; relations take any terms.
   if (precedence_of(pending.op) >= Precedence::sum) {
     if (!unary) check_number(*left.node, pending.span);
     check_number(*right.node, pending.span);
@@ -366,6 +374,7 @@ bool Builder::end_expression() {
   if (values_.back().depth <= kMaxNesting) return true;
   failure_ = {values_.back().node->span, fmt::format("nested deeper than {} levels", kMaxNesting),
               "split it into several rules or plans"};
+  // The caret alone: the whole would be hundreds of brackets long.
   failure_->span.end = failure_->span.begin;
   return false;
 }

@@ -72,6 +72,7 @@ void Builder::check_usable_in_context(const Node& formula) {
             "call it in the body");
     }
   }
+  // Only what holds or not is looked into: the arguments of relations and arithmetic are terms.
   if (precedence_of(formula.op) > Precedence::negation || formula.op == Operator::none) return;
   for (const Node* operand : formula.args) check_usable_in_context(*operand);
 }
@@ -110,6 +111,7 @@ void Builder::end_plan() {
   const PlanFrame frame = plans_.back();
   plans_.pop_back();
   frame.plan->span = span_from(frame.begin);
+  // The sub-plans of this plan are those above its mark; outer ones stay.
   frame.plan->subplans = copy<const ast::Plan*>(std::span(subplans_).subspan(frame.subplans));
   subplans_.resize(frame.subplans);
   finished_plan_ = frame.plan;
@@ -186,11 +188,13 @@ void Builder::stray_end() { error(next_->span, "'{ end }' without a '{ begin ...
 
 void Builder::end_component() {
   checkpoints_.pop_back();
+  // The component is whole: nothing of it will be read again.
   report_mistakes(std::numeric_limits<std::uint32_t>::max());
 }
 
 void Builder::report_mistakes(std::uint32_t before) {
   for (Failure& mistake : mistakes_) {
+    // What was noticed behind the place is noticed again when it is read again.
     if (mistake.noticed >= before) continue;
     diagnostics_.error({source_, mistake.span}, std::move(mistake.message),
                        std::move(mistake.hint));
@@ -212,6 +216,7 @@ void Builder::recover(const Token* next) {
   failure_.reset();
   finished_plan_ = nullptr;
   if (checkpoints_.empty()) return;
+  // All stacks as they were when the component began: what it has pushed is given up.
   const Checkpoint checkpoint = checkpoints_.back();
   checkpoints_.pop_back();
   nesting_ = checkpoint.nesting;

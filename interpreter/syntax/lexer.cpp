@@ -89,6 +89,7 @@ class Lexer {
  public:
   Lexer(const SourcePtr& source, Diagnostics& diagnostics)
       : source_(source), text_(source->text()), diagnostics_(diagnostics) {
+    // A token of a usual program takes about three characters.
     tokens_.reserve(text_.size() / 3 + 1);
   }
 
@@ -122,6 +123,7 @@ class Lexer {
         continue;
       }
       if (c != '/') return;
+      // The loop steps over the last character of a comment itself.
       if (peek(1) == '/') {
         at_ = std::min(text_.find_first_of("\n\r", at_), text_.size() - 1);
       } else if (peek(1) == '*') {
@@ -141,6 +143,7 @@ class Lexer {
   [[nodiscard]] bool is_foreign_comment() const {
     if (text_[at_] != '#' && text_[at_] != '%') return false;
     if (at_ > 0 && is_name_character(text_[at_ - 1])) return false;
+    // `%` may be a remainder, if an operand stands before it on the line; `#` never means anything.
     if (text_[at_] == '#') return true;
     if (tokens_.empty() || !may_end_operand(tokens_.back().kind)) return true;
     const std::size_t last = tokens_.back().span.end;
@@ -212,6 +215,7 @@ class Lexer {
     const std::size_t begin = at_;
     skip_atom();
     const std::string_view word = text_.substr(begin, at_ - begin);
+    // Most atoms are longer than any reserved word, and need not be compared.
     if (word.size() > kLongestWord) return atom;
     for (const Spelling& spelling : kWords) {
       if (spelling.text == word) return spelling.kind;
@@ -279,6 +283,7 @@ class Lexer {
   }
 
   void check_escape() {
+    // Jason reads more escapes than it translates (builder.cpp); others are mistakes.
     const char escaped = peek(1);
     constexpr std::string_view kKnown = "ntbrf\\'\"01234567";
     if (escaped == '\0' || kKnown.find(escaped) != std::string_view::npos) return;
@@ -387,6 +392,7 @@ class Lexer {
         close_bracket();
         break;
       case stop:
+        // A clause ends here, whatever brackets were left open: the next one begins without.
         open_.clear();
         break;
       case semicolon:
@@ -416,6 +422,7 @@ class Lexer {
     const Bracket bracket = open_.back();
     open_.pop_back();
     if (!bracket.is_body || tokens_[bracket.token].kind != open) return;
+    // The parenthesis around one with a body holds a body, too.
     tokens_[bracket.token].kind = body_open;
     if (!open_.empty()) open_.back().is_body = true;
   }

@@ -90,11 +90,13 @@ struct Finding {
 // A misspelt operator that covers the place where the parser stopped.
 std::optional<Finding> misspelling_at(std::string_view text, std::uint32_t offset) {
   for (const auto& [written, hint] : kMisspellings) {
+    // The parser may have stopped at any of the operator's characters.
     for (std::uint32_t back = 0; back < written.size() && back <= offset; ++back) {
       const std::uint32_t begin = offset - back;
       if (!text.substr(begin).starts_with(written)) continue;
       const auto end = begin + static_cast<std::uint32_t>(written.size());
       const bool is_name = is_name_character(written.front());
+      // A word must be whole: `is` within `island` is none.
       if (is_name && (back > 0 || (end < text.size() && is_name_character(text[end])))) continue;
       return Finding{{begin, end}, hint};
     }
@@ -111,6 +113,7 @@ class Reporter {
         place_(place_of(error.clause, error.found)) {}
 
   const Token* run() {
+    // The lexer has reported it.
     if (error_.found->kind == bad) return next_clause(error_.tokens, error_.clause, error_.found);
     if (const Token* next = clause_that_follows()) {
       const Span last = next[-1].span;
@@ -145,6 +148,7 @@ class Reporter {
   // one of the first tokens of that line, `+ !g`, `@ label`, or a name after a complete formula.
   [[nodiscard]] const Token* clause_that_follows() const {
     const Token* first = error_.found;
+    // Back to the first token of the line, at most three tokens.
     for (int i = 0; i < 3 && first > error_.clause && !begins_line(first); ++i) --first;
     if (first <= error_.clause || !begins_line(first)) return nullptr;
     if (!place_of(error_.clause, first).brackets.empty()) return nullptr;
@@ -229,6 +233,7 @@ class Reporter {
       span = misspelt->span;
       what = fmt::format("'{}'", error_.source->text(span));
       hint = misspelt->hint.empty() ? hint_for_assignment(span.begin) : misspelt->hint;
+      // It begins in a token that the grammar accepted: what was expected there says nothing.
       if (span.begin < error_.found->span.begin) {
         add(span, fmt::format("unexpected {}", what), std::move(hint));
         return;

@@ -59,7 +59,7 @@ struct Terminal : x3::parser<Terminal> {
 
 constexpr std::uint64_t kAny = ~std::uint64_t{0};
 
-// Looks at one token, or two, and matches nothing.
+// Looks at one token, or two, without consuming it.
 struct Ahead : x3::parser<Ahead> {
   using attribute_type = x3::unused_type;
   static constexpr bool has_attribute = false;

@@ -54,6 +54,7 @@ class Equality {
     if (a.is_number() && b.is_number()) return a.as_number() == b.as_number();
     if (a.is_text() && b.is_text()) return a.text()->view() == b.text()->view();
     if ((a.is_structure() || a.is_atom()) && (b.is_structure() || b.is_atom())) {
+      // An atom is a literal without arguments: `a` equals `a[]`.
       return equal_literals(view_of(a), view_of(b));
     }
     return a.is_object() && b.is_object() &&
@@ -265,6 +266,7 @@ class Hash {
       value = value.pair()->tail;
     }
     const std::uint64_t last = single(value);
+    // 0 stands for a term without a hash (it has a variable, say); of others the lowest bit is set.
     return last == 0 ? 0 : mix(result, last) | 1U;
   }
 
@@ -272,6 +274,7 @@ class Hash {
   std::uint64_t single(Value value) {
     switch (value.kind()) {
       case Value::Kind::number:
+        // -0 equals 0, and so has its hash.
         return mix(1, std::bit_cast<std::uint64_t>(value.as_number() + 0.0));
       case Value::Kind::atom:
         return mix(2, static_cast<std::uint64_t>(value.atom_id())) | 1U;
@@ -288,6 +291,7 @@ class Hash {
     }
     const Structure& s = *value.structure();
     if (s.form() == Form::decorated) return 0;
+    // Annotations are left out: terms that differ in them alone may be equal (Annotations::ignore).
     std::uint64_t result = mix(2, static_cast<std::uint64_t>(s.predicate()));
     for (std::size_t i = 0; i < s.arity; ++i) {
       const std::uint64_t part = hash(s.arg(i));
@@ -306,6 +310,7 @@ bool ground(Value value, TermWalk& walk) {
   for (;;) {
     value = deref(value);
     if (!value.is_pair()) break;
+    // A closed pair has no variables below it: the flag saves the walk.
     if (value.is_closed()) return true;
     list.visit(value);
     if (!ground(value.pair()->head, walk)) return false;
@@ -344,6 +349,7 @@ Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
     elements.push_back(deref(list.pair()->head));
   }
   if (elements.size() < 2) return heap.list(elements, list);
+  // Of equal elements the first one stays.
   std::stable_sort(elements.begin(), elements.end(),
                    [&](Value a, Value b) { return compare_terms(a, b, symbols) < 0; });
   const auto last = std::unique(elements.begin(), elements.end(), [&](Value a, Value b) {

@@ -59,9 +59,12 @@ void Heap::grow(std::size_t words) {
   const std::size_t most = most_bytes();
   const std::size_t room = (most - std::min(most, full_bytes_)) / sizeof(std::uint64_t);
   if (words > room) {
+    // Nothing has been added: the count is as before.
     full_bytes_ -= used_in_current();
     give_up();
   }
+  // Chunks double, up to a bound and to what the limit leaves, but never hold less than is asked
+  // for.
   const std::size_t size = std::max(words, std::min({last * 2, kLargestChunkWords, room}));
   chunks_.push_back({std::make_unique_for_overwrite<std::uint64_t[]>(size), size});
   start_ = top_ = chunks_.back().words.get();
@@ -70,6 +73,7 @@ void Heap::grow(std::size_t words) {
 
 // What is left to terms.
 std::size_t Heap::most_bytes() const {
+  // Half of it: a collection copies what is alive, and needs as much room again for a moment.
   return (limit_bytes_ - std::min(limit_bytes_, beside_)) / 2;
 }
 
@@ -174,6 +178,8 @@ Value Heap::structure(Predicate predicate, std::span<const Value> args, Value an
   made->arity = static_cast<std::uint16_t>(args.size());
   made->info = static_cast<std::uint16_t>(static_cast<unsigned>(form) |
                                           (annotated ? Structure::kAnnotated : 0U));
+  // Expressions and functions are still to be computed, decorated literals to be resolved: never
+  // closed.
   bool closed = form != Form::expression && form != Form::function && form != Form::decorated;
   Value* const cells = made->cells();
   if (annotated) {
@@ -205,6 +211,7 @@ Value Heap::text(std::string_view bytes) {
 
 Value Heap::object(std::unique_ptr<Object> object) {
   const std::size_t bytes = object->bytes();
+  // Before anything is made, so that a heap at its limit is left as it was.
   require_bytes(bytes);
   std::uint64_t* const cell = allocate(2);
   note_beside(bytes);
@@ -221,6 +228,7 @@ std::vector<Heap::Chunk> Heap::start_collection() {
   chunks_.clear();
   start_ = top_ = end_ = nullptr;
   full_bytes_ = 0;
+  // Marks refer to chunks that are given up now.
   floor_ = {};
   for (const auto& object : objects_) object->reached = false;
   return old;
@@ -291,6 +299,7 @@ void Heap::Relocator::move(Value& value) {
       break;
   }
   std::uint64_t* const moved = heap_.allocate(words);
+  // First copied, then marked: the first word of the old cell becomes the new address.
   std::memcpy(moved, cell, words * sizeof(std::uint64_t));
   cell[0] = kMoved | reinterpret_cast<std::uintptr_t>(moved);
   value = Value::reference(kind, moved, value.flags());

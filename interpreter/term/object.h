@@ -37,7 +37,7 @@ class Object {
 
   /// Set by the collector.
   bool reached = false;
-  /// Tells objects of a heap apart, in the order of their making.
+  /// Distinguishes the objects of a heap, numbered in the order of their making.
   std::uint64_t serial = 0;
 };
 

@@ -24,6 +24,7 @@ void append_java_double(std::string& out, double value) {
     end = std::to_chars(buffer.data(), limit, value, std::chars_format::scientific, 1);
   }
   const std::string_view text(buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data()));
+  // C++ writes d.ddde+dd; Java wants plain digits from 1e-3 to below 1e7, else d.dddEd.
   const std::size_t exponent_at = text.find('e');
   int exponent = 0;
   const std::string_view exponent_text = text.substr(exponent_at + 1);
@@ -88,6 +89,7 @@ class Printer {
       case Value::Kind::structure:
         break;
     }
+    // Bounds the depth, and with it the stack.
     const TermWalk::Level level(walk_);
     check_length();
     if (value.is_object()) {
@@ -105,9 +107,9 @@ class Printer {
     if (out_.size() > kMaxTextBytes) throw HeapExhausted{};
   }
 
-  // What has no name gets a number, in the order of the text: that of its making would tell how the
-  // engine came to it, which differs with and without observers. Not in line: the stack it takes
-  // would be taken on every level of a term.
+  // What has no name gets a number, in the order of the text: the number of its making would show
+  // how the engine came to it, which differs with and without observers. Not in line: the stack it
+  // takes would be taken on every level of a term.
   [[gnu::noinline]] void variable(const Variable& variable) {
     if (variable.name() != names::unnamed) {
       out_ += symbols_.text(variable.name());
@@ -124,6 +126,7 @@ class Printer {
       return;
     }
     for (const char c : content) {
+      // Only these two: a backslash stays as it is, since reading leaves it, too (builder.cpp).
       if (c == '"') out_ += '\\';
       c == '\n' ? out_ += "\\n" : out_ += c;
     }
@@ -154,6 +157,7 @@ class Printer {
     bool first = true;
     ListWalk walk;
     for (value = deref(value); value.is_pair(); value = deref(value.pair()->tail)) {
+      // A list that contains itself would never end (walk.h).
       walk.visit(value);
       walk_.visit();
       check_length();

@@ -70,8 +70,8 @@ struct UnitTestReport {
 };
 using UnitTestVerdict = UnitTestReport::Verdict;
 
-/// May be called from several threads at once. `cancelled` is asked now and then: true ends the
-/// test.
+/// May be called from several threads at once. `cancelled` is called from time to time: true ends
+/// the test.
 [[nodiscard]] UnitTestReport run_unit_test(const UnitTest& test, const IncludePath& include_path,
                                            const UnitTestLimits& limits,
                                            std::function<bool()> cancelled = {});

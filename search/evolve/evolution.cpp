@@ -18,6 +18,7 @@ constexpr int kTries = 100;
 void change_some(Genes& genes, Random& random) {
   const std::size_t most =
       genes.size() > 2 * kLeastChanged ? genes.size() - kLeastChanged : (genes.size() + 1) / 2;
+  // Of a short road at most half is changed, so that it keeps something of its parent.
   const std::size_t least = std::min(kLeastChanged, most);
   std::vector<std::size_t> places(genes.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
@@ -54,6 +55,7 @@ TestInput Genome::express(const Genes& genes) const {
 }
 
 Genes mutated_curvatures(Genes genes, const Genome& genome, Random& random) {
+  // Reversal and rotation only make sense where the genes are a sequence.
   switch (random.below(genome.is_road() ? 5 : 3)) {
     case 0: {
       const double factor = random.uniform(kLeastScale, kMostScale);
@@ -85,6 +87,7 @@ void cross_by_sbx(Genes& a, Genes& b, double index, double bound, Random& random
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (random.coin()) continue;
     const double u = random.uniform(0, 1);
+    // Simulated binary crossover (Deb and Agrawal 1995): children lie around their parents' middle.
     const double beta = std::pow(u <= 0.5 ? 2 * u : 1 / (2 * (1 - u)), 1 / (index + 1));
     const double middle = (a[i] + b[i]) / 2;
     const double half = beta * (a[i] - b[i]) / 2;
@@ -98,6 +101,7 @@ void mutate_polynomially(Genes& genes, double probability, double index, double 
   for (double& gene : genes) {
     if (random.uniform(0, 1) >= probability) continue;
     const double u = random.uniform(0, 1);
+    // Deb's polynomial mutation, as a share of the range from -bound to bound.
     const double delta =
         u < 0.5 ? std::pow(2 * u, 1 / (index + 1)) - 1 : 1 - std::pow(2 * (1 - u), 1 / (index + 1));
     gene = std::clamp(gene + 2 * bound * delta, -bound, bound);
@@ -122,6 +126,7 @@ std::vector<Genes> Evolution::fittest() {
 }
 
 void Evolution::survive() {
+  // Parents compete with their children; of equals the older stays, as the sort is stable.
   parents_.insert(parents_.end(), std::make_move_iterator(brood_.begin()),
                   std::make_move_iterator(brood_.end()));
   std::ranges::stable_sort(parents_, std::greater<>{}, &Individual::fitness);
@@ -148,6 +153,7 @@ void Evolution::breed() {
     for (Genes* child : {&a, &b}) {
       operators_.mutate(*child);
       if (brood_.size() == settings_.children) break;
+      // Where next to all children are known, one that is must do, or this would not end.
       if (in_vain < kTries && is_known(*child)) {
         ++in_vain;
       } else {

@@ -27,6 +27,7 @@ void measure_crowding(std::span<const Worth> worths, std::vector<std::size_t> fr
 }  // namespace
 
 bool dominates(const Worth& a, const Worth& b) {
+  // Constrained domination: what lacks less is better, whatever it achieves.
   if (a.lacks != b.lacks) return a.lacks < b.lacks;
   const auto& [a0, a1] = a.objectives;
   const auto& [b0, b1] = b.objectives;
@@ -57,6 +58,7 @@ std::vector<Standing> rank(std::span<const Worth> worths) {
     for (const std::size_t i : front) {
       standings[i].front = number;
       for (const std::size_t j : dominated[i]) {
+        // Dominated by nothing but what is in this front and those before.
         if (--dominated_by[j] == 0) next.push_back(j);
       }
     }

@@ -92,6 +92,7 @@ class CmaEs : public Generator {
   }
 
   void tell(const ExecutedTest& test, double) override {
+    // A test that was not sampled from the distribution says nothing about it.
     if (asked_.size() == 0) return;
     samples_.push_back({asked_, test.fitness});
     if (samples_.size() == lambda_) update();
@@ -136,21 +137,25 @@ class CmaEs : public Generator {
     }
     mean_ += step_ * shift;
     ++generations_;
+    // C^(-1/2) times the shift: steps are measured as if the distribution were round.
     const VectorXd whitened = axes_ * (axes_.transpose() * shift).cwiseQuotient(lengths_);
     step_path_ = (1 - c.c_sigma) * step_path_ +
                  std::sqrt(c.c_sigma * (2 - c.c_sigma) * c.effective) * whitened;
     adapt_covariance(shift);
     step_ *= std::exp(c.c_sigma / c.d_sigma * (step_path_.norm() / c.expected_norm - 1));
     samples_.clear();
+    // Written so that a NaN begins anew, too.
     if (!(step_ * lengths_.maxCoeff() > kLeastStep) || stagnating_ >= kStagnation) restart();
   }
 
   void adapt_covariance(const VectorXd& shift) {
     const Constants& c = constants_;
+    // h_sigma of the tutorial: while the step grows quickly the rank-one path waits.
     const double settled = std::sqrt(1 - std::pow(1 - c.c_sigma, 2.0 * generations_));
     const bool moves = step_path_.norm() / settled < (1.4 + 2 / (n_ + 1)) * c.expected_norm;
     path_ *= 1 - c.c_c;
     if (moves) path_ += std::sqrt(c.c_c * (2 - c.c_c) * c.effective) * shift;
+    // What the path lost by waiting is made up for by keeping more of the covariance.
     const double lost = moves ? 0 : c.c_1 * c.c_c * (2 - c.c_c);
     covariance_ *= 1 - c.c_1 - c.c_mu + lost;
     covariance_ += c.c_1 * path_ * path_.transpose();
@@ -160,6 +165,7 @@ class CmaEs : public Generator {
     }
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance_);
     axes_ = solver.eigenvectors();
+    // Rounding may leave an eigenvalue at or below 0.
     lengths_ = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   }
 

@@ -32,7 +32,7 @@ constexpr double kDifference = 0.05 / kScale;
 constexpr std::size_t kLeastParent = 11;
 constexpr int kMostChanges = 5;
 constexpr std::size_t kFewCandidates = 4;
-/// Candidates that are drawn in vain before a valid random one is taken.
+/// Invalid candidates that are drawn before a valid random one is taken.
 constexpr int kPatience = 1000;
 
 enum class Kin { unvisited, visited };

@@ -76,6 +76,7 @@ class RoadSet {
       : space_(space), genome_(genome), random_(random) {
     const auto size = static_cast<std::size_t>(values[kRoads]);
     for (int run = 0; run < static_cast<int>(values[kRuns]); ++run) {
+      // Each run has a population of its own: one alone would converge to roads that are alike.
       add_run(size, size * static_cast<std::size_t>(values[kGenerations] + 1));
     }
     scale();
@@ -137,6 +138,7 @@ class RoadSet {
     }
     least_ = all.rowwise().minCoeff();
     most_ = all.rowwise().maxCoeff();
+    // A curvature that is the same in all roads has no range.
     const learn::Vector range = (most_ - least_).cwiseMax(1e-6F);
     scaled_ = 2 * ((all.colwise() - least_).array().colwise() / range.array()) - 1;
   }
@@ -195,6 +197,7 @@ class Rilast : public Generator {
         for (std::size_t i = 0; i < count; ++i) {
           some.col(static_cast<Eigen::Index>(i)) = all.col(order[from + i]);
         }
+        // What it returns is the loss, of which nothing depends.
         (void)coder_->train(some, random_);
       }
     }
@@ -214,6 +217,8 @@ class Rilast : public Generator {
                 [this] {
                   if (!genome_.is_road()) return genome_.draw(random_);
                   Genes genes(genome_.size());
+                  // As the autoencoder's prior: such points decode to roads like those it learned
+                  // from.
                   for (double& each : genes) each = standard_normal(random_);
                   return genes;
                 },

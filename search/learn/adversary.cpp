@@ -31,6 +31,8 @@ Matrix TestMaker::normalise(const Matrix& output, Pass pass) {
     variance = (output.colwise() - mean).array().square().rowwise().mean();
     running_mean_ = (1 - kMomentum) * running_mean_ + kMomentum * mean;
     running_variance_ =
+        // The running variance is the unbiased one, as in PyTorch; the batch is scaled by the
+        // biased one.
         (1 - kMomentum) * running_variance_ + kMomentum * variance * (count / (count - 1));
   }
   inverse_deviation_ = (variance.array() + kVarianceEpsilon).rsqrt();
@@ -47,10 +49,12 @@ Matrix TestMaker::forward(const Matrix& noise, Pass pass) {
 
 void TestMaker::backward(const Matrix& d) {
   network_.clear_gradients();
+  // Backwards through tanh, whose derivative is 1 - tanh².
   Matrix gradient = d.array() * (1 - output_.array().square());
   if (normalisation_ == Normalisation::batch) {
     shift_gradient_ = gradient.rowwise().sum();
     scale_gradient_ = gradient.cwiseProduct(normalised_).rowwise().sum();
+    // Mean and deviation depend on every column: their parts are taken off the gradient.
     const Matrix scaled = gradient.array().colwise() * scale_.array();
     const Vector mean = scaled.rowwise().mean();
     const Vector slope = scaled.cwiseProduct(normalised_).rowwise().mean();
@@ -85,12 +89,15 @@ float WassersteinPair::train_critic(const Matrix& real, Random& random) {
   Matrix between(real.rows(), count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto share = static_cast<float>(random.uniform(0, 1));
+    // Places between real and made tests, at which the critic's slope is held to 1 (Gulrajani et
+    // al., WGAN-GP).
     between.col(i) = share * real.col(i) + (1 - share) * made.col(i);
   }
   Matrix both(real.rows(), 2 * count);
   both << made, real;
   const float weight = 1 / static_cast<float>(count);
   Matrix d(1, 2 * count);
+  // The critic's loss is its mean score of made tests less that of real ones.
   d << Matrix::Constant(1, count, weight), Matrix::Constant(1, count, -weight);
   critic_.clear_gradients();
   const Matrix scores = critic_.forward(both);
@@ -105,6 +112,7 @@ float WassersteinPair::train_maker(Eigen::Index batch, Random& random) {
   const Matrix made = maker_.forward(noise(settings_.noise, batch, random), Pass::training);
   const Matrix scores = critic_.forward(made);
   const Matrix d = Matrix::Constant(1, batch, -1 / static_cast<float>(batch));
+  // Through the critic to the test maker, without changing the critic.
   maker_.backward(critic_.backward(d, Network::Gradients::none));
   maker_optimiser_.step();
   return -scores.mean();
@@ -116,6 +124,7 @@ Matrix WassersteinPair::make(Eigen::Index count, Random& random) {
 
 namespace {
 
+// Away from 0 and 1, where the logit is infinite.
 Eigen::ArrayXXf squeezed(const Matrix& p) { return 0.98F * p.array() + 0.01F; }
 Eigen::ArrayXXf logit(const Eigen::ArrayXXf& p) { return (p / (1 - p)).log(); }
 
@@ -130,6 +139,7 @@ LogitLoss logit_loss(const Matrix& predicted, const Matrix& wanted) {
   const Eigen::ArrayXXf error = logit(q) - logit(squeezed(wanted));
   const auto count = static_cast<float>(predicted.cols());
   return {error.square().mean(),
+          // The chain rule: the square, the logit, the squeezing, the sigmoid.
           (2 / count * error * 0.98F / (q * (1 - q)) * p * (1 - p)).matrix()};
 }
 

@@ -27,6 +27,7 @@ MatrixXd kernel(const MatrixXd& a, const MatrixXd& b) {
   const VectorXd a2 = a.colwise().squaredNorm();
   const VectorXd b2 = b.colwise().squaredNorm();
   MatrixXd squares = -2 * a.transpose() * b;
+  // |a-b|² = |a|² + |b|² - 2ab; rounding may leave less than 0.
   squares.colwise() += a2;
   squares.rowwise() += b2.transpose();
   return (-0.5 * squares.array().max(0)).exp();
@@ -84,6 +85,7 @@ double SeverityModel::log_evidence(const Scale& scale, Index count) const {
   const VectorXd centred =
       (severities_.segment(count_ - count, count).array() - kPriorSeverity).matrix();
   const auto n = static_cast<double>(count);
+  // The variance that makes the observations most probable, in closed form.
   const double variance = std::max(kLeastVariance, llt.matrixL().solve(centred).squaredNorm() / n);
   return -0.5 * n * std::log(variance) - llt.matrixLLT().diagonal().array().log().sum();
 }
@@ -103,6 +105,7 @@ void SeverityModel::adapt() {
       best = scale;
     }
   };
+  // Each coordinate a step up and down; the best of the six, or none, is taken.
   consider(1.3, 0, 1);
   consider(1 / 1.3, 0, 1);
   consider(1, 0.1, 1);
@@ -129,11 +132,13 @@ void SeverityModel::append() {
   factor_.conservativeResize(count_, count_);
   factor_.col(n).setZero();
   factor_.row(n).head(n) = row.transpose();
+  // Exactly it is never less than the noise; of nearly equal places rounding would leave less.
   factor_(n, n) = std::sqrt(std::max(scale_.noise, 1 + scale_.noise - row.squaredNorm()));
 }
 
 void SeverityModel::solve() {
   const VectorXd centred = (severities_.head(count_).array() - kPriorSeverity).matrix();
+  // Halfway through the solution its norm gives the variance, so that nothing is solved twice.
   weights_ = factor_.triangularView<Eigen::Lower>().solve(centred);
   variance_ =
       std::max(kLeastVariance, weights_.squaredNorm() / static_cast<double>(weights_.size()));
@@ -152,6 +157,7 @@ Eigen::ArrayXd SeverityModel::failure_probability(const Places& places) const {
   }
   Eigen::ArrayXd probability(places.cols());
   for (Index i = 0; i < places.cols(); ++i) {
+    // Of an observation there, its noise included; a test fails at a severity of 1.
     const double variance = variance_ * (scale_.noise + std::max(0.0, unexplained(i)));
     probability(i) = normal_cdf((mean(i) - 1) / std::sqrt(variance));
   }

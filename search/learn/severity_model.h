@@ -11,7 +11,7 @@
 
 namespace jaywalk::search::learn {
 
-/// How far two values of a feature are apart when they begin to tell little about each other: the
+/// How far two values of a feature are apart when they begin to say little about each other: the
 /// model's unit of length, times `stretch`, times exp(growth * distance).
 struct FeatureLength {
   double stretch = 1;

@@ -21,7 +21,7 @@ constexpr std::size_t kAtOnce = 64;
 /// Where a walk has led to.
 struct Step {
   ScriptedWalk walk;
-  /// What tells it from others, if it goes on, and what it covers, if it has met the
+  /// What distinguishes it from others, if it goes on, and what it covers, if it has met the
   /// precondition.
   std::string state = {};
   SituationBins bins = {};

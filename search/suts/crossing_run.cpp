@@ -56,7 +56,7 @@ std::string first_of(const Diagnostics& diagnostics) {
   return diagnostics.empty() ? "the test cannot be run" : diagnostics.items().front().message;
 }
 
-/// The robustness of what the AV is to blame for: nobody is for what could not be helped.
+/// The robustness of what the AV is to blame for: nothing that was unavoidable counts.
 double margin(const Judgement& judgement) {
   if (!judgement.robustness || judgement.verdict == Verdict::unavoidable) return kNone;
   return bounded(*judgement.robustness);
@@ -124,6 +124,8 @@ struct CrossingRun::Seen {
 /// Makes the scenario ready; empty, or why it cannot be.
 std::string CrossingRun::prepare(const TestInput& input) {
   std::vector<std::string> sets = space_.world_settings(input);
+  // Programs are compiled again only if the world changes; starts and parameters are the test's
+  // own.
   if (prepared_ != nullptr && sets == sets_) return {};
   Result<Scenario> scenario = scenario_of(settings_, space_.settings(input));
   if (!scenario.ok()) return first_of(scenario.diagnostics());
@@ -157,7 +159,7 @@ Outcome CrossingRun::run(const TestInput& input, std::size_t) {
   TestSetup setup{.agents = settings_.agents,
                   .seed = seed(input),
                   .test = 0,
-                  .feedback = told_,
+                  .feedback = feedback_,
                   .vehicle = settings_.vehicle,
                   .starts = space_.starts(input),
                   .parameters = space_.parameters(input)};
@@ -170,6 +172,7 @@ Outcome CrossingRun::run(const TestInput& input, std::size_t) {
   outcome.measures.push_back(blamed ? 1 : 0);
   if (settings_.defects.empty()) return outcome;
   bool healthy_blamed = false;
+  // Without blame there is no kill to confirm: the healthy twin need not run.
   if (blamed) {
     setup.vehicle = 0;
     const Seen healthy = see(setup);
@@ -192,12 +195,12 @@ void CrossingRun::remember(const Outcome& outcome) {
   if (outcome.executed()) cover(*situation_bins(outcome, measures_.kinds()));
 }
 
-/// Agents are told of it as in comparisons (compare/feedback.h), all tests of a generation the
+/// Agents receive it as in comparisons (compare/feedback.h), all tests of a generation the
 /// same.
 void CrossingRun::cover(const SituationBins& bins) {
   covered_.add(bins);
   if (settings_.feedback == 0 || covered_.tests() % settings_.feedback != 0) return;
-  told_ = feedback_of(covered_);
+  feedback_ = feedback_of(covered_);
 }
 
 /// Adds the measures of situations.
@@ -222,11 +225,14 @@ Outcome CrossingRun::measured(const Seen& seen) {
   outcome.simulated_s = static_cast<double>(view.ticks() - 1) * view.tick_s();
   const auto nearest = jaywalk::measured(*find_metric("min_distance"), view);
   const double distance = nearest ? nearest->value : kNone;
+  // In the order of `kinds_`. Short of the precondition the measure falls with the distance, but
+  // stays below 1.
   outcome.measures = {success ? 1 : 0.9 / (1 + distance / 5), success ? 1.0 : 0.0,
                       share_of_natural_steps(view)};
   measure_situations(seen.recording, outcome);
   for (const Metric& metric : settings_.metrics ? metrics() : std::span<const Metric>()) {
     const auto value = jaywalk::measured(metric, view);
+    // A metric that does not apply counts as harmless: beyond all values where the least is worst.
     const double missing = metric.worst == Worst::least ? kNone : 0;
     outcome.measures.push_back(value ? bounded(value->value) : missing);
   }

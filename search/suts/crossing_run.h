@@ -99,7 +99,7 @@ class CrossingRun : public Sut {
   /// Of this search's tests so far.
   SituationCoverage covered_;
   /// What the agents of this generation of tests believe of it.
-  std::vector<CoveredBin> told_;
+  std::vector<CoveredBin> feedback_;
 };
 
 }  // namespace jaywalk::search

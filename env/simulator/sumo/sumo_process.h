@@ -22,7 +22,7 @@ class SumoProcess {
 
   [[nodiscard]] bool is_running() const { return child_.guard >= 0 && client_.is_connected(); }
   /// Starts it with options of its command line. `token` is a vehicle type of its routes, by which
-  /// our SUMO is told apart from somebody else's at the same port. Why that failed, if it did.
+  /// our SUMO is distinguished from another program's at the same port. Why that failed, if it did.
   [[nodiscard]] std::string start(const std::vector<std::string>& options,
                                   const std::string& token);
   /// As TraciClient::ask. After any error the process is ended, and how it ended is part of the

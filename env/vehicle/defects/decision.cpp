@@ -38,6 +38,7 @@ class BrakesOnce final : public Defective {
     std::erase_if(sensed.actors, [&](const SeenActor& actor) {
       const auto conflict = conflicts_.find(actor.id);
       if (conflict == conflicts_.end()) return false;
+      // Once over it never counts again, even if the actor comes back.
       if (!is_risk(actor, lane_of(view))) conflict->second = Conflict::over;
       return conflict->second == Conflict::over;
     });
@@ -109,6 +110,7 @@ class Creeps final : public Defective {
  protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     const double to_creeping = (severity_ - view.speed_mps) / view.period_s;
+    // Below its creeping speed it pushes on, however hard the inner controller brakes.
     return std::max(wanted_mps2, std::min(to_creeping, kPushMps2));
   }
 

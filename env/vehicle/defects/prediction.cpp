@@ -22,6 +22,7 @@ class ConstantVelocity final : public Defective {
   void look(const VehicleView& view, Sensed& sensed) override {
     past_.push_back({view.time_s, odometer_.driven_m(view), sensed.actors});
     const double known_s = view.time_s - severity_ + kTimeRoundingS;
+    // The newest moment that is old enough stays in front; there is none at the begin of a drive.
     while (past_.size() > 1 && past_[1].time_s <= known_s) past_.pop_front();
     const Moment& then = past_.front();
     if (then.time_s > known_s) return;
@@ -31,6 +32,7 @@ class ConstantVelocity final : public Defective {
       const auto old = std::ranges::find(then.actors, actor.id, &SeenActor::id);
       if (old == then.actors.end()) continue;
       actor = *old;
+      // Carried on at the speed that it had then; the AV has come nearer by what it drove.
       actor.gap_m += actor.speed_ahead_mps * passed_s - driven;
       actor.left_m += actor.speed_right_mps * passed_s;
       actor.right_m += actor.speed_right_mps * passed_s;
@@ -68,6 +70,7 @@ class KerbStanding final : public Defective {
         continue;
       }
       actor = stood->second.actor;
+      // Still seen where it stood, from where the AV is now.
       actor.gap_m -= driven - stood->second.driven_m;
     }
   }
@@ -96,6 +99,7 @@ class StopsAtKerb final : public Defective {
       actor.speed_right_mps = 0;
       if (in <= 0) continue;
       const double back = from_left ? -in : in;
+      // It is further in than its predicted stop: seen at the edge.
       actor.left_m += back;
       actor.right_m += back;
     }
@@ -112,6 +116,7 @@ class ForgetsTurners final : public Defective {
     std::erase_if(sensed.actors, [&](const SeenActor& actor) {
       Walk& walk = walks_[actor.id];
       if (std::abs(actor.speed_right_mps) >= kStandingMps) {
+        // The other sign than at its last step.
         if (walk.speed_right_mps * actor.speed_right_mps < 0) walk.forgotten_at_s = view.time_s;
         walk.speed_right_mps = actor.speed_right_mps;
       }
@@ -138,6 +143,7 @@ class GroupAsFirst final : public Defective {
     std::map<std::uint32_t, Member> members;
     for (std::size_t i = 0; i < actors.size(); ++i) {
       for (std::size_t first = 0; first < i; ++first) {
+        // Who follows somebody leads nobody, so that there are no chains.
         if (members.contains(actors[first].id)) continue;
         const std::optional<Member> member = member_of(actors[first], actors[i]);
         if (!member) continue;

@@ -83,7 +83,7 @@ class AvTable {
   /// REQUIRES: a test of the plan; each once.
   void add(const TestKey& test, const TestResult& result, std::optional<double> impact_mps,
            Blame blame);
-  /// REQUIRES: nobody adds meanwhile.
+  /// REQUIRES: no thread adds at the same time.
   [[nodiscard]] AvRanking ranking(bool judged) const;
   [[nodiscard]] bool wanted() const { return !cells_.empty(); }
 

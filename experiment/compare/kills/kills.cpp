@@ -84,6 +84,7 @@ std::optional<std::uint64_t> first_kill_median(const KillCell& cell) {
   if (cell.kills == 0) return std::nullopt;
   NoKill none(cell);
   for (std::uint64_t tests = 1; tests <= cell.tests; ++tests) {
+    // The chance that none of so many tests, drawn at random without putting back, kills.
     if (none.next() <= 0.5) return tests;
   }
   return cell.tests;
@@ -129,6 +130,7 @@ void KillTable::add_errored(const TestKey& test) { add(test, Outcome::errored); 
 void KillTable::add(const TestKey& test, Outcome outcome) {
   if (cells_.empty()) return;
   Cell& cell = cells_[plan_.cell_of(test)];
+  // Made by the first of its threads; afterwards each writes to a place of its own.
   std::call_once(cell.started, [&] { cell.tests.resize(plan_.tests); });
   cell.tests[test.number] = outcome;
 }
@@ -139,6 +141,7 @@ KillCell KillTable::compare(const Cell& healthy, const Cell& defective) const {
   for (std::uint64_t test = 0; test < plan_.tests; ++test) {
     const Outcome twin = healthy.tests[test];
     const Outcome own = defective.tests[test];
+    // Compared test by test: the same number starts alike with both vehicles.
     if (twin == Outcome::unknown || own == Outcome::unknown) continue;
     if (twin == Outcome::errored || own == Outcome::errored) {
       ++result.errored;
@@ -148,6 +151,7 @@ KillCell KillTable::compare(const Cell& healthy, const Cell& defective) const {
     if (twin != Outcome::kept || own != Outcome::blamed) continue;
     if (++result.kills == 1) result.first = result.tests;
   }
+  // A cell of which tests are missing has no figures yet.
   return result.tests + result.errored == expected_ ? result : KillCell{};
 }
 

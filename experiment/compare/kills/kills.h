@@ -17,7 +17,7 @@
 
 namespace jaywalk {
 
-/// Some assertion failed. What could not have been helped (`unavoidable`) blames nobody.
+/// Some assertion failed. What could not have been avoided (`unavoidable`) blames nobody.
 [[nodiscard]] bool blames_the_av(std::span<const Judgement> judgements);
 [[nodiscard]] bool blames_the_av(const TestAssessment& assessment);
 [[nodiscard]] bool blames_the_av(std::span<const AssessmentRow> assessments);
@@ -101,7 +101,7 @@ class KillTable {
   void add(const TestKey& test, bool blamed);
   /// The same for a test that ended errored.
   void add_errored(const TestKey& test);
-  /// REQUIRES: nobody adds meanwhile.
+  /// REQUIRES: no thread adds at the same time.
   [[nodiscard]] KillMatrix matrix() const;
 
  private:

@@ -33,6 +33,7 @@ double PairedOutcomes::difference() const {
 double mcnemar(const PairedOutcomes& outcomes) {
   const std::uint64_t differing = outcomes.first_only + outcomes.second_only;
   if (differing == 0) return 1;
+  // The exact test: if both were equally good, each differing test would be a fair coin.
   const boost::math::binomial chance(real(differing), 0.5);
   const double fewer = real(std::min(outcomes.first_only, outcomes.second_only));
   return std::min(1.0, 2 * boost::math::cdf(chance, fewer));
@@ -40,6 +41,7 @@ double mcnemar(const PairedOutcomes& outcomes) {
 
 ConfidenceInterval difference_interval(const PairedOutcomes& outcomes, double confidence) {
   const double z = boost::math::quantile(boost::math::normal(), (1 + confidence) / 2);
+  // Agresti and Min: half a test is added to each of the four cells.
   const double n = real(outcomes.all()) + 2;
   const double first = (real(outcomes.first_only) + 0.5) / n;
   const double second = (real(outcomes.second_only) + 0.5) / n;
@@ -62,6 +64,7 @@ std::optional<RankComparison> compare_ranks(const Counts& first, const Counts& s
     const auto mine = first.find(value);
     const auto others = second.find(value);
     const double here = others == second.end() ? 0 : real(others->second);
+    // Values ascend: `below` counts the second's values that are less; ties count half.
     if (mine != first.end()) greater += real(mine->second) * (below + here / 2);
     below += here;
     const double t = real(count);
@@ -70,6 +73,7 @@ std::optional<RankComparison> compare_ranks(const Counts& first, const Counts& s
   RankComparison result{.a12 = greater / (n * m)};
   const double all = n + m;
   const double variance = n * m / 12 * (all + 1 - (all > 1 ? ties / (all * (all - 1)) : 0));
+  // With the correction for continuity.
   const double away = std::max(0.0, std::fabs(greater - n * m / 2) - 0.5);
   if (variance > 1e-9) result.p = two_sided(away / std::sqrt(variance));
   return result;
@@ -82,11 +86,13 @@ std::optional<MeanComparison> compare_means(const Sample& first, const Sample& s
   const double a = first.squares / (n - 1) / n;
   const double b = second.squares / (m - 1) / m;
   if (!(a + b > 0)) return std::nullopt;
+  // Welch's t-test, for samples of unequal variance.
   const double freedom = (a + b) * (a + b) / (a * a / (n - 1) + b * b / (m - 1));
   const double difference = first.mean - second.mean;
   const double t = std::fabs(difference) / std::sqrt(a + b);
   const boost::math::students_t distribution(freedom);
   const double pooled = std::sqrt((first.squares + second.squares) / (n + m - 2));
+  // Hedges' correction of Cohen's d for small samples.
   const double correction = 1 - 3 / (4 * (n + m) - 9);
   return MeanComparison{
       .p = std::min(1.0, 2 * boost::math::cdf(boost::math::complement(distribution, t))),
@@ -101,6 +107,7 @@ std::vector<double> holm(std::span<const double> p_values) {
   double least = 0;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const double p = p_values[order[rank]] * real(p_values.size() - rank);
+    // A greater p-value may not become less than one before it.
     least = std::max(least, std::min(1.0, p));
     corrected[order[rank]] = least;
   }

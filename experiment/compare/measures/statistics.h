@@ -26,7 +26,7 @@ struct Sample {
 /// Two passes in the order of the values, so that equal values in equal order give equal bits.
 [[nodiscard]] Sample summarise(std::span<const double> values);
 
-/// The same of values that nobody keeps: all of them are added, then, after end_pass(), all of them
+/// The same of values that are not kept: all of them are added, then, after end_pass(), all of them
 /// again in the same order, which gives the same bits.
 class SampleMaker {
  public:

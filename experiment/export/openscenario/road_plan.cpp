@@ -58,6 +58,8 @@ class Planner {
   RoadPlan run() {
     plan_.width_m = grid_.rows * cell_;
     plan_.length_m = grid_.cells * cell_;
+    // Junctions first: they cut the AV's road into pieces, to which side roads, objects and signals
+    // refer.
     find_junctions();
     add_main_road();
     for (std::size_t i = 0; i < junctions_.size(); ++i) add_side_roads(i);
@@ -123,6 +125,7 @@ class Planner {
     const std::size_t left = lanes_on_the_left(lanes);
     int begin = 0;
     for (std::size_t i = 0; i <= junctions_.size(); ++i) {
+      // A junction at the very begin or end of the grid leaves no piece of road there.
       const int end = i < junctions_.size() ? junctions_[i].first : grid_.cells;
       if (end > begin) {
         PlannedRoad& road = add_road(lanes, left);
@@ -204,8 +207,10 @@ class Planner {
     const double along = at_end ? road.length_m : 0;
     for (std::size_t i = 0; i < road.lanes.size(); ++i) {
       const PlannedLane& lane = road.lanes[i];
+      // At its end a road's forward lanes arrive at the junction, at its begin the others.
       const bool arrives = lane.forward == at_end;
       if (lane.type != LaneType::driving || arrives != arriving) continue;
+      // Metres from the reference line to the middle of the lane, to the left.
       const double t = width_of(road.lanes, road.left) - width_of(road.lanes, i) - lane.width_m / 2;
       ends.push_back({.road = road.id,
                       .lane = lane_id(road, i),
@@ -232,6 +237,7 @@ class Planner {
     constexpr int kFirstConnection = 100;
     for (const LaneEnd& from : arriving) {
       for (const LaneEnd& to : leaving) {
+        // Nobody turns round.
         if (from.road == to.road) continue;
         junction.connections.push_back({kFirstConnection + connections_++, from, to});
       }
@@ -272,6 +278,7 @@ class Planner {
 
   /// Blocked cells as rectangles: each as long as it can be, then as wide.
   void add_buildings() {
+    // What is not yet part of a building; covered cells become blank.
     std::vector<std::string> left = parameters_.map;
     int count = 0;
     const auto blocked = [&](int row, int cell) {
@@ -337,6 +344,7 @@ class Planner {
       // At the left of those who come, as they drive on the left.
       const int edge_row = forward ? carriageway_.first : carriageway_.last + 1;
       const int edge_cell = forward ? at.cells.first : at.cells.last + 1;
+      // Odd for the traffic that goes the AV's way, even for the other, so that ids are unique.
       const int id = 2 * group.id - (forward ? 1 : 0);
       const double s = std::clamp(edge_cell * cell_ - road.y_m, 0.0, road.length_m);
       road.signals.push_back({id, group.name, s, road.x_m - edge_row * cell_, forward});
@@ -362,6 +370,7 @@ class Planner {
     for (int row = 0; drawn() && row < grid_.rows; ++row) {
       for (int cell = 0; cell < grid_.cells; ++cell) {
         const char here = letter(row, cell);
+        // Buildings are objects, whatever lies under them.
         if (here == '#' || is_road(here) == is_covered(row, cell)) continue;
         if (first.empty()) first = fmt::format("row {}, cell {}", row, cell);
         ++(is_road(here) ? missing : added);
@@ -395,6 +404,8 @@ class Planner {
 int lane_id(const PlannedRoad& road, std::size_t lane) {
   const auto left = static_cast<int>(road.left);
   const auto index = static_cast<int>(lane);
+  // OpenDRIVE counts from the reference line: to the left 1, 2, …, to the right -1, -2, …; there is
+  // no 0.
   return index < left ? left - index : left - index - 1;
 }
 

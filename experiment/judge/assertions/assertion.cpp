@@ -80,7 +80,7 @@ stl::Truth at_begin(const stl::Expression& expression, const stl::Trace& trace, 
   return stl::evaluate(expression, expression.root, trace, self).front();
 }
 
-/// Of the assertion for one road user, or for nobody in particular.
+/// The assertion's judgement for one road user, or for the AV alone.
 Judgement judge_one(const Assertion& assertion, const RecordedTrace& trace, ActorIndex self) {
   Judgement result;
   const stl::Truth precondition = at_begin(assertion.precondition, trace, self);

@@ -33,15 +33,15 @@ struct Assertion {
   std::map<std::string, double> parameters;
   stl::Expression precondition;
   stl::Expression requirement;
-  /// When a violation could not have been helped.
+  /// When a violation was unavoidable.
   std::optional<stl::Expression> unavoidable;
 
   /// It is judged for each road user by itself, as some of its expressions are about one.
   [[nodiscard]] bool is_about_one() const;
 };
 
-/// `vacuous`: the precondition was not met. `unavoidable`: it was, but nobody could have kept the
-/// requirement.
+/// `vacuous`: the precondition was not met. `unavoidable`: it was, but no driver could have kept
+/// the requirement.
 enum class Verdict : std::uint8_t { vacuous, pass, fail, unavoidable };
 
 inline constexpr std::size_t kVerdictCount = 4;

@@ -6,7 +6,7 @@
 //
 // This file has its syntax; robustness.h its meaning, README.md beside it the reference. A text is
 // parsed (grammar.cpp), then its names are resolved against a vocabulary and its types checked
-// (resolve.cpp). What comes of it is immutable and shared by all threads.
+// (resolve.cpp). The result is immutable and shared by all threads.
 
 #include <array>
 #include <cstdint>

@@ -31,6 +31,7 @@ class Resolver {
       about_one_.push_back(is_about_one(node));
       quantified_.push_back(is_quantified(node));
     }
+    // A whole assertion is something that holds or not.
     expect(expression_.root, SignalType::condition);
   }
 
@@ -113,6 +114,8 @@ class Resolver {
       node.number = parameter->second;
       return SignalType::number;
     }
+    // `av.speed`, `nearest.ttc`, `a.distance` of a quantifier's `a`, or `distance` of the road user
+    // at hand.
     const std::size_t dot = node.name.find('.');
     const std::string_view name =
         dot == std::string::npos ? node.name : std::string_view(node.name).substr(dot + 1);
@@ -178,6 +181,7 @@ class Resolver {
     const auto to = constant((*node.bounds)[1]);
     if (!from || !to) return;
     const Node& first = expression_.node((*node.bounds)[0]);
+    // Written so that a NaN (0/0 of parameters) is refused, too.
     if (!(*from >= 0) || std::isinf(*from)) {
       error(first, fmt::format("expected a time of at least 0 s, found {}", *from));
     } else if (!(*to >= *from)) {
@@ -195,6 +199,8 @@ class Resolver {
     return std::nullopt;
   }
 
+  /// The value of an expression of numbers and parameters; nothing if a signal is in it. Parameters
+  /// have become numbers by now.
   [[nodiscard]] std::optional<double> folded(NodeId id) const {
     const Node& node = expression_.node(id);
     if (node.kind == NodeKind::number) return node.number;
@@ -237,6 +243,7 @@ class Resolver {
   }
 
   [[nodiscard]] bool is_about_one(const Node& node) const {
+    // A quantifier binds the road user that its operand is about.
     if (quantifies(node)) return false;
     if (node.kind == NodeKind::event) return true;
     if (node.kind == NodeKind::signal) return node.owner == Owner::self;
@@ -259,6 +266,7 @@ class Resolver {
 /// Where in the file a span of the text stands.
 SourceSpan place_of(const ExpressionText& text, Span span) {
   const auto at = [&](std::uint32_t offset) {
+    // `offsets` maps the expression's characters to the file's: YAML may fold and escape them.
     if (text.offsets.empty()) return std::uint32_t{0};
     if (offset < text.offsets.size()) return text.offsets[offset];
     return text.offsets.back() + 1;

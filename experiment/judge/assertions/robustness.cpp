@@ -66,6 +66,7 @@ Truths sliding_least(const Truths& values, TickWindow window) {
   std::size_t front = 0;
   std::size_t back = 0;
   // From the end, so that values enter at the window's near edge.
+  // Where the window begins behind the record's end the result stays as it is: it is empty there.
   for (std::size_t i = count - window.from; i-- > 0;) {
     const std::size_t entering = i + window.from;
     while (back > front && !(values[queue[back - 1]] < values[entering])) --back;
@@ -92,12 +93,15 @@ Truths until(const Truths& holds, const Truths& reached, TickWindow window) {
   const std::size_t count = holds.size();
   Truths result(count, Truth::never());
   if (window.empty || window.from >= count) return result;
+  // `until` without a window, by its recursion from the end.
   Truths unbounded(count);
   Truth later = Truth::never();
   for (std::size_t i = count; i-- > 0;) {
     later = std::max(reached[i], std::min(holds[i], later));
     unbounded[i] = later;
   }
+  // Donzé et al. 2013: bounded until is `eventually reached` in the window, `always holds` before
+  // the window, and unbounded until at its beginning.
   const Truths within = sliding_greatest(reached, window);
   Truths before(count, Truth::always());
   if (window.from > 0) {
@@ -113,6 +117,7 @@ enum class Time { future, past };
 
 template <class Operator>
 Truths in_time(Time time, Operator apply, Truths first, Truths second) {
+  // The past operators are those of the future on the reversed record.
   if (time == Time::past) {
     std::ranges::reverse(first);
     std::ranges::reverse(second);
@@ -181,6 +186,7 @@ class Evaluator {
   [[nodiscard]] Truths combination(const Node& node) const {
     Truths left = condition(node.operands[0]);
     const Truths right = condition(node.operands[1]);
+    // `a -> b` is `!a | b`.
     if (node.kind == NodeKind::implication) negate(left);
     for (std::size_t i = 0; i < left.size(); ++i) {
       left[i] = node.kind == NodeKind::conjunction ? std::min(left[i], right[i])

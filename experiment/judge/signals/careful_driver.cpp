@@ -44,6 +44,7 @@ class RecordedWay {
     const auto index = static_cast<std::size_t>(next - driven_.begin());
     const ActorState& from = states_[index - 1];
     ActorState state = states_[index];
+    // driven_[index] is greater than way_m, and so than driven_[index - 1].
     const double part = (way_m - driven_[index - 1]) / (driven_[index] - driven_[index - 1]);
     state.x_m = from.x_m + part * (state.x_m - from.x_m);
     state.y_m = from.y_m + part * (state.y_m - from.y_m);
@@ -67,6 +68,7 @@ class Surroundings {
     for (const ActorIndex user : view_.road_users()) {
       const Actor& actor = view_.recording().actors()[user];
       ActorState state = state_beyond(view_, user, tick);
+      // `share` of the step from the tick before to this one.
       if (view_.ground().moves_evenly) {
         const ActorState from = state_beyond(view_, user, tick - 1);
         state.x_m = from.x_m + share * (state.x_m - from.x_m);
@@ -127,6 +129,7 @@ class Surroundings {
           crosswalk.signals.end()) {
         continue;
       }
+      // Events are in the order of ticks: the last one until `tick` counts.
       closed = event.text != "green";
     }
     return closed;
@@ -149,6 +152,8 @@ bool has_reason(const VehicleView& view) {
 
 /// The first tick that the driver drives: before, it is where the AV was.
 std::size_t first_tick(const TestView& view, Surroundings& around) {
+  // An AV that wants a known speed is replaced from the start; of another one nobody knows what it
+  // wanted before it met somebody.
   if (view.ground().cruise_mps) return 1;
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
     around.set_time(tick, 1);
@@ -194,12 +199,14 @@ std::vector<ActorState> careful_drive(const TestView& view) {
   for (std::size_t tick = first; tick < view.ticks() || (tick < end && !is_over); ++tick) {
     ActorState car = states.back();
     for (int period = 0; period < periods; ++period) {
+      // In a world of steps others stand still within a tick.
       const bool moved = period == 0 || view.ground().moves_evenly;
       if (moved) around.set_time(tick, static_cast<double>(period) / periods);
       const double time_s = static_cast<double>(tick - 1) * view.tick_s() + period * period_s;
       const VehicleView seen = around.look(car, time_s, period_s, cruise);
       const double change = driver.decide(seen).acceleration_mps2 * period_s;
       const Motion next = drive_on(car.speed_mps, change, cruise, period_s);
+      // Behind the record's end the drive goes on only while something can still happen.
       is_over = next.speed == 0 || !has_reason(seen);
       driven += next.way;
       car = way.after(driven);

@@ -58,7 +58,7 @@ class TestView {
   /// All actors but the AV and traffic signals.
   [[nodiscard]] std::span<const ActorIndex> road_users() const { return road_users_; }
 
-  /// One value for each tick, none of them NaN. `actor` is of no meaning for signals of the test
+  /// One value for each tick, none of them NaN. `actor` is ignored for signals of the test
   /// and the AV.
   [[nodiscard]] std::span<const double> values(SignalId signal, ActorIndex actor = kAv) const;
   /// Who is nearest to the AV at each tick, the first of equals. REQUIRES: somebody is there.

@@ -59,6 +59,7 @@ std::string file_uri(const std::string& path, std::string_view query) {
   std::string uri = "file:";
   for (const char c : std::filesystem::absolute(path, error).generic_string()) {
     const auto byte = static_cast<unsigned char>(c);
+    // Everything else is escaped: `?` and `#` would begin another part of the URI.
     if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
       uri += c;
     } else {
@@ -109,6 +110,7 @@ void Database::open(const std::string& uri, int flags, const char* vfs) {
   // Each connection is used by one thread at a time.
   const int code =
       sqlite3_open_v2(uri.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, vfs);
+  // SQLite gives a connection even if it could not open, which knows why and must be closed.
   connection_.reset(connection);
   if (code != SQLITE_OK) note(code);
   // What is in a file is data: its schema calls no functions, its pages are checked when read.
@@ -148,6 +150,7 @@ void Database::note(int code) {
   trouble_ = trouble_of(connection_ ? sqlite3_extended_errcode(connection_.get()) : code);
   failure_ = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(code);
   const int error = connection_ ? sqlite3_system_errno(connection_.get()) : 0;
+  // "disk I/O error" says less than the system's own reason.
   const bool of_the_system = (code & 0xFF) == SQLITE_IOERR || (code & 0xFF) == SQLITE_CANTOPEN;
   if (of_the_system && error != 0) failure_ = std::strerror(error);
 }
@@ -203,6 +206,7 @@ double Statement::real(int column) const {
 
 double Statement::any_real(int column) const {
   const int type = sqlite3_column_type(statement_.get(), column);
+  // SQLite stores whole numbers of a REAL column as integers where it can.
   if (type != SQLITE_FLOAT && type != SQLITE_INTEGER) {
     damaged(column, "no number");
     return 0;

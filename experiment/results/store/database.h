@@ -50,7 +50,7 @@ class Database {
   /// The first thing that went wrong, in words.
   [[nodiscard]] const std::optional<std::string>& failure() const { return failure_; }
   [[nodiscard]] DatabaseTrouble trouble() const { return trouble_; }
-  /// From now on statements fail as soon as that is true; it is asked now and then.
+  /// From now on statements fail as soon as that is true; it is called from time to time.
   void stop_when(std::function<bool()> stopped);
   /// Takes note of a failure that SQLite did not see; the first counts.
   void fail(std::string why);

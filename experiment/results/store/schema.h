@@ -42,7 +42,7 @@ void create_tables(Database& database, const Placement& placement);
 /// `2000-01-01T00:00:12.500Z`: the moment so many seconds after tick 0.
 [[nodiscard]] std::string time_text(double seconds);
 
-/// Tells the extent of each layer's rows.
+/// Records the extent of each layer's rows.
 void note_extents(Database& database, const Placement& placement);
 /// Adds the index by test, once all rows are there; the last thing that is done.
 void complete_tables(Database& database);

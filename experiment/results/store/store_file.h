@@ -30,7 +30,7 @@ struct OpenStore {
 /// GeoPackage, cut off; nothing if it can.
 [[nodiscard]] std::optional<std::string> why_no_store_file(const std::string& path);
 
-/// What became of a database, in words; REQUIRES: it failed.
+/// Why a database could not be used, in words. REQUIRES: it failed.
 [[nodiscard]] std::string trouble_with(const Database& database);
 [[nodiscard]] Diagnostics store_error(const std::string& path, std::string message,
                                       std::string hint = {});

@@ -24,6 +24,7 @@ Outcome extreme(ActionCall& call, int sign) {
       return call.java_exception("the second argument is no formula");
     }
     call.solve(1, [&] {
+      // A copy, since the solution's bindings are undone before the next one.
       candidates.push_back(call.unifier().fresh_copy(call.applied(0)));
       return true;
     });
@@ -243,6 +244,7 @@ Outcome shuffle(ActionCall& call) {
   if (!call.arg(0).is_list()) return call.wrong_argument(0, "a list");
   if (call.agent() == nullptr) return Outcome::failed;
   std::vector<Value> all = elements(call.arg(0));
+  // Fisher and Yates, drawing as java.util.Random does.
   for (std::size_t i = all.size(); i > 1; --i) {
     const std::int32_t with = call.agent()->random().next_int(static_cast<std::int32_t>(i));
     std::swap(all[i - 1], all[static_cast<std::size_t>(with)]);
@@ -294,6 +296,7 @@ Outcome range(ActionCall& call) {
   const Value x = call.arg(0);
   if (!x.is_variable()) {
     if (!x.is_number()) return call.java_exception("argument 1 of .range is not a number");
+    // A given number is only compared: Jason does not look whether the steps meet it.
     const std::int64_t number = java_int(x.as_number());
     return when(number >= first && number <= last);
   }

@@ -71,6 +71,7 @@ Digits digits_of(double value) {
 
 std::string fixed(double value, int precision) {
   Digits d = digits_of(value);
+  // Java rounds the shortest decimal digits, not the binary number: 0.125 becomes 0.13.
   d.round_at(d.exponent + precision);
   std::string whole = "0";
   std::string fraction;
@@ -100,6 +101,7 @@ std::string general(double value, int precision) {
   if (value == 0) return fixed(value, precision - 1);
   Digits d = digits_of(value);
   d.round_at(precision);
+  // After rounding, as Java decides: from 1e-4 to below ten to the precision.
   if (d.exponent < -3 || d.exponent > precision) return scientific(value, precision - 1);
   return fixed(value, precision - d.exponent);
 }
@@ -147,6 +149,7 @@ class Formatter {
   bool read(std::string_view format, std::size_t& i, Specifier& specifier) {
     std::size_t value = 0;
     std::size_t ahead = i;
+    // A number is an index only if `$` follows, else it is flags and a width.
     if (ahead < format.size() && format[ahead] == '<') {
       specifier.previous = true;
       ++i;
@@ -188,6 +191,7 @@ class Formatter {
     const std::size_t index = specifier.previous     ? last_
                               : specifier.index != 0 ? specifier.index
                                                      : ++next_;
+    // `%<s` before any other has no previous argument.
     if (index == 0 || index > args_.size()) {
       return fail(fmt::format("there is no argument for %{}", specifier.conversion));
     }

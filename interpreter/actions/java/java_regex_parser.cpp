@@ -26,6 +26,7 @@ class RegexParser {
       error = error_ + " near index " + std::to_string(at_);
       return false;
     }
+    // Group 0 is the whole match.
     regex_.program_.push_back({Kind::save, 0});
     append(regex_.program_, piece);
     regex_.program_.push_back({Kind::save, 1});
@@ -81,6 +82,7 @@ class RegexParser {
     Piece left = sequence();
     while (take('|')) {
       const Piece right = sequence();
+      // split to left or right; behind left a jump over right.
       Piece both{{Kind::split, 1, static_cast<std::uint32_t>(left.size()) + 2}};
       append(both, left);
       const auto end = static_cast<std::uint32_t>(left.size() + right.size()) + 2;
@@ -160,6 +162,7 @@ class RegexParser {
       return lazy ? Regex::Instruction{Kind::split, out, in}
                   : Regex::Instruction{Kind::split, in, out};
     };
+    // Without a limit: split into the piece or behind it, and back.
     if (most > kMaxRepeat) {
       Piece loop{split(1, size + 2)};
       append(loop, piece);
@@ -167,6 +170,7 @@ class RegexParser {
       append(all, loop);
       return all;
     }
+    // Each further one may be left out, and with it all that follow.
     for (std::uint32_t i = least; i < most && error_.empty(); ++i) {
       Piece once{split(1, size + 1)};
       append(once, piece);
@@ -194,6 +198,7 @@ class RegexParser {
     const bool outer_fold = fold_case_;
     if (take("?:")) {
       captures = false;
+      // The flag holds to the end of the group around it, which restores its own.
     } else if (take("?i)")) {
       fold_case_ = true;
       return {};
@@ -204,6 +209,7 @@ class RegexParser {
       fail("this kind of group is not supported");
       return {};
     }
+    // Numbered by their opening parentheses, so before the inner groups.
     const auto slot = static_cast<std::uint32_t>(2 * regex_.groups_);
     if (captures) ++regex_.groups_;
     const Piece inner = alternatives();

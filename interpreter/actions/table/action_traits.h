@@ -1,6 +1,6 @@
 #pragma once
 
-// What the table of internal actions says about each, for whoever reads programs without running
+// What the table of internal actions says about each, for code that reads programs without running
 // them: the checker, editors, the system that lets agents reason side by side. The words of the
 // table's columns are in the namespace action_words.
 

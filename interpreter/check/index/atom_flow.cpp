@@ -57,6 +57,7 @@ class ValueFlow {
     return parents_.size() - 1;
   }
   Id root(Id id) {
+    // Halves the path on its way.
     while (parents_[id] != id) id = parents_[id] = parents_[parents_[id]];
     return id;
   }
@@ -81,6 +82,8 @@ class ValueFlow {
     std::map<Id, std::size_t> numbers;
     std::vector<ValueClass> classes;
     for (const auto& [id, use] : uses_) {
+      // Roots are only known once all is united, so that classes are numbered here, in the order of
+      // uses.
       const auto [number, is_new] = numbers.try_emplace(root(id), classes.size());
       if (is_new) classes.emplace_back();
       classes[number->second].uses.push_back(use);
@@ -144,6 +147,7 @@ class ValueFlow {
   // A plan for a test goal answers like a rule.
   void trigger(const ast::Trigger& trigger) {
     const bool answers = trigger.kind == ast::TriggerKind::test;
+    // A plan for a goal wants the values that are posted; its variables carry them into the body.
     literal(trigger.kind == ast::TriggerKind::achieve ? What::goal : What::belief, *trigger.literal,
             answers ? AtomRole::given : AtomRole::wanted);
   }
@@ -203,6 +207,7 @@ class ValueFlow {
   void relation(const Node& node) {
     const Node& left = *node.args[0];
     const Node& right = *node.args[1];
+    // `X = left` gives a value, `X == left` asks for one.
     const AtomRole role = node.op == Operator::unify ? AtomRole::given : AtomRole::wanted;
     if (is_named_variable(left)) {
       argument(variable_id(left.text), right, role);
@@ -226,6 +231,7 @@ class ValueFlow {
 
   void argument(Id id, const Node& node, AtomRole role) {
     if (is_named_variable(node)) {
+      // An argument and the variable in it take the same values.
       unite(id, variable_id(node.text));
     } else if (is_atom(node)) {
       note(id, {.atom = node.text, .role = role, .file = file_, .span = node.span});

@@ -65,6 +65,7 @@ class Reader {
       mentions_.names.emplace(node.text);
       sociability(node);
     } else if (node.kind == Kind::string) {
+      // A text may become a plan or a goal: each of its words could be a name.
       words(node.text);
     } else if (node.kind == Kind::plan) {
       plan(*node.plan);
@@ -84,6 +85,7 @@ class Reader {
   void sociability(const Node& node) {
     const bool is_message_plan = node.text.starts_with("kqml");
     if (is_message_plan || traits_of(node.text).is_social()) mentions_.other_agents = true;
+    // Who distinguishes sources reckons with other agents.
     if (node.text != "source" || node.args.size() != 1) return;
     const Node& source = *node.args[0];
     const bool own =

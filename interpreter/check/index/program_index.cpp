@@ -17,6 +17,7 @@ class Indexer {
   explicit Indexer(const SourceTree& program) : program_(program) {}
 
   ProgramIndex run() {
+    // The plans that every agent has for messages.
     index_.planned_goals.add("kqml_received", 4);
     index_.achievable_goals.add("kqml_received", 4);
     for (const auto& file : program_.files) components(file->components);
@@ -55,6 +56,7 @@ class Indexer {
   void directive(const ast::Component& component) {
     const Node& literal = *component.literal;
     if (literal.text == "include") {
+      // An include that could not be read may bring any plan and belief.
       if (!program_.includes.contains(&component)) {
         index_.has_open_goals = true;
         index_.has_open_beliefs = true;
@@ -63,6 +65,7 @@ class Indexer {
       if (!literal.args.empty()) index_.functions.add_any_arity(literal.args.front()->text);
     } else if (literal.text != "namespace") {
       for (const Node* argument : literal.args) {
+        // A pattern given as text is not looked into.
         if (argument->kind == Kind::string) {
           index_.has_open_goals = true;
           index_.has_open_beliefs = true;
@@ -128,6 +131,7 @@ class Indexer {
       const Node& node = *formula.node;
       if (formula.op == BodyOperator::achieve || formula.op == BodyOperator::achieve_new_focus) {
         goal(node);
+        // In the order of the enumeration: all that add or replace, without those that remove.
       } else if (formula.op >= BodyOperator::add && formula.op != BodyOperator::remove &&
                  formula.op != BodyOperator::remove_new_focus) {
         belief(node);

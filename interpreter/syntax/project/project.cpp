@@ -140,6 +140,7 @@ class ProjectParser {
       skip_entry();
       return;
     }
+    // kSections is in the order that Jason's grammar asks for.
     const auto order = static_cast<int>(found - kSections.begin());
     if (order <= last_section_) {
       diagnostics_.error(where(name.span),
@@ -177,6 +178,7 @@ class ProjectParser {
   template <class Entry>
   void entries(Entry entry) {
     while (!is("}") && !is(ProjectTokenKind::end_of_text) && !begins_section()) {
+      // A mistake costs its entry alone: the next one is read again.
       if (!entry() || !expect(";")) skip_entry();
     }
   }
@@ -279,6 +281,7 @@ class ProjectParser {
 
   // [ PATH ] ASID [ "." ASID ]
   bool agent_file(ProjectAgent& agent) {
+    // Without a file the attributes follow at once; the file is then the agent's name.
     const bool is_attribute = is(ProjectTokenKind::word) && contains(kOtherReserved, next().text);
     if (!is(ProjectTokenKind::path) && (!is(ProjectTokenKind::word) || is_attribute)) return true;
     const Span begin = next().span;

@@ -96,7 +96,7 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
   return ExitCode::success;
 }
 
-/// What the tests come to. `spool`: where their assessments go, if they are to be kept.
+/// The summary of the tests. `spool`: where their assessments go, if they are to be kept.
 struct Judged {
   AssessmentTable& table;
   KillTable& kills;
@@ -245,8 +245,10 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.report(comparison.diagnostics());
     return ExitCode::usage;
   }
+  // In place of the stored verdicts, which may be by other assertions.
   add_assessments(request->criteria, table, plan.behaviours, comparison.value());
   comparison.value().kills = kills.matrix();
+  // Closed before it is written to (--write).
   request->store.reset();
   end.reset();  // a store is written whole or not at all
 

@@ -18,7 +18,7 @@
 namespace jaywalk::command::merge {
 namespace {
 
-/// What the store comes to, shown and written as `compare` does.
+/// The summary of the store, shown and written as `compare` does.
 ExitCode show(const std::string& path, const Arguments& arguments, Console& console) {
   auto store = ResultsReader::open(path);
   if (!store) {

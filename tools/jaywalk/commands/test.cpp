@@ -125,6 +125,7 @@ class Work {
       cancelled_ = true;
     }
     const std::lock_guard lock(mutex_);
+    // Any of several will do: the others are mostly its consequences.
     if (thrown) thrown_ = thrown;
     ++workers_done_;
     changed_.notify_one();

@@ -32,7 +32,7 @@ struct Request {
   Ground ground;
   /// Who moves the vehicles (simulator_version.h).
   std::string simulator;
-  /// Null: nobody asks for it.
+  /// Null: not wanted.
   std::unique_ptr<PlanCoverage> coverage;
   bool situations = false;
   /// Options that are given and need defects, if there are none.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What comes of `compare`: its tables and files.
+// The results of `compare`: its tables and files.
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace jaywalk::command::compare {
 
-/// What the outcome comes to; with a store, what the store does, which may have had tests before.
+/// The summary of the outcome; with a store, that of the store, which may have had tests before.
 /// Nothing after reporting why not.
 [[nodiscard]] std::optional<Comparison> comparison_of(const Request& request,
                                                       const Collected& collected,

@@ -39,7 +39,7 @@ TestResult measured(const TestRun& run, double wall_us) {
   return result;
 }
 
-/// Tells those who want to know of the tests with the first vehicle, which the measures are of.
+/// Reports a test with the first vehicle, which the measures are of, to the listeners.
 void note_measured(const Request& request, const TestKey& test, const TestResult& result,
                    const TestRun& run, const Recording& recording, const Listeners& listeners) {
   if (test.vehicle > 0) return;
@@ -65,9 +65,9 @@ Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
                   .vehicle = test.vehicle};
   std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   if (feedback) {
-    auto told = feedback->wait_for(test);
-    if (!told) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
-    setup.feedback = std::move(*told);
+    auto covered = feedback->wait_for(test);
+    if (!covered) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
+    setup.feedback = std::move(*covered);
   }
   std::optional<CarryOver>& carry_over = listeners.collected.carry_over;
   if (carry_over) setup.head_start = carry_over->head_start(test);

@@ -56,13 +56,13 @@ struct Collected {
   TroublesTable troubles;
   SituationTable situations;
   ControllerNotes notes;
-  /// Empty: nobody asks for it.
+  /// Empty: not wanted.
   std::unique_ptr<PerTestTable> per_test;
   std::optional<CoverageFeedback> feedback;
   std::optional<CarryOver> carry_over;
 };
 
-/// Who wants to know about the tests as they are run; null: nobody.
+/// Observers of the tests as they are run; null: none.
 struct Listeners {
   Collected& collected;
   ResultsWriter* store = nullptr;

@@ -55,7 +55,7 @@ class Console {
   [[nodiscard]] bool output_is_terminal() const { return output_is_terminal_; }
   [[nodiscard]] bool error_is_terminal() const { return error_is_terminal_; }
 
-  /// Flushes; false (and said so) if not everything could be written.
+  /// Flushes; false, after reporting it, if not everything could be written.
   [[nodiscard]] bool finish();
 
  private:

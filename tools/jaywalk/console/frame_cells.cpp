@@ -111,6 +111,7 @@ FrameCells::FrameCells(const Crossing& crossing)
     const std::string_view style = walks ? kPedestrianStyle : kOtherStyle;
     bodies_.push_back(
         {.rows = cells_of(all[i].place.x, walks ? 0 : half.width_m, cell_m),
+         // A pedestrian is drawn in its own cell alone, by which the precondition goes.
          .cells = cells_of(all[i].place.y, walks ? 0 : half.length_m, cell_m),
          .glyph = {letter_of(crossing, i), is_hit(crossing.result(), i) ? kHitStyle : style}});
   }
@@ -156,6 +157,7 @@ Glyph FrameCells::at(Position cell) const {
   for (auto other = first + 1; other != bodies_.end(); ++other) {
     if (!stands_here(*other)) continue;
     glyph.letter = '*';
+    // Of several in a cell one that was hit decides the colour.
     if (other->glyph.style == kHitStyle) glyph.style = kHitStyle;
   }
   return glyph;

@@ -82,6 +82,7 @@ std::vector<std::string> road(const Crossing& crossing, const FrameOptions& opti
   const CrossingParameters& parameters = crossing.parameters();
   const Grid& grid = crossing.layout().grid();
   const int width = std::max(options.columns - kLabelWidth, 10);
+  // A quarter of the picture is behind the AV: what happens is ahead of it.
   const Interval cells = window(grid.cells, width, av_situation(crossing).edge, width / 4);
   const Interval rows = window(grid.rows, most, parameters.av.rows.first, most / 2);
   const FrameCells picture(crossing);
@@ -248,6 +249,7 @@ std::string draw_frame(const World& world, const Mas& mas, const std::vector<std
   std::vector<std::string> lines = road(crossing, options, std::max(rows, 1));
   const auto left = static_cast<std::size_t>(
       std::max(options.rows - fixed + 1 - static_cast<int>(lines.size()), 1));
+  // What agents print gets the lines that the bodies leave, and half of all at least.
   const std::size_t spare = left - std::min(left, crossing.bodies().size());
   const auto said = last_lines(printed, std::max({spare, left / 2, std::size_t{1}}));
 

@@ -60,6 +60,7 @@ std::string comment_above(std::string_view text, std::size_t at) {
     begin = before;
   }
   std::string comment;
+  // They were gathered from below.
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
     std::string_view trimmed = *line;
     while (trimmed.starts_with(' ')) trimmed.remove_prefix(1);
@@ -204,6 +205,7 @@ std::vector<Completion> Document::completions(Position at, Range& written) const
   while (begin > 0 && is_name_character(text[begin - 1])) --begin;
   written = places_.range({begin, end});
   const std::string_view prefix = text.substr(begin, end - begin);
+  // What stands before the word decides what fits: `!` a goal, `{` a directive.
   std::size_t before = begin;
   while (before > 0 && (text[before - 1] == ' ' || text[before - 1] == '\t')) --before;
   const char previous = before == 0 ? '\n' : text[before - 1];
@@ -224,6 +226,7 @@ std::vector<Completion> Document::completions(Position at, Range& written) const
     // A goal without a plan may be a slip.
     const bool fits = use.what == What::goal ? wants_goal && use.plan != nullptr : !wants_goal;
     if (!fits || use.what == What::internal_action) continue;
+    // The word that is being written is no proposal.
     if (use.span.begin <= begin && begin <= use.span.end && use.file->source == source_) continue;
     offer(use.name, fmt::format("{}/{}", use.name, use.arity), use.what);
   }

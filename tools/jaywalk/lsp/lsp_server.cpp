@@ -102,6 +102,7 @@ Json Server::answer_of(const std::string& method, const Json& parameters, std::s
   constexpr std::string_view kAboutDocuments = "textDocument/";
   if (!method.starts_with(kAboutDocuments)) return Json(Json::value_t::discarded);
   const std::string what = method.substr(kAboutDocuments.size());
+  // Questions are answered about the texts as they are now.
   settle();
   const auto found = documents_.find(document_uri(parameters));
   const Position at = position_of(part(parameters, "position"));
@@ -168,6 +169,7 @@ Workspace Server::workspace(const Document& document) const {
     if (opened.document->is_program()) open.push_back(opened.source->name());
   }
   Folders folders{.whole = folders_, .alone = {}};
+  // Without a workspace the file's own folder alone, not what is below it.
   if (folders_.empty()) {
     const std::string& path = document.source()->name();
     folders.alone.insert(path.substr(0, path.rfind('/') + 1));
@@ -287,6 +289,7 @@ void Server::change(const Json& parameters) {
   const Json& changes = part(parameters, "contentChanges");
   if (found == documents_.end() || !changes.is_array()) return;
   std::string text(found->second.source->text());
+  // In their order: each is about the text that the one before left.
   for (const Json& each : changes) {
     const std::string changed = text_of(part(each, "text"));
     const Json& range = part(each, "range");
@@ -309,6 +312,7 @@ void Server::settle() {
   const IncludePath include_path = with_open_texts();
   for (auto& entry : documents_) {
     Opened& opened = entry.second;
+    // A document that includes a changed file is checked again with it.
     const bool concerned =
         opened.document == nullptr || std::ranges::any_of(changed, [&](const std::string& path) {
           const std::string installed = installed_name(path, include_path.files);

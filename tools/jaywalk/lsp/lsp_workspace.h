@@ -33,7 +33,7 @@ struct Folders {
   std::set<std::string> alone;
 };
 
-/// The file on the disk that bears a source's name: an installed program, $jaywalk/..., is where
+/// The file on the disk that has a source's name: an installed program, $jaywalk/..., is where
 /// the installation has it.
 [[nodiscard]] std::string file_of(const std::string& name, const SourceFiles& files);
 /// The name $jaywalk/... of a file, if it is installed; else an empty text.

@@ -90,6 +90,7 @@ bool ReplSession::load(const std::string& path) {
                                     : fresh->load_file(path, include_path_);
   if (!program) return accept(program.diagnostics());
   const std::string name = path.empty() ? "agent" : std::filesystem::path(path).stem().string();
+  // Only now: a program with errors leaves the agent as it was.
   agent_ = fresh->add_agent(name, program.value());
   interpreter_ = std::move(fresh);
   path_ = path;
@@ -101,6 +102,7 @@ void ReplSession::reason() {
   const InterruptGuard interrupt;
   trace_.heed(&interrupt);
   std::uint64_t cycles = 0;
+  // Cycle by cycle, so that Ctrl-C is heard, and an agent that never rests returns to the prompt.
   while (!interrupt.interrupted() && cycles < kCycles && interpreter_->step()) ++cycles;
   trace_.heed(nullptr);
   if (interrupt.interrupted()) {

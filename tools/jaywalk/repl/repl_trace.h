@@ -13,8 +13,8 @@ namespace jaywalk {
 
 class ReplTrace : public ReasoningObserver {
  public:
-  /// Lines go to `tell` while a trace is on.
-  explicit ReplTrace(std::function<void(std::string_view line)> tell) : tell_(std::move(tell)) {}
+  /// Lines go to `show` while a trace is on.
+  explicit ReplTrace(std::function<void(std::string_view line)> show) : show_(std::move(show)) {}
 
   void set_on(bool on) { on_ = on; }
   /// Null: there is none at the moment.
@@ -32,9 +32,9 @@ class ReplTrace : public ReasoningObserver {
   void formula_failed(Agent& agent, const Intention& intention, const ActionError& error) override;
 
  private:
-  void tell(const std::string& line) { tell_(line); }
+  void tell(const std::string& line) { show_(line); }
 
-  std::function<void(std::string_view)> tell_;
+  std::function<void(std::string_view)> show_;
   const InterruptGuard* interrupt_ = nullptr;
   bool on_ = false;
 };

@@ -56,7 +56,7 @@ Comparison comparison_of(const std::string& name, const Criteria& criteria,
   return comparison;
 }
 
-/// Options that speak of the tests of a store.
+/// Options that are about the tests of a store.
 bool only_for_stores(const Arguments& arguments, Console& console) {
   for (const OptionName option : {option::kTest, option::kWrite, option::kCsv, option::kJson}) {
     if (!arguments.has(option)) continue;

@@ -75,6 +75,7 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
   Request request;
   request.setup.test = arguments.number(option::kTest, 0, diagnostics).value_or(0);
   request.max_cycles = arguments.number(option::kMaxCycles, 1, diagnostics).value_or(0);
+  // Only checked here: limits_of() hands them on as settings of the scenario.
   (void)arguments.number(option::kMaxInferences, 0, diagnostics);
   (void)arguments.number(option::kMaxMemory, 0, diagnostics);
   request.max_ticks = arguments.number(option::kMaxTicks, 1, diagnostics).value_or(0);
@@ -239,10 +240,12 @@ ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, 
   }
   options.observer = observers.get();
   options.interrupted = [&] { return interrupt.interrupted(); };
+  // Where tests depend on each other those before this one run first, unseen.
   const auto setup = in_its_chain(*request->prepared, request->setup, [&] {
     return interrupt.interrupted() ? Proceed::no : Proceed::yes;
   });
   const TestRun result = setup ? run_test(*request->prepared, *setup, options) : TestRun{};
+  // Returns what was counted to `coverage`.
   observer.reset();
   if (trace_file) {
     trace.end(result);

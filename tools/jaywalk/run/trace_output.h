@@ -58,7 +58,7 @@ inline constexpr OptionSpec kTraceOption{
 /// written.
 [[nodiscard]] bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace,
                               Console& console);
-/// Ends it; false, and said so, if it could not be written.
+/// Ends it; false, after reporting it, if it could not be written.
 [[nodiscard]] bool finish_trace(const Arguments& arguments, std::optional<TraceFile>& trace,
                                 Console& console);
 
