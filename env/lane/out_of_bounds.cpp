@@ -48,6 +48,7 @@ bool cut(const Polygon& polygon, const Point& from, const Point& to, double side
     const double fa = sides[i];
     const double fb = sides[i + 1];
     if (fa >= 0) kept.add(a);
+    // This side crosses the line: the crossing is a new corner.
     if ((fa >= 0) == (fb >= 0)) continue;
     const double share = fa / (fa - fb);
     kept.add({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
@@ -61,6 +62,7 @@ class CommonArea {
   explicit CommonArea(const Polygon& box) : box_(box) {}
 
   double with(const Quad& quad) {
+    // The quadrilateral's inner side is on the left of its sides if it runs counter-clockwise.
     const double side = doubled_area(quad) > 0 ? 1 : -1;
     const Polygon* rest = &box_;
     Polygon* next = &first_;

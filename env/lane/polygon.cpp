@@ -58,6 +58,7 @@ bool touch(const Quad& a, const Quad& b) {
       }
     }
   }
+  // No sides touch: one of them may lie within the other as a whole.
   return contains(a, b[0]) || contains(b, a[0]);
 }
 
@@ -122,6 +123,7 @@ bool contains(std::span<const Point> polygon, const Point& point) {
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Point& a = polygon[i];
     const Point& b = polygon[j];
+    // A ray to the right crosses an odd number of sides from within.
     if ((a.y_m > point.y_m) != (b.y_m > point.y_m) &&
         point.x_m < (b.x_m - a.x_m) * (point.y_m - a.y_m) / (b.y_m - a.y_m) + a.x_m) {
       inside = !inside;

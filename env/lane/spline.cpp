@@ -23,6 +23,7 @@ Numbers slopes(const Numbers& x, const Numbers& y) {
   Numbers upper(n);
   Numbers right(n);
   double width = x[2] - x[0];
+  // Not-a-knot: the third derivative is continuous at the second knot and at the last but one.
   diagonal[0] = h[1];
   upper[0] = width;
   right[0] = ((h[0] + 2 * width) * h[1] * d[0] + h[0] * h[0] * d[1]) / width;
@@ -38,6 +39,7 @@ Numbers slopes(const Numbers& x, const Numbers& y) {
   right[n - 1] =
       (h[n - 2] * h[n - 2] * d[n - 3] + (2 * width + h[n - 2]) * h[n - 3] * d[n - 2]) / width;
   for (std::size_t i = 1; i < n; ++i) {
+    // Forward elimination, then back substitution.
     const double factor = lower[i] / diagonal[i - 1];
     diagonal[i] -= factor * upper[i - 1];
     right[i] -= factor * right[i - 1];
@@ -122,6 +124,7 @@ std::optional<Spline> Spline::through(std::span<const Point> points) {
   } else {
     spline.pieces_ = cubic_pieces(points, u);
   }
+  // Only the knots at which pieces begin are kept.
   u.resize(spline.pieces_.size());
   spline.knots_ = std::move(u);
   return spline;

@@ -49,6 +49,7 @@ class Work {
     try {
       const std::uint64_t count = chunks_per_cell_ * cells_.size();
       while (!failed_ && !cancelled_) {
+        // Chained tests have chunks as long as a cell, so that one thread runs all of a chain.
         const std::uint64_t chunk = next_chunk_.fetch_add(1);
         if (chunk >= count || !run_chunk(chunk)) break;
       }
@@ -65,6 +66,7 @@ class Work {
   void wait(unsigned workers, const ProgressFunction& progress) {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, kProgressInterval, [&] { return workers_done_ == workers; })) {
+      // The callback may take its time: not under the mutex that workers end with.
       lock.unlock();
       if (progress(this->progress()) == Proceed::no) cancelled_ = true;
       lock.lock();
@@ -112,6 +114,7 @@ class Work {
       if (plan_.summed_up) cell.results[number] = result.value();
       done_.fetch_add(1, std::memory_order_relaxed);
     }
+    // Whoever finishes the cell's last tests sums it up.
     if (cell.remaining.fetch_sub(last - first) == last - first) finish(cell, key);
     return true;
   }
@@ -128,6 +131,7 @@ class Work {
   void fail(std::uint64_t chunk, const TestKey& key, Diagnostics why) {
     failed_ = true;
     const std::lock_guard lock(mutex_);
+    // Of failures in several threads the first one in the plan is reported.
     if (failed_chunk_ && *failed_chunk_ < chunk) return;
     failed_chunk_ = chunk;
     failed_test_ = key;

@@ -62,6 +62,7 @@ std::vector<RankedAv> ranked(const AvRanking& ranking) {
   }
   std::ranges::stable_sort(avs, {}, [&](const RankedAv& av) {
     const double blamed = share_pct(ranking.judged ? av.all.avoidable : 0, av.all);
+    // AVs without tests come last; then by what they are to blame for, then by all collisions.
     return std::tuple(av.all.tests == 0, blamed, share_pct(av.all.collisions, av.all),
                       av.all.mean_impact_mps().value_or(0));
   });
@@ -86,6 +87,7 @@ void AvTable::add(const TestKey& test, const TestResult& result, std::optional<d
   ++cell.collisions;
   cell.avoidable += blame == Blame::avoidable;
   cell.unavoidable += blame == Blame::unavoidable;
+  // Summed as whole numbers, so that the order in which threads add does not matter.
   cell.impact_um_s += std::llround(*impact_mps * kMicrometres);
 }
 

@@ -89,6 +89,7 @@ class TeamSearch {
       return;
     }
     if (team.size() >= best_.size() || ++steps_ > kMostSteps) return;
+    // Some row must kill this defect: branching over the fewest rows keeps the tree small.
     const auto rarest = std::ranges::min_element(
         open, {}, [&](std::size_t defect) { return killers(defect).size(); });
     for (const std::size_t row : killers(*rarest)) {

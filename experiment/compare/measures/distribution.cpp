@@ -26,6 +26,7 @@ class DistributionMaker {
   explicit DistributionMaker(std::uint64_t count) : result_{.count = count} {
     constexpr std::array kParts = {0.25, 0.5, 0.75};
     for (std::size_t i = 0; i < kParts.size() && count > 0; ++i) {
+      // Hyndman and Fan's type 7: between the two values around (n - 1) p.
       const double at = kParts[i] * static_cast<double>(count - 1);
       places_[i].below = static_cast<std::uint64_t>(at);
       places_[i].rest = at - static_cast<double>(places_[i].below);
@@ -137,6 +138,7 @@ void ValueColumns::spill() {
     std::ranges::sort(column.in_memory, is_less);
     Run run;
     if (!file_->append(column.in_memory, run)) {
+      // The disk is full: everything stays in memory from now on.
       most_ = SIZE_MAX;
       return;
     }
@@ -170,6 +172,7 @@ Distribution ValueColumns::distribution(std::size_t column) const {
     return is_less(right.first, left.first);
   };
   using Head = std::pair<double, std::size_t>;
+  // Merges the sorted runs: the least of their heads is the next value.
   std::priority_queue<Head, std::vector<Head>, decltype(is_later)> heads(is_later);
   const auto push_next = [&](std::size_t index) {
     RunSource& source = sources[index];
