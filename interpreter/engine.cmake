@@ -46,6 +46,7 @@ jaywalk_add_library(engine
     agent/agent.cpp
     agent/execution/bindings.cpp
     agent/execution/branches.cpp
+    agent/execution/change_beliefs.cpp
     agent/plans/choose_plan.cpp
     agent/execution/clear.cpp
     agent/clone.cpp
@@ -117,7 +118,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/machine_facts.cpp
     logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/row_index.cpp logic/beliefs/rule_table.cpp
     logic/unifier/unifier.cpp logic/unifier/unifier_apply.cpp logic/unifier/unifier_numbers.cpp
-    agent/plans/add_means.cpp agent/agent.cpp agent/execution/bindings.cpp agent/plans/choose_plan.cpp agent/execution/clear.cpp agent/cycle/cycle.cpp
+    agent/plans/add_means.cpp agent/agent.cpp agent/execution/bindings.cpp agent/plans/choose_plan.cpp
+    agent/execution/change_beliefs.cpp agent/execution/clear.cpp agent/cycle/cycle.cpp
     agent/cycle/events.cpp agent/execution/execute.cpp agent/execution/goal_arguments.cpp agent/circumstance/intention.cpp agent/cycle/messages.cpp agent/cycle/perception.cpp
     mas/mail.cpp environment/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
   set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)

@@ -37,6 +37,33 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
     heap_.use(std::move(remains->heap));
     beliefs_.use(std::move(remains->beliefs));
   }
+  note_unusual();
+}
+
+void Agent::customise(std::shared_ptr<const Customisation> functions) {
+  customisation_ = std::move(functions);
+  note_unusual();
+}
+
+void Agent::set_settings(const ReasoningSettings& settings) {
+  settings_ = settings;
+  note_unusual();
+}
+
+void Agent::receive(const Message& message) {
+  circumstance_.mailbox.push_back(message);
+  attention_ = true;
+}
+
+// To be called when one of these has changed.
+void Agent::note_unusual() {
+  const auto bit = [](Unusual what, bool is_so) { return is_so ? std::uint32_t{what} : 0U; };
+  unusual_ = (unusual_ & (kSelectsByRules | kSubplans)) | bit(kObserved, observer_ != nullptr) |
+             bit(kCustomised, customisation_ != nullptr) |
+             bit(kLearned, library_->has_learned_plans()) |
+             bit(kGoalStates, library_->has_goal_state_plans()) |
+             bit(kSeldomLooks, settings_.cycles_per_look > 1) |
+             bit(kKeepsCallers, !settings_.tail_recursion);
 }
 
 Agent::~Agent() {
@@ -101,8 +128,9 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
   for (std::size_t i = initial.size(); i > 0; --i) {
     const Program::Belief& belief = initial[i - 1];
     if (belief.rule != nullptr) {
-      selects_by_rules_ =
-          selects_by_rules_ || predicate_of(belief.rule->head) == predicates::select_option;
+      if (predicate_of(belief.rule->head) == predicates::select_option) {
+        unusual_ |= kSelectsByRules;
+      }
       beliefs_.add_rule(observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule),
                         Place::front);
     } else if (!is_replaced(belief.predicate)) {
@@ -167,6 +195,7 @@ void Agent::give_feedback(bool succeeded, std::string reason) {
   circumstance_.acting.pop_back();
   circumstance_.feedback.push_back(
       {action.intention, succeeded, std::move(reason), action.literal});
+  attention_ = true;
 }
 
 Value Agent::with_own_source(Value literal) {
@@ -241,6 +270,7 @@ void Agent::make_ready(Intention& intention) {
   if (intention.is_atomic()) {
     circumstance_.atomic = &intention;
     circumstance_.atomic_suspended = false;
+    attention_ = true;
   } else if (&intention == held_) {
     goes_on_ = true;
   } else {
@@ -252,7 +282,9 @@ void Agent::make_ready(Intention& intention) {
 void Agent::suspend(Intention& intention, Intention::State state, std::string reason) {
   intention.state = state;
   intention.reason = std::move(reason);
-  if (intention.is_atomic()) circumstance_.atomic_suspended = true;
+  if (!intention.is_atomic()) return;
+  circumstance_.atomic_suspended = true;
+  attention_ = true;
 }
 
 void Agent::resume(Intention& intention) {
@@ -327,11 +359,13 @@ void Agent::add_plan(std::shared_ptr<Plan> plan, Place place) {
   own().plans.push_back(plan);
   place == Place::back ? own_library().add(std::move(plan))
                        : own_library().add_first(std::move(plan));
+  note_unusual();
 }
 
 void Agent::remove_plan(const Plan& plan) {
   own().labels.erase(&plan);
   own_library().remove(plan);
+  note_unusual();
 }
 
 // Not before half of them are finished, so that the cost of one does not grow with their number.

@@ -30,14 +30,12 @@ class Agent final : public MachineSurroundings, private AgentParts {
   Agent& operator=(const Agent&) = delete;
 
   /// Functions of its own, to be set before it starts; null: none.
-  void customise(std::shared_ptr<const Customisation> functions) {
-    customisation_ = std::move(functions);
-  }
+  void customise(std::shared_ptr<const Customisation> functions);
   [[nodiscard]] const std::shared_ptr<const Customisation>& customisation() const {
     return customisation_;
   }
   [[nodiscard]] const ReasoningSettings& settings() const { return settings_; }
-  void set_settings(const ReasoningSettings& settings) { settings_ = settings; }
+  void set_settings(const ReasoningSettings& settings);
 
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
@@ -67,7 +65,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
   // Messages and actions, to and from the system.
-  void receive(const Message& message) { circumstance_.mailbox.push_back(message); }
+  void receive(const Message& message);
   /// The action to execute next, taken from the queue; null if none is chosen.
   [[nodiscard]] const PendingAction* take_action();
   void give_feedback(bool succeeded, std::string reason);
@@ -118,7 +116,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
                          std::string_view reason = {}) {
-    if (library_->has_goal_state_plans()) add_goal_state(kind, goal, state, reason);
+    if ((unusual_ & kGoalStates) != 0) add_goal_state(kind, goal, state, reason);
   }
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
   /// The same for the goal on top of an intention, if there is one.
@@ -230,19 +228,11 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void abandon_cycle(const ActionError& error);
   Next run(Intention& intention);
   Next go_on_alone(Intention& intention);
-  [[nodiscard]] bool has_unusual_business() const;
-  [[nodiscard]] bool is_alone() const;
-  /// Of an event of the intention that is held: nothing else need be known of it, or come before.
-  [[nodiscard]] bool comes_next(const Intention& intention) const {
-    const Circumstance& c = circumstance_;
-    return c.events.empty() && c.waits.empty() && !intention.is_atomic() &&
-           !library_->has_goal_state_plans();
-  }
-  void announce_next_event() {
-    workspace_->next.is_pending = true;
-    held_->state = Intention::State::in_event;
-    if (observer_ != nullptr) tell_of_next_event();
-  }
+  void note_unusual();
+  [[nodiscard]] bool has_unusual_business();
+  [[nodiscard]] bool is_alone();
+  [[nodiscard]] bool comes_next(const Intention& intention) const;
+  void announce_next_event();
   void tell_of_next_event();
   void queue_event(const Event& event);
   void queue_next_event(Intention& intention);
@@ -265,12 +255,12 @@ class Agent final : public MachineSurroundings, private AgentParts {
 
   // Rules RelPl, ApplPl and SelAppl (choose_plan.cpp, options.cpp).
   [[nodiscard]] TriggerKey key_of(const Event& event);
-  [[nodiscard]] EventArguments arguments_of(const Event& event);
+  [[nodiscard]] EventArguments arguments_of(const Event& event) const;
   [[nodiscard]] Value literal_of(const Event& event);
   [[nodiscard]] const PlanList& plans_for(const Event& event);
   [[nodiscard]] bool find_option(const Event& event);
-  void note_no_option(const Event& event, bool by_rules);
-  [[nodiscard]] bool were_relevant(const Event& event, bool by_rules);
+  void note_no_option(const Event& event);
+  [[nodiscard]] bool were_relevant(const Event& event);
   [[nodiscard]] bool selects_by_rules();
   [[nodiscard]] bool select_by_rules(const Event& event);
   [[nodiscard]] bool is_selected(const Option& option, const Event& event);
@@ -278,7 +268,9 @@ class Agent final : public MachineSurroundings, private AgentParts {
                                const std::shared_ptr<Scope>& scope);
   [[nodiscard]] const Plan* first_applicable(const PlanList& plans, const Event& event,
                                              std::span<const Value> enclosing);
-  [[nodiscard]] bool find_unusual_option(const Event& event, bool by_rules);
+  [[nodiscard]] const Plan* first_indexed(const PlanList& plans, const Event& event,
+                                          std::span<const Value> enclosing);
+  [[nodiscard]] bool find_unusual_option(const Event& event);
   [[nodiscard]] bool is_applicable(const Plan& plan, const Event& event,
                                    std::span<const Value> enclosing);
   [[nodiscard]] bool applies(const Plan& plan, const Event& event, const EventArguments& given,
@@ -288,7 +280,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] bool is_event_bound(const Event& event, std::size_t matched);
   [[nodiscard]] bool context_holds(const Plan& plan, const Event& event, Value* frame);
   void leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused);
-  Value* empty_frame(const Plan& plan);
+  Value* empty_frame(const Plan& plan, std::uint32_t first_to_clear);
   Value* prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
   [[nodiscard]] std::vector<Value> closed_off(std::span<const Value> values);
 
@@ -297,6 +289,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::span<const Value> frame_for(const Plan& plan) const;
   void add_intended_means(const Plan& plan, const Event& event,
                           const std::shared_ptr<Scope>& scope);
+  void add_means(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope);
   void push_means(Intention& intention, const Plan& plan, const Event& event,
                   const std::shared_ptr<Scope>& scope);
   [[nodiscard]] bool replaces_caller(const Intention& intention, const Event& event);
@@ -305,6 +298,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void fill_means(Intention& intention, const Plan& plan, const Event& event,
                   const std::shared_ptr<Scope>& scope);
   void fill_rare(IntendedMeans& means, const std::shared_ptr<Scope>& scope);
+  void announce_means(const Plan& plan, const Event& event, Intention& intention, bool replaces);
   [[nodiscard]] Value settled_literal(const Event& event);
 
   // Branches for sub-plans (branches.cpp).
@@ -323,10 +317,14 @@ class Agent final : public MachineSurroundings, private AgentParts {
 
   // Execution of one formula (execute.cpp).
   void execute(Intention& intention);
+  void execute_formula(Intention& intention);
+  void execute_at_limit(Intention& intention, const Step& step);
+  void tell_of_formula(const Intention& intention, const Step& step);
   void execute_step(Intention& intention, const Step& step);
   void execute_action(Intention& intention, Value literal);
   void execute_internal_action(Intention& intention, const Goal& goal);
   void execute_constraint(Intention& intention, const Step& step);
+  void fail_constraint(Intention& intention);
   void execute_achieve(Intention& intention, const Step& step);
   void achieve(Intention& intention, Value term, Step::Kind kind);
   void execute_test(Intention& intention, const Step& step);
@@ -357,20 +355,21 @@ class Agent final : public MachineSurroundings, private AgentParts {
   // The formula is done: the intention goes to the end of I.
   void go_on(Intention& intention) {
     intention.advance();
-    if (&intention == held_ && !intention.is_atomic()) {
-      intention.state = Intention::State::running;
-      goes_on_ = true;
-    } else {
-      make_ready(intention);
-    }
+    stay_ready(intention);
+  }
+  [[gnu::always_inline]] void stay_ready(Intention& intention) {
+    if (&intention != held_ || intention.is_atomic()) return make_ready(intention);
+    intention.state = Intention::State::running;
+    goes_on_ = true;
   }
   // The literals of goals and beliefs (goal_arguments.cpp).
   [[nodiscard]] bool put_goal(Intention& intention, const EventCode& code);
   void rename_in_goal(Intention& intention);
+  void rename_slot(Intention& intention, Value& slot);
   [[nodiscard]] Value ground_belief(Intention& intention, const EventCode& code);
   void note_returns(Intention& intention);
   Value prepare_for_event(Intention& intention, Value term, bool returns);
-  void record_bindings(Intention& intention, std::size_t trail) {
+  [[gnu::always_inline]] void record_bindings(Intention& intention, std::size_t trail) {
     Unifier& unifier = work().machine.unifier();
     if (unifier.mark() == trail) return;
     if (intention.top().has_loops()) note_for_round(intention, trail);

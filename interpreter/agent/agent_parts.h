@@ -68,10 +68,24 @@ class AgentParts {
   Intention* executing_ = nullptr;
   const Event* selected_event_ = nullptr;  // for which a plan is being looked for
   bool goes_on_ = false;                   // the intention that is held is ready
-  bool selects_by_rules_ = false;          // rules select options, or did
   bool starts_later_ = false;
-  bool uses_subplans_ = false;         // some means has had sub-plans
-  bool changed_ = false;               // since waiting formulas were last looked at
+  bool changed_ = false;  // since waiting formulas were last looked at
+  /// There may be something that a cycle has to look at before it goes on with the same intention
+  /// (Agent::has_unusual_business). Set by who makes it.
+  bool attention_ = true;
+  /// What makes the agent reason otherwise than most do, so that it is asked for in one go. Kept by
+  /// Agent::note_unusual, but for kSelectsByRules and kSubplans, which stay once they are set.
+  enum Unusual : std::uint32_t {
+    kObserved = 1,
+    kCustomised = 2,
+    kSelectsByRules = 4,  // rules select options, or did
+    kSubplans = 8,        // some means has had sub-plans
+    kLearned = 16,        // there are plans that are options of policies
+    kGoalStates = 32,     // there are plans for goal states
+    kSeldomLooks = 64,    // it does not look at the world in every cycle
+    kKeepsCallers = 128,  // last calls do not take the caller's place
+  };
+  std::uint32_t unusual_ = 0;
   std::uint32_t goal_conditions_ = 0;  // means with a goal condition
   std::uint32_t formula_waits_ = 0;
 };

@@ -11,10 +11,11 @@ namespace jaywalk {
 void Agent::copy_from(const Agent& original) {
   customisation_ = original.customisation_;
   settings_ = original.settings_;
-  selects_by_rules_ = original.selects_by_rules_;
+  unusual_ |= original.unusual_ & kSelectsByRules;
   Transfer transfer(heap_);
   copy_beliefs(original, transfer);
   const PlanMap plans = copy_plans(original, transfer);
+  note_unusual();
   GoalCopier(original, *this, transfer, plans).copy();
   heap_.protect();
 }

@@ -36,7 +36,7 @@ void Agent::GoalCopier::copy() {
     copy->fork = copy_of(copy->fork);
     copy->origin = id_of_copy(copy->origin);
   }
-  clone_.uses_subplans_ = clone_.uses_subplans_ || original_.uses_subplans_;
+  clone_.unusual_ |= original_.unusual_ & Agent::kSubplans;
   copy_events();
 }
 
@@ -114,6 +114,7 @@ void Agent::GoalCopier::copy_code(IntendedMeans& means) {
   }
   if (copy.has_goal_condition) {
     ++clone_.goal_conditions_;
+    clone_.attention_ = true;
     clone_.changed_ = true;
   }
 }

@@ -101,6 +101,26 @@ class Machine : public FunctionCaller {
     ++inferences_;
     return true;
   }
+  /// Gives the left side of a unification, a variable without a value, the value of the right side.
+  /// False: these are not what its sides are, and nothing is bound.
+  [[nodiscard, gnu::always_inline]] bool unify_known(const Goal& goal, Value* slots) {
+    Value known;
+    if (goal.kind != Goal::Kind::unify || goal.left.kind != Operand::Kind::slot ||
+        goal.next != nullptr || !find_value(goal.right, slots, known) ||
+        Unifier::is_of_other_namespace(known)) {
+      return false;
+    }
+    Value* const slot = slots + goal.left.left_slot;
+    if (slot->is_unset()) {
+      unifier_.set_slot(slot, known);
+    } else {
+      const Value held = deref(*slot);
+      if (!held.is_variable()) return false;
+      unifier_.bind(held.variable(), known);
+    }
+    ++inferences_;
+    return true;
+  }
   /// Every solution in turn; `solution` returns false to stop. No binding stays.
   void solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution);
   /// The number of solutions; what facts alone answer is counted without a look at each of them.

@@ -41,6 +41,8 @@ PlanHead decode_head(Value trigger) {
   if (is_literal(trigger)) {
     made.predicate = predicate_of(trigger);
     made.is_decoded = read_head(trigger, made.args);
+    const auto is_set = [&](const HeadArgument& arg) { return arg.slot == made.first_to_clear; };
+    while (std::ranges::any_of(made.args, is_set)) ++made.first_to_clear;
   }
   return made;
 }

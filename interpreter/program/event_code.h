@@ -31,6 +31,8 @@ struct PlanHead {
   bool is_decoded = false;
   Predicate predicate{};
   std::vector<HeadArgument> args;
+  /// Slots below this one get values of the event; the others have none at first.
+  std::uint32_t first_to_clear = 0;
 };
 
 /// A formula of a plan's body that makes an event, `!g(X+1)`, `+b`.

@@ -85,7 +85,8 @@ class Value {
 
   /// Whether applying a unifier to it is the identity.
   [[nodiscard]] constexpr bool is_closed() const {
-    if (is_structure() || is_pair()) return (bits_ & kClosed) != 0;
+    if (bits_ < tag(Kind::structure)) return true;  // by order of the kinds
+    if (bits_ < tag(Kind::variable)) return (bits_ & kClosed) != 0;
     return !is_variable() && !is_slot();
   }
   [[nodiscard]] constexpr bool is_static() const { return (bits_ & kStatic) != 0; }

@@ -126,7 +126,7 @@ class Intention {
     return arg.slot == Operand::kNoSlot ? arg.constant : values.data()[means.frame + arg.slot];
   }
   /// Puts a means on top, at the beginning of its plan's body, with a frame of these values.
-  void push(const Plan& plan, std::span<const Value> slots) {
+  [[gnu::always_inline]] void push(const Plan& plan, std::span<const Value> slots) {
     IntendedMeans& means = stack.emplace_back();
     means.plan = &plan;
     means.current = plan.code.entry->begin(nullptr);
@@ -136,7 +136,7 @@ class Intention {
     if (plan.atomic) ++atomic_means;
   }
   /// The same in the place of the top means.
-  void replace(const Plan& plan, std::span<const Value> slots) {
+  [[gnu::always_inline]] void replace(const Plan& plan, std::span<const Value> slots) {
     IntendedMeans& means = stack.back();
     if (means.plan->atomic) --atomic_means;
     if (plan.atomic) ++atomic_means;

@@ -33,7 +33,7 @@ class ValueStack {
   [[nodiscard]] Value* end() { return data() + size_; }
 
   /// Room for more values, which the caller writes at once.
-  [[nodiscard]] Value* extend(std::size_t count) {
+  [[nodiscard, gnu::always_inline]] Value* extend(std::size_t count) {
     if (size_ + count > capacity_) grow(size_ + count);
     Value* const first = values_.get() + size_;
     size_ += count;

@@ -10,7 +10,7 @@
 // shortcut, which leaves nothing out: while an intention is alone (no other is ready, E is empty,
 // there is no mail, nothing waits), all of the next cycle up to SelInt is settled. Then that cycle
 // goes on with this intention, and the event of its formula goes straight from the formula to the
-// plans without passing through E (go_on_alone):
+// plans without passing through E (go_on_alone in execute.cpp):
 //
 //   cycle n      SelInt   ExecInt  !g(X)           → E
 //   cycle n + 1                             SelEv ←┘  RelPl ApplPl SelAppl AddIM, SelInt, ExecInt …
@@ -23,6 +23,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/cycle/next_cycle.h"
 #include "interpreter/agent/drops.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/goals.h"
@@ -96,14 +97,6 @@ bool Agent::intervene(const std::function<void()>& work, std::string& problem) {
   return completed;
 }
 
-[[gnu::always_inline]] inline void Agent::end_cycle() {
-  Machine& machine = workspace_->machine;
-  if (machine.unifier().mark() != 0) machine.unifier().commit(0);
-  machine.forget_temporary_code();
-  if (finished_ > 0) forget_finished();
-  beliefs_.compact();
-}
-
 // Nothing holds a Value any more but the circumstance and the beliefs.
 void Agent::tidy_up() {
   end_cycle();
@@ -151,7 +144,7 @@ void Agent::deliberate() {
       make_ready(*event.intention);
       return;
     }
-    if (uses_subplans_) start_branches(event);
+    if ((unusual_ & kSubplans) != 0) start_branches(event);
     if (find_option(event) || no_plan(event)) return;
   }
   // Rule SelEv2: no event.
@@ -206,75 +199,6 @@ void Agent::hold_back(const Intention& intention) {
   if (&intention != held_) return;
   goes_on_ = false;
   work().next.is_pending = false;
-}
-
-// Something may be in the way of going on with the same intention. Mostly all of it is null.
-inline bool Agent::has_unusual_business() const {
-  const Circumstance& c = circumstance_;
-  const auto word = [](const void* pointer) { return reinterpret_cast<std::uintptr_t>(pointer); };
-  const std::uintptr_t any = word(c.atomic) | word(c.atomic_event.get()) | word(unseen_.get()) |
-                             word(customisation_.get()) | goal_conditions_ |
-                             (c.atomic_suspended ? 1U : 0U) | (settings_.cycles_per_look - 1U);
-  return any != 0 || !c.feedback.empty() || !c.tasks.empty() || !c.waits.empty();
-}
-
-// The next cycle may begin, and only the intention that is held can be meant by it.
-inline bool Agent::is_alone() const {
-  const Circumstance& c = circumstance_;
-  return c.events.empty() && c.running.empty() && c.mailbox.empty() && cycles_ < last_cycle_ &&
-         !heap_.wants_collection() && !heap_.wants_count() && !host_.has_business() &&
-         !has_unusual_business();
-}
-
-// What comes after a formula: the next one, for which another cycle has begun; the cycle's SelInt;
-// or nothing more in this cycle.
-[[gnu::always_inline]] inline Agent::Next Agent::go_on_alone(Intention& intention) {
-  NextEvent& next = workspace_->next;
-  while (next.is_pending) {
-    if (!is_alone()) {
-      queue_next_event(intention);
-      return Next::nothing;
-    }
-    end_cycle();
-    ++cycles_;
-    next.is_pending = false;
-    if (!find_option(next.event)) (void)no_plan(next.event);
-    if (goal_conditions_ > 0 || !circumstance_.running.empty() || !(goes_on_ || next.is_pending)) {
-      if (next.is_pending) queue_next_event(intention);
-      release_held();
-      return Next::selection;
-    }
-    if (std::exchange(goes_on_, false)) return Next::formula;
-  }
-  if (!goes_on_) return Next::nothing;
-  if (!is_alone()) {
-    release_held();
-    return Next::nothing;
-  }
-  end_cycle();
-  ++cycles_;
-  goes_on_ = false;
-  return Next::formula;
-}
-
-// Rules ExecInt and ClrInt: one formula of an intention; more, a cycle for each, while it is alone.
-// It is held: it does not pass through I before it is known what comes next.
-Agent::Next Agent::run(Intention& intention) {
-  Next next = Next::formula;
-  do {
-    executing_ = &intention;
-    execute(intention);
-    changed_ = true;
-    // What suspends itself by its last formula is not done before it is resumed.
-    if (!intention.is_finished() && intention.top().is_finished() &&
-        intention.state != Intention::State::suspended) {
-      clear_intention(intention);
-    }
-    executing_ = nullptr;
-    next = go_on_alone(intention);
-  } while (next == Next::formula);
-  held_ = nullptr;
-  return next;
 }
 
 void Agent::process_feedback() {

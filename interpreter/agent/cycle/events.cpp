@@ -2,12 +2,13 @@
 // does not.
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/cycle/next_cycle.h"
 #include "interpreter/agent/goals/waits.h"
 
 namespace jaywalk {
 
 // The event of the formula that is being executed does not pass through E if the next cycle can be
-// about nothing else (go_on_alone).
+// about nothing else (go_on_alone in execute.cpp).
 void Agent::add_event(const Event& event) {
   changed_ = true;
   if (event.intention == nullptr || event.intention != held_ || !comes_next(*held_)) {
@@ -42,10 +43,11 @@ void Agent::queue_event(const Event& event) {
     event.intention->has_event = true;
     if (event.intention->is_atomic()) {
       circumstance_.atomic_event = std::make_unique<Event>(event);
+      attention_ = true;
       return;
     }
   } else {
-    if (event.kind == TriggerKind::belief && !uses_subplans_ &&
+    if (event.kind == TriggerKind::belief && (unusual_ & kSubplans) == 0 &&
         settings_.unwanted == ReasoningSettings::Unwanted::discard &&
         library_->candidates(key_of(event)).empty()) {
       return;

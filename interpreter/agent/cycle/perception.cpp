@@ -13,6 +13,7 @@ void Agent::update_percepts(const Percepts& percepts) {
   seen_looks_ = percepts.looks();
   if (settings_.cycles_per_look > 1) {
     if (unseen_ == nullptr) unseen_ = std::make_unique<Percepts>();
+    attention_ = true;
     *unseen_ = percepts;
     return;
   }
@@ -52,7 +53,7 @@ void Agent::believe_changes(const Percepts& percepts) {
 // Whether anybody could tell from an event that a percept has changed.
 bool Agent::hears_of_percepts() const {
   return library_->has_belief_plans() || observer_ != nullptr || !circumstance_.waits.empty() ||
-         uses_subplans_ || settings_.unwanted != ReasoningSettings::Unwanted::discard;
+         (unusual_ & kSubplans) != 0 || settings_.unwanted != ReasoningSettings::Unwanted::discard;
 }
 
 // The same as believe_changes, without events.

@@ -68,7 +68,9 @@ Intention& Agent::copy_for_branch(Intention& intention) {
   copy.stack = intention.stack;
   copy.atomic_means = intention.atomic_means;
   for (const IntendedMeans& means : copy.stack) {
-    if (means.plan->has_goal_condition) ++goal_conditions_;
+    if (!means.plan->has_goal_condition) continue;
+    ++goal_conditions_;
+    attention_ = true;
   }
   copy.fork = intention.fork;
   copy.values = intention.values;

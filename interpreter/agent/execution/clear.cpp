@@ -4,39 +4,6 @@
 
 namespace jaywalk {
 
-// Finished means are popped and their results handed on.
-void Agent::clear_intention(Intention& intention) {
-  while (!intention.is_finished() && !intention.is_branch_done() && intention.top().is_finished()) {
-    if (intention.top().plan->has_goal_condition) {
-      // Not done before the condition holds.
-      hold_back(intention);
-      erase(circumstance_.running, &intention);
-      if (circumstance_.atomic == &intention) circumstance_.atomic = nullptr;
-      suspend(intention, Intention::State::waiting, "goal_condition");
-      return;
-    }
-    finish_means(intention);
-  }
-  // When an atomic plan is done, its intention stays in its place for one step more, as in Jason.
-  if (intention.is_finished()) drop(intention);
-}
-
-void Agent::finish_means(Intention& intention) {
-  const IntendedMeans& done = intention.top();
-  const bool was_failure = done.op == TriggerOperator::remove && done.is_goal();
-  const std::size_t keeps = done.keeps;
-  if (done.is_goal() && done.op != TriggerOperator::goal_state) signal_end(intention, done);
-  pop_means(intention);
-  // The means of the goal that failed have stayed until now.
-  while (was_failure && intention.stack.size() > keeps) pop_means(intention);
-  if (intention.stack.size() < intention.shared) take_over(intention);
-  if (intention.is_finished() || intention.is_branch_done() || intention.top().is_finished()) {
-    return;
-  }
-  return_values(intention);
-  intention.advance();
-}
-
 // A goal has been achieved.
 void Agent::signal_end(const Intention& intention, const IntendedMeans& done) {
   if (!library_->has_goal_state_plans()) return;
@@ -73,7 +40,7 @@ Value late_variable(Heap& heap, Symbol name, std::uint32_t number) {
 
 // The usual case: all that comes back is closed and goes into slots without a value. False:
 // something is of another kind, and all of it is still to be returned.
-bool Agent::return_closed_values(Intention& intention) {
+[[gnu::always_inline]] inline bool Agent::return_closed_values(Intention& intention) {
   const IntendedMeans& caller = intention.top();
   if (caller.has_loops()) return false;
   Value* const frame = intention.frame(caller);
@@ -91,7 +58,6 @@ bool Agent::return_closed_values(Intention& intention) {
 // them is renamed afresh, so it is not shared with the plan that has ended.
 void Agent::return_values(Intention& intention) {
   const IntendedMeans& caller = intention.top();
-  if (caller.returns == 0 || return_closed_values(intention)) return;
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
   Value* const frame = intention.frame(caller);
@@ -130,6 +96,41 @@ void Agent::return_values(Intention& intention) {
     (void)unifier.unify(pairs[i], value);
   }
   record_bindings(intention, trail);
+}
+
+[[gnu::always_inline]] inline void Agent::finish_means(Intention& intention) {
+  const IntendedMeans& done = intention.top();
+  const bool was_failure = done.op == TriggerOperator::remove && done.is_goal();
+  const std::size_t keeps = done.keeps;
+  if ((unusual_ & kGoalStates) != 0 && done.is_goal() && done.op != TriggerOperator::goal_state) {
+    signal_end(intention, done);
+  }
+  pop_means(intention);
+  // The means of the goal that failed have stayed until now.
+  while (was_failure && intention.stack.size() > keeps) pop_means(intention);
+  if (intention.stack.size() < intention.shared) take_over(intention);
+  if (intention.is_finished() || intention.is_branch_done() || intention.top().is_finished()) {
+    return;
+  }
+  if (intention.top().returns > 0 && !return_closed_values(intention)) return_values(intention);
+  intention.advance();
+}
+
+// Finished means are popped and their results handed on.
+void Agent::clear_intention(Intention& intention) {
+  while (!intention.is_finished() && !intention.is_branch_done() && intention.top().is_finished()) {
+    if (intention.top().plan->has_goal_condition) {
+      // Not done before the condition holds.
+      hold_back(intention);
+      erase(circumstance_.running, &intention);
+      if (circumstance_.atomic == &intention) circumstance_.atomic = nullptr;
+      suspend(intention, Intention::State::waiting, "goal_condition");
+      return;
+    }
+    finish_means(intention);
+  }
+  // When an atomic plan is done, its intention stays in its place for one step more, as in Jason.
+  if (intention.is_finished()) drop(intention);
 }
 
 }  // namespace jaywalk

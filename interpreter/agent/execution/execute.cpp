@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/cycle/next_cycle.h"
 #include "interpreter/agent/execution/goal_arguments.h"
 #include "interpreter/agent/execution/step_texts.h"
 #include "interpreter/agent/goal_stack.h"
@@ -35,7 +36,7 @@ void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
   fail(intention, error);
 }
 
-void Agent::execute_action(Intention& intention, Value term) {
+[[gnu::noinline]] void Agent::execute_action(Intention& intention, Value term) {
   Value* const frame = intention.frame(intention.top());
   const Value literal = machine().unifier().instantiate(term, frame);
   record_bindings(intention, 0);
@@ -50,7 +51,7 @@ void Agent::execute_action(Intention& intention, Value term) {
   give_feedback(false, "no environment configured!");
 }
 
-void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
+[[gnu::noinline]] void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   const std::size_t trail = machine().unifier().mark();
   std::unique_ptr<ActionError> error;
   // The action may drop its own intention, or end its goal: then it is where it belongs already.
@@ -74,27 +75,49 @@ void Agent::execute_internal_action(Intention& intention, const Goal& goal) {
   }
 }
 
+[[gnu::noinline]] void Agent::fail_constraint(Intention& intention) {
+  fail(intention, constraint_failure(machine().unifier(), intention));
+}
+
 [[gnu::always_inline]] inline void Agent::execute_constraint(Intention& intention,
                                                              const Step& step) {
-  const std::size_t trail = machine().unifier().mark();
-  if (!machine().solve(step.goal, intention.frame(intention.top()))) {
-    fail(intention, constraint_failure(machine().unifier(), intention));
+  Machine& machine = workspace_->machine;
+  const std::size_t trail = machine.unifier().mark();
+  Value* const frame = intention.frame(intention.top());
+  if (!machine.unify_known(*step.goal, frame) && !machine.solve(step.goal, frame)) {
+    fail_constraint(intention);
     return;
   }
   record_bindings(intention, trail);
   go_on(intention);
 }
 
+// The only variable of a goal, which has no value yet: see rename_in_goal.
+[[gnu::always_inline]] inline void Agent::rename_slot(Intention& intention, Value& slot) {
+  IntendedMeans& means = intention.top();
+  const Symbol name = means.plan->slot_names[slot.slot_index()];
+  heap_.skip_variable();
+  intention.values.cut(means.frame + means.plan->slot_count);
+  Value* const pair = intention.values.extend(2);
+  pair[0] = slot;
+  slot = pair[1] = heap_.variable(name);
+  means.returns = 2;
+}
+
 // The goal of a formula, in the workspace. False: its literal is to be made in the general way.
 [[gnu::always_inline]] inline bool Agent::put_goal(Intention& intention, const EventCode& code) {
   NextEvent& next = workspace_->next;
-  bool is_open = false;
   const Value* const frame = intention.frame(intention.top());
-  if (!code.is_decoded || !put_arguments(code, frame, next.args.data(), is_open)) return false;
+  OpenArguments open;
+  if (!code.is_decoded || !put_arguments(code, frame, next.args.data(), open)) return false;
   next.predicate = code.predicate;
   next.arity = code.args.size();
-  next.is_open = is_open;
-  if (is_open) rename_in_goal(intention);
+  next.is_open = open.count > 0;
+  if (open.count == 1 && open.last->is_slot()) {
+    rename_slot(intention, *open.last);
+  } else if (open.count > 0) {
+    rename_in_goal(intention);
+  }
   return true;
 }
 
@@ -120,7 +143,6 @@ inline void require_room_on(const Intention& intention, Heap& heap) {
   NextEvent& next = workspace_->next;
   next.event = {TriggerOperator::add, TriggerKind::achieve, Value(), &intention};
   next.code = step.event;
-  changed_ = true;
   if (comes_next(intention)) {
     announce_next_event();
   } else {
@@ -130,7 +152,7 @@ inline void require_room_on(const Intention& intention, Heap& heap) {
 }
 
 // The goal of a formula that is a term.
-void Agent::achieve(Intention& intention, Value term, Step::Kind kind) {
+[[gnu::noinline]] void Agent::achieve(Intention& intention, Value term, Step::Kind kind) {
   heap_.require_room();
   const bool new_focus = kind == Step::Kind::achieve_new_focus;
   Value goal = prepare_for_event(intention, term, !new_focus);
@@ -147,7 +169,7 @@ void Agent::achieve(Intention& intention, Value term, Step::Kind kind) {
   }
 }
 
-void Agent::execute_test(Intention& intention, const Step& step) {
+[[gnu::noinline]] void Agent::execute_test(Intention& intention, const Step& step) {
   const std::size_t trail = machine().unifier().mark();
   if (machine().solve(step.goal, intention.frame(intention.top()))) {
     record_bindings(intention, trail);
@@ -181,119 +203,7 @@ void Agent::fail_test(Intention& intention, const Step& step) {
                       "'"));
 }
 
-// The belief that was added last goes if it is a fact of the agent's own and has no other source.
-// False: it is something else, and nothing has been done.
-bool Agent::forget_one(Predicate predicate) {
-  if (customisation_ != nullptr) return false;
-  Relation* const relation = beliefs_.find(predicate);
-  if (relation == nullptr) return true;
-  for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {
-    const Row& row = relation->row(seq);
-    if (row.is_hole()) continue;
-    if (!row.fact.is_structure() || !row.fact.is_closed()) return false;
-    const Structure& fact = *row.fact.structure();
-    if (fact.arity == 0 || !fact.annots().same_as(source_self())) return false;
-    const Value forgotten = row.fact;
-    beliefs_.erase(*relation, seq);
-    add_event({TriggerOperator::remove, TriggerKind::belief, forgotten, nullptr});
-    return true;
-  }
-  return true;
-}
-
-// Removes a belief that is to be replaced.
-void Agent::forget_for(Value literal) {
-  const LiteralParts parts = literal_parts(literal);
-  if (parts.annots.same_as(source_self()) && forget_one(parts.predicate)) return;
-  std::vector<Value> args(parts.args.size());
-  for (Value& arg : args) arg = heap_.variable();
-  const std::size_t trail = machine().unifier().mark();
-  (void)remove_belief(heap_.structure(parts.predicate, args, parts.annots), nullptr);
-  machine().unifier().commit(trail);
-}
-
-// `+b`, `-b` and `-+b` with a ground b that has no other source than the agent itself, without
-// belief revision. The next formula waits for the plan for it.
-[[gnu::always_inline]] inline void Agent::change_own_belief(Intention& intention, Value literal,
-                                                            Step::Kind kind) {
-  bool changed = false;
-  if (kind == Step::Kind::remove) {
-    changed = disbelieve_as_it_is(literal, &intention);
-  } else {
-    const bool replaces = kind == Step::Kind::replace;
-    if (replaces && !forget_one(literal.structure()->predicate())) forget_for(literal);
-    changed = believe_as_it_is(literal, Place::front, &intention);
-  }
-  if (!changed) go_on(intention);
-}
-
-// The belief of the formula if it is ground, of the usual form, and the agent's own; else unset.
-[[gnu::always_inline]] inline Value Agent::ground_belief(Intention& intention,
-                                                         const EventCode& code) {
-  if (!code.is_decoded) return {};
-  Structure* const made = heap_.blank_literal(code.predicate, code.args.size(), source_self());
-  bool is_open = false;
-  const Value* const frame = intention.frame(intention.top());
-  if (!put_arguments(code, frame, made->args(), is_open) || is_open) return {};
-  return heap_.literal_of(made, true);
-}
-
-void Agent::execute_belief(Intention& intention, const Step& step) {
-  const Value literal = step.event == nullptr ? Value() : ground_belief(intention, *step.event);
-  if (literal.is_unset()) {
-    change_belief_by_term(intention, step.term, step.kind);
-  } else if (customisation_ != nullptr || !settings_.same_focus) {
-    change_belief(intention, literal, step.kind);
-  } else {
-    change_own_belief(intention, literal, step.kind);
-  }
-}
-
-void Agent::change_belief_by_term(Intention& intention, Value term, Step::Kind kind) {
-  if (execute_plan_or_rule(intention, term, kind)) return;
-  const bool new_focus = kind == Step::Kind::add_new_focus || !settings_.same_focus;
-  const bool adds = kind == Step::Kind::add || kind == Step::Kind::add_new_focus ||
-                    kind == Step::Kind::add_begin || kind == Step::Kind::add_end;
-  // Deleting binds the variables of the pattern, so they are not renamed.
-  const Value literal =
-      adds ? prepare_for_event(intention, term, !new_focus)
-           : machine().unifier().instantiate(term, intention.frame(intention.top()));
-  if (is_literal(literal)) {
-    change_belief(intention, literal, kind);
-  } else {
-    fail(intention, make_error("body_var_not_literal", "a belief must be a literal"));
-  }
-}
-
-void Agent::change_belief(Intention& intention, Value literal, Step::Kind kind) {
-  if (kind == Step::Kind::replace) {
-    execute_replace(intention, literal);
-    return;
-  }
-  const bool new_focus = kind == Step::Kind::add_new_focus ||
-                         kind == Step::Kind::remove_new_focus || !settings_.same_focus;
-  Intention* const focus = new_focus ? nullptr : &intention;
-  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
-  if (removes) record_bindings(intention, 0);
-  const std::size_t trail = machine().unifier().mark();
-  const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
-  const bool changed = removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
-  // What is deleted gives its values to the intention if it handles the event.
-  if (removes && (!changed || focus == nullptr)) machine().unifier().undo(trail);
-  record_bindings(intention, trail);
-  if (!changed || new_focus) go_on(intention);
-}
-
-// -+b: one belief of the same name goes, as if deleted by another intention, then b comes.
-void Agent::execute_replace(Intention& intention, Value literal) {
-  forget_for(literal);
-  record_bindings(intention, 0);
-  if (!literal.is_closed()) literal = machine().unifier().fresh_copy(literal);
-  Intention* const focus = settings_.same_focus ? &intention : nullptr;
-  if (!add_belief(literal, Place::front, focus) || focus == nullptr) go_on(intention);
-}
-
-void Agent::execute_if(Intention& intention, const Step& step) {
+[[gnu::noinline]] void Agent::execute_if(Intention& intention, const Step& step) {
   const std::size_t trail = machine().unifier().mark();
   const bool holds = machine().solve(step.goal, intention.frame(intention.top()));
   record_bindings(intention, trail);
@@ -302,7 +212,7 @@ void Agent::execute_if(Intention& intention, const Step& step) {
   make_ready(intention);
 }
 
-void Agent::execute_while(Intention& intention, const Step& step) {
+[[gnu::noinline]] void Agent::execute_while(Intention& intention, const Step& step) {
   const IntendedMeans& means = intention.top();
   std::vector<Loop>& loops = intention.top().extras.make().loops;
   if (loops.empty() || loops.back().step != &step) {
@@ -373,7 +283,16 @@ void Agent::execute_while(Intention& intention, const Step& step) {
   fail(intention, make_error("body_var_not_literal", "this formula cannot be executed"));
 }
 
-void Agent::execute(Intention& intention) {
+void Agent::execute_at_limit(Intention& intention, const Step& step) {
+  const MemoryReserve reserve(heap_);
+  execute_step(intention, step);
+}
+
+void Agent::tell_of_formula(const Intention& intention, const Step& step) {
+  observer_->formula_executes(*this, intention, step);
+}
+
+[[gnu::always_inline]] inline void Agent::execute_formula(Intention& intention) {
   if (intention.is_branch_done()) {
     drop(intention);
     return;
@@ -383,20 +302,89 @@ void Agent::execute(Intention& intention) {
     make_ready(intention);
     return;
   }
-  std::unique_ptr<ActionError> error;
   const Step& step = means.step();
-  const bool completed = guarded(error, [&] {
+  try {
     workspace_->machine.unifier().set_slot_names(means.plan->slot_names);
-    if (observer_ != nullptr) observer_->formula_executes(*this, intention, step);
+    if (observer_ != nullptr) tell_of_formula(intention, step);
     if (heap_.is_short() && handles_failure(intention)) {
-      const MemoryReserve reserve(heap_);
-      execute_step(intention, step);
+      execute_at_limit(intention, step);
     } else {
       execute_step(intention, step);
     }
-    return true;
-  });
-  if (!completed) fail_at_limit(intention, *error);
+  } catch (...) {
+    fail_at_limit(intention, error_of_limit());
+  }
+}
+
+void Agent::execute(Intention& intention) { execute_formula(intention); }
+
+// Something may be in the way of going on with the same intention. Mostly it is known that there
+// has been nothing of the kind.
+bool Agent::has_unusual_business() {
+  const Circumstance& c = circumstance_;
+  attention_ = c.atomic != nullptr || c.atomic_event != nullptr || c.atomic_suspended ||
+               unseen_ != nullptr || goal_conditions_ > 0 || !c.feedback.empty() ||
+               !c.tasks.empty() || !c.waits.empty() || !c.mailbox.empty();
+  return attention_;
+}
+
+// The next cycle may begin, and only the intention that is held can be meant by it.
+inline bool Agent::is_alone() {
+  const Circumstance& c = circumstance_;
+  return c.events.empty() && c.running.empty() && cycles_ < last_cycle_ &&
+         !heap_.wants_collection() && !heap_.wants_count() && !host_.has_business() &&
+         (unusual_ & (kCustomised | kSeldomLooks)) == 0 && (!attention_ || !has_unusual_business());
+}
+
+// What comes after a formula: the next one, for which another cycle has begun; the cycle's SelInt;
+// or nothing more in this cycle.
+[[gnu::always_inline]] inline Agent::Next Agent::go_on_alone(Intention& intention) {
+  NextEvent& next = workspace_->next;
+  while (next.is_pending) {
+    if (!is_alone()) {
+      queue_next_event(intention);
+      return Next::nothing;
+    }
+    end_cycle();
+    ++cycles_;
+    next.is_pending = false;
+    if (!find_option(next.event)) (void)no_plan(next.event);
+    if (goal_conditions_ > 0 || !circumstance_.running.empty() || !(goes_on_ || next.is_pending)) {
+      if (next.is_pending) queue_next_event(intention);
+      release_held();
+      return Next::selection;
+    }
+    if (std::exchange(goes_on_, false)) return Next::formula;
+  }
+  if (!goes_on_) return Next::nothing;
+  if (!is_alone()) {
+    release_held();
+    return Next::nothing;
+  }
+  end_cycle();
+  ++cycles_;
+  goes_on_ = false;
+  return Next::formula;
+}
+
+// Rules ExecInt and ClrInt: one formula of an intention; more, a cycle for each, while it is alone.
+// It is held: it does not pass through I before it is known what comes next.
+Agent::Next Agent::run(Intention& intention) {
+  Next next = Next::formula;
+  do {
+    executing_ = &intention;
+    execute_formula(intention);
+    changed_ = true;
+    // What suspends itself by its last formula is not done before it is resumed.
+    if (!intention.is_finished() && intention.top().is_finished() &&
+        intention.state != Intention::State::suspended) {
+      clear_intention(intention);
+    }
+    executing_ = nullptr;
+    next = go_on_alone(intention);
+  } while (next == Next::formula);
+  held_ = nullptr;
+  return next;
 }
 
 }  // namespace jaywalk

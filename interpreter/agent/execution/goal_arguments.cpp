@@ -10,20 +10,6 @@
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
-namespace {
-
-// The only argument that is open; null if others are, too.
-Value* only_open(std::span<Value> args) {
-  Value* open = nullptr;
-  for (Value& arg : args) {
-    if (arg.is_closed()) continue;
-    if (open != nullptr) return nullptr;
-    open = &arg;
-  }
-  return open;
-}
-
-}  // namespace
 
 // Variables give way to copies, and the pairs are noted behind the frame. The variable of a slot
 // without a value is not made: the slot itself stands in the pair, and gets the value that the copy
@@ -35,14 +21,6 @@ void Agent::rename_in_goal(Intention& intention) {
   const std::size_t first = means.frame + plan.slot_count;
   intention.values.cut(first);
   const std::span<Value> args = std::span(next.args).first(next.arity);
-  if (Value* const open = only_open(args); open != nullptr && open->is_slot()) {
-    heap_.skip_variable();
-    Value* const pair = intention.values.extend(2);
-    pair[0] = *open;
-    *open = pair[1] = heap_.variable(plan.slot_names[open->slot_index()]);
-    means.returns = 2;
-    return;
-  }
   for (auto arg = args.begin(); arg != args.end(); ++arg) {
     const auto is_it = [&](Value other) { return other.same_as(*arg); };
     if (arg->is_slot() && std::none_of(args.begin(), arg, is_it)) heap_.skip_variable();

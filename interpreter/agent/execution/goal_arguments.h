@@ -6,10 +6,16 @@
 
 namespace jaywalk {
 
+/// Arguments that are variables: how many, and the last of them.
+struct OpenArguments {
+  std::size_t count = 0;
+  Value* last = nullptr;
+};
+
 /// Writes the arguments of a formula's literal, a variable without a value as the slot itself.
 /// False: the value of some argument is of another kind.
 [[gnu::always_inline]] inline bool put_arguments(const EventCode& code, const Value* frame,
-                                                 Value* value, bool& is_open) {
+                                                 Value* value, OpenArguments& open) {
   for (const Operand& arg : code.args) {
     if (!find_value(arg, frame, *value)) {
       if (arg.kind != Operand::Kind::slot) return false;
@@ -18,7 +24,8 @@ namespace jaywalk {
       } else if (!value->is_variable()) {
         return false;
       }
-      is_open = true;
+      ++open.count;
+      open.last = value;
     }
     ++value;
   }

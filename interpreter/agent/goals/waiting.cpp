@@ -21,6 +21,7 @@ void Waits::start(Intention& intention, Wait wait, double ms) {
   if (wait.has_formula) ++agent_.formula_waits_;
   agent_.heap_.note_beside(sizeof(Wait));
   agent_.circumstance_.waits.push_back(wait);
+  agent_.attention_ = true;
   if (ms >= 0) agent_.host_.set_timer(agent_, wait.start_ms + ms, wait.id);
   agent_.suspend(intention, Intention::State::waiting, "wait");
   if (agent_.library_->has_goal_state_plans()) {
@@ -85,6 +86,7 @@ void Waits::check_event(const Event& event) {
     Task task;
     task.wait = wait;
     agent_.circumstance_.tasks.push_back(task);
+    agent_.attention_ = true;
     waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
@@ -170,6 +172,7 @@ void Agent::timer_fired(std::uint64_t token) {
     task.event.literal = deadlines[i].goal;
     deadlines.erase(deadlines.begin() + static_cast<std::ptrdiff_t>(i));
     circumstance_.tasks.push_back(task);
+    attention_ = true;
     return;
   }
   auto& waits = circumstance_.waits;
@@ -182,6 +185,7 @@ void Agent::timer_fired(std::uint64_t token) {
   if (found->has_formula) --formula_waits_;
   waits.erase(found);
   circumstance_.tasks.push_back(task);
+  attention_ = true;
 }
 
 void Agent::add_goal_state(TriggerKind kind, Value goal, std::string_view state,
@@ -205,6 +209,7 @@ void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view sta
   task.kind = Task::Kind::goal_state;
   task.event = {TriggerOperator::goal_state, kind, with_annotations(heap_, goal, all), nullptr, 0};
   circumstance_.tasks.push_back(task);
+  attention_ = true;
 }
 
 void Agent::signal_top_state(const Intention& intention, std::string_view state, Value reason) {

@@ -1,5 +1,6 @@
 // Rule AddIM: the plan that was chosen becomes an intended means, a new intention for an external
-// event, else on top of the intention that waits for the event.
+// event, else on top of the intention that waits for the event (add_intended_means in
+// choose_plan.cpp). Here is what it needs in some cases.
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/step_guard.h"
@@ -35,15 +36,6 @@ bool Agent::is_last_call(const Intention& intention, const Event& event) {
          caller.predicate() == predicate;
 }
 
-inline bool Agent::replaces_caller(const Intention& intention, const Event& event) {
-  if (!settings_.tail_recursion) return false;
-  const NextEvent& next = workspace_->next;
-  const bool is_known = &event == &next.event && next.code != nullptr &&
-                        next.code->last_call != EventCode::LastCall::unknown;
-  return is_known ? next.code->last_call == EventCode::LastCall::yes
-                  : is_last_call(intention, event);
-}
-
 // The open variables of its own caller live on in the variables that the new means was given.
 void Agent::hand_over(const Intention& intention, const IntendedMeans& caller) {
   signal_end(intention, caller);
@@ -54,64 +46,28 @@ void Agent::hand_over(const Intention& intention, const IntendedMeans& caller) {
   }
 }
 
-inline std::span<const Value> Agent::frame_for(const Plan& plan) const {
-  return std::span(workspace_->frame).first(plan.slot_count);
-}
-
 // What means of few plans need.
 void Agent::fill_rare(IntendedMeans& means, const std::shared_ptr<Scope>& scope) {
   const Plan& plan = *means.plan;
   if (scope != nullptr) means.extras.make().scope = scope;
   if (plan.subplans != nullptr) {
-    uses_subplans_ = true;
+    unusual_ |= kSubplans;
     means.extras.make().scope =
         std::make_shared<Scope>(Scope{plan.subplans.get(), closed_off(frame_for(plan)), scope});
   }
   if (plan.has_goal_condition) {
     ++goal_conditions_;
+    attention_ = true;
     changed_ = true;  // it may hold already: then no formula is executed
   }
   if (plan.atomic) circumstance_.atomic_suspended = false;
 }
 
-inline void Agent::fill_means(Intention& intention, const Plan& plan, const Event& event,
-                              const std::shared_ptr<Scope>& scope) {
-  IntendedMeans& means = intention.top();
-  means.op = event.op;
-  means.kind = event.kind;
-  means.trigger = workspace_->binds_event ? settled_literal(event) : event.literal;
-  means.keeps = event.keeps;
-  if (scope != nullptr || !plan.is_simple) fill_rare(means, scope);
-}
-
-// The values of the plan's slots are in the workspace's frame.
-void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
-                       const std::shared_ptr<Scope>& scope) {
-  heap_.note_beside(sizeof(IntendedMeans));
-  intention.push(plan, frame_for(plan));
-  fill_means(intention, plan, event, scope);
-}
-
-void Agent::add_intended_means(const Plan& plan, const Event& event,
-                               const std::shared_ptr<Scope>& scope) {
-  Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
-  const bool replaces = event.intention != nullptr && replaces_caller(intention, event);
-  if (replaces && (intention.top().returns > 0 || library_->has_goal_state_plans())) {
-    hand_over(intention, intention.top());
-  }
+// Who looks, and plans for goal states, hear of it.
+void Agent::announce_means(const Plan& plan, const Event& event, Intention& intention,
+                           bool replaces) {
+  if (replaces) hand_over(intention, intention.top());
   if (observer_ != nullptr) observer_->plan_chosen(*this, plan, event, intention);
-  if (replaces) {
-    intention.replace(plan, frame_for(plan));
-  } else {
-    heap_.note_beside(sizeof(IntendedMeans));
-    intention.push(plan, frame_for(plan));
-  }
-  fill_means(intention, plan, event, scope);
-  if (library_->has_goal_state_plans() && event.op == TriggerOperator::add &&
-      event.kind == TriggerKind::achieve) {
-    signal_goal_state(event.kind, literal_of(event), "executing");
-  }
-  make_ready(intention);
 }
 
 // The literal of the event for which a means was added.

@@ -1,6 +1,6 @@
-// Rules RelPl, ApplPl and SelAppl: which plan is for an event. The usual heads are decoded
-// (program/event_code.h) and matched with the event's arguments alone, others by the unifier with
-// its literal.
+// Rules RelPl, ApplPl, SelAppl and AddIM: which plan is for an event, and its means. The usual
+// heads are decoded (program/event_code.h) and matched with the event's arguments alone, others by
+// the unifier with its literal.
 
 #include <algorithm>
 
@@ -13,6 +13,8 @@
 
 namespace jaywalk {
 namespace {
+
+constinit const std::shared_ptr<Scope> kNoScope;  // of the library alone
 
 // A constant and a value that evidently cannot be unified with it.
 [[gnu::always_inline]] inline bool differ(Value constant, Value value) {
@@ -69,7 +71,7 @@ TriggerKey Agent::key_of(const Event& event) {
   return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
-[[gnu::always_inline]] inline EventArguments Agent::arguments_of(const Event& event) {
+[[gnu::always_inline]] inline EventArguments Agent::arguments_of(const Event& event) const {
   const Value literal = event.literal;
   if (literal.is_unset()) {
     const NextEvent& next = workspace_->next;
@@ -90,18 +92,19 @@ TriggerKey Agent::key_of(const Event& event) {
 }
 
 // The frame of a plan before its trigger is matched.
-[[gnu::always_inline]] inline Value* Agent::empty_frame(const Plan& plan) {
+[[gnu::always_inline]] inline Value* Agent::empty_frame(const Plan& plan,
+                                                        std::uint32_t first_to_clear) {
   std::vector<Value>& scratch = workspace_->frame;
   if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
   Value* const frame = scratch.data();
-  for (std::uint32_t i = 0; i < plan.slot_count; ++i) frame[i] = Value();
+  for (std::uint32_t i = first_to_clear; i < plan.slot_count; ++i) frame[i] = Value();
   workspace_->machine.unifier().set_slot_names(plan.slot_names);
   return frame;
 }
 
 // The same of a sub-plan, which has values of the enclosing plan.
 Value* Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing) {
-  Value* const frame = empty_frame(plan);
+  Value* const frame = empty_frame(plan, 0);
   if (enclosing.empty() || plan.inherited.empty()) return frame;
   const std::vector<Value> values = closed_off(enclosing);
   for (const auto& [own, outer] : plan.inherited) frame[own] = values[outer];
@@ -189,7 +192,7 @@ bool Agent::is_event_bound(const Event& event, std::size_t matched) {
   Value* frame = nullptr;
   if (plan.head.is_decoded && given.is_literal && enclosing.empty()) {
     if (plan.head.predicate != given.predicate) return false;
-    frame = empty_frame(plan);
+    frame = empty_frame(plan, plan.head.first_to_clear);
     relevant = match_head(plan.head, given.args.data(), frame, unifier);
   }
   const std::size_t matched = unifier.mark();
@@ -197,7 +200,7 @@ bool Agent::is_event_bound(const Event& event, std::size_t matched) {
   if (relevant == Match::open) {
     unifier.undo(trail);
     applicable = applies_in_general(plan, event, enclosing);
-  } else if (applicable && (observer_ != nullptr ||
+  } else if (applicable && ((unusual_ & kObserved) != 0 ||
                             !workspace.machine.solve_at_once(plan.context, frame, applicable))) {
     applicable = context_holds(plan, event, frame);
   }
@@ -214,9 +217,9 @@ bool Agent::is_event_bound(const Event& event, std::size_t matched) {
 
 // Of an event that had candidates. Jason takes the rules one by one for atomic intentions and where
 // options are selected by rules, and RelPl looks at the triggers.
-bool Agent::were_relevant(const Event& event, bool by_rules) {
+bool Agent::were_relevant(const Event& event) {
   const bool is_atomic = event.intention != nullptr && event.intention->is_atomic();
-  if (!by_rules && !is_atomic) return true;
+  if (!is_atomic && !selects_by_rules()) return true;
   const TriggerKey key = key_of(event);
   const Value literal = literal_of(event);
   Unifier& unifier = machine().unifier();
@@ -232,22 +235,88 @@ bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const 
   return applies(plan, event, arguments_of(event), enclosing);
 }
 
+const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
+                                 std::span<const Value> enclosing) {
+  const EventArguments given = arguments_of(event);
+  const std::uint64_t key = given.args.empty() ? 0 : argument_key(given.args.front());
+  return plans.find(key, [&](const Plan& plan) { return is_applicable(plan, event, enclosing); });
+}
+
 // Rules RelPl, ApplPl and SelAppl for plans in order: the first that is applicable, or null.
 [[gnu::always_inline]] inline const Plan* Agent::first_applicable(
     const PlanList& plans, const Event& event, std::span<const Value> enclosing) {
-  workspace_->had_candidates = workspace_->had_candidates || !plans.plans().empty();
+  if (!plans.is_short()) {
+    workspace_->had_candidates = true;
+    return first_indexed(plans, event, enclosing);
+  }
   const EventArguments given = arguments_of(event);
   const Value first = given.args.empty() ? Value() : deref(given.args.front());
-  if (plans.is_short()) {
-    for (const Plan* const plan : plans.plans()) {
-      if (!differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
-        return plan;
-      }
+  for (const Plan* const plan : plans.plans()) {
+    if (!differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
+      return plan;
     }
-    return nullptr;
   }
-  return plans.find(given.args.empty() ? 0 : argument_key(first),
-                    [&](const Plan& plan) { return is_applicable(plan, event, enclosing); });
+  if (!plans.plans().empty()) workspace_->had_candidates = true;
+  return nullptr;
+}
+
+// Rule AddIM. The values of the plan's slots are in the workspace's frame.
+[[gnu::always_inline]] inline std::span<const Value> Agent::frame_for(const Plan& plan) const {
+  return {workspace_->frame.data(), plan.slot_count};
+}
+
+[[gnu::always_inline]] inline bool Agent::replaces_caller(const Intention& intention,
+                                                          const Event& event) {
+  if ((unusual_ & kKeepsCallers) != 0) return false;
+  const NextEvent& next = workspace_->next;
+  const bool is_known = &event == &next.event && next.code != nullptr &&
+                        next.code->last_call != EventCode::LastCall::unknown;
+  return is_known ? next.code->last_call == EventCode::LastCall::yes
+                  : is_last_call(intention, event);
+}
+
+[[gnu::always_inline]] inline void Agent::fill_means(Intention& intention, const Plan& plan,
+                                                     const Event& event,
+                                                     const std::shared_ptr<Scope>& scope) {
+  IntendedMeans& means = intention.top();
+  means.op = event.op;
+  means.kind = event.kind;
+  means.trigger = workspace_->binds_event ? settled_literal(event) : event.literal;
+  means.keeps = event.keeps;
+  if (scope != nullptr || !plan.is_simple) fill_rare(means, scope);
+}
+
+void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
+                       const std::shared_ptr<Scope>& scope) {
+  heap_.note_beside(sizeof(IntendedMeans));
+  intention.push(plan, frame_for(plan));
+  fill_means(intention, plan, event, scope);
+}
+
+[[gnu::always_inline]] inline void Agent::add_means(const Plan& plan, const Event& event,
+                                                    const std::shared_ptr<Scope>& scope) {
+  Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
+  const bool replaces = event.intention != nullptr && replaces_caller(intention, event);
+  if ((unusual_ & (kObserved | kGoalStates)) != 0 || (replaces && intention.top().returns > 0)) {
+    announce_means(plan, event, intention, replaces);
+  }
+  if (replaces) {
+    intention.replace(plan, frame_for(plan));
+  } else {
+    heap_.note_beside(sizeof(IntendedMeans));
+    intention.push(plan, frame_for(plan));
+  }
+  fill_means(intention, plan, event, scope);
+  if ((unusual_ & kGoalStates) != 0 && event.op == TriggerOperator::add &&
+      event.kind == TriggerKind::achieve) {
+    signal_goal_state(event.kind, literal_of(event), "executing");
+  }
+  stay_ready(intention);
+}
+
+void Agent::add_intended_means(const Plan& plan, const Event& event,
+                               const std::shared_ptr<Scope>& scope) {
+  add_means(plan, event, scope);
 }
 
 bool Agent::try_plans(const PlanList& plans, const Event& event,
@@ -262,14 +331,24 @@ bool Agent::try_plans(const PlanList& plans, const Event& event,
   return chosen != nullptr;
 }
 
-void Agent::note_no_option(const Event& event, bool by_rules) {
-  if (work().had_candidates && !were_relevant(event, by_rules)) work().had_candidates = false;
+void Agent::note_no_option(const Event& event) {
+  if (work().had_candidates && !were_relevant(event)) work().had_candidates = false;
   if (observer_ != nullptr) observer_->no_plan(*this, event, work().had_candidates);
 }
 
-// Options that are selected in another way, and goals below a plan with sub-plans: these look there
-// first, then, if none is applicable, further out, last in the agent's library.
-bool Agent::find_unusual_option(const Event& event, bool by_rules) {
+inline bool Agent::selects_by_rules() {
+  if ((unusual_ & kSelectsByRules) == 0) return false;
+  const Relation* const selecting = beliefs_.find(predicates::select_option);
+  return selecting != nullptr && selecting->has_rules();
+}
+
+// Where somebody looks, options are selected in another way, or goals are below a plan with
+// sub-plans: these look there first, then, if none is applicable, further out, last in the agent's
+// library.
+bool Agent::find_unusual_option(const Event& event) {
+  const bool by_rules = selects_by_rules();
+  if (by_rules || (unusual_ & (kObserved | kCustomised)) != 0) (void)literal_of(event);
+  if (observer_ != nullptr) observer_->event_selected(*this, event);
   if (by_rules) return select_by_rules(event);
   const Intention* const intention = event.intention;
   const bool is_below = intention != nullptr && !intention->is_finished();
@@ -280,31 +359,21 @@ bool Agent::find_unusual_option(const Event& event, bool by_rules) {
   return try_plans(plans_for(event), event, nullptr);
 }
 
-inline bool Agent::selects_by_rules() {
-  const Relation* const selecting = beliefs_.find(predicates::select_option);
-  return selecting != nullptr && selecting->has_rules();
-}
-
 // Whether a plan has been chosen and its means added, or the event has failed for another reason.
 bool Agent::find_option(const Event& event) {
-  const bool by_rules = selects_by_rules_ && selects_by_rules();
-  const bool is_below = event.intention != nullptr && uses_subplans_;
-  if (observer_ != nullptr || by_rules || customisation_ != nullptr) (void)literal_of(event);
+  constexpr std::uint32_t kUnusual =
+      kObserved | kCustomised | kSelectsByRules | kSubplans | kLearned;
   workspace_->had_candidates = false;
   selected_event_ = &event;
-  if (observer_ != nullptr) observer_->event_selected(*this, event);
   bool found = false;
-  if (by_rules || is_below || customisation_ != nullptr || library_->has_learned_plans()) {
-    found = find_unusual_option(event, by_rules);
-  } else if (const PlanList& plans = plans_for(event); !plans.plans().empty()) {
-    const Plan* const chosen = first_applicable(plans, event, {});
-    found = chosen != nullptr;
-    if (found) add_intended_means(*chosen, event, nullptr);
+  if ((unusual_ & kUnusual) != 0) {
+    found = find_unusual_option(event);
+  } else if (const Plan* const chosen = first_applicable(plans_for(event), event, {})) {
+    add_means(*chosen, event, kNoScope);
+    found = true;
   }
   selected_event_ = nullptr;
-  if (!found && (workspace_->had_candidates || observer_ != nullptr)) {
-    note_no_option(event, by_rules);
-  }
+  if (!found && (workspace_->had_candidates || observer_ != nullptr)) note_no_option(event);
   return found;
 }
 

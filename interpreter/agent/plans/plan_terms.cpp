@@ -234,7 +234,7 @@ void Agent::add_rule(Value rule, Place place) {
     head = with_annotations(heap_, head,
                             union_of(heap_, literal_parts(head).annots, source_self(), symbols_));
   }
-  selects_by_rules_ = selects_by_rules_ || predicate_of(head) == predicates::select_option;
+  if (predicate_of(head) == predicates::select_option) unusual_ |= kSelectsByRules;
   beliefs_.add_rule(make_rule(head, made.structure()->arg(1), std::move(names), heap_,
                               machine().actions(), symbols_),
                     place);
@@ -254,6 +254,7 @@ bool Agent::include(std::shared_ptr<const Program> program, std::string& problem
     }
   }
   for (auto& plan : added) own_library().add(std::move(plan));
+  note_unusual();
   std::vector<RuleFunction>& functions = own().functions;
   if (functions.empty()) functions = program_->functions();
   functions.insert(functions.end(), program->functions().begin(), program->functions().end());

@@ -28,14 +28,9 @@ namespace jaywalk {
 /// holds.
 [[nodiscard, gnu::always_inline]] inline bool compare_numbers(const Goal& goal, const Value* frame,
                                                               bool& result) {
-  Value left;
-  Value right;
-  if (!find_value(goal.left, frame, left) || !find_value(goal.right, frame, right) ||
-      !left.is_number() || !right.is_number()) {
-    return false;
-  }
-  const double a = left.as_number();
-  const double b = right.as_number();
+  double a = 0;
+  double b = 0;
+  if (!find_number(goal.left, frame, a) || !find_number(goal.right, frame, b)) return false;
   if (a != a || b != b) return false;
   result = relation_holds(goal.predicate, a, b);
   return true;

@@ -47,7 +47,7 @@ Operand Operand::of(Value term) {
       made.kind = kind_of(sum.predicate());
     }
   }
-  return made;
+  return made.kind == Kind::other ? Operand{} : made;
 }
 
 }  // namespace jaywalk

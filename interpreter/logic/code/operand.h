@@ -12,7 +12,7 @@ namespace jaywalk {
 /// A constant, the value of a slot, or `N-1`, `X + V`: a sum, difference or product of two
 /// slots or numbers. It refers to no cells of a heap but a program's.
 struct Operand {
-  enum class Kind : std::uint8_t { constant, slot, add, subtract, multiply, other };
+  enum class Kind : std::uint8_t { constant, slot, add, subtract, multiply, other };  // in order
   static constexpr std::uint32_t kNoSlot = 0xFFFF'FFFFU;
 
   /// Of a template; `other` if it is nothing of this kind.
@@ -24,6 +24,27 @@ struct Operand {
   Value left;  // a constant itself
   Value right;
 };
+
+/// The number that an operand comes to over a frame. False: it is something else, or not known.
+[[nodiscard, gnu::always_inline]] inline bool find_number(const Operand& operand,
+                                                          const Value* frame, double& number) {
+  Value side = operand.left;
+  if (operand.left_slot != Operand::kNoSlot) side = deref(frame[operand.left_slot]);
+  if (!side.is_number()) return false;
+  number = side.as_number();
+  if (operand.kind <= Operand::Kind::slot) return true;
+  side = operand.right;
+  if (operand.right_slot != Operand::kNoSlot) side = deref(frame[operand.right_slot]);
+  if (!side.is_number()) return false;
+  if (operand.kind == Operand::Kind::subtract) {
+    number -= side.as_number();
+  } else if (operand.kind == Operand::Kind::add) {
+    number += side.as_number();
+  } else {
+    number *= side.as_number();
+  }
+  return true;
+}
 
 /// The value of an operand over a frame, if it has one that is closed. False: `value` is what its
 /// slot holds, if it is one.
@@ -37,22 +58,9 @@ struct Operand {
     value = operand.left;
     return true;
   }
-  if (operand.kind == Operand::Kind::other) return false;
-  const auto side = [frame](std::uint32_t slot, Value number) {
-    return slot == Operand::kNoSlot ? number : deref(frame[slot]);
-  };
-  const Value left = side(operand.left_slot, operand.left);
-  const Value right = side(operand.right_slot, operand.right);
-  if (!left.is_number() || !right.is_number()) return false;
-  const double a = left.as_number();
-  const double b = right.as_number();
-  if (operand.kind == Operand::Kind::subtract) {
-    value = Value::number(a - b);
-  } else if (operand.kind == Operand::Kind::add) {
-    value = Value::number(a + b);
-  } else {
-    value = Value::number(a * b);
-  }
+  double number = 0;
+  if (!find_number(operand, frame, number)) return false;
+  value = Value::number(number);
   return true;
 }
 
