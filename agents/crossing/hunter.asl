@@ -1,7 +1,9 @@
 // Hunter: looks for what the AV does wrong. In every tick it pursues what is worth most as the AV
 // now drives: to be met by it where it drives on though somebody is in its lane; to try its
-// patience where it stands; to draw it on; to step out on the brink; to lure it. It remembers how
-// the AV reacted. Of several the first whom it comes to lures it. After two tries it lets the AV go.
+// patience where it stands; to draw it on; to step out on the brink; to lure it; and where it stands
+// back from where a driver would, to outlast that driver and to walk into it as it goes on. It
+// remembers how the AV reacted. Of several the first whom it comes to lures it. After two tries it
+// lets the AV go, unless a driver would have gone.
 
 { include("shared/stepping.asl") }
 { include("shared/company.asl") }
@@ -10,6 +12,7 @@ patience(2.6).    // s, how long to try the AV in one place
 lures(14).        // m short of which a driver would stand who is lured
 lures_from(4.4).  // s before the AV comes
 falls_back(2.5).  // m by which an AV that reacts otherwise leaves that driver behind
+stays_back(0.3).  // m short of where the driver stands, for an AV that stands back
 
 !exercise_av.
 
@@ -31,6 +34,18 @@ leads(M) :- av_seen(F, _, _) & driver(D, _, _) & M = F - D.
 can_lure :-
   comes_in(S) & lures_from(Most) & S < Most & not stands & spare(0, M) & lures(Least) & M > Least.
 
+// The driver stands before whoever is in the lane here, and does so as long as that one is there; or
+// drives past, as it could not stop any more or is further than that one.
+driver_waits  :- driver(F, V, _) & V < 0.01 & near(N) & N > F - 0.01.
+driver_passes :- not avoids(0) & not driver_waits & not gone.
+
+passes      :- comes_past & gap(M) & M < 0.
+stands_back :- stands & leads(M) & stays_back(Least) & M < -Least.
+
+// On a zebra the AV waits before it, and so near the road's end it is gone before it has passed.
+no_place_to_stand :- on_the_zebra(_).
+no_place_to_stand :- road_end(End) & cell_length(C) & av_metres(L) & y(Y) & Y > End * C - L.
+
 // Where the way to the other side, or along the lane, ends at a parked car.
 car_across :-
   home(Side) & parked(Other, From, To) & Other \== Side & far(Y) & Y > From - 5 & near(N) & N < To.
@@ -49,15 +64,19 @@ stands_beside  :- stands & gap(M) & M < -0.1 & not gone.
 +!hunt : desire(Desire) <- !Desire; !hunt.
 
 desire(let_go) :- gone.
+desire(step_out) :- takes_leave & driver_gone & not in_lane & on_the_brink.
 desire(meet) :- takes_leave & stands_beside & driver_gone.
 desire(graze) :- takes_leave & not in_path & (about_to_leave | stands_beside).
 desire(let_go) :- takes_leave & not in_lane.
 desire(be_ready) :- takes_leave & stands.
+desire(be_ready) :- in_lane & stands & driver_gone.
+desire(outlast) :- in_lane & not in_path & driver_passes.
+desire(outlast) :- in_lane & stands_back & trials([]).
 desire(try(Place)) :-
   in_lane & stands & gap(M) & M < 4 & trials([Place|_]) & not (Place == beyond & car_across).
 desire(meet) :- in_lane & drives & drawing & about_to_pass.
 desire(draw_on) :- in_lane & (stands | drawing).
-desire(meet) :- in_lane & not in_path & about_to_pass.
+desire(meet) :- in_lane & not in_path & (about_to_pass | passes & driver_waits).
 desire(hold) :- in_lane & aim(_).
 desire(be_ready) :- in_lane & unseen & not in_path.
 desire(meet) :- in_lane & about_to_pass.
@@ -68,11 +87,17 @@ desire(stay_by) :- somebody_hides_here & not stands.
 desire(step_out) :- on_the_brink.
 desire(come_on) :-
   not reacted(_) & can_lure & not first_to_others & side(Side) & not emerges_from(Side).
+desire(graze) :- not in_lane & driver_passes & not stands.
 desire(be_ready).
 
 +!let_go        <- !wait.
 +!hold : aim(X) <- !step_to(X).
 +!stay_by       <- !to(beside).
++!be_ready : side(Side) & place(beside, Side, X) & there(X) & no_place_to_stand & free(back)
+  <- -aim(_);
+     !rest;
+     !turn_round;
+     !along(back).
 +!be_ready : side(Side) & place(beside, Side, X) & there(X)
   <- -aim(_);
      !rest;
@@ -104,9 +129,15 @@ desire(be_ready).
 +!try(Place) : trying(Place, _) <- !aim_at(Place).
 +!try(Place) : now(S)           <- -+trying(Place, S); !aim_at(Place).
 
+// Beside its path, and so far back that the driver, but not the AV, has nobody ahead in the lane.
++!outlast : in_path      <- !leave_path.
++!outlast : driver_waits <- !along(back).
++!outlast                <- !wait.
+
 // Ahead in its lane until a driver who had stopped would have the way to pick up speed, then out.
 +!draw_on : not drawing <- +drawing; !wait.
 +!draw_on : in_path     <- !leave_path.
++!draw_on : on_the_zebra(_) & not at_a_car & free(forward) <- !along(forward).
 +!draw_on
   : leads(M) & M < 1 & driver(F, _, _) & near(N) & N - F < 4.5 & not at_a_car & free(forward)
   <- !along(forward).

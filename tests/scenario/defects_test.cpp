@@ -112,9 +112,8 @@ TEST_P(Specialists, AreBetterThanAnyOtherAtTheirDefect) {
 
 INSTANTIATE_TEST_SUITE_P(
     StandardSet, Specialists,
-    ::testing::Values(Specialist{"brink", "pedal-change"},
-                      Specialist{"feint", "constant-velocity=0.6"},
-                      Specialist{"loiter", "lateral-bias"},
+    ::testing::Values(Specialist{"brink", "comfort-braking=2"},
+                      Specialist{"feint", "kerb-standing"}, Specialist{"loiter", "lateral-bias"},
                       Specialist{"shadow", "near-obstacle", 1, "world.av.start=-40"},
                       Specialist{"decoy_and_runner", "nearest-only", 2, "world.av.start=-40"},
                       Specialist{"tail", "short-range=20"}, Specialist{"stall", "gives-up=15"},
@@ -122,6 +121,13 @@ INSTANTIATE_TEST_SUITE_P(
                       Specialist{"crowd", "group-as-first", 2},
                       Specialist{"repeat", "trusts-walkers"},
                       Specialist{"hunter", "ignores-along"}));
+
+TEST(PlainModels, FailBeforeTheHunterFromNearlyEveryStart) {
+  for (const std::string model : {"braking", "aeb", "idm"}) {
+    const auto prepared = scenario("defects", {"experiment.defects=[]", "world.av.model=" + model});
+    EXPECT_GE(verdicts(*prepared, "hunter", "avoidability", 40).of(Verdict::fail), 34U) << model;
+  }
+}
 
 TEST(BrokenDrivers, AreFoundByTheHunterUnlessTheyAreHealthy) {
   const auto failures = [](const std::string& behaviour, const std::string& fault) {

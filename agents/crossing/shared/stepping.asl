@@ -76,9 +76,8 @@ comes_in(S) :- gap(M) & av_seen(_, V, _) & V > 0.01 & S = M / V.
 over_lane_for(S) :- risks(Risks) & .member(risk(me, Since), Risks) & now(Now) & S = Now - Since.
 
 // The AV is here when one gets into its path, if it does not brake as the driver could.
-about_to_pass :-
-  side(Side) & enters_path(Side, S) & tick_length(L) & not gone & comes_by(0, S + 2 * L) &
-  avoids(0).
+about_to_pass :- comes_past & avoids(0).
+comes_past :- side(Side) & enters_path(Side, S) & tick_length(L) & not gone & comes_by(0, S + 2 * L).
 
 // Seconds until one is over the lane and in sight of the driver, over the AV's path, and out of that
 // again, if one steps out.

@@ -141,3 +141,55 @@ trials([far, near, beyond]).
      !the_av_is_at(44, 0, 0);
      !try(draw_on);
      !assert_true(did(along(forward))).
+
+@[test]
++!it_outlasts_the_driver_before_an_av_that_stands_back
+  <- +at(4.9, 30);
+     -+trials([]);
+     !the_av_is_at(43.5, 0, 0);
+     !a_driver_would_stand_at(45.4);
+     ?desire(Desire);
+     !assert_equals(outlast, Desire);
+     !try(outlast);
+     !assert_true(did(along(back)));
+     !a_driver_would_stand_at(45.6);
+     ?desire(Then);
+     !assert_equals(outlast, Then);
+     !try(outlast);
+     !assert_true(did(wait));
+     !a_driver_would_stand_at(60);
+     ?desire(Last);
+     !assert_equals(be_ready, Last).
+
+@[test]
++!it_walks_into_an_av_that_it_let_go_when_a_driver_would_be_gone
+  <- +at(1.5 - 1 / 6, 30);
+     +draws(2);
+     !the_av_is_at(48, 1, 0.2);
+     ?desire(Desire);
+     !assert_equals(graze, Desire);
+     !a_driver_would_stand_at(80);
+     ?desire(Then);
+     !assert_equals(step_out, Then).
+
+@[test]
++!it_puts_a_foot_in_the_lane_when_a_driver_cannot_stop_any_more
+  <- +at(1.5 - 1 / 6, 30);
+     !the_av_is_at(33, 9, 0);
+     ?desire(Desire);
+     !assert_equals(graze, Desire).
+
+@[test]
++!it_walks_into_an_av_that_passes_where_a_driver_waits
+  <- +at(4.9, 30);
+     !the_av_is_at(46, 1, 0.2);
+     !a_driver_would_stand_at(45.4);
+     ?desire(Desire);
+     !assert_equals(meet, Desire).
+
+@[test]
++!it_does_not_wait_where_the_road_ends_before_the_av_has_passed
+  <- +at(1.5 - 1 / 6, 64);
+     !the_av_is_at(20, 9, 0);
+     !try(be_ready);
+     !assert_true(did(along(back))).
