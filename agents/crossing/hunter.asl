@@ -87,7 +87,7 @@ desire(stay_by) :- somebody_hides_here & not stands.
 desire(step_out) :- on_the_brink.
 desire(come_on) :-
   not reacted(_) & can_lure & not first_to_others & side(Side) & not emerges_from(Side).
-desire(graze) :- not in_lane & driver_passes & not stands.
+desire(graze) :- pedestrians(1) & not in_lane & driver_passes & not stands.
 desire(be_ready).
 
 +!let_go        <- !wait.
