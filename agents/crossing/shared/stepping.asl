@@ -77,7 +77,8 @@ over_lane_for(S) :- risks(Risks) & .member(risk(me, Since), Risks) & now(Now) & 
 
 // The AV is here when one gets into its path, if it does not brake as the driver could.
 about_to_pass :- comes_past & avoids(0).
-comes_past :- side(Side) & enters_path(Side, S) & tick_length(L) & not gone & comes_by(0, S + 2 * L).
+comes_past :-
+  side(Side) & enters_path(Side, S) & tick_length(L) & not gone & comes_by(0, S + 2 * L).
 
 // Seconds until one is over the lane and in sight of the driver, over the AV's path, and out of that
 // again, if one steps out.
