@@ -67,6 +67,12 @@ std::span<float> numbers(Matrix& matrix, Eigen::Index column) {
   return {matrix.col(column).data(), static_cast<std::size_t>(matrix.rows())};
 }
 
+/// What chance is left for the sake of learning is not left to who only uses what was learned.
+void keep_most_probable(std::span<double> probabilities) {
+  const auto most = std::ranges::max_element(probabilities);
+  for (double& each : probabilities) each = &each == &*most ? 1 : 0;
+}
+
 nlohmann::json numbers_of(const Network& network) {
   nlohmann::json layers = nlohmann::json::array();
   for (const Layer* const layer : network.layers()) {
@@ -122,10 +128,11 @@ class ActorCritic final : public Learner {
     critic_.add_to(critic_steps_);
   }
 
-  void weigh(std::span<const double> features, std::span<const std::uint32_t> options, Mode,
+  void weigh(std::span<const double> features, std::span<const std::uint32_t> options, Mode mode,
              std::span<double> probabilities) const override {
     const Matrix scores = actor_.output(scaled(features));
     softmax(numbers(scores, 0), options, probabilities);
+    if (mode == Mode::exploit) keep_most_probable(probabilities);
   }
 
   [[nodiscard]] double value(std::span<const double> features) const override {

@@ -1,5 +1,6 @@
 // What learners learn, by a problem that can be solved exactly.
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -122,6 +123,23 @@ TEST_P(EveryLearner, LearnsWhatPaysAmongTheOptionsThatThereAre) {
   }
   learner->weigh(features_of({1, 1}), options, Learner::Mode::exploit, probabilities);
   EXPECT_GT(probabilities[1], 0.9);
+}
+
+TEST(ActorCritic, LeavesNothingToChanceOnceItExploits) {
+  const auto learner = made("actor-critic");
+  networks::Random random(3);
+  learner->learn(generation_of(*learner, random));
+  const std::array<std::uint32_t, 4> all{0, 1, 2, 3};
+  std::array<double, 4> explored{};
+  std::array<double, 4> exploited{};
+  const std::vector<double> features = features_of({0, 0});
+  learner->weigh(features, all, Learner::Mode::explore, explored);
+  learner->weigh(features, all, Learner::Mode::exploit, exploited);
+  EXPECT_LT(*std::ranges::max_element(explored), 1);
+  const auto likeliest = std::ranges::max_element(explored) - explored.begin();
+  for (std::ptrdiff_t i = 0; i < 4; ++i) {
+    EXPECT_THAT(exploited[static_cast<std::size_t>(i)], DoubleEq(i == likeliest ? 1 : 0));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Learners, EveryLearner, testing::Values("q-table", "actor-critic"),
