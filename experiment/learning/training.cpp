@@ -25,6 +25,14 @@ std::string texts_hash(const std::vector<SourcePtr>& sources) {
   return sha256(texts);
 }
 
+/// With its weights in the order in which a file has them, so that who goes on finds the same.
+LearningSpec spec_of(const Scenario& scenario) {
+  LearningSpec spec = scenario.learning;
+  std::ranges::sort(spec.reward.violation);
+  std::ranges::sort(spec.reward.robustness);
+  return spec;
+}
+
 PolicyOrigin origin_of(const TrainingPlan& plan) {
   const Scenario& scenario = plan.prepared->scenario();
   std::string texts = texts_hash(scenario.sources);
@@ -35,7 +43,7 @@ PolicyOrigin origin_of(const TrainingPlan& plan) {
           .scenario_sha256 = sha256(texts),
           .agents = plan.agents,
           .seed = plan.seed,
-          .spec = scenario.learning};
+          .spec = spec_of(scenario)};
 }
 
 }  // namespace
