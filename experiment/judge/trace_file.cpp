@@ -103,7 +103,7 @@ class TraceParser {
       }
       header = false;
     }
-    if (header || rows_.empty()) {
+    if (!diagnostics_.has_errors() && (header || rows_.empty())) {
       diagnostics_.error(source_->name(), header ? "is empty" : "has no row below its header",
                          "the first line names the columns: time,actor,kind,x,y");
     }
