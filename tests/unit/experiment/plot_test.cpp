@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <ostream>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,6 +58,10 @@ struct Marks {
   double most;
   int count;
   std::vector<double> wanted;
+
+  friend std::ostream& operator<<(std::ostream& out, const Marks& marks) {
+    return out << marks.least << " to " << marks.most;
+  }
 };
 
 class LinearMarks : public testing::TestWithParam<Marks> {};

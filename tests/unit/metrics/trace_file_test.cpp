@@ -1,6 +1,8 @@
 #include "experiment/judge/trace_file.h"
 
 #include <numbers>
+#include <ostream>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -188,6 +190,10 @@ TEST(TraceErrors, PointAtTheField) {
 struct Mistake {
   std::string text;
   std::string message;
+
+  friend std::ostream& operator<<(std::ostream& out, const Mistake& mistake) {
+    return out << mistake.message;
+  }
 };
 
 class TraceMistakes : public testing::TestWithParam<Mistake> {};
