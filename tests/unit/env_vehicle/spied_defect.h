@@ -46,7 +46,7 @@ class SpiedDefect {
   std::vector<SeenActor> sees(double time_s, std::vector<SeenActor> actors) {
     view.time_s = time_s;
     view.actors = actors;
-    controller_->decide(view);
+    (void)controller_->decide(view);
     return spied_->actors;
   }
   std::vector<SeenActor> sees(std::vector<SeenActor> actors) { return sees(0, std::move(actors)); }
