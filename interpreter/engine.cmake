@@ -31,6 +31,7 @@ jaywalk_add_library(engine
     logic/unifier/unifier_apply.cpp
     logic/unifier/unifier_numbers.cpp
     logic/unifier/univ.cpp
+    program/code_text.cpp
     program/event_code.cpp
     program/plan.cpp
     program/plan_compiler.cpp

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,7 +17,9 @@
 
 #include "env/environments.h"
 #include "experiment/test_run/prepared_scenario.h"
+#include "interpreter/compile/compiler.h"
 #include "interpreter/embed/project_agents.h"
+#include "interpreter/program/code_text.h"
 #include "interpreter/syntax/load.h"
 #include "search/search_experiment.h"
 #include "tools/jaywalk/commands/command.h"
@@ -148,6 +151,26 @@ std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// The compiled code of programs, instead of what is wrong with them.
+ExitCode dump_code(std::span<const std::string> files, const IncludePath& include_path,
+                   Console& console) {
+  for (const std::string& path : files) {
+    if (!path.ends_with(".asl")) {
+      console.error(fmt::format("expected a program .asl, found '{}'", path),
+                    "--dump-code shows the code of programs");
+      return ExitCode::usage;
+    }
+    Diagnostics found;
+    SymbolTable symbols;
+    const SourceTree tree = load_agent(path, include_path, found);
+    const auto program = compile(tree, symbols, found);
+    console.report(found);
+    if (program == nullptr || found.has_errors()) return ExitCode::usage;
+    console.print(code_text(*program, symbols));
+  }
+  return ExitCode::success;
+}
+
 std::string names_of_checks() {
   std::size_t width = 0;
   for (const CheckInfo& each : checks()) width = std::max(width, each.name.size());
@@ -172,7 +195,8 @@ CommandHelp help() {
           "its line and the next, `allow-file CODE` in the file. Exits with 2 if there are\n"
           "errors.\n",
       .options = {{option::kWerror, "", "treat warnings as errors"},
-                  {option::kList, "", "name the warnings that there are, and check nothing"}},
+                  {option::kList, "", "name the warnings that there are, and check nothing"},
+                  {option::kDumpCode, "", "print what the engine executes for each rule and plan"}},
       .examples =
           "  jaywalk check agents/crossing/proximity.asl\n"
           "  jaywalk check agents scenarios/*.yaml --werror\n"};
@@ -195,6 +219,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   for (const std::string& operand : arguments.operands()) operands.push_back(located(operand));
   std::vector<std::string> files;
   const bool all_found = expand_folders(operands, kEndings, console, files);
+  if (arguments.has(option::kDumpCode)) {
+    return all_found ? dump_code(files, *include_path, console) : ExitCode::usage;
+  }
   // Projects know more about their agents than these show by themselves.
   std::stable_partition(files.begin(), files.end(),
                         [](const std::string& path) { return path.ends_with(kEndings[1]); });

@@ -26,6 +26,7 @@ inline constexpr OptionName kDefect{"defect"};
 inline constexpr OptionName kDefects{"defects"};
 inline constexpr OptionName kDialect{"dialect"};
 inline constexpr OptionName kDiff{"diff"};
+inline constexpr OptionName kDumpCode{"dump-code"};
 inline constexpr OptionName kExport{"export"};
 inline constexpr OptionName kFailOn{"fail-on"};
 inline constexpr OptionName kFilter{"filter"};

@@ -1,0 +1,16 @@
+#pragma once
+
+// Compiled plans and rules as text, beside their source: `jaywalk check --dump-code`.
+
+#include <string>
+
+#include "interpreter/program/program.h"
+
+namespace jaywalk {
+
+/// What the engine executes for each rule and plan of a program, in source order; the standard
+/// plans for messages are left out. ENGINE.md explains it. Names of variables with the
+/// numbers of their slots come into `symbols`.
+[[nodiscard]] std::string code_text(const Program& program, SymbolTable& symbols);
+
+}  // namespace jaywalk
