@@ -36,7 +36,7 @@ TEST(Facts, CountTicksOfTheTestsThatCameToAnEnd) {
 
 TEST(Facts, KeepPlacesInSquaresOfHalfAMetre) {
   FactsTable table(four_tests());
-  const TestCase test{.agents = 1};
+  const TestKey test{.agents = 1};
   table.add_place(test, 1.0, 2.0);
   table.add_place(test, 1.49, 2.49);
   table.add_place(test, 1.5, 2.0);

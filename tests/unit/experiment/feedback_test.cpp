@@ -16,7 +16,7 @@ class Feedback : public testing::Test {
  protected:
   /// A test that covers a bin of the first item is over.
   void finish(std::uint64_t number, std::uint32_t bin, std::uint32_t agents = 1) {
-    const TestCase test{.agents = agents, .number = number};
+    const TestKey test{.agents = agents, .number = number};
     SituationBins bins(situation_items().size());
     bins[0] = bin;
     table_.add(test, bins);

@@ -12,7 +12,7 @@ using testing::Not;
 Comparison judged(VerdictCounts counts) {
   Comparison comparison{.assertions = {"away"}};
   comparison.summaries = {{.behaviour = "walk", .agents = 3, .tests = counts.all()}};
-  comparison.findings = {{.verdicts = {counts}}};
+  comparison.assessments = {{.verdicts = {counts}}};
   return comparison;
 }
 
@@ -67,7 +67,7 @@ TEST(Junit, OfNothingIsAnEmptyDocument) {
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n</testsuites>\n");
 }
 
-Inquiry rules() {
+Criteria rules() {
   auto assertions = parse_assertions(std::make_shared<const Source>(
       "rules.yaml",
       "assertions:\n"
@@ -76,9 +76,9 @@ Inquiry rules() {
 }
 
 TEST(JunitOfOneTest, SaysWhereItsRequirementWasViolated) {
-  const TestFindings findings{
+  const TestAssessment assessment{
       .judgements = {{.verdict = Verdict::fail, .robustness = -0.25, .tick = 4}}};
-  const std::string xml = to_junit("drive.csv", rules(), findings);
+  const std::string xml = to_junit("drive.csv", rules(), assessment);
   EXPECT_THAT(xml, HasSubstr("<testsuite name=\"drive.csv\" tests=\"1\" failures=\"1\""));
   EXPECT_THAT(xml, HasSubstr("name=\"away\""));
   EXPECT_THAT(xml, HasSubstr("violated at tick 4, robustness -0.25: always closest &gt; 1\"/>"));

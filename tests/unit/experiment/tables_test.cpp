@@ -66,7 +66,7 @@ VerdictCounts verdicts(std::uint64_t vacuous, std::uint64_t pass, std::uint64_t 
 TEST(VerdictTable, HasARowForEachAssertionOfEachBehaviour) {
   Comparison comparison{.assertions = {"away", "slow"}};
   comparison.summaries = {summary_of("walk", 1), summary_of("walk", 3), summary_of("run", 1)};
-  comparison.findings = {{.verdicts = {verdicts(5, 3, 1, 1), verdicts(10, 0, 0, 0)}},
+  comparison.assessments = {{.verdicts = {verdicts(5, 3, 1, 1), verdicts(10, 0, 0, 0)}},
                          {.verdicts = {verdicts(0, 10, 0, 0), verdicts(0, 0, 10, 0)}},
                          {.verdicts = {verdicts(9, 1, 0, 0), verdicts(9, 0, 0, 1)}}};
   EXPECT_EQ(render_verdicts(comparison),
@@ -91,10 +91,10 @@ TEST(VerdictTable, IsEmptyWhereNothingWasJudged) {
 TEST(MetricTable, HasADashWhereNoTestHasAValue) {
   Comparison comparison;
   comparison.summaries = {summary_of("walk", 1)};
-  FindingsSummary findings;
-  findings.metrics.resize(metrics().size());
-  findings.metrics[0] = distribution({1, 2, 6});
-  comparison.findings = {findings};
+  AssessmentSummary assessment;
+  assessment.metrics.resize(metrics().size());
+  assessment.metrics[0] = distribution({1, 2, 6});
+  comparison.assessments = {assessment};
   const std::string text = render_metrics(comparison);
   EXPECT_THAT(text, StartsWith("metrics              agents   tests      mean       min    median"
                                "       max\nwalk\n"
@@ -104,46 +104,46 @@ TEST(MetricTable, HasADashWhereNoTestHasAValue) {
                                "         -\n"));
 }
 
-Inquiry inquiry_of(std::vector<std::string> ids) {
-  Inquiry inquiry{.metrics = true};
+Criteria criteria_of(std::vector<std::string> ids) {
+  Criteria criteria{.metrics = true};
   for (std::string& id : ids) {
     Assertion assertion;
     assertion.id = std::move(id);
-    inquiry.assertions.push_back(std::move(assertion));
+    criteria.assertions.push_back(std::move(assertion));
   }
-  return inquiry;
+  return criteria;
 }
 
 const std::vector<Actor> kActors{{"av", ActorKind::vehicle, 4, 2},
                                  {"p1", ActorKind::pedestrian, 0.5, 0.5},
                                  {"p2", ActorKind::pedestrian, 0.5, 0.5}};
 
-TEST(FindingsText, SaysVerdictsWithTheirReasons) {
-  TestFindings findings;
-  findings.judgements = {
+TEST(AssessmentText, SaysVerdictsWithTheirReasons) {
+  TestAssessment assessment;
+  assessment.judgements = {
       {.verdict = Verdict::fail, .robustness = -0.25, .tick = 4, .witnesses = {1, 2}},
       {.verdict = Verdict::pass, .robustness = 2.5},
       {.verdict = Verdict::vacuous, .exercised = -1.5}};
-  EXPECT_EQ(render_findings(inquiry_of({"away", "slow", "zebra"}), findings, kActors),
+  EXPECT_EQ(render_assessment(criteria_of({"away", "slow", "zebra"}), assessment, kActors),
             "away                    fail         robustness -0.25, violated at tick 4 (p1, p2)\n"
             "slow                    pass         robustness 2.5\n"
             "zebra                   vacuous      precondition missed by 1.5\n");
 }
 
-TEST(FindingsText, SaysTheMetricsThatHaveValues) {
-  TestFindings findings;
-  findings.metrics.resize(metrics().size());
-  findings.metrics[0] = MetricValue{.value = 0.75, .tick = 3, .actor = 2};
-  EXPECT_EQ(render_findings(inquiry_of({}), findings, kActors),
+TEST(AssessmentText, SaysTheMetricsThatHaveValues) {
+  TestAssessment assessment;
+  assessment.metrics.resize(metrics().size());
+  assessment.metrics[0] = MetricValue{.value = 0.75, .tick = 3, .actor = 2};
+  EXPECT_EQ(render_assessment(criteria_of({}), assessment, kActors),
             "min_distance            0.75 m at tick 3 (p2)\n");
 }
 
-TEST(FindingsText, LeavesOutTheUnitOfANumberWithoutOne) {
-  TestFindings findings;
-  findings.metrics.resize(metrics().size());
+TEST(AssessmentText, LeavesOutTheUnitOfANumberWithoutOne) {
+  TestAssessment assessment;
+  assessment.metrics.resize(metrics().size());
   const auto btn = static_cast<std::size_t>(find_metric("max_btn") - metrics().data());
-  findings.metrics[btn] = MetricValue{.value = 1.2, .tick = 3, .actor = 1};
-  EXPECT_EQ(render_findings(inquiry_of({}), findings, kActors),
+  assessment.metrics[btn] = MetricValue{.value = 1.2, .tick = 3, .actor = 1};
+  EXPECT_EQ(render_assessment(criteria_of({}), assessment, kActors),
             "max_btn                 1.2 at tick 3 (p1)\n");
 }
 
