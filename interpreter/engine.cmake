@@ -59,6 +59,7 @@ jaywalk_add_library(engine
     agent/execution/execute_variable.cpp
     agent/goals/failure.cpp
     agent/execution/for_loops.cpp
+    agent/garbage.cpp
     agent/goal_copier.cpp
     agent/execution/goal_arguments.cpp
     agent/goals/goals.cpp

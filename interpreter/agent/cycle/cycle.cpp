@@ -23,11 +23,11 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/cycle/next_cycle.h"
 #include "interpreter/agent/drops.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/goals.h"
 #include "interpreter/agent/goals/waits.h"
+#include "interpreter/agent/next_cycle.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/text.h"

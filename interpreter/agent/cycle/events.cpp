@@ -2,8 +2,8 @@
 // does not.
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/cycle/next_cycle.h"
 #include "interpreter/agent/goals/waits.h"
+#include "interpreter/agent/next_cycle.h"
 
 namespace jaywalk {
 

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/cycle/next_cycle.h"
 #include "interpreter/agent/execution/goal_arguments.h"
 #include "interpreter/agent/execution/step_texts.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/goals.h"
+#include "interpreter/agent/next_cycle.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"

@@ -58,7 +58,7 @@ TEST(Hello, IsRefusedInAnotherVersionOrWithoutAName) {
 
 TEST(Echo, IsOfTheTestThatWasAskedFor) {
   EXPECT_EQ(check_echo({{"step", 3}, {"test", 7}}, 7), "");
-  EXPECT_EQ(check_echo({{"step", 3}, {"test", 8}}, 7), "it answers for test 8, asked was 7");
+  EXPECT_EQ(check_echo({{"step", 3}, {"test", 8}}, 7), "it answers for test 8, expected 7");
   EXPECT_EQ(check_echo({{"step", 3}}, 7), "there is no 'test' in its answer");
 }
 
@@ -83,7 +83,7 @@ TEST(Scene, MayHaveAnAvThatIsNotThere) {
 
 TEST(Scene, IsOfTheTimeThatWasAskedFor) {
   EXPECT_EQ(scene_problem(scene_at(0.5 + 1e-9)), "");
-  EXPECT_EQ(scene_problem(scene_at(0.6)), "its time is 0.6 s, asked was 0.5 s");
+  EXPECT_EQ(scene_problem(scene_at(0.6)), "its time is 0.6 s, expected 0.5 s");
 }
 
 TEST(Scene, SaysWhatIsMissingOrOfAnotherKind) {

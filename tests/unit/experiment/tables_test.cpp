@@ -67,8 +67,8 @@ TEST(VerdictTable, HasARowForEachAssertionOfEachBehaviour) {
   Comparison comparison{.assertions = {"away", "slow"}};
   comparison.summaries = {summary_of("walk", 1), summary_of("walk", 3), summary_of("run", 1)};
   comparison.assessments = {{.verdicts = {verdicts(5, 3, 1, 1), verdicts(10, 0, 0, 0)}},
-                         {.verdicts = {verdicts(0, 10, 0, 0), verdicts(0, 0, 10, 0)}},
-                         {.verdicts = {verdicts(9, 1, 0, 0), verdicts(9, 0, 0, 1)}}};
+                            {.verdicts = {verdicts(0, 10, 0, 0), verdicts(0, 0, 10, 0)}},
+                            {.verdicts = {verdicts(9, 1, 0, 0), verdicts(9, 0, 0, 1)}}};
   EXPECT_EQ(render_verdicts(comparison),
             "verdicts                agents  exercised %     pass     fail  unavoidable\n"
             "walk\n"
