@@ -68,6 +68,7 @@ class AgentParts {
   Intention* executing_ = nullptr;
   const Event* selected_event_ = nullptr;  // for which a plan is being looked for
   bool goes_on_ = false;                   // the intention that is held is ready
+  bool released_ = false;                  // it has its place in I after all
   bool starts_later_ = false;
   bool changed_ = false;  // since waiting formulas were last looked at
   /// There may be something that a cycle has to look at before it goes on with the same intention

@@ -191,7 +191,9 @@ void Agent::queue_next_event(Intention& intention) {
 
 // The intention that is held takes its place in I if it is ready.
 void Agent::release_held() {
-  if (std::exchange(goes_on_, false)) circumstance_.running.push_back(held_);
+  if (!std::exchange(goes_on_, false)) return;
+  circumstance_.running.push_back(held_);
+  released_ = true;
 }
 
 // The intention that is held is not ready any more, and its event is off.
@@ -261,6 +263,7 @@ void Agent::act() {
     if (!circumstance_.feedback.empty()) process_feedback();
     // Rule SelInt
     held_ = select_intention();
+    released_ = false;
   } while (held_ != nullptr && run(*held_) == Next::selection);
 }
 
