@@ -99,8 +99,8 @@ Outcome get_src_info(ActionCall& call) {
   SymbolTable& symbols = call.symbols();
   const std::array<Value, 1> file{heap.text("file:" + source)};
   const std::array<Value, 1> line{Value::number(number)};
-  const std::array<Value, 2> info{heap.structure(symbols.predicate("code_line", 1), line),
-                                  heap.structure(symbols.predicate("code_src", 1), file)};
+  const std::array<Value, 2> info{heap.structure(predicates::code_line, line),
+                                  heap.structure(predicates::code_src, file)};
   const Value annots = union_of(heap, literal_parts(call.arg(0)).annots, heap.list(info), symbols);
   return call.result(1, with_annotations(heap, call.arg(0), annots));
 }

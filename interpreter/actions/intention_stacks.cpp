@@ -61,9 +61,8 @@ Value stack_term(Agent& agent, Intention& intention) {
       const std::uint32_t line = means.is_finished() ? means.plan->line : means.step().place.line;
       const Value number = Value::number(line);
       const Value file = heap.text("file:" + means.plan->file);
-      const std::array<Value, 2> place{
-          heap.structure(agent.symbols().predicate("code_line", 1), std::span(&number, 1)),
-          heap.structure(agent.symbols().predicate("code_src", 1), std::span(&file, 1))};
+      const std::array<Value, 2> place{heap.structure(predicates::code_line, std::span(&number, 1)),
+                                       heap.structure(predicates::code_src, std::span(&file, 1))};
       label = with_annotations(
           heap, label,
           union_of(heap, literal_parts(label).annots, heap.list(place), agent.symbols()));

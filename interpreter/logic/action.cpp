@@ -120,7 +120,7 @@ Outcome ActionCall::fail(std::string id, std::string message) {
 
 Outcome ActionCall::java_exception(std::string message) {
   error().annots.push_back(
-      heap().structure(symbols().predicate("error_msg", 1), std::array<Value, 1>{heap().text("")}));
+      heap().structure(predicates::error_msg, std::array<Value, 1>{heap().text("")}));
   return fail("unknown", std::move(message));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/term/program_terms.h"
@@ -342,21 +343,61 @@ bool is_ground(Value term) {
   return ground(term, walk);
 }
 
-Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
-  std::vector<Value> elements;
-  list = deref(list);
-  for (; list.is_pair(); list = deref(list.pair()->tail)) {
-    elements.push_back(deref(list.pair()->head));
+namespace {
+
+// Few elements, mostly in order already: each goes where it belongs among those before it, unless
+// an equal one is there.
+void sort_few(std::vector<Value>& elements, const SymbolTable& symbols) {
+  std::size_t sorted = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Value element = elements[i];
+    std::size_t place = sorted;
+    int order = -1;
+    while (place > 0 && (order = compare_terms(elements[place - 1], element, symbols)) > 0) --place;
+    if (place > 0 && order == 0) continue;
+    std::copy_backward(elements.begin() + static_cast<std::ptrdiff_t>(place),
+                       elements.begin() + static_cast<std::ptrdiff_t>(sorted),
+                       elements.begin() + static_cast<std::ptrdiff_t>(sorted) + 1);
+    elements[place] = element;
+    ++sorted;
   }
-  if (elements.size() < 2) return heap.list(elements, list);
-  // Of equal elements the first one stays.
+  elements.resize(sorted);
+}
+
+// Of equal elements the first one stays, here, too.
+void sort_many(std::vector<Value>& elements, const SymbolTable& symbols) {
   std::stable_sort(elements.begin(), elements.end(),
                    [&](Value a, Value b) { return compare_terms(a, b, symbols) < 0; });
   const auto last = std::unique(elements.begin(), elements.end(), [&](Value a, Value b) {
     return compare_terms(a, b, symbols) == 0;
   });
   elements.erase(last, elements.end());
-  return heap.list(elements, list);
+}
+
+}  // namespace
+
+Value append_elements(std::vector<Value>& elements, Value list) {
+  list = deref(list);
+  for (; list.is_pair(); list = deref(list.pair()->tail)) {
+    elements.push_back(deref(list.pair()->head));
+  }
+  return list;
+}
+
+Value sorted_set(Heap& heap, std::vector<Value> elements, Value tail, const SymbolTable& symbols) {
+  constexpr std::size_t kFew = 12;
+  if (elements.size() <= kFew) {
+    sort_few(elements, symbols);
+  } else {
+    sort_many(elements, symbols);
+  }
+  return heap.list(elements, tail);
+}
+
+Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
+  std::vector<Value> elements;
+  const Value tail = append_elements(elements, list);
+  return sorted_set(heap, std::move(elements), tail, symbols);
 }
 
 Value union_of(Heap& heap, Value a, Value b, const SymbolTable& symbols) {
@@ -365,9 +406,9 @@ Value union_of(Heap& heap, Value a, Value b, const SymbolTable& symbols) {
   if (!a.is_pair() || a.same_as(b)) return b.is_pair() || !a.is_variable() ? b : a;
   if (!b.is_pair()) return a;
   std::vector<Value> elements;
-  for (; a.is_pair(); a = deref(a.pair()->tail)) elements.push_back(deref(a.pair()->head));
-  for (; b.is_pair(); b = deref(b.pair()->tail)) elements.push_back(deref(b.pair()->head));
-  return sorted_set(heap, heap.list(elements, b.is_variable() ? b : a), symbols);
+  const Value end = append_elements(elements, a);
+  const Value other_end = append_elements(elements, b);
+  return sorted_set(heap, std::move(elements), other_end.is_variable() ? other_end : end, symbols);
 }
 
 }  // namespace jaywalk

@@ -3,6 +3,7 @@
 // Equality, order and hashes of terms.
 
 #include <cstdint>
+#include <vector>
 
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
@@ -28,6 +29,11 @@ enum class Annotations { compare, ignore };
 /// The annotations as a sorted set: sorted by compare_terms, duplicates dropped; an open tail
 /// stays.
 [[nodiscard]] Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols);
+/// The same of elements, before a tail.
+[[nodiscard]] Value sorted_set(Heap& heap, std::vector<Value> elements, Value tail,
+                               const SymbolTable& symbols);
+/// Appends a list's elements; the result is its tail, or the term if it is no list.
+[[nodiscard]] Value append_elements(std::vector<Value>& elements, Value list);
 
 /// Union of two closed sets of annotations.
 [[nodiscard]] Value union_of(Heap& heap, Value a, Value b, const SymbolTable& symbols);

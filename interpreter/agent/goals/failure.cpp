@@ -31,28 +31,30 @@ bool Agent::has_failure_plan(TriggerKind kind, Predicate goal, const Scope* scop
 // The goal's literal with error(Id), error_msg("..."), code(Formula), code_src and code_line.
 Value Agent::failure_literal(Value literal, const ActionError& error, Value code,
                              std::uint32_t line, const Intention* intention) {
-  const auto annot = [&](std::string_view name, Value arg) {
-    return heap_.structure(symbols_.predicate(name, 1), std::span(&arg, 1));
+  const auto annot = [&](Predicate name, Value arg) {
+    return heap_.structure(name, std::span(&arg, 1));
   };
-  std::vector<Value> annots = error.annots;
-  annots.push_back(annot("error", Value::atom(symbols_.predicate(error.id, 0))));
-  const Predicate message = symbols_.predicate("error_msg", 1);
-  const bool has_message = std::any_of(annots.begin(), annots.end(), [&](Value annotation) {
-    return annotation.is_structure() && annotation.structure()->predicate() == message;
-  });
-  if (!has_message) annots.push_back(annot("error_msg", heap_.text(error.message)));
-  annots.push_back(
-      annot("code", code.is_unset() ? Value::atom(symbols_.predicate("no_code", 0)) : code));
-  // Goals that come from nowhere in the program have these annotations, too.
-  const bool has_place = line > 0 && intention != nullptr;
-  const Value no_code = Value::atom(symbols_.predicate("no_code", 0));
-  annots.push_back(
-      annot("code_src", has_place ? heap_.text("file:" + intention->top().plan->file) : no_code));
-  annots.push_back(annot("code_line", has_place ? Value::number(line) : no_code));
-  const Value set = sorted_set(heap_, heap_.list(annots), symbols_);
   literal = machine().unifier().apply(literal);
-  return with_annotations(heap_, literal,
-                          union_of(heap_, literal_parts(literal).annots, set, symbols_));
+  std::vector<Value> annots;
+  annots.reserve(8);
+  Value rest = append_elements(annots, literal_parts(literal).annots);
+  if (annots.empty()) rest = Value::empty_list();
+  annots.insert(annots.end(), error.annots.begin(), error.annots.end());
+  const bool has_message = std::ranges::any_of(error.annots, [](Value annotation) {
+    return annotation.is_structure() &&
+           annotation.structure()->predicate() == predicates::error_msg;
+  });
+  // Goals that come from nowhere in the program have these annotations, too.
+  const Value no_code = Value::atom(predicates::no_code);
+  const bool has_place = line > 0 && intention != nullptr;
+  const Value source = has_place ? heap_.text("file:" + intention->top().plan->file) : no_code;
+  // In the order of the set, which is then made without much ado.
+  annots.push_back(annot(predicates::code, code.is_unset() ? no_code : code));
+  annots.push_back(annot(predicates::code_line, has_place ? Value::number(line) : no_code));
+  annots.push_back(annot(predicates::code_src, source));
+  annots.push_back(annot(predicates::error, Value::atom(symbols_.predicate(error.id, 0))));
+  if (!has_message) annots.push_back(annot(predicates::error_msg, heap_.text(error.message)));
+  return with_annotations(heap_, literal, sorted_set(heap_, std::move(annots), rest, symbols_));
 }
 
 namespace {

@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/helpers/run_agents.h"
+#include "tests/unit/mas/system.h"
 
 namespace jaywalk {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -84,12 +86,16 @@ TEST(SystemMemory, NamesTheLimitThatEndsARun) {
 }
 
 TEST(SystemMemory, LetsNoAgentComeWhereNothingIsLeft) {
-  MasOptions options;
-  options.max_cycles = 100;
-  options.max_system_bytes = 1024;
-  const test::AgentRun run = test::run_agents(
-      {{"agent", "!go. +!go <- .create_agent(bob). -!go[error_msg(M)] <- .print(M)."}}, options);
-  EXPECT_THAT(run.printed_by("agent"), Contains(HasSubstr("all agents together")));
+  test::System system;
+  system.options.max_system_bytes = kMegabyte;
+  system.provide("idle.asl", "quiet.");
+  system.add("maker",
+             "!go. +!go <- .create_agent(idle, \"idle.asl\"); !go. "
+             "-!go[error_msg(M)] <- .print(M).");
+  (void)system.run();
+  EXPECT_THAT(system.printed,
+              ElementsAre("[maker] the memory limit of all agents together is reached"));
+  EXPECT_GT(system.mas->agent_count(), 100U);
 }
 
 /// Who fails, and when, does not depend on threads.

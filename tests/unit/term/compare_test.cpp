@@ -1,6 +1,7 @@
 #include "interpreter/term/compare.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -164,6 +165,43 @@ TEST(SortedSet, SortsAndDropsDuplicates) {
   EXPECT_EQ(sorted("[a]"), "[a]");
   EXPECT_EQ(sorted("[b,a|T]"), "[a,b|T]");
   EXPECT_EQ(sorted("[f(2),f(1),f]"), "[f,f(1),f(2)]");
+}
+
+// Few elements are put in order in another way than many.
+TEST(SortedSet, IsInOrderWhateverTheNumberOfElements) {
+  test::Terms terms;
+  for (std::size_t count = 2; count < 40; ++count) {
+    std::vector<Value> elements;
+    for (std::size_t i = 0; i < count; ++i) {
+      elements.push_back(terms.term("f(" + std::to_string(i * 7919 % 23) + ")"));
+    }
+    std::set<double> numbers;
+    for (const Value each : elements) numbers.insert(each.structure()->arg(0).as_number());
+    std::vector<Value> sorted;
+    const Value end = append_elements(
+        sorted, sorted_set(terms.heap, elements, Value::empty_list(), terms.symbols));
+    EXPECT_TRUE(end.is_empty_list());
+    ASSERT_EQ(sorted.size(), numbers.size()) << count;
+    EXPECT_TRUE(std::ranges::equal(sorted, numbers, {}, [](Value each) {
+      return each.structure()->arg(0).as_number();
+    })) << count;
+  }
+}
+
+TEST(SortedSet, KeepsTheFirstOfEqualElements) {
+  test::Terms terms;
+  const Value first = terms.term("f(1)");
+  const Value second = terms.term("f(1)");
+  ASSERT_FALSE(first.same_as(second));
+  for (const std::size_t others : {0U, 20U}) {
+    std::vector<Value> elements{first, second};
+    for (std::size_t i = 0; i < others; ++i)
+      elements.push_back(Value::number(static_cast<double>(i)));
+    std::vector<Value> sorted;
+    (void)append_elements(sorted,
+                          sorted_set(terms.heap, elements, Value::empty_list(), terms.symbols));
+    EXPECT_TRUE(sorted.back().same_as(first)) << others;
+  }
 }
 
 TEST(UnionOf, HasWhatEitherHas) {
