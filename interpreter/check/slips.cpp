@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -166,7 +167,7 @@ Plans plans_for_goals(Checking& checking) {
 
 // --- Atoms for variables ---------------------------------------------------------------------
 
-using AtomTimes = std::map<std::string_view, int>;
+using AtomTimes = std::unordered_map<std::string_view, int>;
 
 // Adds how often each atom stands as an argument in a term, formula or plan.
 template <class Tree>

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ class AtomCounts {
     }
   }
 
-  std::map<std::string_view, int> counts_;
+  std::unordered_map<std::string_view, int> counts_;
 };
 
 class Values {
@@ -98,6 +99,10 @@ class Values {
 
   // The program itself shows the other values: what is asked for should be given somewhere.
   void judge_inferred(const ValueClass& values, const Atoms& allowed) {
+    const bool asks = std::ranges::any_of(values.uses, [](const AtomUse& use) {
+      return use.role == AtomRole::wanted || use.setting != nullptr;
+    });
+    if (!asks) return;
     Atoms given = atoms_of(values, AtomRole::given);
     given.insert(allowed.begin(), allowed.end());
     const Atoms wanted = atoms_of(values, AtomRole::wanted);

@@ -62,7 +62,7 @@ class Reader {
 
   void node(const Node& node) {
     if (node.kind == Kind::literal) {
-      mentions_.names.emplace(node.text);
+      name(node.text);
       sociability(node);
     } else if (node.kind == Kind::string) {
       // A text may become a plan or a goal: each of its words could be a name.
@@ -93,11 +93,15 @@ class Reader {
     if (!own) mentions_.other_agents = true;
   }
 
+  void name(std::string_view name) {
+    if (!mentions_.names.contains(name)) mentions_.names.emplace(name);
+  }
+
   void words(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
       std::size_t end = at;
       while (end < text.size() && is_word(text[end])) ++end;
-      if (end > at) mentions_.names.emplace(text.substr(at, end - at));
+      if (end > at) name(text.substr(at, end - at));
       at = end + 1;
     }
   }
@@ -110,7 +114,8 @@ class Reader {
 Mentions mentions_in(const SourceTree& program) { return Reader().run(program); }
 
 std::set<std::string, std::less<>> names_in(const SourceTree& program) {
-  return mentions_in(program).names;
+  const auto names = mentions_in(program).names;
+  return {names.begin(), names.end()};
 }
 
 }  // namespace jaywalk

@@ -213,6 +213,12 @@ class Indexer {
 
 }  // namespace
 
+void NameSet::add(std::string_view name, int arity) {
+  auto found = arities_.find(name);
+  if (found == arities_.end()) found = arities_.try_emplace(std::string(name)).first;
+  found->second.insert(arity);
+}
+
 bool NameSet::contains(std::string_view name, int arity) const {
   const auto found = arities_.find(name);
   return found != arities_.end() &&

@@ -17,7 +17,7 @@ namespace jaywalk {
 /// Names with the numbers of arguments that they occur with.
 class NameSet {
  public:
-  void add(std::string_view name, int arity) { arities_[std::string(name)].insert(arity); }
+  void add(std::string_view name, int arity);
   void add_any_arity(std::string_view name) { add(name, kAnyArity); }
   [[nodiscard]] bool contains(std::string_view name, int arity) const;
   /// Empty if the name is unknown.

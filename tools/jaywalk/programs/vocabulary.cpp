@@ -32,24 +32,31 @@ Vocabulary::Entry entry_for(const EnvironmentWord& word) {
           .values = argument_values(word)};
 }
 
+// The words of a program that say for which environment it is written.
+struct ProgramWords {
+  explicit ProgramWords(const SourceTree& program) : index(index_of(program)) {
+    for (const auto& file : program.files) {
+      uses.push_back(uses_in(file->components));
+      for (const Clause& clause : uses.back().clauses) own.insert(clause.head->text);
+    }
+  }
+
+  ProgramIndex index;
+  std::vector<Uses> uses;
+  std::set<std::string_view> own;  // what it believes by itself is no percept
+};
+
 // What speaks for and against a program being written for an environment.
 class Evidence {
  public:
-  explicit Evidence(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {}
-
-  void add(const SourceTree& program) {
-    const ProgramIndex index = index_of(program);
-    std::vector<Uses> all;
-    std::set<std::string_view> own;  // what it believes by itself is no percept
-    for (const auto& file : program.files) {
-      all.push_back(uses_in(file->components));
-      for (const Clause& clause : all.back().clauses) own.insert(clause.head->text);
-    }
-    for (const Uses& uses : all) {
-      for (const ast::Node* action : uses.actions) this->action(*action, index);
-      for (const ast::Node* query : uses.queries) percept(*query, own);
+  Evidence(const Vocabulary& vocabulary, const ProgramWords& program) : vocabulary_(vocabulary) {
+    for (const Uses& uses : program.uses) {
+      for (const ast::Node* action : uses.actions) this->action(*action, program.index);
+      for (const ast::Node* query : uses.queries) percept(*query, program.own);
       for (const ast::Plan* plan : uses.plans) {
-        if (plan->trigger.kind == ast::TriggerKind::belief) percept(*plan->trigger.literal, own);
+        if (plan->trigger.kind == ast::TriggerKind::belief) {
+          percept(*plan->trigger.literal, program.own);
+        }
       }
     }
   }
@@ -142,11 +149,10 @@ Vocabulary vocabulary_for(const EnvironmentKind* environment) {
 }
 
 const EnvironmentKind* environment_of(const SourceTree& program) {
+  const ProgramWords words(program);
   for (const EnvironmentKind& environment : environments()) {
     const Vocabulary vocabulary = vocabulary_for(&environment);
-    Evidence evidence(vocabulary);
-    evidence.add(program);
-    if (evidence.is_for()) return &environment;
+    if (Evidence(vocabulary, words).is_for()) return &environment;
   }
   return nullptr;
 }
