@@ -58,6 +58,7 @@ void Agent::receive(const Message& message) {
 void Agent::note_unusual() {
   const auto bit = [](Unusual what, bool is_so) { return is_so ? std::uint32_t{what} : 0U; };
   unusual_ = (unusual_ & (kSelectsByRules | kSubplans)) | bit(kObserved, observer_ != nullptr) |
+             bit(kShowsEvents, observer_ != nullptr && observer_->wants_events()) |
              bit(kCustomised, customisation_ != nullptr) |
              bit(kLearned, library_->has_learned_plans()) |
              bit(kGoalStates, library_->has_goal_state_plans()) |

@@ -177,6 +177,12 @@ class Agent final : public MachineSurroundings, private AgentParts {
   double draw() override { return random_.next_double(); }
   bool interrupted() override;
   double clock_ms() override { return kEpochMs + std::floor(host_.now_ms()); }
+  std::size_t condition_asked(std::size_t number, std::span<const Value> variables) override {
+    return observer_->condition_asked(*this, number, variables);
+  }
+  void condition_answered(std::size_t number, std::size_t asking) override {
+    observer_->condition_answered(*this, number, asking);
+  }
 
   /// The literal as told by `sender`: its own sources become annotations of the new one.
   [[nodiscard]] Value add_source(Value literal, Value sender);

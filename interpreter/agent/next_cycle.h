@@ -24,7 +24,7 @@ namespace jaywalk {
 [[gnu::always_inline]] inline void Agent::announce_next_event() {
   workspace_->next.is_pending = true;
   held_->state = Intention::State::in_event;
-  if ((unusual_ & kObserved) != 0) tell_of_next_event();
+  if ((unusual_ & kShowsEvents) != 0) tell_of_next_event();
 }
 
 }  // namespace jaywalk

@@ -28,13 +28,23 @@ void CoverageCounts::add(const CoverageCounts& other) {
 
 CoverageObserver::CoverageObserver(const Probes& probes) : probes_(probes) { fit(); }
 
+// Mostly the same as before: a plan is relevant, is tried, and is chosen.
+std::size_t CoverageObserver::index_of(const Plan& plan) {
+  if (&plan != known_plan_) {
+    known_plan_ = &plan;
+    known_index_ = probes_.find(plan);
+  }
+  return known_index_;
+}
+
 void CoverageObserver::fit() {
+  known_plan_ = nullptr;
   counts_.fit(probes_);
   latest_held_.resize(counts_.conditions.size());
 }
 
 const Goal* CoverageObserver::context_of(const Plan& plan) {
-  const std::size_t index = probes_.find(plan);
+  const std::size_t index = index_of(plan);
   return index == Probes::kNone ? plan.context : probes_.plans()[index].context;
 }
 
@@ -60,6 +70,7 @@ void CoverageObserver::condition_answered(Agent&, std::size_t number, std::size_
 }
 
 void CoverageObserver::forget_askings() {
+  if (held_.empty()) return;
   first_asking_ += held_.size();
   held_.clear();
 }
@@ -67,17 +78,17 @@ void CoverageObserver::forget_askings() {
 void CoverageObserver::plan_relevant(Agent&, const Plan& plan, const Event&,
                                      std::span<const Value>) {
   forget_askings();
-  const std::size_t index = probes_.find(plan);
+  const std::size_t index = index_of(plan);
   if (index != Probes::kNone) ++counts_.plans[index].relevant;
 }
 
 void CoverageObserver::plan_tried(Agent&, const Plan& plan, bool applicable) {
-  const std::size_t index = probes_.find(plan);
+  const std::size_t index = index_of(plan);
   if (index != Probes::kNone && applicable) ++counts_.plans[index].applicable;
 }
 
 void CoverageObserver::plan_chosen(Agent&, const Plan& plan, const Event&, const Intention&) {
-  const std::size_t index = probes_.find(plan);
+  const std::size_t index = index_of(plan);
   if (index != Probes::kNone) ++counts_.plans[index].chosen;
 }
 

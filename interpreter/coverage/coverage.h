@@ -47,6 +47,7 @@ class CoverageObserver : public ReasoningObserver {
   /// To be called when programs have been added to the probes.
   void fit();
 
+  [[nodiscard]] bool wants_events() const override { return false; }
   [[nodiscard]] const Goal* context_of(const Plan& plan) override;
   [[nodiscard]] const RuleCode& rule_for(const RuleCode& rule) override;
   std::size_t condition_asked(Agent& agent, std::size_t number,
@@ -62,8 +63,11 @@ class CoverageObserver : public ReasoningObserver {
 
  private:
   void forget_askings();
+  [[nodiscard]] std::size_t index_of(const Plan& plan);
 
   const Probes& probes_;
+  const Plan* known_plan_ = nullptr;  // the one that was looked for last, and its index
+  std::size_t known_index_ = 0;
   CoverageCounts counts_;
   // Askings of the query under way: whether they have held. Those of contexts by the condition's
   // number, those of rules by their own, which go on from query to query.

@@ -4,33 +4,14 @@
 #include <array>
 #include <utility>
 
-#include "interpreter/agent/agent.h"
 #include "interpreter/logic/formula_compiler.h"
 #include "interpreter/program/plan_compiler.h"
 
 namespace jaywalk {
 namespace {
 
-constexpr std::string_view kAsked = ".condition_asked";
-constexpr std::string_view kAnswered = ".condition_answered";
-
-// An agent that solves these has got them from its observer.
-// .condition_asked(Number, Asking, Variables...)
-Outcome asked(ActionCall& call) {
-  const auto number = static_cast<std::size_t>(call.arg(0).as_number());
-  const std::size_t asking =
-      call.agent()->observer()->condition_asked(*call.agent(), number, call.args().subspan(2));
-  if (!call.arg(1).is_variable()) return Outcome::succeeded;
-  return call.result(1, Value::number(static_cast<double>(asking)));
-}
-
-// .condition_answered(Number, Asking)
-Outcome answered(ActionCall& call) {
-  const auto number = static_cast<std::size_t>(call.arg(0).as_number());
-  call.agent()->observer()->condition_answered(*call.agent(), number,
-                                               static_cast<std::size_t>(call.arg(1).as_number()));
-  return Outcome::succeeded;
-}
+constexpr std::string_view kAsked = ".condition_asked";        // (Number, Asking, Variables...)
+constexpr std::string_view kAnswered = ".condition_answered";  // (Number, Asking)
 
 void collect_slots(Value term, std::vector<std::uint32_t>& slots) {
   if (term.is_slot()) {
@@ -47,14 +28,11 @@ void collect_slots(Value term, std::vector<std::uint32_t>& slots) {
   }
 }
 
-ActionDefinition probe(std::string_view name, int least_args, int most_args,
-                       ActionFunction function) {
+ActionDefinition probe(std::string_view name, Probe kind) {
   ActionDefinition action;
   action.name = name;
   action.signature = name;
-  action.least_args = least_args;
-  action.most_args = most_args;
-  action.function = function;
+  action.probe = kind;
   return action;
 }
 
@@ -134,8 +112,8 @@ const ActionRegistry& Probes::with_probes(const ActionRegistry& actions) {
   const auto [found, is_new] = registries_.try_emplace(&actions);
   if (is_new) {
     found->second.add_all(actions);
-    found->second.add(probe(kAsked, 2, -1, asked));
-    found->second.add(probe(kAnswered, 2, 2, answered));
+    found->second.add(probe(kAsked, Probe::asked));
+    found->second.add(probe(kAnswered, Probe::answered));
   }
   return found->second;
 }
@@ -166,7 +144,7 @@ void Probes::add_plan(const Plan& plan, const ActionRegistry& actions) {
   add_formulas(*plan.code.entry);
   probed.conditions = conditions_.size() - probed.first_condition;
   probed.formulas = formulas_.size() - probed.first_formula;
-  plan_index_.emplace(&plan, plans_.size());
+  plan_index_.insert(key(&plan), static_cast<std::uint32_t>(plans_.size()));
   plans_.push_back(probed);
   if (plan.subplans == nullptr) return;
   for (const auto& inner : plan.subplans->plans()) add_plan(*inner, actions);
@@ -191,7 +169,7 @@ void Probes::add_rule(const Program::Belief& belief, const ActionRegistry& actio
       make_rule(deref(source.arg(0)), rewritten, std::move(names), heap_, actions, symbols_);
   probed.probed->source = rule.source;
   probed.conditions = conditions_.size() - probed.first_condition;
-  rule_index_.emplace(&rule, rules_.size());
+  rule_index_.insert(key(&rule), static_cast<std::uint32_t>(rules_.size()));
   rules_.push_back(std::move(probed));
 }
 
@@ -199,7 +177,7 @@ void Probes::add_rule(const Program::Belief& belief, const ActionRegistry& actio
 void Probes::add_formulas(const Body& body) {
   for (const Step& step : body.steps) {
     if (step.kind == Step::Kind::join) continue;
-    step_index_.emplace(&step, formulas_.size());
+    step_index_.insert(key(&step), static_cast<std::uint32_t>(formulas_.size()));
     formulas_.push_back(&step);
     if (step.first != nullptr) add_formulas(*step.first);
     if (step.second != nullptr) add_formulas(*step.second);

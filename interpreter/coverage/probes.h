@@ -20,6 +20,7 @@
 
 #include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/program/program.h"
+#include "interpreter/support/containers/flat_index.h"
 
 namespace jaywalk {
 
@@ -89,10 +90,10 @@ class Probes {
 
  private:
   class Rewriter;
-  template <class Index, class Key>
-  static std::size_t look_up(const Index& index, Key key) {
-    const auto found = index.find(key);
-    return found == index.end() ? kNone : found->second;
+  static std::uint64_t key(const void* of) { return reinterpret_cast<std::uintptr_t>(of); }
+  static std::size_t look_up(const FlatIndex<std::uint64_t>& index, const void* of) {
+    const std::uint32_t found = index.find(key(of));
+    return found == FlatIndex<std::uint64_t>::kNone ? kNone : found;
   }
   void add_plan(const Plan& plan, const ActionRegistry& actions);
   void add_rule(const Program::Belief& belief, const ActionRegistry& actions);
@@ -109,9 +110,10 @@ class Probes {
   std::vector<ProbedRule> rules_;
   std::vector<ProbedCondition> conditions_;
   std::vector<const Step*> formulas_;
-  std::unordered_map<const Plan*, std::size_t> plan_index_;
-  std::unordered_map<const RuleCode*, std::size_t> rule_index_;
-  std::unordered_map<const Step*, std::size_t> step_index_;
+  // By the address of what they are of.
+  FlatIndex<std::uint64_t> plan_index_;
+  FlatIndex<std::uint64_t> rule_index_;
+  FlatIndex<std::uint64_t> step_index_;
 };
 
 }  // namespace jaywalk

@@ -1,19 +1,16 @@
 #pragma once
 
-// Internal actions and arithmetic functions: how they are called and found. The standard ones stand
-// in actions/table/actions.def, a row each; programs that embed the interpreter may register their
-// own.
+// How internal actions are called: what a call gives them, and what they give back.
 
 #include <array>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "interpreter/logic/action_registry.h"
 #include "interpreter/logic/code/code.h"
 #include "interpreter/logic/unifier/unifier.h"
 
@@ -24,15 +21,6 @@ class Intention;
 class Machine;
 class ActionCall;
 
-/// What came of a call.
-enum class Outcome : std::uint8_t {
-  failed,  // false: the formula fails with ia_failed, the query has no solution
-  succeeded,
-  many,       // ActionCall::solutions yields them one by one
-  suspended,  // the intention waits; once resumed it goes on after the formula
-  error,      // ActionCall::error says why
-};
-
 /// The solutions of an action with several. Lives as long as the query may come back to it; `next`
 /// binds by unifying and returns false at the end. Values that it holds are good until the end of
 /// the cycle, as all are.
@@ -41,81 +29,6 @@ class Solutions {
   virtual ~Solutions() = default;
   virtual bool next(ActionCall& call) = 0;
 };
-
-using ActionFunction = Outcome (*)(ActionCall& call);
-
-struct ActionDefinition {
-  std::string name;  // with its dot: ".print"
-  int least_args = 0;
-  int most_args = -1;  // -1: any number
-  ActionFunction function = nullptr;
-  std::string signature;  // ".print(Term, ...)"
-  std::string summary;    // one sentence
-  /// May not stand in a plan's context.
-  bool body_only = false;
-  /// Which arguments are formulas (bit i: argument i, bit 31: the last one); compiled beforehand.
-  std::uint32_t formula_args = 0;
-  /// Arguments are handed over as written, not applied.
-  bool raw_args = false;
-  /// Jason does not count its arguments: too few are an exception of Java, more are passed over.
-  bool is_uncounted = false;
-  /// What own_action() calls: a function object with what it needs.
-  std::function<Outcome(ActionCall& call)> own;
-};
-
-/// An internal action of a program that embeds the interpreter. Its name has a dot, as Jason's
-/// `package.name` has: "my.sum". It is called on the threads that run agents of its registry.
-[[nodiscard]] ActionDefinition own_action(std::string name, int least_args, int most_args,
-                                          std::function<Outcome(ActionCall& call)> body);
-
-/// Evaluates a function whose arguments have been applied; no value: the term stays as it is.
-using FunctionBody = bool (*)(std::span<const Value> args, Heap& heap, SymbolTable& symbols,
-                              Value& result);
-
-struct FunctionDefinition {
-  std::string name;
-  int least_args = 0;
-  int most_args = 0;
-  FunctionBody function = nullptr;  // null: needs the machine (.count, math.random)
-  std::string signature;
-  std::string summary;
-};
-
-/// What error_msg says when an action is called with another number of arguments.
-[[nodiscard]] std::string wrong_number_of_arguments(const ActionDefinition& action);
-/// Whether it can be called with so many.
-[[nodiscard]] bool takes(const ActionDefinition& action, std::size_t count);
-
-/// All known actions and functions, by name. Immutable once programs are compiled against it. What
-/// is added later stands before what has the same name.
-class ActionRegistry {
- public:
-  ActionRegistry() = default;
-  ActionRegistry(const ActionRegistry&) = delete;
-  ActionRegistry& operator=(const ActionRegistry&) = delete;
-  ActionRegistry(ActionRegistry&&) = default;
-  ActionRegistry& operator=(ActionRegistry&&) = default;
-  ~ActionRegistry() = default;
-
-  /// Everything that another registry has.
-  void add_all(const ActionRegistry& other);
-  void add(ActionDefinition action);
-  void add(FunctionDefinition function);
-  [[nodiscard]] const ActionDefinition* action(std::string_view name) const;
-  [[nodiscard]] const FunctionDefinition* function(std::string_view name, std::size_t arity) const;
-  /// In the order of registration.
-  [[nodiscard]] const std::deque<ActionDefinition>& actions() const { return actions_; }
-  [[nodiscard]] const std::deque<FunctionDefinition>& functions() const { return functions_; }
-
- private:
-  std::deque<ActionDefinition> actions_;
-  std::deque<FunctionDefinition> functions_;
-  std::unordered_map<std::string_view, const ActionDefinition*> by_name_;
-  std::unordered_map<std::string_view, const FunctionDefinition*> functions_by_name_;
-};
-
-/// The standard library (defined in actions/).
-[[nodiscard]] const ActionRegistry& standard_actions();
 
 /// What ends a query or a step before it is done.
 enum class ReachedLimit : std::uint8_t { none, inferences, memory, nesting, interruption };

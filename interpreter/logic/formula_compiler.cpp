@@ -101,6 +101,7 @@ const Goal* FormulaCompiler::compile_action(Value literal, const Goal* next) {
   Goal& goal = add(Goal::Kind::action, literal, next);
   goal.predicate = predicate;
   goal.action = actions_.action(symbols_.functor(predicate));
+  if (goal.action != nullptr && goal.action->probe != Probe::none) goal.kind = Goal::Kind::probe;
   if (goal.action == nullptr || goal.action->formula_args == 0) return &goal;
   const std::span<const Value> args = goal.args();
   goal.queries.resize(args.size());

@@ -222,6 +222,11 @@ void Machine::solve_all_terms(Value formula, const std::function<bool()>& soluti
       break;
     case Goal::Kind::falsity:
       break;
+    case Goal::Kind::probe:
+      --inferences_;
+      probe(goal, environment_->slots);
+      holds = true;
+      break;
   }
   if (!holds) return false;
   goal_ = goal.next;

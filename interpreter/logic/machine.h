@@ -59,6 +59,13 @@ class MachineSurroundings {
   virtual double clock_ms() = 0;
   /// Whether the query that is under way is to end as if it had hit a limit. Asked now and then.
   [[nodiscard]] virtual bool interrupted() { return false; }
+  /// Probes (ReasoningObserver): a condition is asked, with the values of its variables, and the
+  /// result names this asking; the condition has an answer.
+  [[nodiscard]] virtual std::size_t condition_asked(std::size_t /*number*/,
+                                                    std::span<const Value> /*variables*/) {
+    return 0;
+  }
+  virtual void condition_answered(std::size_t /*number*/, std::size_t /*asking*/) {}
 };
 
 /// Whose queries a machine answers.
@@ -289,6 +296,7 @@ class Machine : public FunctionCaller {
   bool compare_values(const Goal& goal, Value left, Value right);
   Tests test_in_place(const Goal*& goal, Value* slots);
   bool univ(const Goal& goal);
+  void probe(const Goal& goal, Value* slots);
   bool action(const Goal& goal);
   bool next_solution();
   void count_inference() {

@@ -1,4 +1,4 @@
-// Goals that hold or not, and leave no choice: comparison and unification.
+// Goals that hold or not, and leave no choice: comparison and unification; probes.
 
 #include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/machine.h"
@@ -38,6 +38,8 @@ Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
         break;
       }
       case Goal::Kind::negation: {
+        // What is asked within would be asked twice if it turned out to need more.
+        if (goal->inner->kind == Goal::Kind::probe) return Tests::undecided;
         unifier_.end_fresh_frame();  // what is set in it here is to be undone
         const std::size_t trail = unifier_.mark();
         const Goal* inner = goal->inner;
@@ -54,6 +56,9 @@ Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
         break;
       case Goal::Kind::truth:
         break;
+      case Goal::Kind::probe:
+        probe(*goal, slots);
+        continue;
       default:
         return Tests::undecided;
     }
@@ -123,6 +128,22 @@ bool Machine::compare_values(const Goal& goal, Value left, Value right) {
     default:
       return order >= 0;
   }
+}
+
+// Holds, and is no inference: a query that somebody looks at takes as many as any other.
+void Machine::probe(const Goal& goal, Value* slots) {
+  const std::span<const Value> args = goal.args();
+  const auto number = static_cast<std::size_t>(args[0].as_number());
+  const Value asking = args[1].is_slot() ? slots[args[1].slot_index()] : args[1];
+  if (goal.action->probe == Probe::answered) {
+    surroundings_->condition_answered(number, static_cast<std::size_t>(deref(asking).as_number()));
+    return;
+  }
+  std::vector<Value> variables;
+  for (const Value each : args.subspan(2)) variables.push_back(unifier_.instantiate(each, slots));
+  const std::size_t asked = surroundings_->condition_asked(number, variables);
+  if (!asking.is_unset()) return;
+  unifier_.set_slot(slots + args[1].slot_index(), Value::number(static_cast<double>(asked)));
 }
 
 bool Machine::univ(const Goal& goal) {

@@ -22,9 +22,9 @@ constexpr std::size_t kNameWidth = 19;
 std::string named(std::string_view name) { return fmt::format("{:<{}}", name, kNameWidth); }
 
 std::string_view name_of(Goal::Kind kind) {
-  static constexpr std::array<std::string_view, 12> kNames{
-      "query", "query_annotated", "query_variable", "unify",   "compare", "univ",
-      "call",  "not_begin",       "not_end",        "or_else", "true",    "fail"};
+  static constexpr std::array<std::string_view, 13> kNames{
+      "query",  "query_annotated", "query_variable", "unify", "compare", "univ",
+      "call",  "not_begin",      "not_end",         "or_else",        "true",  "fail",    "probe"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -52,8 +52,9 @@ void Agent::believe_changes(const Percepts& percepts) {
 
 // Whether anybody could tell from an event that a percept has changed.
 bool Agent::hears_of_percepts() const {
-  return library_->has_belief_plans() || observer_ != nullptr || !circumstance_.waits.empty() ||
-         (unusual_ & kSubplans) != 0 || settings_.unwanted != ReasoningSettings::Unwanted::discard;
+  return library_->has_belief_plans() || (unusual_ & kShowsEvents) != 0 ||
+         !circumstance_.waits.empty() || (unusual_ & kSubplans) != 0 ||
+         settings_.unwanted != ReasoningSettings::Unwanted::discard;
 }
 
 // The same as believe_changes, without events.

@@ -347,8 +347,8 @@ inline bool Agent::selects_by_rules() {
 // library.
 bool Agent::find_unusual_option(const Event& event) {
   const bool by_rules = selects_by_rules();
-  if (by_rules || (unusual_ & (kObserved | kCustomised)) != 0) (void)literal_of(event);
-  if (observer_ != nullptr) observer_->event_selected(*this, event);
+  if (by_rules || (unusual_ & (kShowsEvents | kCustomised)) != 0) (void)literal_of(event);
+  if ((unusual_ & kShowsEvents) != 0) observer_->event_selected(*this, event);
   if (by_rules) return select_by_rules(event);
   const Intention* const intention = event.intention;
   const bool is_below = intention != nullptr && !intention->is_finished();
@@ -362,7 +362,7 @@ bool Agent::find_unusual_option(const Event& event) {
 // Whether a plan has been chosen and its means added, or the event has failed for another reason.
 bool Agent::find_option(const Event& event) {
   constexpr std::uint32_t kUnusual =
-      kObserved | kCustomised | kSelectsByRules | kSubplans | kLearned;
+      kShowsEvents | kCustomised | kSelectsByRules | kSubplans | kLearned;
   workspace_->had_candidates = false;
   selected_event_ = &event;
   bool found = false;

@@ -10,6 +10,10 @@ bool Observers::interrupted() {
   return std::ranges::any_of(all_, [](ReasoningObserver* each) { return each->interrupted(); });
 }
 
+bool Observers::wants_events() const {
+  return std::ranges::any_of(all_, [](ReasoningObserver* each) { return each->wants_events(); });
+}
+
 const Goal* Observers::context_of(const Plan& plan) {
   for (ReasoningObserver* const each : all_) {
     const Goal* const context = each->context_of(plan);

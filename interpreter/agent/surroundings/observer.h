@@ -27,6 +27,10 @@ class ReasoningObserver {
   /// Whether the query that is under way is to end as if it had hit a limit. Asked now and then.
   [[nodiscard]] virtual bool interrupted() { return false; }
 
+  /// Whether it looks at the literals of events, which then are made for it. False: those of the
+  /// events that it is given may be unset, and event_selected and event_posted say nothing to it.
+  [[nodiscard]] virtual bool wants_events() const { return true; }
+
   /// What is solved in place of a plan's context or used in place of a rule: the same formula,
   /// perhaps with goals between its parts that report how far the query comes. It must
   /// outlive the run.
@@ -81,6 +85,7 @@ class Observers final : public ReasoningObserver {
   }
 
   [[nodiscard]] bool interrupted() override;
+  [[nodiscard]] bool wants_events() const override;
   [[nodiscard]] const Goal* context_of(const Plan& plan) override;
   [[nodiscard]] const RuleCode& rule_for(const RuleCode& rule) override;
   std::size_t condition_asked(Agent& agent, std::size_t number,

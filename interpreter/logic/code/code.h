@@ -33,6 +33,8 @@ struct Goal {
     disjunction,    // inner, or else other; both go on with next
     truth,
     falsity,
+    probe,  // an observer hears that a condition is asked or has an answer: action says which;
+            // term: p(Number, Asking, Variables...)
   };
 
   Kind kind = Kind::truth;

@@ -123,6 +123,27 @@ TEST(PlanCoverage, CountsFormulasWithinStatements) {
   EXPECT_EQ(found[2].formulas.at(0).counts.executed, 0U);
 }
 
+// A context begins without a frame, and goes on with one at the first query that leaves a choice.
+TEST(PlanCoverage, CountsOnceWhatWasAskedBeforeAChoice) {
+  const auto found = plans(
+      covered("ready. few(1). few(2). few(3).\n"
+              "!go.\n"
+              "+!go : ready & few(X) & X > 2 & not (ready & few(Y) & Y > 3) <- .print(X).\n"));
+  EXPECT_EQ(text(found[0].conditions),
+            "ready 1/1; few(X) 1/1; X > 2 3/1; ready 1/1; few(Y) 1/1; Y > 3 3/0; ");
+}
+
+TEST(PlanCoverage, TakesNoInferences) {
+  const std::string program =
+      "few(1). few(2). near(X) :- few(X) & X > 1.\n"
+      "!go(5). +!go(0). +!go(N) : near(X) & few(X) <- !go(N - 1).\n";
+  Observed plain(program);
+  Onlooker onlooker;
+  Observed covered(program);
+  CoverageObserver coverage(*covered.probes);
+  EXPECT_EQ(covered.run(coverage).inferences, plain.run(onlooker).inferences);
+}
+
 TEST(PlanCoverage, CountsARuleThatAsksItselfAskingByAsking) {
   const SourceCoverage coverage = covered(
       "above(0).\n"

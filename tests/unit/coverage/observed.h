@@ -20,9 +20,9 @@ struct Observed {
   }
 
   /// Runs the program to its end; what it printed is in `system`.
-  void run(ReasoningObserver& observer) {
+  RunOutcome run(ReasoningObserver& observer) {
     system.options.observer = &observer;
-    (void)system.run();
+    return system.run();
   }
 
   System system;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/agent/surroundings/observer.h"
+#include "interpreter/logic/action.h"
 #include "tests/unit/mas/system.h"
 
 namespace jaywalk {
