@@ -21,15 +21,15 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/agent/surroundings/customisation.h"
-#include "interpreter/compile/compiler.h"
 #include "interpreter/environment/environment.h"
-#include "interpreter/logic/action.h"
+#include "interpreter/logic/action_registry.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
+
+struct CompileOptions;
 
 /// One solution of a query: what its variables stand for, in the order of the query. Variables that
 /// are still free are left out.

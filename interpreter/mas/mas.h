@@ -27,19 +27,18 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/agent/surroundings/host.h"
 #include "interpreter/agent/surroundings/settings.h"
 #include "interpreter/environment/environment.h"
-#include "interpreter/program/program.h"
 #include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
 
 class Agent;
 class OptionPolicies;
+class Program;
 class ReasoningObserver;
-class Trace;
 struct Customisation;
+struct ProgramRequest;
 
 /// A belief given from outside: it takes the place of the program's initial beliefs of that name
 /// and arity (`radius(15)`: radius/1). Arguments are numbers and atoms.

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/agent/surroundings/host.h"
 #include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"

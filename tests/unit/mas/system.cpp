@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "interpreter/agent/surroundings/host.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/syntax/load.h"
 

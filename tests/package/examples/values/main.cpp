@@ -1,5 +1,6 @@
 // Terms as Values: what an action finds in its arguments, and what it can make of its own.
 #include <interpreter/embed/interpreter.h>
+#include <interpreter/logic/action.h>
 #include <iostream>
 #include <string>
 #include <vector>
