@@ -24,6 +24,7 @@ jaywalk_add_library(engine
     logic/machine_facts.cpp
     logic/machine_rules.cpp
     logic/machine_tests.cpp
+    logic/rule_unfolder.cpp
     logic/code/operand.cpp
     logic/beliefs/row_index.cpp
     logic/beliefs/rule_table.cpp

@@ -10,7 +10,9 @@
 #include "interpreter/compile/goal_patterns.h"
 #include "interpreter/compile/kqml_plans.h"
 #include "interpreter/compile/translator.h"
+#include "interpreter/logic/formula_compiler.h"
 #include "interpreter/logic/machine.h"
+#include "interpreter/logic/rule_unfolder.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/width.h"
 #include "interpreter/syntax/parser.h"
@@ -47,6 +49,7 @@ class ProgramBuilder {
     add_default_plans();
     for (const auto& plan : plans_) link(*plan, program_.library_);
     add_rule_tables();
+    for (const auto& plan : plans_) unfold_context(*plan);
   }
 
  private:
@@ -142,6 +145,18 @@ class ProgramBuilder {
       if (its.size() > RuleTable::kMostRules) continue;
       program_.rule_tables_.emplace_back(predicate, RuleTable(std::move(its)));
     }
+  }
+
+  // The rules that its context asks are asked in its own frame.
+  void unfold_context(Plan& plan) {
+    if (plan.context == nullptr || plan.is_standard || plan.subplans != nullptr) return;
+    RuleUnfolder unfolder(program_.rule_tables_, constants(), symbols_, plan.slot_names);
+    FormulaCompiler compiler(plan.code.formulas, actions_, symbols_);
+    compiler.unfold_with(unfolder);
+    const Goal* const unfolded = compiler.compile(plan_parts(plan.source).context, nullptr);
+    if (!unfolder.has_unfolded()) return;
+    plan.context = unfolded;
+    plan.slot_count = static_cast<std::uint32_t>(plan.slot_names.size());
   }
 
   void add_goal(const ast::Component& component) {

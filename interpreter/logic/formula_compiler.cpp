@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "interpreter/logic/rule_unfolder.h"
+
 namespace jaywalk {
 namespace {
 
@@ -41,7 +43,7 @@ const Goal* FormulaCompiler::compile(Value formula, const Goal* next) {
     Goal& goal = add(Goal::Kind::query, formula, next);
     goal.predicate = atom;
     goal.is_plain = true;
-    return &goal;
+    return unfolded(goal);
   }
   if (formula.is_structure()) return compile_structure(formula, next);
   return &add(Goal::Kind::falsity, formula, next);
@@ -56,7 +58,7 @@ const Goal* FormulaCompiler::compile_structure(Value formula, const Goal* next) 
       Goal& goal = add(kind, formula, next);
       goal.predicate = s.predicate();
       goal.is_plain = is_plain(s.arg_span());
-      return &goal;
+      return unfolded(goal);
     }
     case Form::function:
       return compile_action(formula, next);
@@ -81,6 +83,17 @@ const Goal* FormulaCompiler::compile_structure(Value formula, const Goal* next) 
   done.origin = &negation;
   negation.inner = compile(s.arg(0), &done);
   return &negation;
+}
+
+const Goal* FormulaCompiler::unfolded(Goal& query) {
+  if (unfolder_ == nullptr || query.kind != Goal::Kind::query) return &query;
+  if (const auto rule = unfolder_->enter(query.predicate, query.args())) {
+    query.kind = Goal::Kind::unfolded;
+    query.table = rule->table;
+    query.inner = compile(rule->body, query.next);
+    unfolder_->leave();
+  }
+  return &query;
 }
 
 const Goal* FormulaCompiler::compile_relation(Value formula, const Goal* next) {

@@ -8,11 +8,15 @@
 
 namespace jaywalk {
 
+class RuleUnfolder;
+
 class FormulaCompiler {
  public:
   FormulaCompiler(FormulaCode& code, const ActionRegistry& actions, SymbolTable& symbols)
       : code_(code), actions_(actions), symbols_(symbols) {}
 
+  /// From now on, queries are unfolded (rule_unfolder.h).
+  void unfold_with(RuleUnfolder& unfolder) { unfolder_ = &unfolder; }
   /// The entry of the formula; what follows it is `next`.
   const Goal* compile(Value formula, const Goal* next);
   /// An internal action as a goal of its own, for plan bodies.
@@ -22,10 +26,12 @@ class FormulaCompiler {
   Goal& add(Goal::Kind kind, Value term, const Goal* next);
   const Goal* compile_structure(Value formula, const Goal* next);
   const Goal* compile_relation(Value formula, const Goal* next);
+  const Goal* unfolded(Goal& query);
 
   FormulaCode& code_;
   const ActionRegistry& actions_;
   SymbolTable& symbols_;
+  RuleUnfolder* unfolder_ = nullptr;
 };
 
 /// A rule from its head and body; head arguments that are expressions are evaluated when the body

@@ -192,6 +192,12 @@ void Machine::solve_all_terms(Value formula, const std::function<bool()>& soluti
   switch (goal.kind) {
     case Goal::Kind::query:
       return query(goal);
+    case Goal::Kind::unfolded: {
+      const Tests entered = enter_unfolded(goal, environment_->slots);
+      if (entered == Tests::undecided) return query(goal);
+      goal_ = goal.inner;
+      return entered == Tests::hold;
+    }
     case Goal::Kind::slow_query:
       return slow_query(goal, unifier_.instantiate(goal.term, environment_->slots));
     case Goal::Kind::variable:

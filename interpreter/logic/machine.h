@@ -295,6 +295,7 @@ class Machine : public FunctionCaller {
   bool compare(const Goal& goal, Value* slots);
   bool compare_values(const Goal& goal, Value left, Value right);
   Tests test_in_place(const Goal*& goal, Value* slots);
+  [[nodiscard]] Tests enter_unfolded(const Goal& goal, Value* slots);
   bool univ(const Goal& goal);
   void probe(const Goal& goal, Value* slots);
   bool action(const Goal& goal);

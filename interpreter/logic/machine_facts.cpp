@@ -68,6 +68,11 @@ std::int64_t next_fact(const Relation& relation, std::int64_t seq, const Goal& g
 
 bool Machine::query_facts(const Relation& relation, const Goal& goal) {
   Value* const slots = environment_->slots;
+  if (relation.end_seq() - relation.first_seq() == 1) {
+    const Value fact = relation.row(relation.first_seq()).fact;
+    goal_ = goal.next;
+    return !fact.is_unset() && match_fact(fact, goal, slots);
+  }
   std::int64_t seq = next_fact(relation, relation.end_seq(), goal, slots);
   while (seq != RowIndex::kNone) {
     const Value fact = relation.row(seq).fact;

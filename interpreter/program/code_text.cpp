@@ -22,8 +22,8 @@ constexpr std::size_t kNameWidth = 19;
 std::string named(std::string_view name) { return fmt::format("{:<{}}", name, kNameWidth); }
 
 std::string_view name_of(Goal::Kind kind) {
-  static constexpr std::array<std::string_view, 13> kNames{
-      "query",  "query_annotated", "query_variable", "unify", "compare", "univ",
+  static constexpr std::array<std::string_view, 14> kNames{
+      "query", "query_unfolded", "query_annotated", "query_variable", "unify", "compare", "univ",
       "call",  "not_begin",      "not_end",         "or_else",        "true",  "fail",    "probe"};
   return kNames[static_cast<std::size_t>(kind)];
 }
@@ -144,10 +144,14 @@ class CodeWriter {
     return is_new;
   }
 
-  void collect(const Goal* goal, std::size_t depth = 0) {
-    for (; goal != nullptr && add(goal, {.goal = goal, .depth = depth}); goal = goal->next) {
-      collect(goal->inner, goal->kind == Goal::Kind::negation ? depth + 1 : depth);
-      collect(goal->other, depth);
+  // Up to `end`, which belongs to what is around.
+  void collect(const Goal* goal, std::size_t depth = 0, const Goal* end = nullptr) {
+    for (; goal != end && goal != nullptr && add(goal, {.goal = goal, .depth = depth});
+         goal = goal->next) {
+      const bool is_unfolded = goal->kind == Goal::Kind::unfolded;
+      const bool is_within = is_unfolded || goal->kind == Goal::Kind::negation;
+      collect(goal->inner, is_within ? depth + 1 : depth, is_unfolded ? goal->next : end);
+      collect(goal->other, depth, end);
       for (const Goal* const asked : goal->queries) collect(asked, depth + 1);
     }
   }

@@ -209,6 +209,9 @@ class Heap {
   }
   /// Skips one variable number.
   void skip_variable() { ++next_serial_; }
+  [[nodiscard]] std::uint64_t next_number() const { return next_serial_; }
+  /// The next variable gets this number again. REQUIRES: those made since are gone.
+  void number_from(std::uint64_t number) { next_serial_ = number; }
   [[nodiscard]] Value object(std::unique_ptr<Object> object);
   /// Variables with this serial or a greater one are made from now on; after four thousand million
   /// variables none is known to be.

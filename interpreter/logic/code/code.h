@@ -17,11 +17,13 @@
 namespace jaywalk {
 
 struct ActionDefinition;
+class RuleTable;
 
 /// One goal of a formula. `next` is what must hold after it; null: the formula (or rule) is done.
 struct Goal {
   enum class Kind : std::uint8_t {
     query,          // a literal over beliefs and rules: term
+    unfolded,       // the same; while the relation's rules are those of table: inner in its place
     slow_query,     // the same with annotations or an open namespace
     variable,       // a variable as formula: term
     unify,          // args[0] = args[1]
@@ -46,6 +48,7 @@ struct Goal {
   const Goal* inner = nullptr;
   const Goal* other = nullptr;
   const Goal* origin = nullptr;
+  const RuleTable* table = nullptr;
   const ActionDefinition* action = nullptr;
   /// Of compare and unify: the sides.
   Operand left;
