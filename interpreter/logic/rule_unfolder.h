@@ -32,8 +32,8 @@ class RuleUnfolder {
     const RuleTable* table = nullptr;
   };
   /// What stands in the place of a query until leave(); none if its predicate has another number of
-  /// rules than one, the rule leads back to itself, is large, or says more than queries,
-  /// comparisons and unifications of the usual kinds do.
+  /// rules than one, the query is within that rule already, the rule is large, or it says more than
+  /// queries, comparisons and unifications of the usual kinds do.
   [[nodiscard]] std::optional<Unfolded> enter(Predicate predicate, std::span<const Value> args);
   void leave() { entered_.pop_back(); }
   [[nodiscard]] bool has_unfolded() const { return has_unfolded_; }
