@@ -165,6 +165,14 @@ bool Agent::is_active() const {
   return !c.events.empty() || !c.running.empty();
 }
 
+std::size_t Agent::condition_asked(std::size_t number, std::span<const Value> variables) {
+  return observer_->condition_asked(*this, number, variables);
+}
+
+void Agent::condition_answered(std::size_t number, std::size_t asking) {
+  observer_->condition_answered(*this, number, asking);
+}
+
 bool Agent::interrupted() {
   return (observer_ != nullptr && observer_->interrupted()) || host_.interrupted();
 }

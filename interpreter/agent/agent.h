@@ -123,8 +123,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
   /// Asks for waiting formulas and goal conditions to be looked at again.
   void something_changed() { changed_ = true; }
-  /// The intention whose formula is being executed; while a plan is looked for, the one that waits
-  /// for it. Null: there is none, or it is still to be made.
+  /// The intention whose formula is executed, or for whose event a plan is looked for; null: none.
   [[nodiscard]] Intention* executing() const;
   /// The event for which a plan is being looked for, or null.
   [[nodiscard]] const Event* selected_event();
@@ -177,12 +176,8 @@ class Agent final : public MachineSurroundings, private AgentParts {
   double draw() override { return random_.next_double(); }
   bool interrupted() override;
   double clock_ms() override { return kEpochMs + std::floor(host_.now_ms()); }
-  std::size_t condition_asked(std::size_t number, std::span<const Value> variables) override {
-    return observer_->condition_asked(*this, number, variables);
-  }
-  void condition_answered(std::size_t number, std::size_t asking) override {
-    observer_->condition_answered(*this, number, asking);
-  }
+  std::size_t condition_asked(std::size_t number, std::span<const Value> variables) override;
+  void condition_answered(std::size_t number, std::size_t asking) override;
 
   /// The literal as told by `sender`: its own sources become annotations of the new one.
   [[nodiscard]] Value add_source(Value literal, Value sender);
