@@ -9,16 +9,17 @@ CarefulDriver::CarefulDriver(const VehicleParameters& parameters)
       deceleration_(parameters.deceleration_mps2.value_or(kCompetentBrakingMps2)),
       acceleration_(parameters.acceleration_mps2) {}
 
-/// A line that closes is perceived as a risk is.
-double CarefulDriver::line_braking(const VehicleView& view) {
+/// A line that closes is perceived as a risk is. Who stands at one brakes with 0, but does not drive
+/// on: that is not the same as none.
+std::optional<double> CarefulDriver::line_braking(const VehicleView& view) {
   if (!closed_line(view)) {
     line_closed_s_.reset();
   } else if (!line_closed_s_) {
     line_closed_s_ = view.time_s;
   }
   const double reacts_s = line_closed_s_.value_or(0) + perception_s_ + kBrakingDelayS;
-  if (line_closed_s_ && view.time_s + 1e-9 < reacts_s) return 0;
-  return line_stop_.braking(view, deceleration_).value_or(0);
+  if (line_closed_s_ && view.time_s + 1e-9 < reacts_s) return std::nullopt;
+  return line_stop_.braking(view, deceleration_);
 }
 
 /// The speed that is lost in so many seconds. Braking grows gradually and is released at once.
@@ -31,7 +32,7 @@ double CarefulDriver::press(double wanted_mps2, double seconds) {
 
 VehicleDecision CarefulDriver::decide(const VehicleView& view) {
   risks_.look(view, lane_of(view));
-  const double for_line = line_braking(view);
+  const std::optional<double> for_line = line_braking(view);
   const std::optional<double> risk_s = risks_.first_s();
   const double perceived_s =
       risk_s ? *risk_s + perception_s_ : std::numeric_limits<double>::infinity();
@@ -40,9 +41,9 @@ VehicleDecision CarefulDriver::decide(const VehicleView& view) {
       std::clamp(perceived_s + kBrakingDelayS - view.time_s, 0.0, view.period_s);
   double change = 0;
   if (first_part > 0) {
-    const bool drives_on = for_line == 0 && view.time_s + 1e-9 < perceived_s;
+    const bool drives_on = !for_line && view.time_s + 1e-9 < perceived_s;
     if (drives_on) change += resume(view, acceleration_) * first_part;
-    change -= press(for_line, first_part);
+    change -= press(for_line.value_or(0), first_part);
   }
   if (first_part < view.period_s) change -= press(deceleration_, view.period_s - first_part);
   return {change / view.period_s};

@@ -33,7 +33,7 @@ class CarefulDriver final : public VehicleController {
   [[nodiscard]] double longest_period_s() const override { return 0.05; }
 
  private:
-  double line_braking(const VehicleView& view);
+  std::optional<double> line_braking(const VehicleView& view);
   double press(double wanted_mps2, double seconds);
 
   double perception_s_;

@@ -49,10 +49,10 @@ class Healthy:
         free = min(max(perceived + self.delay - time, 0), period)
         change = 0
         if free > 0:
-            if line == 0 and time + ROUNDING < perceived:
+            if line is None and time + ROUNDING < perceived:
                 wanted = (view["cruise"] - view["speed"]) / period
                 change = min(max(wanted, -self.resumes), self.resumes) * free
-            change -= self.press(line, free)
+            change -= self.press(line or 0, free)
         if free < period:
             change -= self.press(STRONGEST, period - free)
         return change / period
@@ -64,18 +64,19 @@ class Healthy:
         return (before + self.braking) / 2 * grows + self.braking * (seconds - grows)
 
     def line(self, view):
+        """The braking for a closed line; None without a need, which standing at one is not."""
         gaps = [s["gap"] for s in view["stop_lines"] if s["closed"] and s["gap"] >= -1]
         if not gaps:
             self.line_since, self.line_stops = None, False
-            return 0
+            return None
         if self.line_since is None:
             self.line_since = view["time"]
         if view["time"] + ROUNDING < self.line_since + PERCEPTION + DELAY:
-            return 0
+            return None
         room, speed = min(gaps), view["speed"]
         needed = 0 if speed <= 0 else speed**2 / (2 * room) if room > 0 else float("inf")
         self.line_stops = self.line_stops or needed >= COMFORTABLE
-        return min(needed, STRONGEST) if self.line_stops else 0
+        return min(needed, STRONGEST) if self.line_stops else None
 
 
 class ThinPeople(Healthy):

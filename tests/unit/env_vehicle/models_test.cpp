@@ -200,5 +200,40 @@ TEST(CarefulDriver, PerceivesALineAsItPerceivesARisk) {
   EXPECT_EQ(forgetful.with_line(1.2, 20), 0) << "the line opened in between";
 }
 
+/// Where the front comes to with a closed line at 40 m, by the drive of a minute and more; the
+/// speed is the one at its end.
+double front_after_a_minute(Decisions& driver) {
+  double front_m = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const double change = driver.with_line(driver.period_s * i, 40 - front_m) * driver.period_s;
+    const Motion next = drive_on(driver.speed_mps, change, 10, driver.period_s);
+    driver.speed_mps = next.speed;
+    front_m += next.way;
+  }
+  return front_m;
+}
+
+TEST(CarefulDriver, StandsAtALineForAsLongAsItIsClosed) {
+  Decisions careful(std::make_unique<CarefulDriver>());
+  EXPECT_NEAR(front_after_a_minute(careful), 40, 0.3);
+  EXPECT_EQ(careful.speed_mps, 0);
+}
+
+TEST(CarefulDriver, DrivesOnWhenTheLineOpens) {
+  Decisions careful(std::make_unique<CarefulDriver>());
+  front_after_a_minute(careful);
+  EXPECT_EQ(careful.alone(60), 2);
+}
+
+TEST(OtherModels, StandAtALineForAsLongAsItIsClosed) {
+  for (const auto& make : {make_braking, make_aeb, make_idm}) {
+    Decisions driver(make({}));
+    const double front_m = front_after_a_minute(driver);
+    EXPECT_GT(front_m, 36) << "the standoff is 2 m at most";
+    EXPECT_LT(front_m, 40.3);
+    EXPECT_NEAR(driver.speed_mps, 0, 0.05) << "idm comes to a stand ever more slowly";
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk
