@@ -19,14 +19,4 @@ void add_csv_field(std::string& line, std::optional<double> value) {
   if (value) line += six_decimals(*value);
 }
 
-std::string csv_quoted(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
-  std::string field = "\"";
-  for (const char c : text) {
-    if (c == '"') field += '"';
-    field += c;
-  }
-  return field + '"';
-}
-
 }  // namespace jaywalk

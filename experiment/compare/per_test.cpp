@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "experiment/compare/csv_fields.h"
+#include "experiment/judge/csv_line.h"
 
 namespace jaywalk {
 

@@ -23,4 +23,14 @@ std::vector<CsvField> csv_fields(std::string_view line) {
   return fields;
 }
 
+std::string csv_quoted(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+  std::string field = "\"";
+  for (const char c : text) {
+    if (c == '"') field += '"';
+    field += c;
+  }
+  return field + '"';
+}
+
 }  // namespace jaywalk

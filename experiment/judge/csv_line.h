@@ -1,6 +1,6 @@
 #pragma once
 
-// Lines of the CSV files that are read.
+// Lines of CSV files.
 
 #include <string>
 #include <string_view>
@@ -17,5 +17,7 @@ struct CsvField {
 
 /// What is between commas; quotes hold them together, two within are one. At least one field.
 [[nodiscard]] std::vector<CsvField> csv_fields(std::string_view line);
+/// A text as a field: in quotes if it holds a separator or quotes.
+[[nodiscard]] std::string csv_quoted(std::string_view text);
 
 }  // namespace jaywalk

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "env/scene.h"
+#include "experiment/judge/csv_line.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
@@ -53,23 +54,12 @@ constexpr std::array<ColumnName, kColumnCount> kColumns{{
 /// Times are evenly spaced if each step is as long as the first but for this share of it.
 constexpr double kUneven = 0.01;
 
-/// A field without the quotes around it.
-std::string_view field_of(std::string_view text) {
-  text = trimmed(text);
-  const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
-  return quoted ? text.substr(1, text.size() - 2) : text;
-}
-
-/// The fields of a line; commas within quotes separate none.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  bool quoted = false;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    if (i < line.size() && line[i] == '"') quoted = !quoted;
-    if (i < line.size() && (line[i] != ',' || quoted)) continue;
-    fields.push_back(field_of(line.substr(begin, i - begin)));
-    begin = i + 1;
+/// The fields of a line, without blanks around them.
+std::vector<CsvField> fields_of(std::string_view line) {
+  std::vector<CsvField> fields = csv_fields(line);
+  for (CsvField& field : fields) {
+    field.where = trimmed(field.where);
+    field.text = trimmed(field.text);
   }
   return fields;
 }
@@ -121,8 +111,7 @@ class TraceParser {
     std::size_t actor = 0;
     std::size_t scene = 0;
     ActorState state;
-    std::string_view events;
-    std::string_view where;
+    std::string events;
   };
 
   /// `where` must be a view into the source's text: its place follows from its address.
@@ -136,22 +125,22 @@ class TraceParser {
 
   void read_header(std::string_view line) {
     columns_.fill(std::nullopt);
-    const std::vector<std::string_view> fields = fields_of(line);
+    const std::vector<CsvField> fields = fields_of(line);
     field_count_ = fields.size();
     std::vector<std::string> names;
     for (const ColumnName& each : kColumns) names.emplace_back(each.name);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto found = std::ranges::find_if(kColumns, [&](const ColumnName& each) {
-        return each.name == fields[i] || each.with_unit == fields[i];
+        return each.name == fields[i].text || each.with_unit == fields[i].text;
       });
       if (found == kColumns.end()) {
-        warnings_.warning(span(fields[i]), "unknown-column",
-                          fmt::format("column '{}' is not read", fields[i]),
-                          did_you_mean(fields[i], names));
+        warnings_.warning(span(fields[i].where), "unknown-column",
+                          fmt::format("column '{}' is not read", fields[i].text),
+                          did_you_mean(fields[i].text, names));
         continue;
       }
       auto& column = columns_[static_cast<std::size_t>(found - kColumns.begin())];
-      if (column) error(fields[i], fmt::format("a second column '{}'", found->name));
+      if (column) error(fields[i].where, fmt::format("a second column '{}'", found->name));
       column = i;
     }
     std::string missing;
@@ -166,44 +155,44 @@ class TraceParser {
     }
   }
 
-  [[nodiscard]] std::optional<std::string_view> field(const std::vector<std::string_view>& fields,
-                                                      Column column) const {
-    if (!columns_[column]) return std::nullopt;
-    const std::string_view text = fields[*columns_[column]];
-    if (text.empty() && !kColumns[column].needed) return std::nullopt;
-    return text;
+  /// Nothing if the file has no such column.
+  [[nodiscard]] const CsvField* field(const std::vector<CsvField>& fields, Column column) const {
+    return columns_[column] ? &fields[*columns_[column]] : nullptr;
   }
 
-  std::optional<double> number(std::string_view text, Column column, double least) {
+  std::optional<double> number(const CsvField& field, Column column, double least) {
+    const std::string& text = field.text;
     double value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     constexpr double kGreatest = 1e9;
     // from_chars accepts "inf" and "nan", which no place or speed can be.
     const bool read = code == std::errc() && end == text.data() + text.size() && !text.empty();
     if (!read || !std::isfinite(value)) {
-      error(text, fmt::format("expected a number for {}, found '{}'", kColumns[column].name, text));
+      const bool can_be_left_out = text.empty() && !kColumns[column].needed;
+      error(field.where,
+            fmt::format("expected a number for {}, found '{}'", kColumns[column].name, text),
+            can_be_left_out ? "without this column it follows from the places" : "");
       return std::nullopt;
     }
     if (value < least || std::abs(value) > kGreatest) {
-      error(text, fmt::format("{} {} is not between {} and {}", kColumns[column].name, text,
-                              std::max(least, -kGreatest), kGreatest));
+      error(field.where, fmt::format("{} {} is not between {} and {}", kColumns[column].name, text,
+                                     std::max(least, -kGreatest), kGreatest));
       return std::nullopt;
     }
     return value;
   }
 
-  /// A number that has to be there, or one that may be.
-  bool read(const std::vector<std::string_view>& fields, Column column, double least,
-            double& value) {
-    const auto text = field(fields, column);
-    if (!text) return true;
-    const auto found = number(*text, column, least);
+  /// Leaves the value as it is if the file has no such column.
+  bool read(const std::vector<CsvField>& fields, Column column, double least, double& value) {
+    const CsvField* const given = field(fields, column);
+    if (given == nullptr) return true;
+    const auto found = number(*given, column, least);
     if (found) value = *found;
     return found.has_value();
   }
 
   void read_row(std::string_view line) {
-    const std::vector<std::string_view> fields = fields_of(line);
+    const std::vector<CsvField> fields = fields_of(line);
     if (fields.size() != field_count_) {
       error(trimmed(line),
             fmt::format("the row has {} fields, the header {}", fields.size(), field_count_));
@@ -211,7 +200,7 @@ class TraceParser {
     }
     constexpr double kAny = -1e9;
     double time = 0;
-    Row row{.where = trimmed(line)};
+    Row row;
     bool good = read(fields, kTime, kAny, time);
     // All columns are read even after a mistake, so that each of them is reported.
     good = read(fields, kX, kAny, row.state.x_m) && good;
@@ -221,34 +210,39 @@ class TraceParser {
     const auto actor = read_actor(fields);
     if (!good || !actor) return;
     row.actor = *actor;
-    row.events = field(fields, kEvent).value_or("");
-    if (!add_time(fields[*columns_[kTime]], time)) return;
+    if (const CsvField* const events = field(fields, kEvent)) row.events = events->text;
+    if (!add_time(fields[*columns_[kTime]].where, time)) return;
     row.scene = times_.size() - 1;
     if (!seen_.insert({row.scene, row.actor}).second) {
-      error(fields[*columns_[kActor]],
+      error(fields[*columns_[kActor]].where,
             fmt::format("a second row of {} at time {}", actors_[row.actor].actor.name, time));
       return;
     }
     ++actors_[row.actor].rows;
-    rows_.push_back(row);
+    rows_.push_back(std::move(row));
   }
 
-  std::optional<std::size_t> read_actor(const std::vector<std::string_view>& fields) {
-    const std::string_view called = fields[*columns_[kActor]];
-    const std::string_view kind_text = fields[*columns_[kKind]];
-    if (called.empty()) error(called, "an actor without a name");
+  /// An actor without a size of its own has the usual one of its kind.
+  bool read_size(const std::vector<CsvField>& fields, Column column, double& value) {
+    const CsvField* const given = field(fields, column);
+    constexpr double kLeastSize = 0.001;
+    return given == nullptr || given->text.empty() || read(fields, column, kLeastSize, value);
+  }
+
+  std::optional<std::size_t> read_actor(const std::vector<CsvField>& fields) {
+    const auto& [called_where, called] = fields[*columns_[kActor]];
+    const auto& [kind_where, kind_text] = fields[*columns_[kKind]];
+    if (called.empty()) error(called_where, "an actor without a name");
     const auto kind = find_kind(kind_text);
     if (!kind) {
-      error(kind_text,
+      error(kind_where,
             fmt::format("unknown kind '{}', expected vehicle, pedestrian, cyclist or signal",
                         kind_text));
     }
     if (called.empty() || !kind) return std::nullopt;
     const BoxSize usual = size_of(*kind);
-    Actor actor{std::string(called), *kind, usual.length_m, usual.width_m};
-    constexpr double kLeastSize = 0.001;
-    if (!read(fields, kLength, kLeastSize, actor.length_m) ||
-        !read(fields, kWidth, kLeastSize, actor.width_m)) {
+    Actor actor{called, *kind, usual.length_m, usual.width_m};
+    if (!read_size(fields, kLength, actor.length_m) || !read_size(fields, kWidth, actor.width_m)) {
       return std::nullopt;
     }
     // The first row of an actor decides its kind and size; later ones must agree.
@@ -256,7 +250,7 @@ class TraceParser {
     if (is_new) {
       actors_.push_back({.actor = std::move(actor)});
     } else if (!(actors_[known->second].actor == actor)) {
-      error(called, fmt::format("{} had another kind or size before", called));
+      error(called_where, fmt::format("{} had another kind or size before", called));
       return std::nullopt;
     }
     return known->second;
@@ -417,11 +411,11 @@ std::string print_trace(const Recording& recording) {
     for (std::size_t i = 0; i < scene.size(); ++i) {
       const Actor& actor = recording.actors()[i];
       const auto event = events.find({tick, i});
-      text +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{}\n",
-                      static_cast<double>(tick) * recording.tick_s(), actor.name, name(actor.kind),
-                      scene[i].x_m, scene[i].y_m, scene[i].heading_rad, scene[i].speed_mps,
-                      actor.length_m, actor.width_m, event == events.end() ? "" : event->second);
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n",
+                          static_cast<double>(tick) * recording.tick_s(), csv_quoted(actor.name),
+                          name(actor.kind), scene[i].x_m, scene[i].y_m, scene[i].heading_rad,
+                          scene[i].speed_mps, actor.length_m, actor.width_m,
+                          event == events.end() ? "" : csv_quoted(event->second));
     }
   }
   return text;

@@ -9,7 +9,8 @@ namespace {
 
 template <class Number>
 bool read_number(std::string_view& text, Number& value) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
+  if (!text.starts_with(' ')) return false;
+  text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return error == std::errc();
@@ -27,18 +28,19 @@ std::string feedback_text(const std::vector<CoveredBin>& feedback) {
 
 std::optional<std::vector<CoveredBin>> parse_feedback(std::string_view text) {
   std::vector<CoveredBin> feedback;
-  while (!text.empty()) {
+  if (text.empty()) return feedback;
+  while (true) {
     const std::size_t blank = text.find(' ');
     if (blank == 0 || blank == std::string_view::npos) return std::nullopt;
     CoveredBin bin{.item = std::string(text.substr(0, blank))};
     text.remove_prefix(blank);
     if (!read_number(text, bin.bin) || !read_number(text, bin.times)) return std::nullopt;
+    if (bin.bin == 0) return std::nullopt;
     feedback.push_back(std::move(bin));
-    if (text.empty()) break;
+    if (text.empty()) return feedback;
     if (!text.starts_with("; ")) return std::nullopt;
     text.remove_prefix(2);
   }
-  return feedback;
 }
 
 std::vector<CoveredBin> feedback_of(const SituationCoverage& coverage) {

@@ -7,6 +7,7 @@
 
 #include "experiment/compare/csv_fields.h"
 #include "experiment/compare/measures/statistics.h"
+#include "experiment/judge/csv_line.h"
 
 namespace jaywalk {
 namespace {

@@ -32,6 +32,7 @@ class ReachParser {
       begin = end + 1;
     }
     if (!has_header) (void)parse_header(text);
+    if (!diagnostics_.has_errors()) check_completeness();
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
     return std::move(file_);
   }
@@ -47,6 +48,7 @@ class ReachParser {
     if (line == kReachHeader) {
       for (const SituationItem& item : situation_items()) {
         file_.reachable.emplace_back(item.bins.size());
+        read_.emplace_back(item.bins.size());
       }
       walk_ = 4;
     } else if (line != kWalksHeader) {
@@ -79,8 +81,27 @@ class ReachParser {
     const auto reachable = number(fields[3], 0, 1);
     if (!bin || !reachable) return false;
     const auto index = static_cast<std::size_t>(item - items.begin());
+    if (read_[index][*bin - 1]) {
+      error(fields[0].where, fmt::format("a second line for bin {} of {}", *bin, item->name));
+      return false;
+    }
+    read_[index][*bin - 1] = true;
     file_.reachable[index][*bin - 1] = *reachable == 1;
     return *reachable == 1;
+  }
+
+  /// A bin that a file cut short leaves out would count as one that no test can meet.
+  void check_completeness() {
+    for (std::size_t item = 0; item < read_.size(); ++item) {
+      const auto missing = std::ranges::find(read_[item], false);
+      if (missing == read_[item].end()) continue;
+      diagnostics_.error(
+          source_->name(),
+          fmt::format("has no line for bin {} of {}", missing - read_[item].begin() + 1,
+                      situation_items()[item].name),
+          "`jaywalk reach` writes one for each bin, whether it can be met or not");
+      return;
+    }
   }
 
   void parse_walk(const CsvField& row, const CsvField& cell, const CsvField& moves) {
@@ -113,6 +134,8 @@ class ReachParser {
   SourcePtr source_;
   Diagnostics diagnostics_;
   ReachFile file_;
+  /// The bins that had a line; empty if the file has walks alone.
+  ReachableBins read_;
   /// The index of a walk's first field.
   std::size_t walk_ = 0;
 };

@@ -91,8 +91,9 @@ TEST(FeedbackText, RoundTrips) {
 }
 
 TEST(FeedbackText, IsRefusedWhereItIsNone) {
-  for (const char* text : {"a", "a 1", "a 1 x", "a x 1", " 1 2", "a 1 2;", "a 1 2,b 1 2", "a -1 2",
-                           "a 1 99999999999999999999"}) {
+  for (const char* text : {"a", "a 1", "a 1 x", "a x 1", " 1 2", "a 1 2;", "a 1 2; ",
+                           "a 1 2; b 1 2; ", "; a 1 2", "a 1 2,b 1 2", "a -1 2", "a 0 2", "a  1 2",
+                           "a 1  2", "a 12", "a 1 2 ", "a 1 99999999999999999999"}) {
     EXPECT_FALSE(parse_feedback(text)) << text;
   }
 }

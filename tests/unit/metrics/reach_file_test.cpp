@@ -2,6 +2,9 @@
 
 #include "experiment/judge/situations/reach_file.h"
 
+#include <string>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,11 +27,22 @@ std::string errors(const std::string& text) {
   return file.ok() ? std::string() : file.diagnostics().render();
 }
 
+/// A line for each bin that `met` does not begin a line for: no test can meet it.
+std::string with_the_rest(const std::string& met) {
+  std::string text = kHeader + met;
+  for (const SituationItem& item : situation_items()) {
+    for (std::size_t bin = 1; bin <= item.bins.size(); ++bin) {
+      const std::string begin = fmt::format("{},{},", item.name, bin);
+      if (met.find(begin) == std::string::npos) text += begin + "\"\",0,,,\n";
+    }
+  }
+  return text;
+}
+
 TEST(ReachFile, HasBinsAndTheirWalksEachOnce) {
-  const Result<ReachFile> file = parse(std::string(kHeader) +
-                                       "start_side,1,\"left\",1,1,20,rrr\n"
-                                       "start_side,2,\"right\",0,,,\n"
-                                       "side_and_ttc,1,\"left, 0-0.2 s\",1,1,20,rrr\r\n");
+  const Result<ReachFile> file =
+      parse(with_the_rest("start_side,1,\"left\",1,1,20,rrr\n"
+                          "side_and_ttc,1,\"left, 0-0.2 s\",1,1,20,rrr\r\n"));
   ASSERT_TRUE(file.ok()) << file.diagnostics().render();
   EXPECT_THAT(file.value().walks, ElementsAre(ScriptedWalk{{1, 20}, "rrr"}));
   ASSERT_EQ(file.value().reachable.size(), situation_items().size());
@@ -40,6 +54,15 @@ TEST(ReachFile, MayHaveWalksAlone) {
   ASSERT_TRUE(file.ok()) << file.diagnostics().render();
   EXPECT_TRUE(file.value().reachable.empty());
   EXPECT_EQ(file.value().walks.size(), 2U);
+}
+
+TEST(ReachFile, HasALineForEachBin) {
+  std::string text = with_the_rest("");
+  text.erase(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_THAT(errors(text), HasSubstr("reach.csv: error: has no line for bin"));
+  EXPECT_THAT(errors(std::string(kHeader)), HasSubstr("has no line for bin 1 of start_side"));
+  EXPECT_THAT(errors(with_the_rest("") + "start_side,1,\"left\",1,1,20,rrr\n"),
+              HasSubstr("error: a second line for bin 1 of start_side"));
 }
 
 TEST(ReachFile, SaysWhereAMistakeIs) {

@@ -100,6 +100,15 @@ TEST(Trace, GivesActorsTheUsualSizeOfTheirKind) {
   EXPECT_EQ(recording.actors()[1].width_m, kPedestrianSizeM);
 }
 
+TEST(Trace, GivesActorsTheUsualSizeWhereTheirFieldsAreEmpty) {
+  const Recording recording = trace(
+      "time,actor,kind,x,y,length,width,event\n"
+      "0,av,vehicle,0,0,4.5,1.8,\n0,p,pedestrian,4,0,,,\n"
+      "1,av,vehicle,0,1,4.5,1.8,\n1,p,pedestrian,4,0,,,\n");
+  EXPECT_EQ(recording.actors()[0].length_m, 4.5);
+  EXPECT_EQ(recording.actors()[1].width_m, kPedestrianSizeM);
+}
+
 TEST(Trace, PutsTheAvFirst) {
   const Recording named = trace(kHeader +
                                 "0,c,vehicle,0,0\n0,av,vehicle,5,0\n"
@@ -145,6 +154,12 @@ TEST(Trace, ReadsQuotesBlankLinesAndCarriageReturns) {
   EXPECT_EQ(recording.scenes(), 2U);
 }
 
+TEST(Trace, NamesActorsAsOtherProgramsQuoteThem) {
+  const Recording recording =
+      trace(kHeader + "0,\"a \"\"b\"\"\",vehicle,0,0\n1,\"a \"\"b\"\"\",vehicle,0,1\n");
+  EXPECT_EQ(recording.actors()[0].name, "a \"b\"");
+}
+
 TEST(Trace, DoesNotMindRoundedTimes) {
   const Recording recording = trace(kHeader +
                                     "0,av,vehicle,0,0\n0.0333,av,vehicle,0,1\n"
@@ -155,7 +170,7 @@ TEST(Trace, DoesNotMindRoundedTimes) {
 
 TEST(Trace, IsReadAgainAsItWasPrinted) {
   Recording recording(0.25, {{"av", ActorKind::vehicle, 4.5, 1.75},
-                             {"p1", ActorKind::pedestrian, 0.5, 0.5},
+                             {"p1, \"walker\"", ActorKind::pedestrian, 0.5, 0.5},
                              {"s", ActorKind::signal, 0.25, 0.25}});
   recording.add(Scene{{0.1, 0, 9.7, kPi / 2}, {-3, 20, 1.39, 0.1}, {4, 30, 0, 0}});
   recording.add(Scene{{0.1, 2.4, 9.6, kPi / 2}, {-2.7, 20, 1.39, 0.1}, {4, 30, 0, 0}});
@@ -218,6 +233,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{kHeader + "0,av,vehicle,1m,0\n", "expected a number for x, found '1m'"},
         Mistake{"time,actor,kind,x,y,speed\n0,av,vehicle,0,0,-1\n", "speed -1 is not between 0"},
         Mistake{"time,actor,kind,x,y,width\n0,av,vehicle,0,0,0\n", "width 0 is not between 0.001"},
+        Mistake{"time,actor,kind,x,y,heading\n0,av,vehicle,0,0,\n",
+                "2:18: error: expected a number for heading, found ''"},
+        Mistake{"time,actor,kind,x,y,speed,event\n0,av,vehicle,0,0,,\n",
+                "2:18: error: expected a number for speed, found ''"},
         Mistake{kHeader + "1,av,vehicle,0,0\n0,av,vehicle,0,0\n",
                 "3:1: error: time 0 after time 1"},
         Mistake{kHeader + "0,av,vehicle,0,0\n1,av,vehicle,0,1\n3,av,vehicle,0,2\n",
