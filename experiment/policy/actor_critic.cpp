@@ -89,6 +89,10 @@ void fill(Target& target, const nlohmann::json& from) {
   if (std::cmp_not_equal(numbers.size(), target.size())) {
     throw std::invalid_argument("a layer of the network has another size");
   }
+  // A weight beyond what a network's numbers hold has become infinite.
+  if (!std::ranges::all_of(numbers, [](float each) { return std::isfinite(each); })) {
+    throw std::invalid_argument("a weight of the network is too large");
+  }
   std::ranges::copy(numbers, target.data());
 }
 

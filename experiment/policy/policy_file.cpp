@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,6 +18,15 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::uint64_t kVersion = 1;
+
+/// JSON's library would make -1 a large number and 1e300 any.
+template <class Number>
+Number whole(const json& value) {
+  if (!value.is_number_unsigned() || !std::in_range<Number>(value.get<json::number_unsigned_t>())) {
+    throw std::invalid_argument(fmt::format("{} is not a whole number in range", value.dump()));
+  }
+  return value.get<Number>();
+}
 
 json weights_to_json(const std::vector<std::pair<std::string, double>>& weights) {
   json object = json::object();
@@ -50,8 +61,8 @@ LearnerSettings settings_from_json(const json& object) {
   settings.explores = object.at("explores").get<double>();
   settings.explores_least = object.at("explores_least").get<double>();
   settings.halves_after = object.at("halves_after").get<double>();
-  settings.hidden = object.at("hidden").get<std::uint32_t>();
-  settings.passes = object.at("passes").get<std::uint32_t>();
+  settings.hidden = whole<std::uint32_t>(object.at("hidden"));
+  settings.passes = whole<std::uint32_t>(object.at("passes"));
   settings.clip = object.at("clip").get<double>();
   settings.entropy = object.at("entropy").get<double>();
   if (object.contains("rate")) settings.rate = object.at("rate").get<double>();
@@ -86,7 +97,7 @@ LearningSpec spec_from_json(const json& object) {
                  .natural_steps = reward.at("natural_steps").get<double>()};
   spec.is_shared = object.at("shared").get<bool>();
   spec.discount = object.at("discount").get<double>();
-  spec.generation = object.at("generation").get<std::uint64_t>();
+  spec.generation = whole<std::uint64_t>(object.at("generation"));
   return spec;
 }
 
@@ -96,13 +107,13 @@ PolicyOrigin origin_from_json(const json& object) {
   origin.program_sha256 = object.at("program_sha256").get<std::string>();
   origin.scenario = object.at("scenario").get<std::string>();
   origin.scenario_sha256 = object.at("scenario_sha256").get<std::string>();
-  origin.agents = object.at("agents").get<std::uint32_t>();
-  origin.seed = object.at("seed").get<std::uint64_t>();
-  origin.tests = object.at("tests").get<std::uint64_t>();
-  origin.errored = object.at("errored").get<std::uint64_t>();
+  origin.agents = whole<std::uint32_t>(object.at("agents"));
+  origin.seed = whole<std::uint64_t>(object.at("seed"));
+  origin.tests = whole<std::uint64_t>(object.at("tests"));
+  origin.errored = whole<std::uint64_t>(object.at("errored"));
   origin.spec = spec_from_json(object.at("learning"));
   for (const json& point : object.at("curve")) {
-    origin.curve.push_back({.tests = point.at(0).get<std::uint64_t>(),
+    origin.curve.push_back({.tests = whole<std::uint64_t>(point.at(0)),
                             .reward = point.at(1).get<double>(),
                             .success_pct = point.at(2).get<double>()});
   }
@@ -110,15 +121,32 @@ PolicyOrigin origin_from_json(const json& object) {
   return origin;
 }
 
-/// What a file may ask for; beyond, it would take all memory, or divide by zero.
-void check_sizes(const LearnerSettings& settings) {
+void check_share(std::string_view name, double value) {
+  if (value >= 0 && value <= 1) return;
+  throw std::invalid_argument(fmt::format("{} is not between 0 and 1", name));
+}
+
+/// What a file may ask for; beyond, it would take all memory or time, or divide by zero.
+void check_spec(const LearningSpec& spec) {
   constexpr std::uint32_t kMostUnits = 1024;
+  constexpr std::uint32_t kMostPasses = 1000;
+  const LearnerSettings& settings = spec.settings;
   if (settings.hidden == 0 || settings.hidden > kMostUnits) {
     throw std::invalid_argument("so many hidden units are not possible");
+  }
+  if (settings.passes == 0 || settings.passes > kMostPasses) {
+    throw std::invalid_argument("so many passes are not possible");
   }
   if (std::ranges::any_of(settings.bins, [](double width) { return !(width > 0); })) {
     throw std::invalid_argument("a bin has no width");
   }
+  if (!(settings.halves_after > 0)) throw std::invalid_argument("halves_after is not above 0");
+  check_share("trace", settings.trace);
+  check_share("rate", settings.rate.value_or(1));
+  check_share("explores", settings.explores);
+  check_share("explores_least", settings.explores_least);
+  check_share("entropy", settings.entropy);
+  check_share("discount", spec.discount);
 }
 
 std::size_t feature_count(const json& value) {
@@ -175,6 +203,9 @@ Result<std::shared_ptr<Policy>> parse_policy(const SourcePtr& source) {
     diagnostics.error(SourceSpan{source, place_of(source, error.byte)}, "this is no JSON",
                       "a policy is written by `jaywalk learn`");
     return diagnostics;
+  } catch (const json::out_of_range&) {
+    diagnostics.error(source->name(), "the policy has a number that is too large");
+    return diagnostics;
   }
   if (!file.is_object() || file.value("jaywalk_policy", json()) != kVersion) {
     diagnostics.error(source->name(), "this is no policy of version 1",
@@ -183,7 +214,7 @@ Result<std::shared_ptr<Policy>> parse_policy(const SourcePtr& source) {
   }
   try {
     PolicyOrigin origin = origin_from_json(file);
-    check_sizes(origin.spec.settings);
+    check_spec(origin.spec);
     if (find_learner(origin.spec.learner) == nullptr) {
       diagnostics.error(source->name(), fmt::format("unknown learner '{}'", origin.spec.learner));
       return diagnostics;

@@ -52,6 +52,16 @@ TEST_P(Policies, AreRefusedWhereTheirFileIsDamaged) {
            {"\"options\":[\"go\",\"stay\"]", "\"options\":[\"go\"]"},
            {"\"hidden\":32", "\"hidden\":4000000000"},
            {"\"bins\":[]", "\"bins\":[0]"},
+           {"\"seed\":7", "\"seed\":1e999"},
+           {"\"seed\":7", "\"seed\":-7"},
+           {"\"seed\":7", "\"seed\":7.5"},
+           {"\"agents\":2", "\"agents\":4294967298"},
+           {"\"tests\":3", "\"tests\":1e300"},
+           {"\"passes\":", "\"passes\":-1,\"was\":"},
+           {"\"passes\":", "\"passes\":4000000000,\"was\":"},
+           {"\"explores\":", "\"explores\":2,\"was\":"},
+           {"\"halves_after\":", "\"halves_after\":0,\"was\":"},
+           {"\"discount\":", "\"discount\":-1,\"was\":"},
            {"\"learner\":\"", "\"learner\":\"not-"}}) {
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;
@@ -72,7 +82,16 @@ INSTANTIATE_TEST_SUITE_P(Learners, Policies, testing::Values("q-table", "actor-c
 TEST(PolicyFile, IsPointedAtWhereItIsNoJson) {
   EXPECT_THAT(parsed("{\"jaywalk_policy\": 1,\n  oops}").diagnostics().render(),
               HasSubstr("learned.json:2:3: error: this is no JSON"));
+  EXPECT_THAT(parsed("{\"jaywalk_policy\": 1e999}").diagnostics().render(),
+              HasSubstr("learned.json: error: the policy has a number that is too large"));
   EXPECT_THAT(parsed("[]").diagnostics().render(), HasSubstr("no policy of version 1"));
+}
+
+TEST(PolicyFile, HasNoWeightThatIsTooLargeForItsNetworks) {
+  std::string text = learned("actor-critic").text();
+  const std::size_t digit = text.find("[[[", text.find("\"learned\"")) + 3;
+  text.replace(digit, text.find(',', digit) - digit, "1e300");
+  EXPECT_THAT(parsed(text).diagnostics().render(), HasSubstr("the policy is damaged"));
 }
 
 TEST(Policy, SaysWhatIsNotItsOwn) {
