@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "env/grid/random.h"
 #include "experiment/networks/random.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk::search {
 

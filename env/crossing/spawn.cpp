@@ -3,7 +3,7 @@
 #include <cassert>
 
 #include "env/crossing/layout.h"
-#include "env/grid/random.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk {
 namespace {

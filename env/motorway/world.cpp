@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "env/grid/random.h"
 #include "env/vehicle/section.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk {
 namespace {

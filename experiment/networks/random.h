@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "env/grid/random.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk::networks {
 

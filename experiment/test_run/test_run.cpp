@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "env/grid/random.h"
 #include "experiment/test_run/covered_bins.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk {
 namespace {

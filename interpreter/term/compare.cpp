@@ -246,7 +246,7 @@ class Order {
   TermWalk walk_;
 };
 
-constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+constexpr std::uint64_t mixed_in(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
   return hash ^ hash >> 32U;
 }
@@ -263,12 +263,12 @@ class Hash {
       list.visit(value);
       const std::uint64_t head = hash(value.pair()->head);
       if (head == 0) return 0;
-      result = mix(result, head);
+      result = mixed_in(result, head);
       value = value.pair()->tail;
     }
     const std::uint64_t last = single(value);
     // 0 stands for a term without a hash (it has a variable, say); of others the lowest bit is set.
-    return last == 0 ? 0 : mix(result, last) | 1U;
+    return last == 0 ? 0 : mixed_in(result, last) | 1U;
   }
 
  private:
@@ -276,13 +276,13 @@ class Hash {
     switch (value.kind()) {
       case Value::Kind::number:
         // -0 equals 0, and so has its hash.
-        return mix(1, std::bit_cast<std::uint64_t>(value.as_number() + 0.0));
+        return mixed_in(1, std::bit_cast<std::uint64_t>(value.as_number() + 0.0));
       case Value::Kind::atom:
-        return mix(2, static_cast<std::uint64_t>(value.atom_id())) | 1U;
+        return mixed_in(2, static_cast<std::uint64_t>(value.atom_id())) | 1U;
       case Value::Kind::special:
-        return mix(3, value.bits());
+        return mixed_in(3, value.bits());
       case Value::Kind::text:
-        return mix(4, std::hash<std::string_view>{}(value.text()->view())) | 1;
+        return mixed_in(4, std::hash<std::string_view>{}(value.text()->view())) | 1;
       case Value::Kind::object:
         return 5;  // its contents change
       case Value::Kind::structure:
@@ -293,11 +293,11 @@ class Hash {
     const Structure& s = *value.structure();
     if (s.form() == Form::decorated) return 0;
     // Annotations are left out: terms that differ in them alone may be equal (Annotations::ignore).
-    std::uint64_t result = mix(2, static_cast<std::uint64_t>(s.predicate()));
+    std::uint64_t result = mixed_in(2, static_cast<std::uint64_t>(s.predicate()));
     for (std::size_t i = 0; i < s.arity; ++i) {
       const std::uint64_t part = hash(s.arg(i));
       if (part == 0) return 0;
-      result = mix(result, part);
+      result = mixed_in(result, part);
     }
     return result | 1U;
   }

@@ -15,7 +15,6 @@
 
 #include "env/crossing/spawn.h"
 #include "env/crossing/world.h"
-#include "env/grid/random.h"
 #include "experiment/test_run/test_run.h"
 #include "interpreter/support/random.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "env/crossing/crossing.h"
-#include "env/grid/random.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk::reference {
 

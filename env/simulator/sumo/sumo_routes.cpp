@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "env/grid/random.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk {
 namespace {

@@ -14,13 +14,13 @@
 
 #include <fmt/format.h>
 
-#include "env/grid/random.h"
 #include "env/simulator/simulators.h"
 #include "env/simulator/sumo/sumo_map.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "env/simulator/sumo/sumo_routes.h"
 #include "env/simulator/sumo/sumo_settings.h"
 #include "env/vehicle/sight.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "env/grid/random.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk {
 namespace {

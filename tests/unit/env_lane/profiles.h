@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "env/grid/random.h"
 #include "env/lane/drive.h"
 #include "env/lane/validity.h"
+#include "interpreter/support/random.h"
 
 namespace jaywalk::lane {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "env/grid/random.h"
+#include "interpreter/support/random.h"
 #include "tests/unit/env_lane/data.h"
 
 namespace jaywalk::lane {
