@@ -102,8 +102,7 @@ TEST(AnExternalController, ThatFailsEndsTheTestWithTheReason) {  // F9
       fails("read line; echo {}"),
       "the controller 'sh': line 1 of its output, '{}': expected {\"acceleration\": <m/s^2>}");
   EXPECT_EQ(
-      fails(
-          R"(while read line; do echo "{\"acceleration\": 0}"; echo "{\"acceleration\": 0}"; done)"),
+      fails(R"(while read line; do printf "{\"acceleration\": 0}\n{\"acceleration\": 0}\n"; done)"),
       "the controller 'sh': line 1 of its output, '{\"acceleration\": 0}': one line is an answer, "
       "but it also wrote '{\"acceleration\": 0}'");
   EXPECT_EQ(fails(R"(while read line; do echo "{\"acceleration\": 1e308}"; done)"),
