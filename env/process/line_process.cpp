@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -44,6 +45,12 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// For so long reading waits by itself: most answers come sooner, and need no poll() then.
+void set_patience(int channel) {
+  const timeval patience{.tv_sec = 0, .tv_usec = 20'000};
+  (void)setsockopt(channel, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+}
 
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of("\r\n ");
@@ -86,6 +93,7 @@ std::string LineProcess::start() {
     return problem;
   }
   channel_ = ours.release();
+  set_patience(channel_);
   error_pipe_ = read_end.release();
   buffer_.clear();
   last_words_.clear();
@@ -129,11 +137,14 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
     }
     searched = buffer_.size();
     if (searched > kMaxLineBytes) return {{}, "its answer is longer than 16 MB"};
-    if (std::string why = wait_for(POLLIN, deadline); !why.empty()) return {{}, why};
     std::array<char, 4096> chunk{};  // answers are short, and clearing more costs more than they do
-    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), 0);
+    // One whose errors are read, too, must not wait for us to do so.
+    const int flags = error_pipe_ >= 0 ? MSG_DONTWAIT : 0;
+    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), flags);
     if (count > 0) {
       buffer_.append(chunk.data(), static_cast<std::size_t>(count));
+    } else if (count < 0 && errno == EAGAIN) {
+      if (std::string why = wait_for(POLLIN, deadline); !why.empty()) return {{}, why};
     } else if (count == 0 || errno != EINTR) {
       return {{}, ended()};
     }
@@ -142,28 +153,45 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
 
 std::optional<std::string> LineProcess::unasked(milliseconds settling) {
   const Deadline deadline = steady_clock::now() + settling;
-  if (buffer_.empty() && wait_for(POLLIN, deadline).empty()) {
-    std::array<char, 4096> chunk{};
-    // Nothing is read at the end of its output: that is noticed when it is asked.
-    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), MSG_DONTWAIT);
-    if (count > 0) buffer_.assign(chunk.data(), static_cast<std::size_t>(count));
-  }
+  const bool patient = settling.count() > 0;
+  if (buffer_.empty() && (!patient || wait_for(POLLIN, deadline).empty())) read_what_is_there();
+  return unasked_so_far();
+}
+
+std::optional<std::string> LineProcess::unasked_so_far() const {
   if (buffer_.empty()) return std::nullopt;
   return buffer_.substr(0, buffer_.find('\n'));
 }
 
+/// Nothing is read at the end of its output: that is noticed when it is asked.
+void LineProcess::read_what_is_there() {
+  std::array<char, 256> chunk{};
+  const ssize_t count = recv(channel_, chunk.data(), chunk.size(), MSG_DONTWAIT);
+  if (count > 0) buffer_.assign(chunk.data(), static_cast<std::size_t>(count));
+}
+
 LineAnswer LineProcess::ask(std::string_view line, milliseconds limit) {
+  LineAnswer failed = send_lines(line, limit);
+  return failed.error.empty() ? next_answer(limit) : failed;
+}
+
+LineAnswer LineProcess::send_lines(std::string_view text, milliseconds limit) {
   if (child_.guard < 0) {
     if (std::string problem = start(); !problem.empty()) return {{}, std::move(problem)};
-  } else if (const auto text = unasked(milliseconds(0))) {
+  } else if (const auto unread = unasked(milliseconds(0))) {
     give_up();
-    return {
-        {}, fmt::format("it wrote '{}' without being asked", shortened(*text, kMostQuoted)), true};
+    const std::string quoted = shortened(*unread, kMostQuoted);
+    return {{}, fmt::format("it wrote '{}' without being asked", quoted), true};
   }
   const Deadline deadline = steady_clock::now() + limit;
-  LineAnswer answer;
-  answer.error = write_all(fmt::format("{}\n", line), deadline);
-  if (answer.error.empty()) answer = read_line(deadline);
+  return checked({{}, write_all(fmt::format("{}\n", text), deadline)}, limit);
+}
+
+LineAnswer LineProcess::next_answer(milliseconds limit) {
+  return checked(read_line(steady_clock::now() + limit), limit);
+}
+
+LineAnswer LineProcess::checked(LineAnswer answer, milliseconds limit) {
   if (answer.error == kLate) answer.error = late(limit);
   if (!answer.error.empty()) give_up();
   return answer;

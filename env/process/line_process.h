@@ -50,12 +50,18 @@ class LineProcess {
   /// answers after it would belong to other questions. After an error the process is gone; the next
   /// question starts it anew.
   [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
+  /// The same in two parts, for several questions at once: sends `text`, lines without the last
+  /// line break, and returns only what went wrong; waits for the answer to the next of them.
+  [[nodiscard]] LineAnswer send_lines(std::string_view text, std::chrono::milliseconds limit);
+  [[nodiscard]] LineAnswer next_answer(std::chrono::milliseconds limit);
   /// Sends a line that is not answered, to a process that was asked before. One that does not take
   /// it is gone.
   void tell(std::string_view line, std::chrono::milliseconds limit);
   /// The first line, or its beginning, that the process has written without being asked, or writes
   /// within `settling`.
   [[nodiscard]] std::optional<std::string> unasked(std::chrono::milliseconds settling);
+  /// The same of what has come together with the last answer.
+  [[nodiscard]] std::optional<std::string> unasked_so_far() const;
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }
   /// Lines answered since the process was started.
@@ -69,10 +75,12 @@ class LineProcess {
   [[nodiscard]] std::string wait_for(short events, Deadline deadline);
   [[nodiscard]] std::string write_all(std::string_view text, Deadline deadline);
   [[nodiscard]] LineAnswer read_line(Deadline deadline);
+  void read_what_is_there();
   void read_errors();
   /// Waits for the process to end by itself, then kills it: the status of waitpid, -1 if killed.
   int end(std::chrono::milliseconds patience);
   [[nodiscard]] std::string ended();
+  [[nodiscard]] LineAnswer checked(LineAnswer answer, std::chrono::milliseconds limit);
 
   std::vector<std::string> command_;
   std::string folder_;

@@ -1,5 +1,6 @@
 #include "env/process/numbered_process.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +9,18 @@
 
 namespace jaywalk {
 namespace {
+
+// Few enough that their answers find room while nobody reads them.
+constexpr std::size_t kAtOnce = 64;
+
+std::string joined(std::span<const std::string> lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    if (!text.empty()) text += '\n';
+    text += line;
+  }
+  return text;
+}
 
 /// One line. Names of files may be any bytes; what is not UTF-8 becomes U+FFFD.
 std::string text_of(const nlohmann::json& line) {
@@ -29,7 +42,39 @@ JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
 
 JsonAnswer NumberedProcess::ask_text(std::string_view question, std::size_t number,
                                      std::chrono::milliseconds limit) {
-  LineAnswer answer = process_.ask(question, limit);
+  JsonAnswer answer = read(process_.ask(question, limit), number);
+  if (!answer.error.empty()) return answer;
+  // The next question looks for what comes later, and a number that is repeated tells it apart.
+  std::string more =
+      repeats_ ? complaint(process_.unasked_so_far()) : said_more(settings_.settling);
+  if (!more.empty()) return {{}, std::move(more)};
+  return answer;
+}
+
+std::vector<JsonAnswer> NumberedProcess::ask_texts(std::span<const std::string> questions,
+                                                   std::size_t first,
+                                                   std::chrono::milliseconds limit) {
+  std::vector<JsonAnswer> answers;
+  while (answers.size() < questions.size()) {
+    const std::size_t done = answers.size();
+    // Without numbers nothing tells the answers apart.
+    const std::size_t count = repeats_ ? std::min(kAtOnce, questions.size() - done) : 1;
+    if (count == 1) {
+      answers.push_back(ask_text(questions[done], first + done, limit));
+    } else {
+      LineAnswer sent = process_.send_lines(joined(questions.subspan(done, count)), limit);
+      for (std::size_t i = 0; i < count; ++i) {
+        LineAnswer line = sent.error.empty() ? process_.next_answer(limit) : std::move(sent);
+        answers.push_back(read(std::move(line), first + done + i));
+        if (!answers.back().error.empty()) return answers;
+      }
+    }
+    if (!answers.back().error.empty()) return answers;
+  }
+  return answers;
+}
+
+JsonAnswer NumberedProcess::read(LineAnswer answer, std::size_t number) {
   asked_ = answer.error.empty();
   if (!answer.error.empty()) {
     repeats_ = false;
@@ -39,14 +84,15 @@ JsonAnswer NumberedProcess::ask_text(std::string_view question, std::size_t numb
   nlohmann::json json = nlohmann::json::parse(last_, nullptr, false);
   if (!json.is_object()) return {{}, refuse("expected a JSON object")};
   if (std::string why = mismatch(json, number); !why.empty()) return {{}, refuse(why)};
-  std::string more = said_more(repeats_ ? std::chrono::milliseconds(0) : settings_.settling);
-  if (!more.empty()) return {{}, std::move(more)};
   return {std::move(json), {}};
 }
 
 std::string NumberedProcess::said_more(std::chrono::milliseconds settling) {
-  if (!asked_) return {};
-  const auto text = process_.unasked(settling);
+  return asked_ ? complaint(process_.unasked(settling)) : std::string();
+}
+
+/// Nothing of what was not said.
+std::string NumberedProcess::complaint(const std::optional<std::string>& text) {
   if (!text) return {};
   return refuse(
       fmt::format("one line is an answer, but it also wrote '{}'", shortened(*text, kMostQuoted)));

@@ -5,6 +5,8 @@
 // out of step. Read line_process.h before.
 
 #include <chrono>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,11 @@ class NumberedProcess {
   /// The same of a question that is one line of text already, with its number in it.
   [[nodiscard]] JsonAnswer ask_text(std::string_view question, std::size_t number,
                                     std::chrono::milliseconds limit);
+  /// Several of those, whose numbers count on from `first`; the process may read one while it
+  /// answers another. The answers up to the first error.
+  [[nodiscard]] std::vector<JsonAnswer> ask_texts(std::span<const std::string> questions,
+                                                  std::size_t first,
+                                                  std::chrono::milliseconds limit);
   /// What to say if it has answered the last question with more than one line, or does within
   /// `settling`; it is ended then. Empty if all is well.
   [[nodiscard]] std::string said_more(std::chrono::milliseconds settling);
@@ -58,6 +65,8 @@ class NumberedProcess {
   [[nodiscard]] std::string refuse(std::string_view why);
 
  private:
+  [[nodiscard]] std::string complaint(const std::optional<std::string>& text);
+  [[nodiscard]] JsonAnswer read(LineAnswer answer, std::size_t number);
   /// Why an object is no answer to that question; empty if it is one.
   [[nodiscard]] std::string mismatch(const nlohmann::json& answer, std::size_t number);
 

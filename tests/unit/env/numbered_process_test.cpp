@@ -77,6 +77,34 @@ TEST_F(Numbered, FindsALateLineTooManyByTheNumber) {
   EXPECT_THAT(ask().error, HasSubstr("it answers n 1, expected 2"));
 }
 
+TEST_F(Numbered, AnswersManyQuestionsThatAreAskedAtOnce) {
+  start(kRepeating);
+  EXPECT_EQ(ask().json["v"], 0);
+  const std::vector<std::string> questions(300, R"({"x": 1})");
+  const std::vector<JsonAnswer> answers = process_->ask_texts(questions, 1, milliseconds(20000));
+  ASSERT_EQ(answers.size(), 300U);
+  EXPECT_EQ(answers[0].json["v"], 1);
+  EXPECT_EQ(answers[299].error, "");
+  EXPECT_EQ(answers[299].json["v"], 300);
+}
+
+TEST_F(Numbered, AsksOneByOneWhereNoNumberIsRepeated) {
+  start(std::string(kPlain) + "; [ $i = 2 ] && " + kPlain, milliseconds(200));
+  const std::vector<std::string> questions(5, R"({"x": 1})");
+  const std::vector<JsonAnswer> answers = process_->ask_texts(questions, 0, milliseconds(5000));
+  ASSERT_EQ(answers.size(), 3U) << "up to the first error";
+  EXPECT_THAT(answers[2].error, HasSubstr("one line is an answer, but it also wrote"));
+}
+
+TEST_F(Numbered, FindsALineTooManyAmongManyQuestions) {
+  start(std::string(kRepeating) + "; [ $i = 7 ] && " + kRepeating);
+  EXPECT_EQ(ask().error, "");
+  const std::vector<std::string> questions(20, R"({"x": 1})");
+  const std::vector<JsonAnswer> answers = process_->ask_texts(questions, 1, milliseconds(5000));
+  ASSERT_EQ(answers.size(), 8U);
+  EXPECT_THAT(answers[7].error, HasSubstr("it answers n 7, expected 8"));
+}
+
 TEST_F(Numbered, RefusesAnAnswerWithoutTheNumberOnceItWasRepeated) {
   start(std::string("if [ $i = 1 ]; then ") + kPlain + "; else " + kRepeating + "; fi");
   EXPECT_EQ(ask().json["v"], 0);
