@@ -9,8 +9,8 @@ CarefulDriver::CarefulDriver(const VehicleParameters& parameters)
       deceleration_(parameters.deceleration_mps2.value_or(kCompetentBrakingMps2)),
       acceleration_(parameters.acceleration_mps2) {}
 
-/// A line that closes is perceived as a risk is. Who stands at one brakes with 0, but does not drive
-/// on: that is not the same as none.
+/// A line that closes is perceived as a risk is. Who stands at one brakes with 0, but does not
+/// drive on: that is not the same as none.
 std::optional<double> CarefulDriver::line_braking(const VehicleView& view) {
   if (!closed_line(view)) {
     line_closed_s_.reset();
