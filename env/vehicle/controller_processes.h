@@ -1,28 +1,62 @@
 #pragma once
 
-// Processes of external controllers that drive in many tests, one after another: starting one takes
-// longer than most tests do. Whoever runs the tests owns them; they belong to one thread.
+// Processes of external controllers (external.cpp has what they read and answer). One that drives
+// in many tests, one after another, is kept by whoever runs the tests, as starting it takes longer
+// than most tests do; it belongs to one thread.
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "env/process/numbered_process.h"
+#include "env/vehicle/known_drives.h"
+#include "env/vehicle/vehicle.h"
+#include "env/vehicle/view_text.h"
 
 namespace jaywalk {
+
+/// Errors are texts for people, empty if all is well. After one the process is gone; the next drive
+/// starts it anew.
+class ControllerProcess {
+ public:
+  explicit ControllerProcess(const std::vector<std::string>& command);
+
+  /// One that is kept begins a drive. If it is the drive before once more, nothing is sent until a
+  /// view comes that was not seen in it: then all that went before is asked again.
+  [[nodiscard]] std::string begin(nlohmann::json reset);
+  /// What it answers: an acceleration in m/s^2, which may be more than a vehicle can do.
+  [[nodiscard]] std::string decide(const VehicleView& view, std::uint64_t test,
+                                   double& acceleration_mps2);
+  [[nodiscard]] std::string end(nlohmann::json end);
+
+ private:
+  [[nodiscard]] std::string say_reset();
+  [[nodiscard]] std::string catch_up();
+  [[nodiscard]] std::string ask(const std::string& view, double& acceleration_mps2);
+  [[nodiscard]] std::string read_acceleration(const JsonAnswer& answer, double& acceleration_mps2);
+  [[nodiscard]] std::string read_fields(const nlohmann::json& answer);
+  /// Forgets what was known of a process that is gone.
+  [[nodiscard]] std::string failed(std::string why);
+
+  NumberedProcess process_;
+  nlohmann::json reset_;  // of the drive that it is in; null if it is not kept
+  ViewFields fields_;     // those that it reads
+  KnownDrives drives_;
+  bool follows_ = false;  // all of this drive's views are known, and none has been sent
+  std::size_t step_ = 0;
+};
 
 class ControllerProcesses {
  public:
   /// The one of that command, which is started when it is first asked.
-  [[nodiscard]] NumberedProcess& of(const std::vector<std::string>& command);
+  [[nodiscard]] ControllerProcess& of(const std::vector<std::string>& command);
 
  private:
-  std::map<std::vector<std::string>, std::unique_ptr<NumberedProcess>> processes_;
+  std::map<std::vector<std::string>, std::unique_ptr<ControllerProcess>> processes_;
 };
-
-/// As both kinds of controllers start theirs.
-[[nodiscard]] std::unique_ptr<NumberedProcess> controller_process(
-    const std::vector<std::string>& command);
 
 }  // namespace jaywalk

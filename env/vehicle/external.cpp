@@ -22,12 +22,21 @@
 //                      "limits":[-9.80665,5]}}
 //   {"end":{"why":"collision","collision":true,"impact":3.2}}
 //
-// `reset` is answered with any object, `end` is not answered; the views begin with step 1.
+// `reset` is answered with an object, `end` is not answered; the views begin with step 1. The
+// answer to `reset` may name the fields that the controller reads; then the views of the test have
+// no others but `step`, which makes them quicker to write and to read:
+//
+//   {"step":0,"reads":["lane","actors.gap","actors.sides","stop_lines"]}
+//
+// What a kept process answers must follow from `reset` and the views since then alone. Where tests
+// that differ in nothing but the AV's defects (the same `reset`) begin with the same views, it is
+// asked once: it is told of another such test only if a view comes that is new, with all the views
+// before it, and answers that are others then end that test.
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <optional>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,17 +45,9 @@
 #include "env/process/tidy.h"
 #include "env/vehicle/controller_processes.h"
 #include "env/vehicle/models.h"
-#include "env/vehicle/view_text.h"
 
 namespace jaywalk {
 namespace {
-
-// A controller that thinks for longer is taken for dead.
-constexpr std::chrono::milliseconds kLimit{5000};
-// How long one that does not repeat the step is watched for unexpected lines.
-constexpr std::chrono::milliseconds kSettling{1};
-// Answers beyond a hundred times gravity are refused; what is less absurd is limited.
-constexpr double kAbsurdMps2 = 1000;
 
 nlohmann::json to_json(const DriveBriefing& briefing) {
   return {{"test", briefing.test},
@@ -56,6 +57,12 @@ nlohmann::json to_json(const DriveBriefing& briefing) {
           {"road", tidy(briefing.road_m)},
           {"cruise", tidy(briefing.cruise_mps)},
           {"limits", {-kHardestBrakingMps2, kHardestAccelerationMps2}}};
+}
+
+nlohmann::json to_json(const DriveEnd& end) {
+  nlohmann::json said{{"why", std::string(end.why)}, {"collision", end.impact_mps.has_value()}};
+  if (end.impact_mps) said["impact"] = tidy(*end.impact_mps);
+  return said;
 }
 
 /// What to call a controller: its script rather than what interprets it.
@@ -76,40 +83,18 @@ class External final : public VehicleController {
     test_ = briefing.test;
     if (!keeps_ || briefing.processes == nullptr) return;
     process_ = &briefing.processes->of(command_);
-    const std::size_t step = steps_++;
-    (void)answer_of(process_->ask({{"reset", to_json(briefing)}}, step, kLimit));
+    fail(process_->begin(to_json(briefing)));
   }
 
   VehicleDecision decide(const VehicleView& view) override {
     if (!failure_.empty()) return {};
-    const std::size_t step = steps_++;
-    const auto answer = answer_of(process().ask_text(view_text(view, test_, step), step, kLimit));
-    if (!answer) return {};
-    const auto acceleration = answer->find("acceleration");
-    if (acceleration == answer->end() || !acceleration->is_number()) {
-      fail(process().refuse("expected {\"acceleration\": <m/s^2>}"));
-      return {};
-    }
-    // A controller that asks for that reckons wrongly, and its other answers mean nothing either.
-    if (!(std::fabs(acceleration->get<double>()) <= kAbsurdMps2)) {
-      fail(process().refuse(fmt::format("no vehicle reaches {:g} m/s^2, let alone more than {:g}",
-                                        acceleration->get<double>(), kAbsurdMps2)));
-      return {};
-    }
-    return {limited(acceleration->get<double>())};
+    double wanted_mps2 = 0;
+    fail(process().decide(view, test_, wanted_mps2));
+    return {failure_.empty() ? limited(wanted_mps2) : 0};
   }
 
   void end(const DriveEnd& end) override {
-    if (!failure_.empty()) return;
-    // One that drives on is asked again, which finds what comes later.
-    const bool drives_on = process_ != nullptr;
-    const std::string more =
-        process().said_more(drives_on ? std::chrono::milliseconds(0) : kSettling);
-    if (!more.empty()) return fail(more);
-    if (!drives_on) return;
-    nlohmann::json said{{"why", std::string(end.why)}, {"collision", end.impact_mps.has_value()}};
-    if (end.impact_mps) said["impact"] = tidy(*end.impact_mps);
-    process_->tell({{"end", std::move(said)}}, kLimit);
+    if (failure_.empty()) fail(process().end(to_json(end)));
   }
 
   [[nodiscard]] std::string failure() const override { return failure_; }
@@ -122,17 +107,10 @@ class External final : public VehicleController {
   }
 
  private:
-  NumberedProcess& process() {
+  ControllerProcess& process() {
     if (process_ != nullptr) return *process_;
-    if (!own_) own_ = controller_process(command_);
+    if (!own_) own_ = std::make_unique<ControllerProcess>(command_);
     return *own_;
-  }
-
-  /// Nothing after an error.
-  std::optional<nlohmann::json> answer_of(JsonAnswer answer) {
-    if (answer.error.empty()) return std::move(answer.json);
-    fail(answer.error);
-    return std::nullopt;
   }
 
   double limited(double wanted_mps2) {
@@ -141,32 +119,21 @@ class External final : public VehicleController {
     return possible;
   }
 
+  /// Nothing of an empty reason.
   void fail(const std::string& why) {
-    failure_ = fmt::format("the controller '{}': {}", title_of(command_), why);
+    if (!why.empty()) failure_ = fmt::format("the controller '{}': {}", title_of(command_), why);
   }
 
   std::vector<std::string> command_;
   bool keeps_;
-  std::unique_ptr<NumberedProcess> own_;
-  NumberedProcess* process_ = nullptr;  // a kept one
+  std::unique_ptr<ControllerProcess> own_;
+  ControllerProcess* process_ = nullptr;  // a kept one
   std::uint64_t test_ = 0;
-  std::size_t steps_ = 0;
   double excess_mps2_ = 0;  // the first answer that was more than a vehicle can do
   std::string failure_;
 };
 
 }  // namespace
-
-std::unique_ptr<NumberedProcess> controller_process(const std::vector<std::string>& command) {
-  return std::make_unique<NumberedProcess>(
-      NumberedProcess::Settings{.command = command, .key = "step", .settling = kSettling});
-}
-
-NumberedProcess& ControllerProcesses::of(const std::vector<std::string>& command) {
-  std::unique_ptr<NumberedProcess>& process = processes_[command];
-  if (!process) process = controller_process(command);
-  return *process;
-}
 
 std::unique_ptr<VehicleController> make_external(const VehicleParameters& parameters) {
   return std::make_unique<External>(parameters);

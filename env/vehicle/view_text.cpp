@@ -5,21 +5,29 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
 
 #include "env/process/tidy.h"
 
 namespace jaywalk {
 namespace {
 
+// Without it no answer could be told from another.
+constexpr std::string_view kStep = "step";
+
 class ViewText {
  public:
+  explicit ViewText(const ViewFields& fields) : fields_(fields) { text_.reserve(1024); }
+
   /// A key and its value; a comma goes before all but the first one.
   void number(std::string_view key, double value) {
-    begin(key);
+    if (!begin(key)) return;
     put(value);
   }
   void pair(std::string_view key, double first, double second) {
-    begin(key);
+    if (!begin(key)) return;
     text_ += '[';
     put(first);
     text_ += ',';
@@ -28,42 +36,56 @@ class ViewText {
   }
   /// Of characters that JSON need not escape.
   void word(std::string_view key, std::string_view value) {
-    begin(key);
+    if (!begin(key)) return;
     text_ += '"';
     text_ += value;
     text_ += '"';
   }
   void count(std::string_view key, std::uint64_t value) {
-    begin(key);
+    if (!begin(key)) return;
     text_ += std::to_string(value);
   }
   void truth(std::string_view key, bool value) {
-    begin(key);
+    if (!begin(key)) return;
     text_ += value ? "true" : "false";
   }
   /// `write(each)` gives each one's keys and values.
   template <class T, class Write>
   void list(std::string_view key, std::span<const T> items, const Write& write) {
-    begin(key);
+    if (!begin(key)) return;
     text_ += '[';
     bool first = true;
+    list_ = key;
     for (const T& each : items) {
       text_ += first ? "{" : ",{";
       first = false;
       write(each);
       text_ += '}';
     }
+    list_ = {};
     text_ += ']';
   }
 
   [[nodiscard]] std::string take() { return std::move(text_) + '}'; }
 
  private:
-  void begin(std::string_view key) {
+  /// False, and nothing is written, for a field that is not read.
+  bool begin(std::string_view key) {
+    if (!is_read(key)) return false;
     if (text_.back() != '{') text_ += ',';
     text_ += '"';
     text_ += key;
     text_ += "\":";
+    return true;
+  }
+  /// A list is read as a whole, or some fields of its elements are.
+  [[nodiscard]] bool is_read(std::string_view key) const {
+    if (fields_.empty() || (list_.empty() && key == kStep)) return true;
+    return std::ranges::any_of(fields_, [&](std::string_view field) {
+      const std::size_t dot = field.find('.');
+      if (list_.empty()) return field.substr(0, dot) == key;
+      return field == list_ || (field.substr(0, dot) == list_ && field.substr(dot + 1) == key);
+    });
   }
   /// As few digits as give the number back, with a point.
   void put(double value) {
@@ -79,7 +101,9 @@ class ViewText {
     if (number.find('.') == std::string_view::npos) text_ += ".0";
   }
 
+  const ViewFields& fields_;
   std::string text_ = "{";
+  std::string_view list_;  // whose elements are being written
 };
 
 void write_actors(const VehicleView& view, ViewText& text) {
@@ -128,8 +152,31 @@ void write_stop_lines(const VehicleView& view, ViewText& text) {
 
 }  // namespace
 
-std::string view_text(const VehicleView& view, std::uint64_t test, std::size_t step) {
-  ViewText text;
+ViewFields all_view_fields() {
+  const SeenActor actor;
+  const StopLine line;
+  const SeenObstacle obstacle;
+  const SeenLane lane;
+  VehicleView view;
+  view.actors = {&actor, 1};
+  view.stop_lines = {&line, 1};
+  view.obstacles = {&obstacle, 1};
+  view.lanes = {&lane, 1};
+  ViewFields names;
+  const auto whole = nlohmann::json::parse(view_text(view, 0, 0));
+  for (const auto& field : whole.items()) {
+    names.push_back(field.key());
+    if (!field.value().is_array() || !field.value()[0].is_object()) continue;
+    for (const auto& part : field.value()[0].items()) {
+      names.push_back(field.key() + '.' + part.key());
+    }
+  }
+  return names;
+}
+
+std::string view_text(const VehicleView& view, std::uint64_t test, std::size_t step,
+                      const ViewFields& fields) {
+  ViewText text(fields);
   write_actors(view, text);
   text.pair("body", view.left_m, view.right_m);
   text.number("cruise", view.cruise_mps);
@@ -140,7 +187,7 @@ std::string view_text(const VehicleView& view, std::uint64_t test, std::size_t s
   text.number("period", view.period_s);
   text.number("range", view.range_m);
   text.number("speed", view.speed_mps);
-  text.count("step", step);
+  text.count(kStep, step);
   write_stop_lines(view, text);
   text.count("test", test);
   text.number("time", view.time_s);

@@ -15,9 +15,16 @@
 namespace jaywalk {
 namespace {
 
-/// Tests are handed out in chunks: large enough that threads rarely meet, small enough that they
-/// end together and that Ctrl-C takes effect at once.
+/// Tests are handed out in chunks, each with all vehicles: large enough that threads rarely meet,
+/// small enough that they end together and that Ctrl-C takes effect at once.
 constexpr std::uint64_t kChunk = 16;
+
+/// How many numbers of tests a chunk has.
+std::uint64_t chunk_of(const ExperimentPlan& plan) {
+  const std::uint64_t least = 1;
+  if (plan.order == TestOrder::chained) return std::max(plan.tests, least);
+  return std::max(kChunk / std::max<std::uint64_t>(plan.vehicles.size(), least), least);
+}
 
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
 
@@ -29,16 +36,17 @@ struct Cell {
   std::optional<Summary> summary;
 };
 
-/// Shared by the workers of one experiment. Chunks are numbered in the order of the plan and handed
-/// out in that order; a chunk that has been handed out is finished up to its first failure, unless
-/// the user cancels. Hence the first failing test of the plan is found for any number of threads.
+/// Shared by the workers of one experiment. Chunks are numbered in the order in which tests are run
+/// and handed out in that order; a chunk that has been handed out is finished up to its first
+/// failure, unless the user cancels. Hence the first failing test is the same for any number of
+/// threads.
 class Work {
  public:
   Work(const ExperimentPlan& plan, const TestFunction& test)
       : plan_(plan),
         test_(test),
-        chunk_(plan.order == TestOrder::chained ? std::max<std::uint64_t>(plan.tests, 1) : kChunk),
-        chunks_per_cell_((plan.tests + chunk_ - 1) / chunk_),
+        chunk_(chunk_of(plan)),
+        chunks_per_row_((plan.tests + chunk_ - 1) / chunk_),
         cells_(plan.cells()) {
     for (Cell& cell : cells_) cell.remaining = plan.tests;
   }
@@ -47,9 +55,9 @@ class Work {
   void run_chunks() {
     std::exception_ptr thrown;
     try {
-      const std::uint64_t count = chunks_per_cell_ * cells_.size();
+      const std::uint64_t count = chunks_per_row_ * plan_.rows();
       while (!failed_ && !cancelled_) {
-        // Chained tests have chunks as long as a cell, so that one thread runs all of a chain.
+        // Chained tests have chunks as long as a row, so that one thread runs all of a chain.
         const std::uint64_t chunk = next_chunk_.fetch_add(1);
         if (chunk >= count || !run_chunk(chunk)) break;
       }
@@ -91,31 +99,41 @@ class Work {
   }
 
  private:
+  /// A test runs with one vehicle after another, so that what they have in common is at hand; a
+  /// chain goes to its end with each.
   bool run_chunk(std::uint64_t chunk) {
-    const std::size_t index = chunk / chunks_per_cell_;
-    Cell& cell = cells_[index];
-    if (plan_.summed_up) {
-      std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
-    }
-    const std::uint64_t first = chunk % chunks_per_cell_ * chunk_;
+    const std::size_t row = chunk / chunks_per_row_;
+    const std::uint64_t first = chunk % chunks_per_row_ * chunk_;
     const std::uint64_t last = std::min(first + chunk_, plan_.tests);
-    const std::size_t row = index % plan_.rows();
     TestKey key{.behaviour = row / plan_.agents.size(),
-                .agents = plan_.agents[row % plan_.agents.size()],
-                .vehicle = index / plan_.rows()};
-    for (std::uint64_t number = first; number < last; ++number) {
-      if (cancelled_) return false;
-      key.number = number;
-      Result<TestResult> result = test_(key);
-      if (!result) {
-        fail(chunk, key, std::move(result.diagnostics()));
-        return false;
-      }
-      if (plan_.summed_up) cell.results[number] = result.value();
-      done_.fetch_add(1, std::memory_order_relaxed);
+                .agents = plan_.agents[row % plan_.agents.size()]};
+    const std::uint64_t vehicles = plan_.vehicles.size();
+    const std::uint64_t tests = last - first;
+    for (std::uint64_t i = 0; i < tests * vehicles; ++i) {
+      const bool chained = plan_.order == TestOrder::chained;
+      key.number = first + (chained ? i % tests : i / vehicles);
+      key.vehicle = chained ? i / tests : i % vehicles;
+      if (!run(key, chunk)) return false;
     }
-    // Whoever finishes the cell's last tests sums it up.
-    if (cell.remaining.fetch_sub(last - first) == last - first) finish(cell, key);
+    return true;
+  }
+
+  bool run(const TestKey& key, std::uint64_t chunk) {
+    if (cancelled_) return false;
+    Result<TestResult> result = test_(key);
+    if (!result) {
+      fail(chunk, key, std::move(result.diagnostics()));
+      return false;
+    }
+    Cell& cell = cells_[plan_.cell_of(key)];
+    // The measures are of the first vehicle.
+    if (plan_.summed_up && key.vehicle == 0) {
+      std::call_once(cell.started, [&] { cell.results.resize(plan_.tests); });
+      cell.results[key.number] = result.value();
+    }
+    done_.fetch_add(1, std::memory_order_relaxed);
+    // Whoever finishes the cell's last test sums it up.
+    if (cell.remaining.fetch_sub(1) == 1) finish(cell, key);
     return true;
   }
 
@@ -141,7 +159,7 @@ class Work {
   const ExperimentPlan& plan_;
   const TestFunction& test_;
   std::uint64_t chunk_;
-  std::uint64_t chunks_per_cell_;
+  std::uint64_t chunks_per_row_;
   std::vector<Cell> cells_;
   std::atomic<std::uint64_t> next_chunk_{0};
   std::atomic<std::uint64_t> done_{0};

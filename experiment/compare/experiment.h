@@ -72,7 +72,8 @@ struct ExperimentOutcome {
   /// first vehicle are finished, in the order of the plan. Their code lines are left to the caller.
   std::vector<Summary> summaries;
   Progress progress;
-  /// The first test (in the plan's order) that could not be run, with the reason.
+  /// The first test that could not be run, with the reason: they run in the order of behaviours,
+  /// then numbers of agents, numbers of tests and vehicles (of chained ones, vehicles and numbers).
   std::optional<TestKey> failed_test;
   Diagnostics failure;
 

@@ -336,6 +336,7 @@ TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
     mas_->restart(std::move(mas_options), world.get());
   }
   add_agents(setup);
+  test_ = setup.test;
   world->begin({.test = setup.test,
                 .seed = setup.seed,
                 .behaviour = prepared_.behaviours()[setup.behaviour].name,
@@ -363,15 +364,24 @@ TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
   return result;
 }
 
+bool TestRunner::has_run(const TestSetup& setup) const {
+  return behaviour_ == setup.behaviour && agents_ == setup.agents && test_ == setup.test;
+}
+
+/// Null: all are lent.
+std::unique_ptr<TestRunner> TestRunners::idle_runner(const TestSetup& setup) {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return nullptr;
+  const auto fit = std::ranges::find_if(
+      idle_, [&](const std::unique_ptr<TestRunner>& each) { return each->has_run(setup); });
+  if (fit != idle_.end()) std::swap(*fit, idle_.back());
+  std::unique_ptr<TestRunner> runner = std::move(idle_.back());
+  idle_.pop_back();
+  return runner;
+}
+
 TestRun TestRunners::run(const TestSetup& setup, const TestOptions& options) {
-  std::unique_ptr<TestRunner> runner;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!idle_.empty()) {
-      runner = std::move(idle_.back());
-      idle_.pop_back();
-    }
-  }
+  std::unique_ptr<TestRunner> runner = idle_runner(setup);
   TestRun result;
   try {
     if (runner == nullptr) runner = std::make_unique<TestRunner>(prepared_);

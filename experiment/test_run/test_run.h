@@ -111,6 +111,9 @@ class TestRunner {
   /// As run_test.
   [[nodiscard]] TestRun run(const TestSetup& setup, const TestOptions& options = {});
 
+  /// It has just run the same test, with another vehicle perhaps: its processes know the views.
+  [[nodiscard]] bool has_run(const TestSetup& setup) const;
+
  private:
   void add_agents(const TestSetup& setup);
 
@@ -119,12 +122,14 @@ class TestRunner {
   // The agents of the last test.
   std::size_t behaviour_ = 0;
   std::uint32_t agents_ = 0;
+  std::optional<std::uint64_t> test_;
   std::vector<AgentSpec> specs_;
   ControllerProcesses processes_;
   Simulators simulators_;
 };
 
-/// Test runners for tests on several threads: each test borrows one.
+/// Test runners for tests on several threads: each test borrows one, if it can the one that has
+/// just run it with another vehicle.
 class TestRunners {
  public:
   /// The scenario must outlive them.
@@ -134,6 +139,8 @@ class TestRunners {
   [[nodiscard]] TestRun run(const TestSetup& setup, const TestOptions& options = {});
 
  private:
+  [[nodiscard]] std::unique_ptr<TestRunner> idle_runner(const TestSetup& setup);
+
   const PreparedScenario& prepared_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<TestRunner>> idle_;

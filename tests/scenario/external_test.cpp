@@ -110,6 +110,113 @@ TEST_F(ExternalController, DrivesAlikeKeptAndStartedAnew) {
   EXPECT_TRUE(drive("kept") == drive("test"));
 }
 
+TEST_F(ExternalController, ThatIsKeptGetsOnlyTheFieldsThatItReads) {
+  const std::string reads = R"(while read line; do
+    echo "$line" >>"$0"
+    case $line in
+      *\"end\"*) ;;
+      *reset*) echo "{\"reads\": [\"speed\", \"actors.gap\"]}";;
+      *) echo "{\"acceleration\": 0}";;
+    esac
+  done)";
+  const auto prepared = driven_by({"sh", "-c", reads, file("said")}, "kept");
+  {
+    TestRunner runner(*prepared);
+    ASSERT_EQ(runner.run({.agents = 1}).message, "");
+  }
+  const json view = lines("said").at(3);
+  EXPECT_EQ(view.size(), 3U) << view;
+  EXPECT_EQ(view["step"], 3);
+  EXPECT_EQ(view["speed"], 9);
+  EXPECT_EQ(view.at("actors").at(0).size(), 1U);
+}
+
+TEST_F(ExternalController, IsToldOfAFieldThatThereIsNot) {
+  const auto fails = [&](const std::string& reads) {
+    const auto prepared =
+        driven_by({"sh", "-c", "while read line; do echo '" + reads + "'; done"}, "kept");
+    TestRunner runner(*prepared);
+    return runner.run({.agents = 1}).message;
+  };
+  EXPECT_EQ(
+      fails(R"({"reads": ["actors", "spede"]})"),
+      "the controller 'sh': line 1 of its output, '{\"reads\": [\"actors\", \"spede\"]}': a view "
+      "has no field 'spede'; did you mean 'speed'?");
+  for (const char* odd : {R"({"reads": "actors"})", R"({"reads": []})", R"({"reads": [1]})"}) {
+    EXPECT_THAT(fails(odd), HasSubstr("expected `reads` to be a list of fields of a view"));
+  }
+}
+
+/// Test 2 with the healthy AV and with two defects: one that shows nothing, and one that does.
+std::vector<TestRun> runs_with_defects(const PreparedScenario& prepared,
+                                       std::vector<Recording>* recordings = nullptr) {
+  TestRunner runner(prepared);
+  std::vector<TestRun> runs;
+  for (const std::size_t vehicle : {0U, 1U, 2U}) {
+    Recording recording;
+    runs.push_back(
+        runner.run({.agents = 1, .test = 2, .vehicle = vehicle}, {.record = &recording}));
+    if (recordings != nullptr) recordings->push_back(std::move(recording));
+  }
+  return runs;
+}
+
+constexpr const char* kTwoDefects = "experiment.defects=[fast-as-noise, latency=1]";
+
+TEST_F(ExternalController, ThatIsKeptIsAskedAgainOnlyWhereADefectShows) {
+  const auto prepared = testing_scenario::scenario(
+      "external", {"world.time_limit=5", kTwoDefects,
+                   "world.av.command=" + json{"sh", "-c", kScribe, file("said")}.dump()});
+  for (const TestRun& run : runs_with_defects(*prepared)) EXPECT_EQ(run.message, "");
+  std::vector<std::size_t> resets;
+  const std::vector<json> said = lines("said");
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (said[i].contains("reset")) resets.push_back(i);
+  }
+  ASSERT_EQ(resets.size(), 2U) << "not for fast-as-noise, as nobody is fast";
+  EXPECT_EQ(said[1], said[resets[1] + 1]) << "the other drive begins as the first did";
+  EXPECT_EQ(said[resets[1] + 1]["step"], 1);
+  EXPECT_TRUE(said[resets[1] - 1].contains("end"));
+  EXPECT_TRUE(said.back().contains("end"));
+}
+
+TEST_F(ExternalController, DrivesAlikeWithDefectsKeptAndStartedAnew) {
+  const auto drive = [](const std::string& process) {
+    const auto prepared =
+        testing_scenario::scenario("external", {"world.av.process=" + process, kTwoDefects});
+    std::vector<Recording> recordings;
+    for (const TestRun& run : runs_with_defects(*prepared, &recordings)) {
+      EXPECT_EQ(run.message, "");
+    }
+    return recordings;
+  };
+  const std::vector<Recording> kept = drive("kept");
+  EXPECT_TRUE(kept == drive("test"));
+  EXPECT_TRUE(kept[0] == kept[1]);
+  EXPECT_FALSE(kept[0] == kept[2]) << "or latency=1 was not seen to change anything";
+}
+
+TEST_F(ExternalController, ThatIsKeptHasToAnswerTheSameViewsAlike) {
+  // The second drive begins with another answer than the first.
+  const std::string moody = R"(while read line; do
+    case $line in
+      *\"end\"*) ;;
+      *reset*) drives=$((drives + 1)); echo "{}";;
+      *) echo "{\"acceleration\": $drives}";;
+    esac
+  done)";
+  const auto prepared = testing_scenario::scenario(
+      "external",
+      {"world.time_limit=5", kTwoDefects, "world.av.command=" + json{"sh", "-c", moody}.dump()});
+  const std::vector<TestRun> runs = runs_with_defects(*prepared);
+  EXPECT_EQ(runs[0].message, "");
+  EXPECT_EQ(runs[1].message, "");
+  EXPECT_THAT(
+      runs[2].message,
+      HasSubstr("to view 1 since `reset` it answered 2, but 1 in a drive before with the same "
+                "views; a process that is kept has to begin anew"));
+}
+
 TEST_F(ExternalController, SeesTheRoadItsOwnPlaceAndEverybodysWholeBox) {
   const auto prepared = testing_scenario::scenario(
       "external", {"world.av.process=test", "world.time_limit=5",

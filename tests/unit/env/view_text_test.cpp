@@ -68,6 +68,20 @@ TEST(ViewText, HasEmptyListsWhereNothingIsSeen) {
   EXPECT_EQ(seen.at("kerb"), json({3.0, 9.0}));
 }
 
+TEST(ViewText, HasOnlyTheFieldsThatAreReadAndTheStep) {
+  EXPECT_EQ(json::parse(view_text(view(), 7, 4, {"stop_lines", "lane"})),
+            json::parse(R"({"lane": [3.0, 9.0], "step": 4,
+                            "stop_lines": [{"gap": 20.0, "closed": true}]})"));
+  const json whole = json::parse(view_text(view(), 7, 4));
+  EXPECT_EQ(json::parse(view_text(view(), 7, 4, all_view_fields())), whole);
+  EXPECT_EQ(json::parse(view_text(view(), 7, 4, {"actors"}))["actors"], whole["actors"])
+      << "the elements of a list are whole";
+  EXPECT_EQ(json::parse(view_text(view(), 7, 4, {"actors.gap", "actors.id", "time"})),
+            json::parse(R"({"actors": [{"gap": 12.5, "id": 1}, {"gap": 30.0, "id": 2}], "step": 4,
+                            "time": 0.4})"))
+      << "or have the fields that are read of them";
+}
+
 // Controllers in languages with types read a number with a point as one that may have a fraction.
 TEST(ViewText, WritesNumbersTheSameWayWhateverTheirValue) {
   VehicleView odd = view();

@@ -44,6 +44,44 @@ TEST(Experiment, SumsUpEachBehaviourAndNumberOfAgentsInTheOrderOfThePlan) {
   EXPECT_EQ(order, "walk1 walk3 walk20 cross1 cross3 cross20 ");
 }
 
+/// Vehicles by number of test, in the order in which one thread runs them.
+std::string order_of_tests(TestOrder order) {
+  ExperimentPlan plan{
+      .behaviours = {"walk"}, .agents = {1}, .tests = 3, .vehicles = {"a", "b"}, .order = order};
+  plan.threads = 1;
+  std::string tests;
+  const auto note = [&](const TestKey& test) -> Result<TestResult> {
+    tests += plan.vehicles[test.vehicle] + std::to_string(test.number) + ' ';
+    return invented(test);
+  };
+  EXPECT_TRUE(run_experiment(plan, note, always).complete());
+  return tests;
+}
+
+TEST(Experiment, RunsATestWithOneVehicleAfterAnother) {
+  EXPECT_EQ(order_of_tests(TestOrder::any), "a0 b0 a1 b1 a2 b2 ");
+}
+
+TEST(Experiment, RunsAChainToItsEndWithEachVehicle) {
+  EXPECT_EQ(order_of_tests(TestOrder::chained), "a0 a1 a2 b0 b1 b2 ");
+}
+
+TEST(Experiment, SumsUpTheFirstOfManyVehicles) {
+  ExperimentPlan plan = with_threads(4);
+  const ExperimentOutcome alone = run_experiment(plan, invented, always);
+  plan.vehicles.assign(60, "another");
+  const auto others_succeed = [](const TestKey& test) -> Result<TestResult> {
+    if (test.vehicle > 0) return TestResult{.succeeded = true};
+    return invented(test);
+  };
+  const ExperimentOutcome many = run_experiment(plan, others_succeed, always);
+  EXPECT_EQ(many.progress.done, 60U * 606U);
+  ASSERT_EQ(many.summaries.size(), alone.summaries.size());
+  for (std::size_t i = 0; i < many.summaries.size(); ++i) {
+    EXPECT_EQ(many.summaries[i].successes, alone.summaries[i].successes);
+  }
+}
+
 TEST(Experiment, HasTheSameOutcomeForAnyNumberOfThreads) {
   const ExperimentOutcome one = run_experiment(kPlan, invented, always);
   for (const unsigned threads : {2U, 8U}) {
