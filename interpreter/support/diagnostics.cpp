@@ -133,7 +133,7 @@ std::string without_middle(std::string_view text) {
 
 std::string render(const Diagnostic& diagnostic, Colour colour) {
   const Paint paint{colour};
-  std::string place = visible(diagnostic.subject);
+  std::string place = without_middle(diagnostic.subject);
   if (diagnostic.where.source) {
     const auto [line, column] = diagnostic.where.source->position(diagnostic.where.span.begin);
     place = fmt::format("{}:{}:{}", visible(diagnostic.where.source->name()), line, column);

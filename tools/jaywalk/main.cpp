@@ -61,7 +61,7 @@ ExitCode wrong_command(const std::string& word, Console& console) {
   return ExitCode::usage;
 }
 
-ExitCode execute(const Command& command, const Arguments& arguments,
+ExitCode execute(const Command& command, const Arguments& arguments, const CommandLine& line,
                  std::span<const OptionSpec> options) {
   static const std::vector<std::string> kColours = {"auto", "always", "never"};
   static const std::vector<std::string> kLevels = {"warning", "error", "info", "debug"};
@@ -72,6 +72,7 @@ ExitCode execute(const Command& command, const Arguments& arguments,
   const auto level = arguments.choice(option::kLogLevel, kLevels, diagnostics);
   Console console(static_cast<ColourChoice>(colour));
   console.set_log_level(kLevelValues[level]);
+  console.set_command_line(line);
   ExitCode code = ExitCode::usage;
   if (arguments.has(option::kHelp)) {
     console.print(help_text(command));
@@ -117,12 +118,14 @@ ExitCode dispatch(std::span<const std::string> words) {
 
   std::vector<OptionSpec> options = command->help().options;
   options.insert(options.end(), common_options().begin(), common_options().end());
+  const CommandLine line(words, options);
   const auto arguments = parse_arguments(with_long_help(words.subspan(1)), options);
   if (!arguments) {
+    console.set_command_line(line);
     console.report(arguments.diagnostics());
     return ExitCode::usage;
   }
-  return execute(*command, arguments.value(), options);
+  return execute(*command, arguments.value(), line, options);
 }
 
 /// A program that was started without standard streams must not take the files that it opens for

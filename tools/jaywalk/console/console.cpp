@@ -69,9 +69,11 @@ void Console::flush() { std::fflush(stdout); }
 
 bool Console::can_print() { return std::ferror(stdout) == 0; }
 
+void Console::set_command_line(CommandLine line) { command_line_ = std::move(line); }
+
 void Console::report(const Diagnostics& diagnostics) {
   flush();
-  const std::string text = diagnostics.render(error_colour_);
+  const std::string text = command_line_.render(diagnostics, error_colour_);
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

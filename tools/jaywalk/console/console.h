@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "interpreter/support/diagnostics.h"
+#include "tools/jaywalk/options/command_line.h"
 
 namespace spdlog {
 class logger;
@@ -39,6 +40,8 @@ class Console {
   void flush();
   /// What is printed still gets somewhere: the reader has not closed the pipe.
   [[nodiscard]] static bool can_print();
+  /// Of the words that errors of options are shown in from now on.
+  void set_command_line(CommandLine line);
   /// Diagnostics of what the user wrote.
   void report(const Diagnostics& diagnostics);
   /// `error: message` and, on a line of its own, the hint.
@@ -63,6 +66,7 @@ class Console {
   bool error_is_terminal_;
   Colour output_colour_;
   Colour error_colour_;
+  CommandLine command_line_;
   std::shared_ptr<spdlog::logger> logger_;
 };
 
