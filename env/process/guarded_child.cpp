@@ -51,7 +51,7 @@ void close_all_from(unsigned first, int except) {
 void reset_signals() {
   struct sigaction usual {};
   usual.sa_handler = SIG_DFL;
-  for (const int signal : {SIGCHLD, SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+  for (const int signal : {SIGCHLD, SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
     sigaction(signal, &usual, nullptr);
   }
   sigset_t none;

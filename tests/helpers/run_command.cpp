@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/jaywalk/console/output_files.h"
+
 namespace jaywalk::test {
 namespace {
 
@@ -21,6 +23,7 @@ ExitCode execute(const std::vector<std::string>& words, Console& console) {
     console.report(arguments.diagnostics());
     return ExitCode::usage;
   }
+  if (!can_write_outputs(arguments.value(), options, console)) return ExitCode::usage;
   return found->execute(arguments.value(), console);
 }
 

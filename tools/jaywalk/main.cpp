@@ -143,6 +143,8 @@ void reserve_standard_streams() {
 int main(int argc, char** argv) {
   // A reader that has seen enough (`| head`) ends us without a word.
   std::signal(SIGPIPE, SIG_DFL);
+  // A file that grows beyond the limit of sizes (`ulimit -f`) is one that cannot be written.
+  std::signal(SIGXFSZ, SIG_IGN);
   jaywalk::reserve_standard_streams();
   try {
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);

@@ -40,6 +40,18 @@ TEST_F(Usage, OfCompareNamesAllThatIsWrongAtOnce) {
               HasSubstr("--store-level: error: expected summary, found or all, found 'much'"));
 }
 
+TEST_F(Usage, LetsNoOutputTakeThePlaceOfAnotherFile) {
+  const std::string out = path("out");
+  EXPECT_EQ(of_compare({"--csv", out, "--json", path("./out")}),
+            "--json: error: would write over '" + path("./out") + "', which --csv writes\n");
+  const std::string store = this->file("a.gpkg", "");
+  EXPECT_EQ(problem({"report", store, "--html", store}),
+            "--html: error: would write over '" + store + "', which the command reads\n");
+  const std::string rules = this->file("rules.yaml", "");
+  EXPECT_EQ(of_compare({"--assertions", rules, "--junit", rules}),
+            "--junit: error: would write over '" + rules + "', which --assertions reads\n");
+}
+
 TEST_F(Usage, OfCompareBoundsTestsAndAgents) {
   EXPECT_THAT(of_compare({"--tests", "99999999999999"}), HasSubstr("--tests: error: at most "));
   EXPECT_THAT(of_compare({"--agents", "100000000"}), HasSubstr("--agents: error: at most "));

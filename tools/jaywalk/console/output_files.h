@@ -21,7 +21,7 @@ inline constexpr std::string_view kStandardOutput = "-";
 [[nodiscard]] bool prints_table(const Arguments& arguments);
 
 /// Tries the places that options name before anything is done; false after reporting those that
-/// cannot be written.
+/// cannot be written, and those where something else is read or written.
 [[nodiscard]] bool can_write_outputs(const Arguments& arguments,
                                      std::span<const OptionSpec> options, Console& console);
 

@@ -25,7 +25,11 @@ std::optional<fs::path> repl_history_file() {
   std::error_code problem;
   fs::create_directories(*folder / "jaywalk", problem);
   if (problem) return std::nullopt;
-  return *folder / "jaywalk" / "repl_history";
+  const fs::path file = *folder / "jaywalk" / "repl_history";
+  // A pipe would be waited for, a device read without end.
+  const fs::file_status status = fs::status(file, problem);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
+  return file;
 }
 
 }  // namespace jaywalk
