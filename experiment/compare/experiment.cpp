@@ -10,20 +10,29 @@
 #include <thread>
 #include <utility>
 
+#include "experiment/test_run/tested_vehicles.h"
 #include "interpreter/support/start_threads.h"
 
 namespace jaywalk {
 namespace {
 
-/// Tests are handed out in chunks, each with all vehicles: large enough that threads rarely meet,
-/// small enough that they end together and that Ctrl-C takes effect at once.
+/// Tests are handed out in chunks: large enough that threads rarely meet, small enough that they
+/// end together and that Ctrl-C takes effect at once.
 constexpr std::uint64_t kChunk = 16;
+
+/// How many vehicles a test runs with one after another, so that what they have in common is at
+/// hand. Models may each have a simulator, which takes long to start: the tests of one are run
+/// before those of the next, and so are chains.
+std::size_t vehicles_together(const ExperimentPlan& plan) {
+  const bool apart = plan.order == TestOrder::chained || compares_models(plan.vehicles);
+  return apart ? 1 : plan.vehicles.size();
+}
 
 /// How many numbers of tests a chunk has.
 std::uint64_t chunk_of(const ExperimentPlan& plan) {
   const std::uint64_t least = 1;
   if (plan.order == TestOrder::chained) return std::max(plan.tests, least);
-  return std::max(kChunk / std::max<std::uint64_t>(plan.vehicles.size(), least), least);
+  return std::max(kChunk / vehicles_together(plan), least);
 }
 
 constexpr auto kProgressInterval = std::chrono::milliseconds(100);
@@ -45,6 +54,7 @@ class Work {
   Work(const ExperimentPlan& plan, const TestFunction& test)
       : plan_(plan),
         test_(test),
+        vehicles_(vehicles_together(plan)),
         chunk_(chunk_of(plan)),
         chunks_per_row_((plan.tests + chunk_ - 1) / chunk_),
         cells_(plan.cells()) {
@@ -55,9 +65,9 @@ class Work {
   void run_chunks() {
     std::exception_ptr thrown;
     try {
-      const std::uint64_t count = chunks_per_row_ * plan_.rows();
+      const std::uint64_t count = chunks_per_row_ * plan_.cells() / vehicles_;
       while (!failed_ && !cancelled_) {
-        // Chained tests have chunks as long as a row, so that one thread runs all of a chain.
+        // Chained tests have chunks as long as a cell, so that one thread runs all of a chain.
         const std::uint64_t chunk = next_chunk_.fetch_add(1);
         if (chunk >= count || !run_chunk(chunk)) break;
       }
@@ -99,21 +109,18 @@ class Work {
   }
 
  private:
-  /// A test runs with one vehicle after another, so that what they have in common is at hand; a
-  /// chain goes to its end with each.
   bool run_chunk(std::uint64_t chunk) {
-    const std::size_t row = chunk / chunks_per_row_;
+    const std::uint64_t index = chunk / chunks_per_row_;
+    const std::size_t row = index % plan_.rows();
+    const std::size_t vehicle = index / plan_.rows() * vehicles_;
     const std::uint64_t first = chunk % chunks_per_row_ * chunk_;
     const std::uint64_t last = std::min(first + chunk_, plan_.tests);
     TestKey key{.behaviour = row / plan_.agents.size(),
                 .agents = plan_.agents[row % plan_.agents.size()]};
-    const std::uint64_t vehicles = plan_.vehicles.size();
-    const std::uint64_t tests = last - first;
-    for (std::uint64_t i = 0; i < tests * vehicles; ++i) {
-      const bool chained = plan_.order == TestOrder::chained;
-      key.number = first + (chained ? i % tests : i / vehicles);
-      key.vehicle = chained ? i / tests : i % vehicles;
-      if (!run(key, chunk)) return false;
+    for (key.number = first; key.number < last; ++key.number) {
+      for (key.vehicle = vehicle; key.vehicle < vehicle + vehicles_; ++key.vehicle) {
+        if (!run(key, chunk)) return false;
+      }
     }
     return true;
   }
@@ -158,6 +165,7 @@ class Work {
 
   const ExperimentPlan& plan_;
   const TestFunction& test_;
+  std::size_t vehicles_;
   std::uint64_t chunk_;
   std::uint64_t chunks_per_row_;
   std::vector<Cell> cells_;

@@ -73,7 +73,8 @@ struct ExperimentOutcome {
   std::vector<Summary> summaries;
   Progress progress;
   /// The first test that could not be run, with the reason: they run in the order of behaviours,
-  /// then numbers of agents, numbers of tests and vehicles (of chained ones, vehicles and numbers).
+  /// then numbers of agents, numbers of tests and vehicles; chained ones, and models of the AV
+  /// (compares_models), in that of vehicles, behaviours, numbers of agents and numbers of tests.
   std::optional<TestKey> failed_test;
   Diagnostics failure;
 

@@ -44,11 +44,14 @@ TEST(Experiment, SumsUpEachBehaviourAndNumberOfAgentsInTheOrderOfThePlan) {
   EXPECT_EQ(order, "walk1 walk3 walk20 cross1 cross3 cross20 ");
 }
 
-/// Vehicles by number of test, in the order in which one thread runs them.
-std::string order_of_tests(TestOrder order) {
-  ExperimentPlan plan{
-      .behaviours = {"walk"}, .agents = {1}, .tests = 3, .vehicles = {"a", "b"}, .order = order};
-  plan.threads = 1;
+/// Vehicles with the numbers of their tests, in the order in which one thread runs them.
+std::string order_of_tests(TestOrder order, const std::string& first_vehicle) {
+  const ExperimentPlan plan{.behaviours = {"walk"},
+                            .agents = {1},
+                            .tests = 3,
+                            .vehicles = {first_vehicle, "b"},
+                            .order = order,
+                            .threads = 1};
   std::string tests;
   const auto note = [&](const TestKey& test) -> Result<TestResult> {
     tests += plan.vehicles[test.vehicle] + std::to_string(test.number) + ' ';
@@ -59,17 +62,23 @@ std::string order_of_tests(TestOrder order) {
 }
 
 TEST(Experiment, RunsATestWithOneVehicleAfterAnother) {
-  EXPECT_EQ(order_of_tests(TestOrder::any), "a0 b0 a1 b1 a2 b2 ");
+  EXPECT_EQ(order_of_tests(TestOrder::any, "healthy"), "healthy0 b0 healthy1 b1 healthy2 b2 ");
+}
+
+// Each may need a simulator of its own, of which a thread keeps one.
+TEST(Experiment, RunsAllTestsOfAModelBeforeThoseOfTheNext) {
+  EXPECT_EQ(order_of_tests(TestOrder::any, "a"), "a0 a1 a2 b0 b1 b2 ");
 }
 
 TEST(Experiment, RunsAChainToItsEndWithEachVehicle) {
-  EXPECT_EQ(order_of_tests(TestOrder::chained), "a0 a1 a2 b0 b1 b2 ");
+  EXPECT_EQ(order_of_tests(TestOrder::chained, "healthy"), "healthy0 healthy1 healthy2 b0 b1 b2 ");
 }
 
 TEST(Experiment, SumsUpTheFirstOfManyVehicles) {
   ExperimentPlan plan = with_threads(4);
   const ExperimentOutcome alone = run_experiment(plan, invented, always);
   plan.vehicles.assign(60, "another");
+  plan.vehicles.front() = "healthy";
   const auto others_succeed = [](const TestKey& test) -> Result<TestResult> {
     if (test.vehicle > 0) return TestResult{.succeeded = true};
     return invented(test);
