@@ -3,6 +3,7 @@
 // How agents that reason beside each other are given to the threads (parallel.cpp).
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -15,26 +16,41 @@ void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, 
                                         IsDone is_done) {
   // So many blocks for each thread, so that none waits long for the last one.
   constexpr std::size_t kBlocksPerWorker = 8;
+  // Where outboxes hold more, nobody else begins a turn before they are emptied.
+  constexpr std::size_t kMostHeld = std::size_t{16} << 20U;
   const std::size_t workers = workers_->count();
   const std::size_t size = std::max<std::size_t>(1, numbers.size() / (workers * kBlocksPerWorker));
   const std::size_t blocks = (numbers.size() + size - 1) / size;
   std::vector<std::unique_ptr<Beside>> done(blocks);
+  std::atomic<std::size_t> held = 0;
   workers_->run(blocks, [&](std::size_t worker, std::size_t block) {
     done[block] = std::make_unique<Beside>(*workspaces_of_workers_[worker]);
     Beside& beside = *done[block];
     beside_ = &beside;
-    const std::size_t first = block * size;
-    for (const std::uint32_t number :
-         numbers.subspan(first, std::min(size, numbers.size() - first))) {
-      if (beside.outbox.end) break;
-      take_turn(residents_[number], beside);
+    beside.left = numbers.subspan(block * size, std::min(size, numbers.size() - block * size));
+    while (!beside.left.empty() && !beside.outbox.end && held < kMostHeld) {
+      const std::size_t before = beside.outbox.bytes();
+      take_turn(residents_[beside.left.front()], beside);
+      beside.left = beside.left.subspan(1);
+      held += beside.outbox.bytes() - before;
     }
     beside_ = nullptr;
   });
-  for (const auto& beside : done) {
+  for (std::unique_ptr<Beside>& beside : done) {
     empty(beside->outbox);
     is_done(*beside);
+    // Nobody notices that these reason later than those behind them.
+    for (std::span<const std::uint32_t> left = beside->left; !left.empty() && !ended_;
+         left = left.subspan(1)) {
+      beside = std::make_unique<Beside>(*workspaces_of_workers_.front());
+      beside_ = beside.get();
+      take_turn(residents_[left.front()], *beside);
+      beside_ = nullptr;
+      empty(beside->outbox);
+      is_done(*beside);
+    }
     if (ended_) break;
+    beside.reset();
   }
   if (options_.max_run_inferences != 0) count_inferences({});
 }

@@ -1,5 +1,6 @@
 // Messages, from whom sends them to the mailboxes of whom they are for. They arrive when a round is
-// over, in the order in which they were sent.
+// over, in the order in which they were sent. Up to then their contents are in heaps of their own:
+// what an agent has room for in a round must not depend on who reasons before it.
 
 #include <array>
 
@@ -13,20 +14,14 @@ namespace jaywalk {
 
 namespace {
 
-// Into a heap whose owner has not asked for it. What it takes counts for the sender at first, who
-// may send no more than `most` bytes: terms that share their parts are larger as copies.
-Value copy_content(Value content, Heap& heap, std::size_t most, std::size_t& sent_bytes) {
-  std::size_t before = heap.bytes();
-  Value copy;
+// Into a heap whose owner has not asked for it: up to `most` bytes more than it may have.
+Value copy_content(Value content, Heap& heap, std::size_t most) {
   try {
-    copy = transfer(content, heap);
+    return transfer(content, heap);
   } catch (const HeapExhausted&) {
     const MemoryReserve lent(heap, most);
-    before = heap.bytes();
-    copy = transfer(content, heap);
+    return transfer(content, heap);
   }
-  sent_bytes += heap.bytes() - before;
-  return copy;
 }
 
 }  // namespace
@@ -54,12 +49,6 @@ const Resident& Mas::Implementation::named(Resident& resident) {
     resident.name_text = symbols_.text(symbols_.symbol(resident.agent->name()));
   }
   return resident;
-}
-
-// Where memory is scarce, nothing comes into the agent's before the round is over.
-bool Mas::Implementation::is_near_limit(const Resident& receiver) const {
-  return left_bytes_ < options_.max_agent_bytes ||
-         receiver.known_bytes > options_.max_agent_bytes / 2;
 }
 
 Resident* Mas::Implementation::receiver_of(const OutgoingMessage& message, const Agent& sender) {
@@ -92,22 +81,18 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   copy.performative = message.performative;
   copy.id = message.id;
   copy.in_reply_to = message.in_reply_to;
-  // Variables and collections are numbered by the heap that they come into, and people see the
-  // numbers. So they come into the receiver's when they are delivered, after its own of this round.
-  const bool is_plain = message.content.is_closed() && !sender.heap().has_objects();
+  // What it takes counts for the sender, who may send no more than an agent may have: terms that
+  // share their parts are larger as copies.
   if (beside_ != nullptr) {
     Outbox& outbox = beside_->outbox;
-    copy.content =
-        copy_content(message.content, outbox.heap, options_.max_agent_bytes, from.sent_bytes);
-    outbox.add(Outbox::Letter{receiver->number, copy, is_plain});
-  } else if (is_plain && !is_near_limit(*receiver)) {
-    copy.content = copy_content(message.content, receiver->agent->heap(), options_.max_agent_bytes,
-                                from.sent_bytes);
-    post(*receiver, copy);
+    const std::size_t before = outbox.heap.bytes();
+    copy.content = copy_content(message.content, outbox.heap, options_.max_agent_bytes);
+    from.sent_bytes += outbox.heap.bytes() - before;
+    outbox.add(Outbox::Letter{receiver->number, copy});
   } else {
     const std::size_t before = mail_ ? mail_->bytes() : 0;
-    post_later(*receiver, copy, message.content);
-    from.sent_bytes += mail_->bytes() - before;
+    post_content(*receiver, copy, message.content);
+    from.sent_bytes += (mail_ ? mail_->bytes() : 0) - before;
   }
   return true;
 }
@@ -135,7 +120,14 @@ void Mas::Implementation::post(Resident& receiver, const Message& message) {
   receivers_.push_back(receiver.number);
 }
 
-void Mas::Implementation::post_later(Resident& receiver, Message message, Value content) {
+// Variables and collections are numbered by the heap that they come into, and people see the
+// numbers: those of the receiver's own in this round come before.
+void Mas::Implementation::post_content(Resident& receiver, Message message, Value content) {
+  if (content.is_number() || content.is_atom()) {
+    message.content = content;  // it is in no heap
+    post(receiver, message);
+    return;
+  }
   if (!mail_) {
     mail_.emplace();
     mail_->set_limit(0);
@@ -152,8 +144,7 @@ Value Mas::Implementation::hand_over(Value content, Agent& receiver) {
   Value copy = Value::atom(predicates::falsity);
   ActionError error;
   const bool arrived = guarded(error, [&] {
-    std::size_t bytes = 0;
-    copy = copy_content(content, receiver.heap(), receiver.heap().limit(), bytes);
+    copy = copy_content(content, receiver.heap(), receiver.heap().limit());
     return true;
   });
   if (!arrived) receiver.log("a message was too large: " + error.message);

@@ -1,8 +1,9 @@
 // What the agents of a system own together. What an agent owns is known after each of its turns;
 // the sum is looked at when a round is over, so that what is left to an agent in the next round
-// does not depend on threads. Terms count once here: not all agents collect theirs at the same
-// time. Where nothing is left, no agent gets more than it has, but for those that have less than an
-// eighth of an equal share: they have not filled the memory.
+// does not depend on threads. So are the names that agents have made by then. Terms count once
+// here: not all agents collect theirs at the same time. Where nothing is left, no agent gets more
+// than it has, but for those that have less than an eighth of an equal share: they have not filled
+// the memory.
 
 #include <algorithm>
 #include <fstream>
@@ -33,10 +34,26 @@ std::uint64_t half_of_the_machines_memory() {
   return half;
 }
 
+// Names that were made since the last count: with strings, entries of tables and lists.
+void Mas::Implementation::count_names() {
+  constexpr std::size_t kBytesOfSymbol = 128;
+  constexpr std::size_t kBytesOfPredicate = 96;
+  const std::size_t predicates = symbols_.predicate_count();
+  name_bytes_ += (predicates - counted_predicates_) * kBytesOfPredicate;
+  counted_predicates_ = predicates;
+  for (const std::size_t count = symbols_.symbol_count(); counted_symbols_ < count;
+       ++counted_symbols_) {
+    const auto symbol = static_cast<Symbol>(counted_symbols_);
+    name_bytes_ += kBytesOfSymbol + symbols_.text(symbol).size();
+  }
+}
+
 void Mas::Implementation::share_memory() {
   constexpr std::size_t kPartOfShare = 8;
   const std::size_t most = options_.max_system_bytes;
-  const auto owned = static_cast<std::size_t>(std::max<std::int64_t>(0, owned_bytes_));
+  count_names();
+  const auto owned =
+      name_bytes_ + static_cast<std::size_t>(std::max<std::int64_t>(0, owned_bytes_));
   if (owned > most && ++full_rounds_ >= rounds_to_sweep_) {
     sweep();
     return;

@@ -23,7 +23,6 @@ class Outbox {
     std::uint32_t receiver = 0;
     /// Its content is in `heap`.
     Message message;
-    bool is_plain = true;
   };
   struct End {
     RunEnd how = RunEnd::stopped;
@@ -36,6 +35,7 @@ class Outbox {
 
   void add_text(Kind kind, std::string text) {
     order_.push_back(kind);
+    text_bytes_ += sizeof(std::string) + text.size();
     texts_.push_back(std::move(text));
   }
   void add(Letter letter) {
@@ -45,6 +45,11 @@ class Outbox {
   void add(const Timer& timer) {
     order_.push_back(Kind::timer);
     timers_.push_back(timer);
+  }
+  /// What it holds, without what the contents of letters need beside their terms.
+  [[nodiscard]] std::size_t bytes() const {
+    return text_bytes_ + heap.bytes() + letters_.size() * sizeof(Letter) +
+           timers_.size() * sizeof(Timer);
   }
   /// Hands everything over, in order: text(kind, text), letter(letter), timer(timer).
   template <class OnText, class OnLetter, class OnTimer>
@@ -61,6 +66,7 @@ class Outbox {
   std::optional<End> end;
 
  private:
+  std::size_t text_bytes_ = 0;
   std::vector<Kind> order_;
   std::vector<std::string> texts_;
   std::vector<Letter> letters_;

@@ -17,12 +17,17 @@
 // Agents whose turn others could notice within the round (reach.h) do not reason beside others.
 // They split the round: all before them have their turns, then they, then all behind them.
 //
+// An outbox may hold much: a text is longer than the term that it prints. Where they hold too much
+// together, the agents that are left have their turns one after another, as the outboxes are
+// emptied.
+//
 // Rounds of a few agents are not worth the trouble.
 
 #include <algorithm>
 
 #include "interpreter/mas/beside.h"
 #include "interpreter/mas/system.h"
+#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
@@ -62,6 +67,7 @@ bool Mas::Implementation::round(Turn turn) {
 
 bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
   if (resident.is_leaving || !resident.agent->is_active()) return false;
+  TextsRead::begin_turn(left_bytes_);
   do {
     reason(resident, turn == Turn::one_cycle ? 1 : UINT64_MAX);
   } while (turn == Turn::until_idle && !has_ended() && !resident.is_leaving &&
@@ -87,13 +93,7 @@ void Mas::Implementation::empty(Outbox& outbox) {
   outbox.empty([this](Outbox::Kind kind, const std::string& text) { put_out(kind, text); },
                [this](Outbox::Letter& letter) {
                  Resident& receiver = residents_[letter.receiver];
-                 const Value content = letter.message.content;
-                 if (letter.is_plain && !is_near_limit(receiver)) {
-                   letter.message.content = hand_over(content, *receiver.agent);
-                   post(receiver, letter.message);
-                 } else {
-                   post_later(receiver, letter.message, content);
-                 }
+                 post_content(receiver, letter.message, letter.message.content);
                },
                [this](const Timer& timer) { timers_.add(timer); });
   if (outbox.end) end(std::move(*outbox.end));

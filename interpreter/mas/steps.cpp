@@ -11,6 +11,7 @@
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/system.h"
+#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 namespace {
@@ -71,6 +72,7 @@ void Mas::Implementation::reason_alone(Resident& first) {
   Resident* lone = &first;
   while (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
     const std::uint64_t start = outcome_.cycles;
+    TextsRead::begin_turn(left_bytes_);
     reason(*lone, std::min(end - start, kStepsPerMs - busy_steps_));
     if (ended_) return;
     share_memory();

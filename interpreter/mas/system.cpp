@@ -6,6 +6,7 @@
 
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/machine_memory.h"
+#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
@@ -19,6 +20,8 @@ Mas::Implementation::Implementation(std::unique_ptr<SystemStock> stock, MasOptio
           [this](const std::string& subscriber, const std::string& provider,
                  const std::string& service) { tell_of_provider(subscriber, provider, service); }) {
   if (options_.max_system_bytes == 0) options_.max_system_bytes = half_of_the_machines_memory();
+  counted_symbols_ = symbols_.symbol_count();
+  counted_predicates_ = symbols_.predicate_count();
   share_memory();
   inferences_before_ = stock_->workspaces.inferences();
   count_inferences({});
@@ -240,6 +243,7 @@ bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& 
   Resident& resident = residents_[static_cast<std::uint32_t>(id)];
   Agent& agent = *resident.agent;
   all_keep_to_themselves_ = false;  // it may get other plans
+  TextsRead::begin_turn(left_bytes_);
   const bool completed = agent.intervene([&] { work(agent); }, problem);
   go_on_after_idleness();
   if (agent.is_active()) wake(resident);

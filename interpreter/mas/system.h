@@ -150,6 +150,8 @@ class Mas::Implementation : public AgentHost, public Society {
     WorkspacePool& workspaces;
     Outbox outbox;
     Ahead ahead;
+    /// Those of its block who have not had their turns.
+    std::span<const std::uint32_t> left;
   };
   static thread_local Beside* beside_;
   /// On all threads, `take_turn(resident, beside)` for each of these; then, in order, what they
@@ -164,7 +166,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] const Resident& named(Resident& resident);
   [[nodiscard]] Resident* receiver_of(const OutgoingMessage& message, const Agent& sender);
   void post(Resident& receiver, const Message& message);
-  void post_later(Resident& receiver, Message message, Value content);
+  void post_content(Resident& receiver, Message message, Value content);
   [[nodiscard]] static Value hand_over(Value content, Agent& receiver);
   bool deliver_messages();
   void require_room_for_message(Resident& sender, const Resident& receiver);
@@ -178,7 +180,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void release_memory(Resident& resident);
   void look_for_room(Resident& receiver);
   void look_at_full();
-  [[nodiscard]] bool is_near_limit(const Resident& receiver) const;
+  void count_names();
   void tell_of_provider(const std::string& subscriber, const std::string& provider,
                         const std::string& service);
   [[nodiscard]] static std::string last_place(const Agent& agent);
@@ -209,6 +211,10 @@ class Mas::Implementation : public AgentHost, public Society {
   std::int64_t owned_bytes_ = 0;
   std::size_t left_bytes_ = 0;
   std::size_t least_bytes_ = 0;
+  // What names take that this run has made, and how many were counted.
+  std::size_t name_bytes_ = 0;
+  std::size_t counted_symbols_ = 0;
+  std::size_t counted_predicates_ = 0;
   std::uint32_t full_rounds_ = 0;  // at whose end nothing was left, since agents were last swept
   std::uint32_t rounds_to_sweep_ = 1;
   /// Contents that get to their receivers' heaps only when they are delivered; they are in `mail_`.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interpreter/term/program_terms.h"
+#include "interpreter/term/texts_read.h"
 #include "interpreter/term/width.h"
 
 namespace jaywalk {
@@ -70,6 +71,7 @@ bool put_together(Unifier& unifier, Value term, Value list) {
   const std::size_t first = parts.size() - 3;
   std::string functor;
   if (parts[first].is_text()) {
+    TextsRead::require_room(heap, parts[first].text()->view().size());
     functor = parts[first].text()->view();
   } else if (is_literal(parts[first])) {
     const Predicate named = literal_parts(parts[first]).predicate;

@@ -1,7 +1,7 @@
 """Programs that ask for all memory: what asks fails, the agent's other plans and other agents go on, and the process
 stays near the limit."""
 
-from row import program, project
+from row import Row, program, project
 
 MB = 64
 BOUND = ("--max-memory", str(MB), "--timeout", "250")  # the clock is a net: no row ends by it
@@ -37,7 +37,15 @@ ROWS = [
     program("the text of a term that shares its parts", "!go(a,0). +!go(T,N) : N < 60 <- !go(t(T,T),N+1). +!go(T,_) <- .print(T).\n", 0, "memory limit",
             *BOUND, most_mb=MB * 2.2),  # a text has 64 MB of its own, twice while it grows
     held("solutions without end", "!go. +!go <- .findall(f(X,Y,X), .range(X,1,1000) & .range(Y,1,1000), _).\n", "memory"),
-    held("plans without end", "!go(0). +!go(N) <- .concat(\"+!p\",N,\" <- true.\",S); .add_plan(S); !go(N+1).\n"),
+    held("plans without end", "!go(0). +!go(N) <- .concat(\"+!p\",N,\" <- true.\",S); .add_plan(S); !go(N+1).\n", "memory limit"),
+    held("names without end", "!go(0). +!go(N) <- .concat(\"a\",N,S); .term2string(T,S); !go(N+1).\n", "all agents together"),
+    held("functors without end", "!go(0). +!go(N) <- .concat(\"a\",N,S); T =.. [S,[1],[]]; !go(N+1).\n", "all agents together"),
+    held("long names without end", "!start. +!start <- !grow(\"a\",0). +!grow(S,K) : K < 18 <- .concat(S,S,U); !grow(U,K+1). +!grow(S,_) <- !go(S,0).\n"
+         "+!go(S,N) <- .concat(S,N,U); .term2string(T,U); !go(S,N+1).\n", "memory limit"),
+    held("a text of many names", "!start. +!start <- !grow(\"a\",0). +!grow(S,K) : K < 21 <- .concat(S,\",\",S,U); !grow(U,K+1). +!grow(S,_) <- .concat(\"[\",S,\"]\",U);\n"
+         ".term2string(T,U); .print(read).\n", "memory limit"),
+    Row("a hundred agents that print long texts in one round", "jaywalk run p.mas2j --threads 4 | wc -c", 0, "",
+        {"a.asl": "!go(x,0). +!go(T,N) : N < 20 <- !go(t(T,T),N+1). +!go(T,_) <- .print(T).\n", "p.mas2j": "MAS m { agents: a #100; }"}, most_mb=400, seconds=60),
     stormy("intentions without end", "!go. +!go <- !!go; !!go."),
     stormy("messages to itself without end", "!go. +!go <- .my_name(N); .send(N,achieve,go); .send(N,achieve,go).", "memory"),
     stormy("a failure that makes a failure", "!go. +!go <- !go; a. -!go <- !go; a.", "alive"),

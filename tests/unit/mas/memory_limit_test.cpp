@@ -98,21 +98,109 @@ TEST(SystemMemory, LetsNoAgentComeWhereNothingIsLeft) {
   EXPECT_GT(system.mas->agent_count(), 100U);
 }
 
-/// Who fails, and when, does not depend on threads.
-TEST(SystemMemory, IsSharedAlikeOnOneThreadAndOnSeveral) {
-  const std::vector<test::NamedProgram> team = hoarders(6);
+/// Each makes names that nobody has made before, of this many letters and more.
+std::vector<test::NamedProgram> namers(int count, int letters, const std::string& action) {
+  std::vector<test::NamedProgram> team;
+  for (int i = 0; i < count; ++i) {
+    team.push_back({"n" + std::to_string(i),
+                    "text(\"" + std::string(static_cast<std::size_t>(letters), 'a') +
+                        "\"). !go(0).\n+!go(N) : text(T) <- .my_name(Me); .concat(T, Me, N, S); " +
+                        action +
+                        "; !go(N + 1).\n"
+                        "-!go(N)[error_msg(M)] <- .print(N, M); .wait(10); !go(N + 1)."});
+  }
+  team.push_back({"modest", "!see(500). +!see(0) <- .print(unharmed). +!see(N) <- !see(N - 1)."});
+  return team;
+}
+
+class Names : public testing::TestWithParam<const char*> {};
+
+/// A name stays until the run is over, whoever still uses it.
+TEST_P(Names, CountForAllAgentsTogether) {
+  MasOptions options;
+  options.max_cycles = 20'000;
+  options.max_agent_bytes = 8 * kMegabyte;
+  options.max_system_bytes = kMegabyte / 2;
+  for (const int letters : {1, 4000}) {
+    const test::AgentRun run = test::run_agents(namers(2, letters, GetParam()), options);
+    EXPECT_THAT(run.printed,
+                Contains(HasSubstr("the memory limit of all agents together is reached")));
+    EXPECT_THAT(run.printed_by("modest"), Contains("unharmed"));
+  }
+  options.max_cycles = 2000;
+  options.max_system_bytes = 256 * kMegabyte;
+  EXPECT_THAT(test::run_agents(namers(2, 4000, GetParam()), options).printed,
+              Not(Contains(HasSubstr("memory limit"))));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTexts, Names,
+                         testing::Values(".term2string(X, S)",
+                                         ".concat(\"f(\", S, \")\", F); .term2string(X, F)",
+                                         "X =.. [S, [1], []]",
+                                         ".concat(\"+!\", S, \" <- true.\", P); .add_plan(P)"));
+
+TEST(SystemMemory, HoldsForTheNamesOfOneTurn) {
   MasOptions options;
   options.max_cycles = 20'000;
   options.max_agent_bytes = kMegabyte;
-  options.max_system_bytes = kMegabyte;
+  const std::vector<std::string> printed = test::printed_by(
+      "!grow(\"aaaaaaaa\", 0).\n"
+      "+!grow(S, K) : K < 13 <- .concat(S, S, T); !grow(T, K + 1).\n"
+      "+!grow(S, K) <- .term2string(X, S); .print(read).\n"
+      "-!grow(S, K)[error_msg(M)] <- .print(M).",
+      options);
+  EXPECT_THAT(printed, Contains(HasSubstr("memory limit"))) << "64 kB may be 16,000 names";
+}
+
+/// Who fails, and when, does not depend on threads.
+void expect_same_on_threads(const std::vector<test::NamedProgram>& team, MasOptions options) {
   options.fewest_beside = 2;
   const test::AgentRun one = test::run_agents(team, options);
-  EXPECT_THAT(one.printed, Contains(HasSubstr("memory")));
-  options.threads = 4;
-  const test::AgentRun four = test::run_agents(team, options);
-  EXPECT_THAT(four.printed, ElementsAreArray(one.printed));
-  EXPECT_THAT(four.logged, ElementsAreArray(one.logged));
-  EXPECT_EQ(four.outcome.cycles, one.outcome.cycles);
+  EXPECT_THAT(one.printed, Contains(HasSubstr("memory"))) << "no limit is reached";
+  for (const std::size_t threads : {2U, 8U}) {
+    options.threads = threads;
+    const test::AgentRun several = test::run_agents(team, options);
+    EXPECT_THAT(several.printed, ElementsAreArray(one.printed)) << threads;
+    EXPECT_THAT(several.logged, ElementsAreArray(one.logged)) << threads;
+    EXPECT_EQ(several.outcome.cycles, one.outcome.cycles) << threads;
+    EXPECT_EQ(several.outcome.message, one.outcome.message) << threads;
+  }
+}
+
+TEST(SystemMemory, IsSharedAlikeOnOneThreadAndOnSeveral) {
+  MasOptions options;
+  options.max_cycles = 4000;
+  options.max_agent_bytes = kMegabyte;
+  options.max_system_bytes = kMegabyte;
+  expect_same_on_threads(hoarders(6), options);
+}
+
+TEST(SystemMemory, IsTakenByNamesAlikeOnOneThreadAndOnSeveral) {
+  MasOptions options;
+  options.max_cycles = 600;
+  options.max_agent_bytes = kMegabyte;
+  options.max_system_bytes = kMegabyte / 2;
+  expect_same_on_threads(namers(6, 200, ".term2string(X, S)"), options);
+  options.max_system_bytes = 0;
+  expect_same_on_threads(namers(6, 40'000, ".term2string(X, S)"), options);
+}
+
+/// Outboxes that are full, long before the round is over.
+TEST(SystemMemory, HoldsBackNoMoreTextsThanItNeedsTo) {
+  std::vector<test::NamedProgram> team;
+  for (int i = 0; i < 12; ++i) {
+    team.push_back({"a" + std::to_string(i),
+                    "!go(x, 0). +!go(T, N) : N < 18 <- !go(t(T, T), N + 1). "
+                    "+!go(T, _) <- .print(T); .send(a0, tell, done); .print(sent)."});
+  }
+  MasOptions options;
+  options.fewest_beside = 2;
+  const test::AgentRun one = test::run_agents(team, options);
+  EXPECT_EQ(one.printed.size(), 24U);
+  options.threads = 3;
+  const test::AgentRun three = test::run_agents(team, options);
+  EXPECT_TRUE(three.printed == one.printed);
+  EXPECT_EQ(three.outcome.cycles, one.outcome.cycles);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#pragma once
+
+// Texts that become names while agents reason. A name is never forgotten: how much all of them take
+// counts for all agents together, but only once a round is over (mas/memory.cpp), since who makes a
+// name first depends on threads. Up to then an agent may only read as much as it has room for.
+
+#include <cstddef>
+
+#include "interpreter/term/heap.h"
+
+namespace jaywalk {
+
+class TextsRead {
+ public:
+  /// The agent that reasons on this thread begins a turn; so much is left of the memory of all.
+  static void begin_turn(std::size_t left_of_all) {
+    bytes_ = 0;
+    left_of_all_ = left_of_all;
+  }
+
+  /// Before a text of so many bytes is read. Throws HeapExhausted if what was read in this turn
+  /// could take more than is left, to all or to the owner of the heap: names remain when the terms
+  /// of an agent that owns little are gone.
+  static void require_room(Heap& heap, std::size_t bytes) {
+    // A name of one letter takes that many: its texts, entries of tables, and before all that the
+    // syntax tree.
+    constexpr std::size_t kTakenByEach = 32;
+    bytes_ += kTakenByEach * bytes;
+    if (bytes_ > left_of_all_) throw HeapExhausted{true};
+    heap.require_bytes(bytes_);
+  }
+
+ private:
+  static inline thread_local std::size_t bytes_ = 0;
+  static inline thread_local std::size_t left_of_all_ = std::size_t(-1);
+};
+
+}  // namespace jaywalk
