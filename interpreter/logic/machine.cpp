@@ -251,9 +251,10 @@ bool Machine::run(std::size_t base) {
   }
 }
 
-// What a query takes beside its terms. The trail doubles when it is full.
+// What a query takes beside its terms, whatever room earlier queries, perhaps of other agents, have
+// left. The trail doubles when it is full.
 std::size_t Machine::stack_bytes() const {
-  return frames_.words() * sizeof(std::uint64_t) + choices_.capacity() * sizeof(ChoicePoint) +
+  return frames_.words() * sizeof(std::uint64_t) + choices_.size() * sizeof(ChoicePoint) +
          unifier_.mark() * sizeof(Value*) * 3;
 }
 

@@ -175,6 +175,26 @@ TEST(SystemMemory, IsSharedAlikeOnOneThreadAndOnSeveral) {
   expect_same_on_threads(hoarders(6), options);
 }
 
+/// Many send long lists, none of which is a constant that they could share, to one another, who
+/// reason, meanwhile, up to the limit.
+std::vector<test::NamedProgram> correspondents(int count, int length) {
+  std::vector<test::NamedProgram> team;
+  for (int i = 0; i < count; ++i) {
+    team.push_back(
+        {"a" + std::to_string(i),
+         "!begin. +!begin <- .findall(X, .range(X, 1, " + std::to_string(length) +
+             "), L); !!go(0, L); !!hoard([], 0).\n"
+             "+!go(N, L) <- .send(a" +
+             std::to_string((i + 1) % count) + ", tell, got(N, L)); .send(a" +
+             std::to_string((i + 3) % count) +
+             ", tell, had(N, L)); !go(N + 1, L).\n"
+             "-!go(N, L)[error_msg(M)] <- .print(N, M); .wait(5); !go(N + 1, L).\n"
+             "+!hoard(T, N) <- .concat(T, T, [N, N], U); !hoard(U, N + 1).\n"
+             "-!hoard(T, N)[error_msg(M)] <- .print(N, M); .wait(3); !hoard([], N + 1).\n"});
+  }
+  return team;
+}
+
 TEST(SystemMemory, IsTakenByNamesAlikeOnOneThreadAndOnSeveral) {
   MasOptions options;
   options.max_cycles = 600;
@@ -202,6 +222,34 @@ TEST(SystemMemory, HoldsBackNoMoreTextsThanItNeedsTo) {
   EXPECT_TRUE(three.printed == one.printed);
   EXPECT_EQ(three.outcome.cycles, one.outcome.cycles);
 }
+
+class Storms : public testing::TestWithParam<int> {};
+
+TEST_P(Storms, AreTheSameOnOneThreadAndOnSeveral) {
+  MasOptions options;
+  options.max_cycles = 200;
+  options.max_agent_bytes = kMegabyte;
+  expect_same_on_threads(correspondents(8, GetParam()), options);
+  options.max_system_bytes = 4 * kMegabyte;
+  expect_same_on_threads(correspondents(8, GetParam()), options);
+}
+
+TEST_P(Storms, EndARunAtTheSamePlace) {
+  MasOptions options;
+  options.max_cycles = 200;
+  options.max_agent_bytes = kMegabyte;
+  options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
+  options.fewest_beside = 2;
+  const auto team = correspondents(8, GetParam());
+  const RunOutcome one = test::run_agents(team, options).outcome;
+  EXPECT_EQ(one.limit, RunLimit::memory);
+  options.threads = 4;
+  const RunOutcome four = test::run_agents(team, options).outcome;
+  EXPECT_EQ(four.message, one.message);
+  EXPECT_EQ(four.cycles, one.cycles);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfLists, Storms, testing::Values(10, 500, 3000));
 
 }  // namespace
 }  // namespace jaywalk
