@@ -30,8 +30,8 @@
 //
 // What a kept process answers must follow from `reset` and the views since then alone. Where tests
 // that differ in nothing but the AV's defects (the same `reset`) begin with the same views, it is
-// asked once: it is told of another such test only if a view comes that is new, with all the views
-// before it, and answers that are others then end that test.
+// asked once. In another such test it is asked only when a new view comes, then with all the views
+// before it; if it answers those otherwise than the first time, that test fails.
 
 #include <algorithm>
 #include <filesystem>
