@@ -126,11 +126,7 @@ TEST(UnfoldedRules, GiveWayToRulesThatAreAddedLater) {
                       "+!go <- !look(7); .assertz({near(X) :- X > 5}); !look(7).\n"
                       "+!look(N) : near(N) <- .print(near, N).\n"
                       "+!look(N) <- .print(far, N).\n"),
-              printed_observed("at(4). near(X) :- at(X).\n"
-                               "!go.\n"
-                               "+!go <- !look(7); .assertz({near(X) :- X > 5}); !look(7).\n"
-                               "+!look(N) : near(N) <- .print(near, N).\n"
-                               "+!look(N) <- .print(far, N).\n"));
+              ElementsAre("[agent] far7", "[agent] near7"));
 }
 
 TEST(UnfoldedRules, TakeNothingOfOtherNamespaces) {
@@ -140,6 +136,7 @@ TEST(UnfoldedRules, TakeNothingOfOtherNamespaces) {
       "took(1).\n!go.\n"
       "+!go : other::seen(other::X) & mine(1) <- .print(X).\n"
       "+!go <- .print(none).\n";
+  EXPECT_EQ(printed(program).size(), 1U);
   EXPECT_EQ(printed(program), printed_observed(program));
 }
 

@@ -141,7 +141,9 @@ TEST(PlanCoverage, TakesNoInferences) {
   Onlooker onlooker;
   Observed covered(program);
   CoverageObserver coverage(*covered.probes);
-  EXPECT_EQ(covered.run(coverage).inferences, plain.run(onlooker).inferences);
+  const std::uint64_t inferences = plain.run(onlooker).inferences;
+  EXPECT_GT(inferences, 15U);  // three at least for each of the five goals
+  EXPECT_EQ(covered.run(coverage).inferences, inferences);
 }
 
 TEST(PlanCoverage, CountsARuleThatAsksItselfAskingByAsking) {
