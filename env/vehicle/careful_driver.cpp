@@ -7,20 +7,8 @@ namespace jaywalk {
 CarefulDriver::CarefulDriver(const VehicleParameters& parameters)
     : perception_s_(parameters.reaction_s.value_or(kRiskPerceptionS)),
       deceleration_(parameters.deceleration_mps2.value_or(kCompetentBrakingMps2)),
-      acceleration_(parameters.acceleration_mps2) {}
-
-/// A line that closes is perceived as a risk is. Who stands at one brakes with 0, but does not
-/// drive on: that is not the same as none.
-std::optional<double> CarefulDriver::line_braking(const VehicleView& view) {
-  if (!closed_line(view)) {
-    line_closed_s_.reset();
-  } else if (!line_closed_s_) {
-    line_closed_s_ = view.time_s;
-  }
-  const double reacts_s = line_closed_s_.value_or(0) + perception_s_ + kBrakingDelayS;
-  if (line_closed_s_ && view.time_s + 1e-9 < reacts_s) return std::nullopt;
-  return line_stop_.braking(view, deceleration_);
-}
+      acceleration_(parameters.acceleration_mps2),
+      line_stop_(perception_s_ + kBrakingDelayS) {}
 
 /// The speed that is lost in so many seconds. Braking grows gradually and is released at once.
 double CarefulDriver::press(double wanted_mps2, double seconds) {
@@ -32,7 +20,8 @@ double CarefulDriver::press(double wanted_mps2, double seconds) {
 
 VehicleDecision CarefulDriver::decide(const VehicleView& view) {
   risks_.look(view, lane_of(view));
-  const std::optional<double> for_line = line_braking(view);
+  // Who stands at a line brakes with 0, but does not drive on: that is not the same as none.
+  const std::optional<double> for_line = line_stop_.braking(view, deceleration_);
   const std::optional<double> risk_s = risks_.first_s();
   const double perceived_s =
       risk_s ? *risk_s + perception_s_ : std::numeric_limits<double>::infinity();

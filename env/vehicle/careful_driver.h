@@ -33,7 +33,6 @@ class CarefulDriver final : public VehicleController {
   [[nodiscard]] double longest_period_s() const override { return 0.05; }
 
  private:
-  std::optional<double> line_braking(const VehicleView& view);
   double press(double wanted_mps2, double seconds);
 
   double perception_s_;
@@ -41,7 +40,6 @@ class CarefulDriver final : public VehicleController {
   double acceleration_;
   Risks risks_;
   LineStop line_stop_;
-  std::optional<double> line_closed_s_;
   double braking_ = 0;  // now, m/s^2
 };
 

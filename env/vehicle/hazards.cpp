@@ -1,6 +1,7 @@
 #include "env/vehicle/hazards.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace jaywalk {
@@ -12,6 +13,12 @@ constexpr double kBesideM = -0.01;
 constexpr double kPastLineM = -1;
 // Boxes that only touch the lane do not become a risk by rounding.
 constexpr double kTouchM = 1e-6;
+// Times are sums of periods.
+constexpr double kRoundingS = 1e-9;
+// Where a line seems to lie moves a little for a sensor that is late.
+constexpr double kSameLineM = 1;
+
+bool is_ahead(const StopLine& line) { return line.closed && line.gap_m >= kPastLineM; }
 
 void keep_nearest(std::optional<Hazard>& nearest, const Hazard& hazard) {
   if (!nearest || hazard.gap_m < nearest->gap_m) nearest = hazard;
@@ -35,7 +42,7 @@ bool is_risk(const SeenActor& actor, const Strip& lane) {
 std::optional<Hazard> closed_line(const VehicleView& view) {
   std::optional<Hazard> nearest;
   for (const StopLine& line : view.stop_lines) {
-    if (line.closed && line.gap_m >= kPastLineM) keep_nearest(nearest, {line.gap_m, 0});
+    if (is_ahead(line)) keep_nearest(nearest, {line.gap_m, 0});
   }
   return nearest;
 }
@@ -62,7 +69,7 @@ std::optional<Hazard> Perception::perceive(const VehicleView& view, const Strip&
   risks_.look(view, lane);
   std::optional<Hazard> nearest = closed_line(view);
   for (const auto& [id, risk] : risks_.all()) {
-    if (view.time_s - risk.since_s + 1e-9 >= reaction_s_) keep_nearest(nearest, risk.hazard);
+    if (view.time_s - risk.since_s + kRoundingS >= reaction_s_) keep_nearest(nearest, risk.hazard);
   }
   return nearest;
 }
@@ -75,12 +82,41 @@ double required_deceleration(const VehicleView& view, const Hazard& hazard, doub
   return closing * closing / (2 * room);
 }
 
+const LineStop::Line* LineStop::known(double place_m) const {
+  const auto line = std::ranges::find_if(
+      closed_, [&](const Line& one) { return std::abs(one.place_m - place_m) < kSameLineM; });
+  return line == closed_.end() ? nullptr : &*line;
+}
+
+void LineStop::look(const VehicleView& view) {
+  std::vector<Line> closed;
+  for (const StopLine& line : view.stop_lines) {
+    if (!is_ahead(line)) continue;
+    const double place = view.front_m + line.gap_m;
+    const Line* before = known(place);
+    closed.push_back({place, line.gap_m, before ? before->closed_s : view.time_s});
+  }
+  closed_ = std::move(closed);
+}
+
+const LineStop::Line* LineStop::nearest(const VehicleView& view) const {
+  const Line* nearest = nullptr;
+  for (const Line& line : closed_) {
+    if (view.time_s + kRoundingS < line.closed_s + reacts_s_) continue;
+    if (!nearest || line.gap_m < nearest->gap_m) nearest = &line;
+  }
+  return nearest;
+}
+
 std::optional<double> LineStop::braking(const VehicleView& view, double strongest_mps2) {
-  const std::optional<Hazard> line = closed_line(view);
-  const double needed = line ? required_deceleration(view, *line, 0) : 0;
-  if (!line) stopping_ = false;
-  if (needed >= kComfortableMps2) stopping_ = true;
-  if (!stopping_) return std::nullopt;
+  look(view);
+  const Line* line = nearest(view);
+  const bool goes_on = line && stops_at_m_ && std::abs(*stops_at_m_ - line->place_m) < kSameLineM;
+  stops_at_m_.reset();
+  if (!line) return std::nullopt;
+  const double needed = required_deceleration(view, {line->gap_m, 0}, 0);
+  if (!goes_on && needed < kComfortableMps2) return std::nullopt;
+  stops_at_m_ = line->place_m;
   return std::min(needed, strongest_mps2);
 }
 

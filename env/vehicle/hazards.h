@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "env/vehicle/sight.h"
 #include "env/vehicle/vehicle.h"
@@ -77,14 +78,31 @@ class Perception {
 inline constexpr double kComfortableMps2 = 2;
 
 /// Stops at closed lines as any driver would: it begins when comfortable braking is needed, and
-/// goes on until the line opens.
+/// goes on until the line opens. A line that closes is perceived as a risk is, each by itself: who
+/// ran one has not seen the next before it closes.
 class LineStop {
  public:
-  /// The braking, positive; empty while there is no need.
+  /// Seconds from the closing of a line until braking may begin.
+  explicit LineStop(double reacts_s = 0) : reacts_s_(reacts_s) {}
+
+  /// To be called once in every period. The braking for the nearest line, positive; empty while
+  /// there is no need.
   std::optional<double> braking(const VehicleView& view, double strongest_mps2);
 
  private:
-  bool stopping_ = false;
+  struct Line {
+    double place_m = 0;
+    double gap_m = 0;
+    double closed_s = 0;
+  };
+
+  void look(const VehicleView& view);
+  [[nodiscard]] const Line* known(double place_m) const;
+  [[nodiscard]] const Line* nearest(const VehicleView& view) const;
+
+  double reacts_s_;
+  std::vector<Line> closed_;
+  std::optional<double> stops_at_m_;
 };
 
 /// Back to the cruising speed without overshooting it.

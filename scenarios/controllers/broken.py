@@ -27,8 +27,8 @@ class Healthy:
     resumes = 2
 
     def __init__(self):
-        self.since, self.line_since = {}, None
-        self.line_stops, self.braking = False, 0
+        self.since, self.lines = {}, {}
+        self.stops_at, self.braking = None, 0
 
     def decide(self, view):
         actors = self.look(view, view["actors"])
@@ -66,17 +66,19 @@ class Healthy:
     def line(self, view):
         """The braking for a closed line; None without a need, which standing at one is not."""
         gaps = [s["gap"] for s in view["stop_lines"] if s["closed"] and s["gap"] >= -1]
-        if not gaps:
-            self.line_since, self.line_stops = None, False
+        places = {round(view["front"] + gap, 3): gap for gap in gaps}
+        self.lines = {place: self.lines.get(place, view["time"]) for place in places}
+        reacts = [view["time"] + ROUNDING >= t + PERCEPTION + DELAY for t in self.lines.values()]
+        place = min((p for p, ready in zip(places, reacts) if ready), default=None)
+        stops_at, self.stops_at = self.stops_at, None
+        if place is None:
             return None
-        if self.line_since is None:
-            self.line_since = view["time"]
-        if view["time"] + ROUNDING < self.line_since + PERCEPTION + DELAY:
-            return None
-        room, speed = min(gaps), view["speed"]
+        room, speed = places[place], view["speed"]
         needed = 0 if speed <= 0 else speed**2 / (2 * room) if room > 0 else float("inf")
-        self.line_stops = self.line_stops or needed >= COMFORTABLE
-        return min(needed, STRONGEST) if self.line_stops else None
+        if place != stops_at and needed < COMFORTABLE:
+            return None
+        self.stops_at = place
+        return min(needed, STRONGEST)
 
 
 class ThinPeople(Healthy):

@@ -107,7 +107,9 @@ class Surroundings {
             .lane_left_m = lane_.left_m,
             .lane_right_m = lane_.right_m,
             .actors = seen_,
-            .stop_lines = lines_};
+            .stop_lines = lines_,
+            .front_m = front,
+            .length_m = size.length_m};
   }
 
  private:

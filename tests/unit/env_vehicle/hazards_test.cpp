@@ -143,8 +143,10 @@ TEST(LineStop, BeginsWithComfortableBrakingAndGoesOnUntilTheLineOpens) {
   view.stop_lines = lines;
   EXPECT_FALSE(stop.braking(view, 8)) << "100 / 60 is less than 2 m/s2";
   lines[0].gap_m = 25;
+  view.front_m = 5;
   EXPECT_DOUBLE_EQ(*stop.braking(view, 8), 2);
   lines[0].gap_m = 20;
+  view.front_m = 10;
   view.speed_mps = 4;
   EXPECT_DOUBLE_EQ(*stop.braking(view, 8), 0.4) << "it has begun";
   lines[0].closed = false;
@@ -157,6 +159,48 @@ TEST(LineStop, BrakesNoHarderThanItCan) {
   VehicleView view = view_of({});
   view.stop_lines = lines;
   EXPECT_DOUBLE_EQ(*stop.braking(view, 8), 8) << "10 m/s2 are needed";
+}
+
+TEST(LineStop, PerceivesEachLineByItself) {
+  LineStop stop(1);
+  std::vector<StopLine> lines{{20, true}, {60, false}};
+  VehicleView view = view_of({});
+  view.stop_lines = lines;
+  EXPECT_FALSE(stop.braking(view, 8)) << "it has only just closed";
+  view.time_s += 1;
+  EXPECT_DOUBLE_EQ(*stop.braking(view, 8), 2.5);
+  // It ran the first line, before the second closed.
+  view.front_m = 45;
+  lines = {{-25, true}, {15, true}};
+  view.stop_lines = lines;
+  EXPECT_FALSE(stop.braking(view, 8)) << "what it knew of the first line is not of the second";
+  view.time_s += 0.9;
+  EXPECT_FALSE(stop.braking(view, 8));
+  view.time_s += 0.1;
+  EXPECT_GT(*stop.braking(view, 8), 3);
+}
+
+TEST(LineStop, DoesNotBrakeForTheNextLineBecauseItBrakedForTheLast) {
+  LineStop stop;
+  std::vector<StopLine> lines{{5, true}, {45, true}};
+  VehicleView view = view_of({});
+  view.stop_lines = lines;
+  EXPECT_TRUE(stop.braking(view, 8));
+  view.front_m = 7;
+  lines = {{-2, true}, {38, true}};
+  view.stop_lines = lines;
+  EXPECT_FALSE(stop.braking(view, 8)) << "100 / 76 is less than 2 m/s2";
+}
+
+TEST(LineStop, KnowsALineThatALateSensorSeesElsewhere) {
+  LineStop stop(1);
+  std::vector<StopLine> lines{{20, true}};
+  VehicleView view = view_of({});
+  view.stop_lines = lines;
+  EXPECT_FALSE(stop.braking(view, 8));
+  view.time_s += 1;
+  lines[0].gap_m = 20.3;
+  EXPECT_TRUE(stop.braking(view, 8));
 }
 
 TEST(Resume, ComesToTheCruisingSpeedWithoutOvershooting) {
