@@ -72,11 +72,11 @@ Outcome send(ActionCall& call) {
   if (!lone.is_atom() && !lone.is_list() && !lone.is_text()) {
     return call.wrong_arguments(
         fmt::format("TO parameter ('{}') must be an atom, a string or a list of receivers!",
-                    term_text(lone, call.symbols())));
+                    brief_text(lone, call.symbols())));
   }
   if (performative == names::empty) {
     return call.wrong_arguments(fmt::format("illocutionary force parameter ('{}') must be an atom!",
-                                            term_text(call.arg(1), call.symbols())));
+                                            brief_text(call.arg(1), call.symbols())));
   }
   const bool waits = asks(performative) && call.count() > 3;
   double timeout_ms = -1;
@@ -85,7 +85,7 @@ Outcome send(ActionCall& call) {
       return call.fail("internal_action",
                        fmt::format("The 5th parameter of send must be a number (timeout) and not "
                                    "'{}'!",
-                                   term_text(call.arg(4), call.symbols())));
+                                   brief_text(call.arg(4), call.symbols())));
     }
     timeout_ms = std::max(0.0, call.arg(4).as_number());
   }
@@ -105,7 +105,7 @@ Outcome send(ActionCall& call) {
           "internal_action",
           fmt::format("The TO parameter ('{}') of the internal action 'send' is not an "
                       "atom!",
-                      term_text(receiver, call.symbols())));
+                      brief_text(receiver, call.symbols())));
     }
     std::string buffer;
     message.receiver_atom.reset();

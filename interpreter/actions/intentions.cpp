@@ -127,7 +127,7 @@ Outcome no_literal(ActionCall& call) { return call.wrong_argument(0, "a literal"
 
 Outcome no_pattern(ActionCall& call) {
   return call.wrong_arguments(fmt::format("first argument '{}' must be a literal or variable",
-                                          term_text(call.arg(0), call.symbols())));
+                                          brief_text(call.arg(0), call.symbols())));
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ Outcome drop_future_intention(ActionCall& call) {
   if (!names_goal(call, Variables::allowed)) return no_pattern(call);
   if (call.arg(0).is_variable()) {
     return call.wrong_arguments(fmt::format("first argument '{}' must be a literal",
-                                            term_text(call.arg(0), call.symbols())));
+                                            brief_text(call.arg(0), call.symbols())));
   }
   std::vector<Intention*> found;
   for (Intention* const intention : Goals(*call.agent()).all_intentions()) {

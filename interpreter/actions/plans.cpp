@@ -75,7 +75,7 @@ Outcome add(ActionCall& call, Value what, Value source, Place place) {
     return call.wrong_arguments(
         fmt::format("The term '{}' ({}) can not be used as a plan for "
                     ".add_plan.",
-                    term_text(what, call.symbols()), java_class(what)));
+                    brief_text(what, call.symbols()), java_class(what)));
   }
   return call.fail("internal_action", problem);
 }
@@ -131,7 +131,7 @@ bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) 
 Outcome no_trigger(ActionCall& call) {
   return call.wrong_arguments(
       fmt::format("first argument '{}' must follow the syntax of a trigger.",
-                  term_text(call.arg(0), call.symbols())));
+                  brief_text(call.arg(0), call.symbols())));
 }
 
 // Pairs of plan and label, one after another.

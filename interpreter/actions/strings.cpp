@@ -28,7 +28,7 @@ Outcome concat_lists(ActionCall& call) {
   if (!call.arg(last).is_list() && !call.arg(last).is_variable()) {
     return call.fail("internal_action",
                      fmt::format("Last argument of concat '{}'is not a list nor a variable.",
-                                 term_text(call.arg(last), call.symbols())));
+                                 brief_text(call.arg(last), call.symbols())));
   }
   std::vector<Value> all;
   for (std::size_t i = 0; i < last; ++i) {

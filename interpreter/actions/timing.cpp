@@ -96,7 +96,7 @@ Outcome at(ActionCall& call) {
     return call.fail("internal_action",
                      fmt::format("The time parameter ('{}') of the internal action 'at' did not "
                                  "parse correctly!",
-                                 term_text(call.arg(0), call.symbols())));
+                                 brief_text(call.arg(0), call.symbols())));
   }
   TriggerParts trigger;
   if (!read_trigger(call.arg(1), call, trigger) || !is_literal(trigger.literal)) {

@@ -24,7 +24,7 @@ std::string cut(std::string_view text) { return shortened(text, kLongestText); }
 std::string goal_with_place(const Intention& intention, const IntendedMeans& means,
                             const SymbolTable& symbols) {
   const std::uint32_t line = means.is_finished() ? means.plan->line : means.step().place.line;
-  std::string text = cut(goal_text(intention, means, symbols));
+  std::string text = goal_text(intention, means, symbols, kLongestText);
   return line == 0 ? text : fmt::format("{} ({}:{})", text, means.plan->file, line);
 }
 
@@ -45,21 +45,21 @@ Span span_of(const Source& source, StepPlace place) {
 }  // namespace
 
 std::string literal_text(Predicate predicate, std::span<const Value> args,
-                         const SymbolTable& symbols) {
+                         const SymbolTable& symbols, std::size_t most) {
   std::string text = term_text(Value::atom(predicate), symbols);
-  for (std::size_t i = 0; i < args.size(); ++i) {
+  for (std::size_t i = 0; i < args.size() && text.size() <= most; ++i) {
     text += i == 0 ? '(' : ',';
-    append_term(text, args[i], symbols);
+    text += brief_text(args[i], symbols, most);
   }
   if (!args.empty()) text += ')';
-  return text;
+  return shortened(text, most);
 }
 
-std::string plain_text(Value term, const SymbolTable& symbols) {
+std::string plain_text(Value term, const SymbolTable& symbols, std::size_t most) {
   term = deref(term);
-  if (!is_literal(term)) return term_text(term, symbols);
+  if (!is_literal(term)) return brief_text(term, symbols, most);
   const LiteralParts parts = literal_parts(term);
-  return literal_text(parts.predicate, parts.args, symbols);
+  return literal_text(parts.predicate, parts.args, symbols, most);
 }
 
 std::string goal_stack_text(const Intention& intention, const SymbolTable& symbols) {
@@ -85,18 +85,18 @@ std::string formula_place(const Intention& intention) {
 }
 
 std::string goal_text(const Intention& intention, const IntendedMeans& means,
-                      const SymbolTable& symbols) {
+                      const SymbolTable& symbols, std::size_t most) {
   std::string text;
   if (means.op == TriggerOperator::remove) text += '-';
   if (means.op == TriggerOperator::goal_state) text += '^';
   if (means.op == TriggerOperator::add && means.kind == TriggerKind::belief) text += '+';
-  if (!means.trigger.is_unset()) return text + plain_text(means.trigger, symbols);
+  if (!means.trigger.is_unset()) return text + plain_text(means.trigger, symbols, most);
   const PlanHead& head = means.plan->head;
   std::vector<Value> args;
   for (std::size_t i = 0; i < head.args.size(); ++i) {
     args.push_back(intention.head_value(means, i));
   }
-  return text + literal_text(head.predicate, args, symbols);
+  return text + literal_text(head.predicate, args, symbols, most);
 }
 
 std::string describe(const DropCause& cause) {
@@ -113,7 +113,7 @@ const DropCause& Agent::note_drop(const Intention* intention, const ActionError&
   const StepPlace place = place_of(intention);
   const bool nowhere = place.line == 0;
   std::string formula;
-  if (nowhere && !code.is_unset()) formula = cut(plain_text(code, symbols_));
+  if (nowhere && !code.is_unset()) formula = plain_text(code, symbols_, kLongestText);
   const auto is_same = [&](const DropCause& cause) {
     return cause.line == place.line && cause.column == place.column && cause.error == error.id &&
            (nowhere ? cause.formula == formula : cause.file == intention->top().plan->file);
@@ -126,7 +126,7 @@ const DropCause& Agent::note_drop(const Intention* intention, const ActionError&
     cause->error = error.id;
     cause->message = cut(error.message);
     cause->formula =
-        nowhere || code.is_unset() ? std::move(formula) : cut(plain_text(code, symbols_));
+        nowhere || code.is_unset() ? std::move(formula) : plain_text(code, symbols_, kLongestText);
     if (intention != nullptr) cause->goals = goal_stack_text(*intention, symbols_);
     cause->line = place.line;
     cause->column = place.column;

@@ -9,9 +9,6 @@
 
 namespace jaywalk {
 
-/// So many bytes of a message, or of a formula, stand in the log.
-inline constexpr std::size_t kLongestLogged = 1000;
-
 struct DropCause {
   /// "action_failed", "no_relevant", ... (LANGUAGE.md lists them).
   std::string error;

@@ -6,20 +6,24 @@
 #include <string>
 
 #include "interpreter/agent/circumstance/intention.h"
+#include "interpreter/term/print.h"
 #include "interpreter/term/symbol.h"
 
 namespace jaywalk {
 
-/// A term as text; of a literal without its annotations.
-[[nodiscard]] std::string plain_text(Value term, const SymbolTable& symbols);
+/// A term as text; of a literal without its annotations. With `most`, here and below: at most so
+/// many bytes, and "..." if that is not all.
+[[nodiscard]] std::string plain_text(Value term, const SymbolTable& symbols,
+                                     std::size_t most = kMaxTextBytes);
 
 /// The same of a literal's parts.
 [[nodiscard]] std::string literal_text(Predicate predicate, std::span<const Value> args,
-                                       const SymbolTable& symbols);
+                                       const SymbolTable& symbols,
+                                       std::size_t most = kMaxTextBytes);
 
 /// The goal of a means: `cross(left)`; `-g` for its failure, `+b` of a belief's event.
 [[nodiscard]] std::string goal_text(const Intention& intention, const IntendedMeans& means,
-                                    const SymbolTable& symbols);
+                                    const SymbolTable& symbols, std::size_t most = kMaxTextBytes);
 
 /// The outermost first, each with the line that it has come to: `go (x.asl:2) > cross (x.asl:5)`.
 /// Of a deep stack the goals in the middle are left out.

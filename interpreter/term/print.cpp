@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
 #include "interpreter/term/walk.h"
 
 namespace jaywalk {
@@ -61,8 +62,9 @@ constexpr double kLongLimit = 9223372036854775808.0;
 class Printer {
  public:
   enum class Strings { as_they_are, escaped };
-  Printer(std::string& out, const SymbolTable& symbols, Strings strings = Strings::as_they_are)
-      : out_(out), symbols_(symbols), strings_(strings) {}
+  Printer(std::string& out, const SymbolTable& symbols, Strings strings = Strings::as_they_are,
+          std::size_t most = kMaxTextBytes)
+      : out_(out), symbols_(symbols), strings_(strings), most_(most) {}
 
   void term(Value value) {
     value = deref(value);
@@ -104,7 +106,7 @@ class Printer {
  private:
   // A term that shares its parts may be small, and its text longer than any memory.
   void check_length() const {
-    if (out_.size() > kMaxTextBytes) throw HeapExhausted{};
+    if (out_.size() > most_) throw HeapExhausted{};
   }
 
   // What has no name gets a number, in the order of the text: the number of its making would show
@@ -373,6 +375,7 @@ class Printer {
   std::string& out_;
   const SymbolTable& symbols_;
   Strings strings_;
+  std::size_t most_;
   TermWalk walk_;
   std::vector<const Variable*> unnamed_;
 };
@@ -409,6 +412,16 @@ std::string term_text(Value term, const SymbolTable& symbols) {
   std::string out;
   append_term(out, term, symbols);
   return out;
+}
+
+std::string brief_text(Value term, const SymbolTable& symbols, std::size_t most) {
+  std::string out;
+  try {
+    Printer(out, symbols, Printer::Strings::as_they_are, most).term(term);
+  } catch (const HeapExhausted&) {
+    if (out.size() <= most) return out + "...";  // a walk that is too long, not a text
+  }
+  return shortened(out, most);
 }
 
 std::string source_text(Value term, const SymbolTable& symbols) {

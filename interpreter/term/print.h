@@ -25,6 +25,14 @@ void append_number(std::string& out, double value);
 void append_term(std::string& out, Value term, const SymbolTable& symbols);
 [[nodiscard]] std::string term_text(Value term, const SymbolTable& symbols);
 
+/// So many bytes of a term, a message or a formula stand in the log.
+inline constexpr std::size_t kLongestLogged = 1000;
+
+/// For people: the beginning of a term's text, at most `most` bytes, and "..." if that is not all.
+/// It takes no longer for terms whose whole text no memory holds.
+[[nodiscard]] std::string brief_text(Value term, const SymbolTable& symbols,
+                                     std::size_t most = kLongestLogged);
+
 /// The term as it would be written in a program: strings are escaped so that they read back.
 [[nodiscard]] std::string source_text(Value term, const SymbolTable& symbols);
 

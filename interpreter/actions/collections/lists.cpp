@@ -75,7 +75,7 @@ using SetOperation = std::vector<Value> (*)(const std::vector<Value>& a,
 Outcome combine_sets(ActionCall& call, SetOperation operation) {
   const auto not_a_list = [&](std::string_view place, Value arg, std::string_view end) {
     return call.wrong_arguments(fmt::format("{} argument '{}'is not a list{}.", place,
-                                            term_text(arg, call.symbols()), end));
+                                            brief_text(arg, call.symbols()), end));
   };
   if (!call.arg(0).is_list()) return not_a_list("first", call.arg(0), "");
   if (!call.arg(1).is_list()) return not_a_list("second", call.arg(1), "");
@@ -174,12 +174,12 @@ Outcome nth(ActionCall& call) {
   if (!index.is_number() && !index.is_variable()) {
     return call.wrong_arguments(
         fmt::format("the first argument should be numeric or a variable -- not '{}'.",
-                    term_text(index, call.symbols())));
+                    brief_text(index, call.symbols())));
   }
   if (!whole.is_list() && !whole.is_text()) {
     return call.wrong_arguments(
         fmt::format("the second argument should be a list or string and not '{}'.",
-                    term_text(whole, call.symbols())));
+                    brief_text(whole, call.symbols())));
   }
   if (index.is_number()) {
     const std::int32_t at = java_int(index.as_number());
@@ -216,7 +216,7 @@ Outcome reverse(ActionCall& call) {
   const bool fits = value.is_list() ? result.is_list() : result.is_text();
   if (!fits && !result.is_variable()) {
     return call.wrong_arguments(fmt::format("last argument '{}' must be a {} or a variable.",
-                                            term_text(result, call.symbols()),
+                                            brief_text(result, call.symbols()),
                                             value.is_list() ? "list" : "string"));
   }
   if (!value.is_list()) {
@@ -224,7 +224,7 @@ Outcome reverse(ActionCall& call) {
       return call.wrong_arguments(
           fmt::format("first argument of .reverse '{}' must be a string or "
                       "a list",
-                      term_text(value, call.symbols())));
+                      brief_text(value, call.symbols())));
     }
     return call.result(1, call.heap().text(reversed_text(value.text()->view())));
   }
@@ -287,7 +287,7 @@ Outcome range(ActionCall& call) {
   for (std::size_t i = 1; i < call.count(); ++i) {
     if (call.arg(i).is_number()) continue;
     return call.wrong_arguments(fmt::format("{} parameter ('{}') must be a number!", kPlaces.at(i),
-                                            term_text(call.arg(i), call.symbols())));
+                                            brief_text(call.arg(i), call.symbols())));
   }
   // Jason counts in whole numbers.
   const std::int64_t first = java_int(call.arg(1).as_number());

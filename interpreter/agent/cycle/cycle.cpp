@@ -221,7 +221,7 @@ void Agent::process_feedback() {
   ActionError error;
   error.id = "action_failed";
   error.message = feedback.reason.empty()
-                      ? "action " + term_text(feedback.literal, symbols_) + " failed"
+                      ? "action " + brief_text(feedback.literal, symbols_) + " failed"
                       : feedback.reason;
   fail(intention, error);
 }

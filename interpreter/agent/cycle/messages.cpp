@@ -204,7 +204,7 @@ void Agent::end_ask(const PendingAsk& ask, Value answer) {
   error.id = "ask_failed";
   error.message = fmt::format(
       "reply of an ask message ('{}') does not unify with fourth argument of .send ('{}')",
-      term_text(answer, symbols_), term_text(ask.answer, symbols_));
+      brief_text(answer, symbols_), brief_text(ask.answer, symbols_));
   fail_waiting(intention, error);
 }
 
@@ -234,9 +234,7 @@ Value Agent::add_source(Value literal, Value sender) {
 }
 
 std::string Agent::trigger_text(const Event& event) const {
-  std::string text = trigger_operator(event.op, event.kind);
-  append_term(text, event.literal, symbols_);
-  return text;
+  return trigger_operator(event.op, event.kind) + brief_text(event.literal, symbols_);
 }
 
 std::string Agent::plan_name(const Plan& plan) const {

@@ -199,7 +199,7 @@ void Agent::fail_test(Intention& intention, const Step& step) {
                   "Failed to test '" +
                       (step.kind == Step::Kind::test
                            ? text_as_written(machine().unifier(), *intention.top().plan, step)
-                           : term_text(term, symbols_)) +
+                           : brief_text(term, symbols_)) +
                       "'"));
 }
 

@@ -20,7 +20,7 @@ ActionError variable_error(std::string id, Unifier& unifier, const Plan& plan, c
     message += "The operator is lost with the variable " + name + " unified with a plan body.";
   } else {
     message += "Variable " + name + " must be a Literal and not '" +
-               term_text(value, unifier.symbols()) + "'.";
+               brief_text(value, unifier.symbols()) + "'.";
   }
   ActionError error;
   error.id = std::move(id);

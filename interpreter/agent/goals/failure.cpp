@@ -156,8 +156,7 @@ void Agent::lose(Intention& intention, const ActionError& error, Value code) {
         "{}no failure event was generated: {}{}{}{}{}",
         cause.line == 0 ? "" : fmt::format("{}:{}:{}: ", cause.file, cause.line, cause.column),
         error.id, error.message.empty() ? "" : ": " + shortened(error.message, kLongestLogged),
-        code.is_unset() ? "" : " in ",
-        code.is_unset() ? "" : shortened(term_text(code, symbols_), kLongestLogged),
+        code.is_unset() ? "" : " in ", code.is_unset() ? "" : brief_text(code, symbols_),
         drop_details(intention, cause)));
   }
   const bool of_belief = !intention.is_finished() && !intention.top().is_goal();

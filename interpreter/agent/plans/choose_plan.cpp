@@ -10,6 +10,7 @@
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/text.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk {
 namespace {

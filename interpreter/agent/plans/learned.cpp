@@ -112,7 +112,7 @@ bool Agent::observe_for(const Plan& plan, std::vector<double>& features, ActionE
   }
   if (rest.is_empty_list()) return true;
   error.message = fmt::format("observation({}, {}) is to be a list of numbers", policy,
-                              term_text(list, symbols_));
+                              brief_text(list, symbols_));
   return false;
 }
 

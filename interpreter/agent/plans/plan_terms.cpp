@@ -68,7 +68,7 @@ Value Agent::as_template(Value term, std::vector<Symbol>& slot_names) {
 
 bool Agent::add_plan_term(Value term, Value source, Place place, std::string& problem) {
   if (!term.is_structure() || term.structure()->form() != Form::plan) {
-    problem = term_text(term, symbols_) + " is not a plan";
+    problem = brief_text(term, symbols_) + " is not a plan";
     return false;
   }
   heap_.require_room();
@@ -82,7 +82,7 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
   const std::shared_ptr<Plan> plan =
       compile_plan(made, std::move(names), machine().actions(), symbols_);
   if (plan == nullptr) {
-    problem = term_text(term, symbols_) + " has no trigger";
+    problem = brief_text(term, symbols_) + " has no trigger";
     return false;
   }
   plan->file = program_->name();

@@ -71,7 +71,7 @@ bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   if (!is_form(term, Form::expression)) {
     if (is_form(term, Form::decorated)) return false;
     if (functions_ != nullptr) {
-      functions_->warn("arithmetic on " + term_text(term, symbols_) + ", which is not a number");
+      functions_->warn("arithmetic on " + brief_text(term, symbols_) + ", which is not a number");
     }
     result = std::numeric_limits<double>::quiet_NaN();
     return true;

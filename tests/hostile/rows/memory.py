@@ -26,11 +26,17 @@ def society(name, files, says, code=0, *options, most_mb=MB * 1.2, **more):
                    files=files, most_mb=most_mb, **more)
 
 
+SHARED = "!go(a,60). +!go(_,0). +!go(T,N) <- {}; !go(f(T,T),N-1).\n"  # a small term, and a text that no memory holds
+BRIEF = {"most_mb": MB, "most": 120_000, "seconds": 2}
+
 ROWS = [
+    program("arithmetic on a term that shares its parts", SHARED.format("X = T-1"), 0, "which is not a number", *BOUND, **BRIEF),
+    program("a goal with a term that shares its parts, and no plan", SHARED.format("!!unknown(T)"), 0, "unknown(f(f(", *BOUND, **BRIEF),
+    program("a failure within a goal with such a term", SHARED.format("!!fails(T)") + "+!fails(_) <- .fail.\n", 0, "goals: fails(a)", *BOUND, **BRIEF),
     held("beliefs without end", "!go(0). +!go(N) <- +b(N); !go(N+1).\n"),
     held("goals without end", "!go. +!go <- !go; a.\n"),
     held("goals without end, handled", f"!top. +!top <- !go. +!go <- !go; a. {HANDLED.replace('-!go', '-!top')}\n", "limit: the agent's " + FULL),
-    held("a term that doubles", "!go. +!go <- !d(x). +!d(T) <- !d(f(T,T)); a.\n", "2000 deep"),
+    held("a term that doubles", "!go. +!go <- !d(x). +!d(T) <- !d(f(T,T)); a.\n"),
     held("a list without end", "!go. +!go <- !l([]). +!l(L) <- !l([x|L]); a.\n", most=3_000_000),
     program("a list that doubles", "!go. +!go <- !l([1,2,3]). +!l(L) <- .concat(L,L,M); !l(M).\n", 0, "memory",
             *BOUND, most_mb=MB * 1.5),  # the message has texts of the list

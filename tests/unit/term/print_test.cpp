@@ -141,6 +141,26 @@ TEST(Print, RefusesTermsThatContainThemselves) {
   EXPECT_THROW((void)term_text(variable, terms.symbols), TermTooDeep);
 }
 
+TEST(BriefText, IsTheWholeTextOrItsBeginning) {
+  test::Terms terms;
+  const Value term = terms.term("f(abc, [1, 2], g(x))");
+  EXPECT_EQ(brief_text(term, terms.symbols), "f(abc,[1,2],g(x))");
+  EXPECT_EQ(brief_text(term, terms.symbols, 17), "f(abc,[1,2],g(x))");
+  EXPECT_EQ(brief_text(term, terms.symbols, 16), "f(abc,[1,2],g(x)...");
+  EXPECT_EQ(brief_text(term, terms.symbols, 4), "f(ab...");
+}
+
+TEST(BriefText, OfATermWhoseTextNoMemoryHoldsIsShort) {
+  test::Terms terms;
+  Value term = Value::atom(predicates::self);
+  for (int i = 0; i < 60; ++i) {
+    term = terms.heap.list(std::vector<Value>{term, term});
+  }
+  const std::string text = brief_text(term, terms.symbols, 100);
+  EXPECT_EQ(text.size(), 103U);
+  EXPECT_TRUE(text.starts_with("[[[[")) << text;
+}
+
 TEST(Print, RefusesListsThatEndInThemselves) {
   test::Terms terms;
   const Value tail = terms.term("T");
