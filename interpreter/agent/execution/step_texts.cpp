@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
@@ -10,16 +11,17 @@ namespace {
 std::string source_of(Unifier& unifier, const Plan& plan, const Step& step) {
   unifier.set_slot_names(plan.slot_names);
   ScratchSlots slots(unifier, plan.slot_count);
-  return term_text(unifier.instantiate(step.source, slots.data()), unifier.symbols());
+  return brief_text(unifier.instantiate(step.source, slots.data()), unifier.symbols());
 }
 
-// The formulas that are left.
+// The formulas that are left; a body may have thousands.
 std::string texts_from(Unifier& unifier, const Plan& plan, const Step* step) {
   std::string text;
   for (; step != nullptr; step = step->next) {
     if (step->source.is_unset()) continue;  // the end of a branch
     if (!text.empty()) text += "; ";
     text += source_of(unifier, plan, *step);
+    if (text.size() > kLongestLogged) return shortened(text, kLongestLogged);
   }
   return text;
 }
@@ -31,7 +33,7 @@ std::string values_of(Unifier& unifier, const Plan& plan, const Value* frame) {
     if (plan.slot_names[i] == names::unnamed || value.is_unset() || value.is_variable()) continue;
     if (!text.empty()) text += ", ";
     text += fmt::format("{}={}", unifier.symbols().text(plan.slot_names[i]),
-                        term_text(value, unifier.symbols()));
+                        brief_text(value, unifier.symbols()));
   }
   return text;
 }

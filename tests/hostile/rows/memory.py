@@ -31,6 +31,10 @@ BRIEF = {"most_mb": MB, "most": 120_000, "seconds": 2}
 
 ROWS = [
     program("arithmetic on a term that shares its parts", SHARED.format("X = T-1"), 0, "which is not a number", *BOUND, **BRIEF),
+    program("a constraint on a term that shares its parts", SHARED.format("!!fails(T)") + "+!fails(T) <- X = T; X == 1.\n", 0,
+            ["Constraint", "un={T=f(f(f("], *BOUND, **BRIEF),
+    program("a constraint before many formulas", "!go(50). +!go(0). +!go(N) <- !!fails; !go(N-1). +!fails <- 1 == 2" + "; a(1)" * 20_000 + ".\n", 0,
+            "Constraint (1 == 2); a(1); a(1)", *BOUND, **BRIEF),
     program("a goal with a term that shares its parts, and no plan", SHARED.format("!!unknown(T)"), 0, "unknown(f(f(", *BOUND, **BRIEF),
     program("a failure within a goal with such a term", SHARED.format("!!fails(T)") + "+!fails(_) <- .fail.\n", 0, "goals: fails(a)", *BOUND, **BRIEF),
     held("beliefs without end", "!go(0). +!go(N) <- +b(N); !go(N+1).\n"),
