@@ -225,14 +225,16 @@ void Builder::rule_brace() {
   const std::size_t count = formulas_.size() - frame.formulas;
   const FormulaValue head = count == 1 ? formulas_.back() : FormulaValue{};
   formulas_.resize(frame.formulas);
-  Node* const node = make_node(Kind::rule, {});
-  if (count == 1 && head.formula.op == BodyOperator::none &&
-      head.formula.node->kind == Kind::literal) {
-    const std::array<const Node*, 2> parts = {head.formula.node, body.node};
-    node->args = copy<const Node*>(parts);
-  } else {
+  const bool has_head = count == 1 && head.formula.op == BodyOperator::none &&
+                        head.formula.node->kind == Kind::literal;
+  if (!has_head) {
     error(frame.begin->span, "the head of a rule must be a literal");
+    push_value(make_node(Kind::body, {}), 1);  // checks go on, and a rule has a head to them
+    return;
   }
+  Node* const node = make_node(Kind::rule, {});
+  const std::array<const Node*, 2> parts = {head.formula.node, body.node};
+  node->args = copy<const Node*>(parts);
   push_value(node, std::max(head.depth, body.depth) + 1);
 }
 
