@@ -55,7 +55,8 @@ TEST(TimedCourses, LookTheWayOfTheStepThatBegins) {
   recording.add(Scene{{0, 0, 0, 1.5}, {19, 6, 1, 3}});
   recording.add(Scene{{0, 0, 0, 1.5}, {19, 6, 0, 3}});
   std::vector<double> headings;
-  for (const Waypoint& point : timed_courses(recording).courses[1].points) {
+  const Courses courses = timed_courses(recording);
+  for (const Waypoint& point : courses.courses[1].points) {
     headings.push_back(point.heading_rad);
   }
   EXPECT_EQ(headings, (std::vector<double>{1.5, 3, 3, 3}));
