@@ -1,0 +1,145 @@
+// Programs that are loaded while a system runs.
+
+#include "interpreter/embed/program_loader.h"
+
+#include <chrono>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace jaywalk {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder with programs and another one beside it.
+class Loader : public testing::Test {
+ protected:
+  Loader() {
+    std::string pattern = (fs::temp_directory_path() / "loader-XXXXXX").string();
+    root_ = ::mkdtemp(pattern.data());
+    fs::create_directories(root_ / "own");
+    fs::create_directories(root_ / "other");
+  }
+  ~Loader() override { fs::remove_all(root_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(root_ / name) << text;
+  }
+  [[nodiscard]] std::string folder(const std::string& name) const {
+    return (root_ / name).string();
+  }
+
+  std::shared_ptr<const Program> load(ProgramLoader& loader, const ProgramRequest& request) {
+    error_.clear();
+    return loader.load(request, symbols_, error_);
+  }
+  ProgramLoader loader(IncludePath path = {}) const { return {folder("own"), std::move(path)}; }
+
+  fs::path root_;
+  SymbolTable symbols_;
+  std::string error_;
+};
+
+TEST_F(Loader, FindsProgramsInItsFolder) {
+  write("own/a.asl", "b(1).\n+!g.\n");
+  ProgramLoader programs = loader();
+  const auto program = load(programs, {.file = "a.asl"});
+  ASSERT_NE(program, nullptr) << error_;
+  EXPECT_EQ(program->beliefs().size(), 1U);
+  EXPECT_EQ(error_, "");
+}
+
+TEST_F(Loader, LooksInItsOwnFolderBeforeThoseOfTheIncludePath) {
+  write("own/a.asl", "b(1).\n");
+  write("other/a.asl", "b(1). b(2).\n");
+  write("other/c.asl", "b(1). b(2). b(3).\n");
+  IncludePath path;
+  path.folders = {folder("other")};
+  ProgramLoader programs = loader(path);
+  EXPECT_EQ(load(programs, {.file = "a.asl"})->beliefs().size(), 1U);
+  EXPECT_EQ(load(programs, {.file = "c.asl"})->beliefs().size(), 3U);
+}
+
+TEST_F(Loader, ReadsAFileOnceAsLongAsItDoesNotChange) {
+  write("own/a.asl", "b(1).\n");
+  ProgramLoader programs = loader();
+  const auto first = load(programs, {.file = "a.asl"});
+  EXPECT_EQ(load(programs, {.file = "a.asl"}), first);
+  write("own/a.asl", "b(1). b(2).\n");
+  fs::last_write_time(root_ / "own/a.asl",
+                      fs::last_write_time(root_ / "own/a.asl") + std::chrono::seconds(5));
+  const auto second = load(programs, {.file = "a.asl"});
+  ASSERT_NE(second, nullptr);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(second->beliefs().size(), 2U);
+  EXPECT_EQ(first->beliefs().size(), 1U) << "of agents that run already";
+}
+
+TEST_F(Loader, CompilesAFileAnewForAnotherPurpose) {
+  write("own/a.asl", "b(1).\n");
+  ProgramLoader programs = loader();
+  const auto plain = load(programs, {.file = "a.asl"});
+  EXPECT_NE(load(programs, {.file = "a.asl", .included = true}), plain);
+  EXPECT_NE(load(programs, {.file = "a.asl", .ns = "n"}), plain);
+}
+
+TEST_F(Loader, TakesNoFileForAnEmptyProgram) {
+  ProgramLoader programs = loader();
+  const auto program = load(programs, {.file = ""});
+  ASSERT_NE(program, nullptr) << error_;
+  EXPECT_TRUE(program->beliefs().empty());
+}
+
+TEST_F(Loader, SaysThatAFileIsNotThere) {
+  ProgramLoader programs = loader();
+  EXPECT_EQ(load(programs, {.file = "none.asl"}), nullptr);
+  EXPECT_THAT(error_, HasSubstr("none.asl"));
+}
+
+TEST_F(Loader, SaysWhereTheFirstMistakeIs) {
+  write("own/a.asl", "b(1).\n+!g <- ?.\n+!h <- ?.\n");
+  ProgramLoader programs = loader();
+  EXPECT_EQ(load(programs, {.file = "a.asl"}), nullptr);
+  EXPECT_THAT(error_, HasSubstr("a.asl:2:"));
+}
+
+TEST_F(Loader, ReadsNothingThatItsProgramsMayNotRead) {
+  write("other/secret.asl", "b(1).\n");
+  ProgramLoader programs = loader();
+  EXPECT_EQ(load(programs, {.file = folder("other") + "/secret.asl"}), nullptr);
+  EXPECT_THAT(error_, HasSubstr("cannot read"));
+  EXPECT_EQ(load(programs, {.file = "../other/secret.asl"}), nullptr);
+  EXPECT_THAT(error_, HasSubstr("cannot read"));
+}
+
+TEST_F(Loader, ReadsFoldersThatItIsAllowedTo) {
+  write("other/open.asl", "b(1).\n");
+  IncludePath path;
+  path.files.allow_reading(folder("other"));
+  ProgramLoader programs = loader(path);
+  EXPECT_NE(load(programs, {.file = folder("other") + "/open.asl"}), nullptr) << error_;
+}
+
+TEST_F(Loader, TakesTextsThatAreGivenInPlaceOfFiles) {
+  write("own/a.asl", "b(1).\n");
+  IncludePath path;
+  path.given = {{"a.asl", "b(1). b(2).\n"}};
+  ProgramLoader programs = loader(path);
+  EXPECT_EQ(load(programs, {.file = "a.asl"})->beliefs().size(), 2U);
+}
+
+TEST_F(Loader, LoadsAProgramWithoutAnIncludeThatHasAMistake) {
+  write("own/a.asl", "{ include(\"b.asl\") }\nb(1).\n");
+  write("own/b.asl", "+!g <- ?.\n");
+  ProgramLoader programs = loader();
+  const auto program = load(programs, {.file = "a.asl"});
+  ASSERT_NE(program, nullptr);
+  EXPECT_EQ(program->beliefs().size(), 1U);
+  EXPECT_THAT(error_, HasSubstr("b.asl:1:")) << "which is said as well";
+}
+
+}  // namespace
+}  // namespace jaywalk
