@@ -23,7 +23,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::unique_ptr<ResultsReader> open(const std::string& path) {
+std::unique_ptr<ResultsReader> opened(const std::string& path) {
   auto reader = ResultsReader::open(path);
   EXPECT_TRUE(reader.ok()) << reader.diagnostics().render();
   return std::move(reader).value();
@@ -31,7 +31,7 @@ std::unique_ptr<ResultsReader> open(const std::string& path) {
 
 std::vector<std::int64_t> ids_of(const std::string& path) {
   std::vector<std::int64_t> ids;
-  const std::vector<StoredTest> tests = open(path)->tests().value();
+  const std::vector<StoredTest> tests = opened(path)->tests().value();
   for (const StoredTest& test : tests) ids.push_back(test.id);
   return ids;
 }
@@ -49,7 +49,7 @@ class StoreParts : public StoreTest {
     return file(name);
   }
   std::string csv(const std::string& path) const {
-    return to_csv(open(path)->comparison().value());
+    return to_csv(opened(path)->comparison().value());
   }
 };
 
@@ -60,9 +60,10 @@ TEST_F(StoreParts, MergedAreTheWholeExperiment) {
   ASSERT_TRUE(outcome.ok()) << outcome.diagnostics().render();
   EXPECT_EQ(outcome.value().tests, 48U);
   EXPECT_EQ(outcome.value().planned, 48U);
-  EXPECT_TRUE(open(file("merged.gpkg"))->complete());
+  EXPECT_TRUE(opened(file("merged.gpkg"))->complete());
   EXPECT_EQ(csv(file("merged.gpkg")), csv(whole));
-  EXPECT_EQ(open(file("merged.gpkg"))->recording(30).value(), open(whole)->recording(30).value());
+  EXPECT_EQ(opened(file("merged.gpkg"))->recording(30).value(),
+            opened(whole)->recording(30).value());
 }
 
 TEST_F(StoreParts, MergeAlikeInWhateverOrderTheyAreNamed) {
@@ -78,7 +79,7 @@ TEST_F(StoreParts, MayOverlapWhereTheyAgree) {
       merge_stores(file("merged.gpkg"), {part("a.gpkg", 0, 30), part("b.gpkg", 10, 40)});
   ASSERT_TRUE(outcome.ok()) << outcome.diagnostics().render();
   EXPECT_EQ(outcome.value().tests, 40U) << "each once";
-  EXPECT_FALSE(open(file("merged.gpkg"))->complete());
+  EXPECT_FALSE(opened(file("merged.gpkg"))->complete());
   EXPECT_EQ(ids_of(file("merged.gpkg")).size(), 40U);
 }
 
@@ -127,7 +128,7 @@ TEST_F(StoreParts, CopiedHaveTheTestsOfTheirIdsAlone) {
   const std::vector<std::int64_t> wanted{3, 40, 7};
   ASSERT_EQ(copy_tests(whole, file("few.gpkg"), wanted), std::nullopt);
   EXPECT_THAT(ids_of(file("few.gpkg")), ElementsAre(3, 7, 40));
-  EXPECT_EQ(open(file("few.gpkg"))->recording(40).value(), open(whole)->recording(40).value());
+  EXPECT_EQ(opened(file("few.gpkg"))->recording(40).value(), opened(whole)->recording(40).value());
   EXPECT_EQ(ids_of(whole).size(), 48U) << "which stays as it is";
 }
 
