@@ -1,7 +1,6 @@
 #include "experiment/export/openscenario/opendrive.h"
 
 #include <cmath>
-#include <regex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,9 +27,11 @@ std::size_t occurrences(const std::string& text, std::string_view of) {
 /// The numbers of an attribute, in the order of the document.
 std::vector<double> attributes(const std::string& text, const std::string& name) {
   std::vector<double> values;
-  const std::regex pattern(" " + name + "=\"([-0-9.e]+)\"");
-  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
-    values.push_back(std::stod((*it)[1].str()));
+  const std::string begin = " " + name + "=\"";
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
+    const std::string value =
+        text.substr(at + begin.size(), text.find('"', at + begin.size()) - at);
+    if (value.find_first_of("-.0123456789") == 0) values.push_back(std::stod(value));
   }
   return values;
 }
