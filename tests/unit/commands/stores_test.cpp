@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/helpers/folder.h"
 #include "tests/helpers/run_command.h"
-#include "tests/unit/commands/folder.h"
 
 namespace jaywalk {
 namespace {

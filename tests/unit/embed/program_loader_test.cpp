@@ -3,10 +3,12 @@
 #include "interpreter/embed/program_loader.h"
 
 #include <chrono>
-#include <fstream>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/helpers/folder.h"
 
 namespace jaywalk {
 namespace {
@@ -15,36 +17,22 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// A folder with programs and another one beside it.
-class Loader : public testing::Test {
+class Loader : public FolderTest {
  protected:
-  Loader() {
-    std::string pattern = (fs::temp_directory_path() / "loader-XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-    fs::create_directories(root_ / "own");
-    fs::create_directories(root_ / "other");
-  }
-  ~Loader() override { fs::remove_all(root_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(root_ / name) << text;
-  }
-  [[nodiscard]] std::string folder(const std::string& name) const {
-    return (root_ / name).string();
-  }
-
   std::shared_ptr<const Program> load(ProgramLoader& loader, const ProgramRequest& request) {
     error_.clear();
     return loader.load(request, symbols_, error_);
   }
-  ProgramLoader loader(IncludePath path = {}) const { return {folder("own"), std::move(path)}; }
+  ProgramLoader loader(IncludePath includes = {}) const {
+    return {path("own"), std::move(includes)};
+  }
 
-  fs::path root_;
   SymbolTable symbols_;
   std::string error_;
 };
 
 TEST_F(Loader, FindsProgramsInItsFolder) {
-  write("own/a.asl", "b(1).\n+!g.\n");
+  file("own/a.asl", "b(1).\n+!g.\n");
   ProgramLoader programs = loader();
   const auto program = load(programs, {.file = "a.asl"});
   ASSERT_NE(program, nullptr) << error_;
@@ -53,24 +41,24 @@ TEST_F(Loader, FindsProgramsInItsFolder) {
 }
 
 TEST_F(Loader, LooksInItsOwnFolderBeforeThoseOfTheIncludePath) {
-  write("own/a.asl", "b(1).\n");
-  write("other/a.asl", "b(1). b(2).\n");
-  write("other/c.asl", "b(1). b(2). b(3).\n");
-  IncludePath path;
-  path.folders = {folder("other")};
-  ProgramLoader programs = loader(path);
+  file("own/a.asl", "b(1).\n");
+  file("other/a.asl", "b(1). b(2).\n");
+  file("other/c.asl", "b(1). b(2). b(3).\n");
+  IncludePath includes;
+  includes.folders = {path("other")};
+  ProgramLoader programs = loader(includes);
   EXPECT_EQ(load(programs, {.file = "a.asl"})->beliefs().size(), 1U);
   EXPECT_EQ(load(programs, {.file = "c.asl"})->beliefs().size(), 3U);
 }
 
 TEST_F(Loader, ReadsAFileOnceAsLongAsItDoesNotChange) {
-  write("own/a.asl", "b(1).\n");
+  file("own/a.asl", "b(1).\n");
   ProgramLoader programs = loader();
   const auto first = load(programs, {.file = "a.asl"});
   EXPECT_EQ(load(programs, {.file = "a.asl"}), first);
-  write("own/a.asl", "b(1). b(2).\n");
-  fs::last_write_time(root_ / "own/a.asl",
-                      fs::last_write_time(root_ / "own/a.asl") + std::chrono::seconds(5));
+  file("own/a.asl", "b(1). b(2).\n");
+  fs::last_write_time(path("own/a.asl"),
+                      fs::last_write_time(path("own/a.asl")) + std::chrono::seconds(5));
   const auto second = load(programs, {.file = "a.asl"});
   ASSERT_NE(second, nullptr);
   EXPECT_NE(second, first);
@@ -79,7 +67,7 @@ TEST_F(Loader, ReadsAFileOnceAsLongAsItDoesNotChange) {
 }
 
 TEST_F(Loader, CompilesAFileAnewForAnotherPurpose) {
-  write("own/a.asl", "b(1).\n");
+  file("own/a.asl", "b(1).\n");
   ProgramLoader programs = loader();
   const auto plain = load(programs, {.file = "a.asl"});
   EXPECT_NE(load(programs, {.file = "a.asl", .included = true}), plain);
@@ -100,40 +88,40 @@ TEST_F(Loader, SaysThatAFileIsNotThere) {
 }
 
 TEST_F(Loader, SaysWhereTheFirstMistakeIs) {
-  write("own/a.asl", "b(1).\n+!g <- ?.\n+!h <- ?.\n");
+  file("own/a.asl", "b(1).\n+!g <- ?.\n+!h <- ?.\n");
   ProgramLoader programs = loader();
   EXPECT_EQ(load(programs, {.file = "a.asl"}), nullptr);
   EXPECT_THAT(error_, HasSubstr("a.asl:2:"));
 }
 
 TEST_F(Loader, ReadsNothingThatItsProgramsMayNotRead) {
-  write("other/secret.asl", "b(1).\n");
+  file("other/secret.asl", "b(1).\n");
   ProgramLoader programs = loader();
-  EXPECT_EQ(load(programs, {.file = folder("other") + "/secret.asl"}), nullptr);
+  EXPECT_EQ(load(programs, {.file = path("other") + "/secret.asl"}), nullptr);
   EXPECT_THAT(error_, HasSubstr("cannot read"));
   EXPECT_EQ(load(programs, {.file = "../other/secret.asl"}), nullptr);
   EXPECT_THAT(error_, HasSubstr("cannot read"));
 }
 
 TEST_F(Loader, ReadsFoldersThatItIsAllowedTo) {
-  write("other/open.asl", "b(1).\n");
-  IncludePath path;
-  path.files.allow_reading(folder("other"));
-  ProgramLoader programs = loader(path);
-  EXPECT_NE(load(programs, {.file = folder("other") + "/open.asl"}), nullptr) << error_;
+  file("other/open.asl", "b(1).\n");
+  IncludePath includes;
+  includes.files.allow_reading(path("other"));
+  ProgramLoader programs = loader(includes);
+  EXPECT_NE(load(programs, {.file = path("other") + "/open.asl"}), nullptr) << error_;
 }
 
 TEST_F(Loader, TakesTextsThatAreGivenInPlaceOfFiles) {
-  write("own/a.asl", "b(1).\n");
-  IncludePath path;
-  path.given = {{"a.asl", "b(1). b(2).\n"}};
-  ProgramLoader programs = loader(path);
+  file("own/a.asl", "b(1).\n");
+  IncludePath includes;
+  includes.given = {{"a.asl", "b(1). b(2).\n"}};
+  ProgramLoader programs = loader(includes);
   EXPECT_EQ(load(programs, {.file = "a.asl"})->beliefs().size(), 2U);
 }
 
 TEST_F(Loader, LoadsAProgramWithoutAnIncludeThatHasAMistake) {
-  write("own/a.asl", "{ include(\"b.asl\") }\nb(1).\n");
-  write("own/b.asl", "+!g <- ?.\n");
+  file("own/a.asl", "{ include(\"b.asl\") }\nb(1).\n");
+  file("own/b.asl", "+!g <- ?.\n");
   ProgramLoader programs = loader();
   const auto program = load(programs, {.file = "a.asl"});
   ASSERT_NE(program, nullptr);

@@ -8,28 +8,18 @@
 #include "env/config/parameter_settings.h"
 #include "env/config/reader.h"
 #include "env/config/section_reader.h"
+#include "tests/helpers/config_nodes.h"
 
 namespace jaywalk {
 namespace {
 
+using test::list;
+using test::map;
+using test::nothing;
+using test::scalar;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-ConfigNode scalar(std::string text) {
-  return {.kind = ConfigNode::Kind::scalar, .text = std::move(text), .origin = {{}, "here"}};
-}
-ConfigNode list(const std::vector<std::string>& texts) {
-  ConfigNode node{.kind = ConfigNode::Kind::list, .origin = {{}, "here"}};
-  for (const std::string& text : texts) node.items.push_back(scalar(text));
-  return node;
-}
-ConfigNode map(std::vector<std::pair<std::string, ConfigNode>> entries) {
-  ConfigNode node{.kind = ConfigNode::Kind::map, .origin = {{}, "here"}};
-  for (auto& [key, value] : entries) node.entries.push_back({key, {{}, "key " + key}, value});
-  return node;
-}
-ConfigNode nothing() { return {.origin = {{}, "here"}}; }
 
 /// A reader, and what it reports.
 struct Reading {

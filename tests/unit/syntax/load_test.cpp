@@ -1,54 +1,38 @@
 #include "interpreter/syntax/load.h"
 
 #include <filesystem>
-#include <fstream>
 #include <string>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "interpreter/support/excerpt.h"
+#include "tests/helpers/folder.h"
 #include "tests/unit/syntax/outline.h"
 
 namespace jaywalk {
 namespace {
 
 // A folder of its own for each test, for there are no includes without files.
-class Load : public testing::Test {
+class Load : public FolderTest {
  protected:
-  Load()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                ("jaywalk_load_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Load() override { std::filesystem::remove_all(folder_); }
-
-  std::string write(const std::string& name, const std::string& content) {
-    const std::filesystem::path path = folder_ / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path) << content;
-    return path.string();
-  }
-
   // The files of the tree by their names relative to the folder.
   [[nodiscard]] std::string files_of(const SourceTree& tree) const {
     std::string names;
     for (const auto& file : tree.files) {
-      const auto relative = std::filesystem::path(file->source->name()).lexically_relative(folder_);
+      const auto relative = std::filesystem::path(file->source->name()).lexically_relative(path());
       names += relative.generic_string() + " ";
     }
     return names;
   }
 
-  std::filesystem::path folder_;
   Diagnostics diagnostics_;
 };
 
 TEST_F(Load, ReadsIncludedFilesFromTheFolderOfTheIncludingOne) {
-  const std::string path = write("main.asl", "{ include(\"lib/a.asl\") } b.");
-  write("lib/a.asl", "{ include(\"b.asl\") } a.");
-  write("lib/b.asl", "c.");
-  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  const std::string start = file("main.asl", "{ include(\"lib/a.asl\") } b.");
+  file("lib/a.asl", "{ include(\"b.asl\") } a.");
+  file("lib/b.asl", "c.");
+  const SourceTree tree = load_agent(start, {}, diagnostics_);
   EXPECT_TRUE(diagnostics_.empty()) << diagnostics_.render();
   EXPECT_EQ(files_of(tree), "main.asl lib/a.asl lib/b.asl ");
   const ast::File* const included = tree.includes.at(&tree.main().components.front());
@@ -57,48 +41,46 @@ TEST_F(Load, ReadsIncludedFilesFromTheFolderOfTheIncludingOne) {
 }
 
 TEST_F(Load, FindsIncludesWithinBlocks) {
-  write("a.asl", "a.");
-  const std::string path =
-      write("main.asl", "{ begin namespace(n) } { include(\"a.asl\") } { end }");
-  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  file("a.asl", "a.");
+  const std::string start =
+      file("main.asl", "{ begin namespace(n) } { include(\"a.asl\") } { end }");
+  const SourceTree tree = load_agent(start, {}, diagnostics_);
   EXPECT_EQ(files_of(tree), "main.asl a.asl ");
 }
 
 TEST_F(Load, LooksInTheGivenFoldersInOrder) {
-  write("one/x.asl", "in(one).");
-  write("two/x.asl", "in(two).");
-  write("two/y.asl", "in(two).");
-  const std::string path = write("main.asl", "{ include(\"x.asl\") } { include(\"y.asl\") }");
-  const IncludePath folders = {.folders = {(folder_ / "one").string(), (folder_ / "two").string()},
-                               .mapped = {}};
-  EXPECT_EQ(files_of(load_agent(path, folders, diagnostics_)), "main.asl one/x.asl two/y.asl ");
+  file("one/x.asl", "in(one).");
+  file("two/x.asl", "in(two).");
+  file("two/y.asl", "in(two).");
+  const std::string start = file("main.asl", "{ include(\"x.asl\") } { include(\"y.asl\") }");
+  const IncludePath folders = {.folders = {path("one"), path("two")}, .mapped = {}};
+  EXPECT_EQ(files_of(load_agent(start, folders, diagnostics_)), "main.asl one/x.asl two/y.asl ");
 }
 
 TEST_F(Load, MapsPrefixesToFolders) {
-  write("jason/asl/meta.asl", "m.");
-  const std::string path = write("main.asl", "{ include(\"$jasonJar/asl/meta.asl\") }");
-  const IncludePath mapped = {.folders = {},
-                              .mapped = {{"$jasonJar", (folder_ / "jason").string()}}};
-  EXPECT_EQ(files_of(load_agent(path, mapped, diagnostics_)), "main.asl jason/asl/meta.asl ");
+  file("jason/asl/meta.asl", "m.");
+  const std::string start = file("main.asl", "{ include(\"$jasonJar/asl/meta.asl\") }");
+  const IncludePath mapped = {.folders = {}, .mapped = {{"$jasonJar", path("jason")}}};
+  EXPECT_EQ(files_of(load_agent(start, mapped, diagnostics_)), "main.asl jason/asl/meta.asl ");
   EXPECT_TRUE(diagnostics_.empty());
 
-  (void)load_agent(path, {}, diagnostics_);
+  (void)load_agent(start, {}, diagnostics_);
   ASSERT_EQ(diagnostics_.warning_count(), 1U);
   EXPECT_EQ(diagnostics_.items().front().hint, "say where it is with --map '$jasonJar=FOLDER'");
 }
 
 TEST_F(Load, FindsInstalledProgramsByTheirNames) {
-  write("lib/crossing/shared/a.asl", "{ include(\"b.asl\") } a.");
-  write("lib/crossing/shared/b.asl", "b.");
+  file("lib/crossing/shared/a.asl", "{ include(\"b.asl\") } a.");
+  file("lib/crossing/shared/b.asl", "b.");
   IncludePath installed;
-  installed.files = SourceFiles((folder_ / "lib").string());
-  const std::string path = write("main.asl", "{ include(\"$jaywalk/crossing/shared/a.asl\") }");
-  const SourceTree tree = load_agent(path, installed, diagnostics_);
+  installed.files = SourceFiles(path("lib"));
+  const std::string start = file("main.asl", "{ include(\"$jaywalk/crossing/shared/a.asl\") }");
+  const SourceTree tree = load_agent(start, installed, diagnostics_);
   EXPECT_TRUE(diagnostics_.empty()) << diagnostics_.render();
   ASSERT_EQ(tree.files.size(), 3U);
   EXPECT_EQ(tree.files[2]->source->name(), "$jaywalk/crossing/shared/b.asl");
 
-  const std::string slip = write("slip.asl", "{ include(\"$jaywalk/crossing/shared/c.asl\") }");
+  const std::string slip = file("slip.asl", "{ include(\"$jaywalk/crossing/shared/c.asl\") }");
   (void)load_agent(slip, installed, diagnostics_);
   ASSERT_EQ(diagnostics_.warning_count(), 1U);
   EXPECT_EQ(diagnostics_.items().front().code, "missing-include");
@@ -107,24 +89,24 @@ TEST_F(Load, FindsInstalledProgramsByTheirNames) {
 }
 
 TEST_F(Load, TakesInstalledProgramsForThoseThatAreNotBesideACopy) {
-  write("lib/crossing/shared/a.asl", "a(installed).");
+  file("lib/crossing/shared/a.asl", "a(installed).");
   IncludePath installed;
-  installed.files = SourceFiles((folder_ / "lib").string());
-  const std::string path = write("main.asl", "{ include(\"shared/a.asl\") }");
-  const SourceTree tree = load_agent(path, installed, diagnostics_);
+  installed.files = SourceFiles(path("lib"));
+  const std::string start = file("main.asl", "{ include(\"shared/a.asl\") }");
+  const SourceTree tree = load_agent(start, installed, diagnostics_);
   ASSERT_EQ(tree.files.size(), 2U);
   EXPECT_EQ(tree.files[1]->source->name(), "$jaywalk/crossing/shared/a.asl");
   ASSERT_EQ(diagnostics_.items().size(), 1U);
   EXPECT_EQ(diagnostics_.items().front().severity, Severity::note);
   EXPECT_EQ(diagnostics_.warning_count(), 0U);
 
-  write("shared/a.asl", "a(own).");
-  EXPECT_EQ(files_of(load_agent(path, installed, diagnostics_)), "main.asl shared/a.asl ");
+  file("shared/a.asl", "a(own).");
+  EXPECT_EQ(files_of(load_agent(start, installed, diagnostics_)), "main.asl shared/a.asl ");
 }
 
 TEST_F(Load, MakesErrorsOfMissingIncludesWhereTheyAreWanted) {
-  const std::string path = write("main.asl", "{ include(\"none.asl\") } b.");
-  (void)load_agent(path, {}, diagnostics_);
+  const std::string start = file("main.asl", "{ include(\"none.asl\") } b.");
+  (void)load_agent(start, {}, diagnostics_);
   diagnostics_ = with_errors(diagnostics_, kMissingInclude, kMissingIncludeHint);
   EXPECT_EQ(diagnostics_.error_count(), 1U);
   EXPECT_EQ(diagnostics_.warning_count(), 0U);
@@ -132,8 +114,8 @@ TEST_F(Load, MakesErrorsOfMissingIncludesWhereTheyAreWanted) {
 }
 
 TEST_F(Load, WarnsOfMissingIncludesAndGoesOn) {
-  const std::string path = write("main.asl", "{ include(\"none.asl\") } b.");
-  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  const std::string start = file("main.asl", "{ include(\"none.asl\") } b.");
+  const SourceTree tree = load_agent(start, {}, diagnostics_);
   EXPECT_FALSE(diagnostics_.has_errors());
   ASSERT_EQ(diagnostics_.warning_count(), 1U);
   EXPECT_EQ(diagnostics_.items().front().message, "cannot find 'none.asl', which is included here");
@@ -143,9 +125,9 @@ TEST_F(Load, WarnsOfMissingIncludesAndGoesOn) {
 }
 
 TEST_F(Load, ReadsOtherEncodingsWithAWarning) {
-  write("a.asl", "// Jos\xE9\nname(\"Jos\xE9\").");
-  const std::string path = write("main.asl", "{ include(\"a.asl\") } p('\xFF').");
-  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  file("a.asl", "// Jos\xE9\nname(\"Jos\xE9\").");
+  const std::string start = file("main.asl", "{ include(\"a.asl\") } p('\xFF').");
+  const SourceTree tree = load_agent(start, {}, diagnostics_);
   EXPECT_FALSE(diagnostics_.has_errors());
   ASSERT_EQ(diagnostics_.warning_count(), 2U);
   EXPECT_EQ(diagnostics_.items().front().code, "encoding");
@@ -156,9 +138,9 @@ TEST_F(Load, ReadsOtherEncodingsWithAWarning) {
 }
 
 TEST_F(Load, RefusesFilesThatIncludeThemselves) {
-  const std::string path = write("main.asl", "{ include(\"a.asl\") }");
-  write("a.asl", "{ include(\"main.asl\") } { include(\"main.asl\") }");
-  const SourceTree tree = load_agent(path, {}, diagnostics_);
+  const std::string start = file("main.asl", "{ include(\"a.asl\") }");
+  file("a.asl", "{ include(\"main.asl\") } { include(\"main.asl\") }");
+  const SourceTree tree = load_agent(start, {}, diagnostics_);
   EXPECT_EQ(files_of(tree), "main.asl a.asl ");
   EXPECT_EQ(diagnostics_.error_count(), 2U);
   EXPECT_TRUE(diagnostics_.items().front().message.ends_with("main.asl includes itself"));
@@ -168,21 +150,21 @@ TEST_F(Load, RefusesTooManyFiles) {
   // Each file includes the next twice.
   for (int i = 0; i < 20; ++i) {
     const std::string next = "{ include(\"f" + std::to_string(i + 1) + ".asl\") } ";
-    write("f" + std::to_string(i) + ".asl", next + next);
+    file("f" + std::to_string(i) + ".asl", next + next);
   }
-  const SourceTree tree = load_agent((folder_ / "f0.asl").string(), {}, diagnostics_);
+  const SourceTree tree = load_agent(path("f0.asl"), {}, diagnostics_);
   EXPECT_EQ(tree.files.size(), static_cast<std::size_t>(kMaxIncludedFiles) + 1);
   EXPECT_EQ(diagnostics_.error_count(), 1U);
 }
 
 TEST_F(Load, NeedsTheNameOfAFile) {
-  (void)load_agent(write("main.asl", "{ include(lib) }"), {}, diagnostics_);
+  (void)load_agent(file("main.asl", "{ include(lib) }"), {}, diagnostics_);
   ASSERT_TRUE(diagnostics_.has_errors());
   EXPECT_EQ(diagnostics_.items().front().message, "include needs the name of a file, a string");
 }
 
 TEST_F(Load, GivesAnEmptyProgramIfThereIsNone) {
-  const SourceTree tree = load_agent((folder_ / "none.asl").string(), {}, diagnostics_);
+  const SourceTree tree = load_agent(path("none.asl"), {}, diagnostics_);
   EXPECT_TRUE(diagnostics_.has_errors());
   EXPECT_TRUE(tree.main().components.empty());
 }

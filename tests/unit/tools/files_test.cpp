@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/helpers/folder.h"
 #include "tools/jaywalk/options/include_path.h"
 #include "tools/jaywalk/programs/program_files.h"
 #include "tools/jaywalk/run/trace_output.h"
@@ -17,33 +15,12 @@
 namespace jaywalk {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class Files : public testing::Test {
+class Files : public FolderTest {
  protected:
-  Files() {
-    std::string pattern = (fs::temp_directory_path() / "files-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~Files() override { fs::remove_all(folder_); }
-
-  std::string write(const std::string& name) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << "x";
-    return (folder_ / name).string();
-  }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-  static std::string content(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-
   /// The files that operands mean, of programs and projects.
   std::vector<std::string> expanded(const std::vector<std::string>& operands) {
     constexpr std::array<std::string_view, 2> kEndings{".asl", ".mas2j"};
@@ -52,7 +29,6 @@ class Files : public testing::Test {
     return files;
   }
 
-  fs::path folder_;
   Console console_{ColourChoice::never};
   bool all_ = true;
 };
@@ -64,38 +40,38 @@ TEST_F(Files, AreTakenAsTheyAreNamed) {
 }
 
 TEST_F(Files, OfAFolderAreThoseWithTheEndings) {
-  const std::string b = write("b.asl");
-  const std::string a = write("deep/er/a.asl");
-  const std::string project = write("c.mas2j");
-  (void)write("readme.txt");
-  EXPECT_THAT(expanded({folder_.string()}), ElementsAre(b, project, a)) << "by name";
+  const std::string b = file("b.asl", "x");
+  const std::string a = file("deep/er/a.asl", "x");
+  const std::string project = file("c.mas2j", "x");
+  (void)file("readme.txt", "x");
+  EXPECT_THAT(expanded({path()}), ElementsAre(b, project, a)) << "by name";
 }
 
 TEST_F(Files, OfEachFolderStayTogether) {
-  const std::string z = write("one/z.asl");
-  const std::string a = write("two/a.asl");
+  const std::string z = file("one/z.asl", "x");
+  const std::string a = file("two/a.asl", "x");
   EXPECT_THAT(expanded({path("one"), path("two")}), ElementsAre(z, a));
 }
 
 TEST_F(Files, ThatAreHiddenAreLeftOut) {
-  (void)write(".hidden.asl");
-  (void)write(".git/a.asl");
-  const std::string seen = write("seen.asl");
-  EXPECT_THAT(expanded({folder_.string()}), ElementsAre(seen));
+  (void)file(".hidden.asl", "x");
+  (void)file(".git/a.asl", "x");
+  const std::string seen = file("seen.asl", "x");
+  EXPECT_THAT(expanded({path()}), ElementsAre(seen));
 }
 
 TEST_F(Files, MayBeNoneOfAFolder) {
-  (void)write("readme.txt");
+  (void)file("readme.txt", "x");
   testing::internal::CaptureStderr();
-  EXPECT_THAT(expanded({folder_.string()}), IsEmpty());
+  EXPECT_THAT(expanded({path()}), IsEmpty());
   EXPECT_FALSE(all_);
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
               HasSubstr("no file .asl or .mas2j lies there"));
 }
 
 TEST_F(Files, AreNoFoldersWithAnEnding) {
-  const std::string inner = write("folder.asl/inner.asl");
-  EXPECT_THAT(expanded({folder_.string()}), ElementsAre(inner));
+  const std::string inner = file("folder.asl/inner.asl", "x");
+  EXPECT_THAT(expanded({path()}), ElementsAre(inner));
 }
 
 /// The include path of a command line, and what is wrong with it.
@@ -130,7 +106,7 @@ TEST_F(Files, ToIncludeHaveNoPrefixWithoutAName) {
 }
 
 TEST_F(Files, OfOtherFoldersAreReadOnlyWhereThereAreSuchFolders) {
-  EXPECT_TRUE(Included({"--allow-read", folder_.string()}).diagnostics.empty());
+  EXPECT_TRUE(Included({"--allow-read", path()}).diagnostics.empty());
   const Included included({"--allow-read", path("nowhere")});
   EXPECT_THAT(included.diagnostics.render(), HasSubstr("there is no folder"));
 }
@@ -142,7 +118,7 @@ TEST_F(Files, OfTracesHaveTheirPartsInTheOrderOfNumbers) {
   trace.add(1, "b\n");
   trace.add(3, "");
   EXPECT_EQ(trace.finish(), "");
-  EXPECT_EQ(content(path("trace.jsonl")), "a\nb\nc\n");
+  EXPECT_EQ(text("trace.jsonl"), "a\nb\nc\n");
 }
 
 TEST_F(Files, OfTracesKeepWhatCameAfterAGap) {
@@ -151,21 +127,21 @@ TEST_F(Files, OfTracesKeepWhatCameAfterAGap) {
   trace.add(5, "f\n");
   trace.add(3, "d\n");
   EXPECT_EQ(trace.finish(), "");
-  EXPECT_EQ(content(path("trace.jsonl")), "a\nd\nf\n");
+  EXPECT_EQ(text("trace.jsonl"), "a\nd\nf\n");
 }
 
 TEST_F(Files, OfTracesStandInTheirPlaceWhenTheyAreWhole) {
-  const std::string name = write("trace.jsonl");
+  const std::string name = file("trace.jsonl", "x");
   {
     TraceFile trace(name);
     trace.add(0, "new\n");
-    EXPECT_EQ(content(name), "x") << "what was there before";
+    EXPECT_EQ(text("trace.jsonl"), "x") << "what was there before";
   }
-  EXPECT_EQ(content(name), "x") << "it was given up";
+  EXPECT_EQ(text("trace.jsonl"), "x") << "it was given up";
   TraceFile trace(name);
   trace.add(0, "new\n");
   EXPECT_EQ(trace.finish(), "");
-  EXPECT_EQ(content(name), "new\n");
+  EXPECT_EQ(text("trace.jsonl"), "new\n");
 }
 
 TEST_F(Files, OfTracesSayWhyTheyCannotBeWritten) {
@@ -187,7 +163,7 @@ TEST_F(Files, OfTracesAreTheSameFromAnyThreads) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(trace.finish(), "");
-  EXPECT_EQ(content(path("trace.jsonl")), expected);
+  EXPECT_EQ(text("trace.jsonl"), expected);
 }
 
 }  // namespace

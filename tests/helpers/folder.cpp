@@ -1,15 +1,14 @@
-#include "tests/unit/commands/folder.h"
+#include "tests/helpers/folder.h"
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 namespace jaywalk {
 
-FolderTest::FolderTest()
-    : folder_(std::filesystem::path(testing::TempDir()) /
-              ("jaywalk_commands_" + std::to_string(::getpid()))) {
-  std::filesystem::create_directories(folder_);
+FolderTest::FolderTest() {
+  std::string pattern = (std::filesystem::path(testing::TempDir()) / "jaywalk_XXXXXX").string();
+  folder_ = ::mkdtemp(pattern.data());
 }
 
 FolderTest::~FolderTest() { std::filesystem::remove_all(folder_); }

@@ -1,6 +1,6 @@
 #pragma once
 
-// A folder of a test's own, in which commands read and write.
+// A folder of a test's own, which goes with it.
 
 #include <filesystem>
 #include <string>
@@ -15,10 +15,11 @@ class FolderTest : public testing::Test {
   FolderTest();
   ~FolderTest() override;
 
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
+  /// The folder itself, or what bears the name in it.
+  [[nodiscard]] std::string path(const std::string& name = {}) const {
+    return (name.empty() ? folder_ : folder_ / name).string();
   }
-  /// Writes a file; its path.
+  /// Writes a file, and makes the folders that it lies in; its path.
   std::string file(const std::string& name, std::string_view text) const;
   /// The text of a file; it fails the test if there is none.
   [[nodiscard]] std::string text(const std::string& name) const;
