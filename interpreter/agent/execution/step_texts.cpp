@@ -14,7 +14,7 @@ std::string source_of(Unifier& unifier, const Plan& plan, const Step& step) {
   return brief_text(unifier.instantiate(step.source, slots.data()), unifier.symbols());
 }
 
-// The formulas that are left; a body may have thousands.
+// The formulas that are left. A body may have thousands of them, and of variables.
 std::string texts_from(Unifier& unifier, const Plan& plan, const Step* step) {
   std::string text;
   for (; step != nullptr; step = step->next) {
@@ -34,6 +34,7 @@ std::string values_of(Unifier& unifier, const Plan& plan, const Value* frame) {
     if (!text.empty()) text += ", ";
     text += fmt::format("{}={}", unifier.symbols().text(plan.slot_names[i]),
                         brief_text(value, unifier.symbols()));
+    if (text.size() > kLongestLogged) return shortened(text, kLongestLogged);
   }
   return text;
 }

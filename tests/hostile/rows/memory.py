@@ -35,6 +35,8 @@ ROWS = [
             ["Constraint", "un={T=f(f(f("], *BOUND, **BRIEF),
     program("a constraint before many formulas", "!go(50). +!go(0). +!go(N) <- !!fails; !go(N-1). +!fails <- 1 == 2" + "; a(1)" * 20_000 + ".\n", 0,
             "Constraint (1 == 2); a(1); a(1)", *BOUND, **BRIEF),
+    program("a constraint among many variables", "!go. +!go <- " + "".join(f"V{i} = \"{'x' * 900}\"; " for i in range(3000)) + "1 == 2.\n"
+            "-!go[error_msg(M)] <- .length(M,L); if (L < 5000) { .print(short) } else { .print(L) }.\n", 0, "short", *BOUND, "--no-check", **BRIEF),
     program("a goal with a term that shares its parts, and no plan", SHARED.format("!!unknown(T)"), 0, "unknown(f(f(", *BOUND, **BRIEF),
     program("a failure within a goal with such a term", SHARED.format("!!fails(T)") + "+!fails(_) <- .fail.\n", 0, "goals: fails(a)", *BOUND, **BRIEF),
     held("beliefs without end", "!go(0). +!go(N) <- +b(N); !go(N+1).\n"),
