@@ -28,7 +28,11 @@ std::string world_position(std::string_view x, std::string_view y, std::string_v
       y, h);
 }
 
-std::string number(double value) { return fmt::format("{:.4f}", value); }
+// Without the sign that what rounds to nothing would keep.
+std::string number(double value) {
+  std::string text = fmt::format("{:.4f}", value);
+  return text == "-0.0000" ? "0.0000" : text;
+}
 
 std::string after(std::string_view name, std::string_view seconds) {
   return fmt::format(

@@ -55,6 +55,13 @@ TEST_F(ScenarioTextTest, PutsTheReferencePointOfAPedestrianInItsMiddle) {
   EXPECT_THAT(document, HasSubstr("<Center x=\"0.0000\" y=\"0\" z=\"0.900\"/>"));
 }
 
+TEST_F(ScenarioTextTest, GivesNothingNoSign) {
+  recording_ = drive(1, {steps({-1e-9, 0}, {0, 10}, 4), steps({-1e-9, 60}, {0, 1}, 4)});
+  const std::string document = text().trajectories("t", timed_courses(recording_));
+  EXPECT_THAT(document, HasSubstr("x=\"0.0000\" y=\"60.0000\""));
+  EXPECT_THAT(document, Not(HasSubstr("-0.0000")));
+}
+
 TEST_F(ScenarioTextTest, OfATimetableHasAVertexForEachWaypointInAbsoluteTime) {
   const Courses courses = timed_courses(recording_);
   const std::string document = text().trajectories("t", courses);
