@@ -147,6 +147,19 @@ TEST(Overlaps, WhereTheRoadCrossesItself) {
       overlaps_itself(*make_road({{0, 0}, {60, 0}, {90, 30}, {60, 60}, {30, 30}, {30, -40}})));
 }
 
+TEST(Overlaps, WhereOneStretchLiesWithinTheOneBefore) {
+  const Road back{.points = {},
+                  .middle = {{0, 1}, {4, 1}, {1, 1}},
+                  .left = {{0, 2}, {4, 2}, {1, 1.5}},
+                  .right = {{0, 0}, {4, 0}, {1, 0.5}}};
+  EXPECT_TRUE(overlaps_itself(back));
+  Road on = back;
+  on.middle[2] = {7, 1};
+  on.left[2] = {7, 1.5};
+  on.right[2] = {7, 0.5};
+  EXPECT_FALSE(overlaps_itself(on)) << "they share their common side alone";
+}
+
 TEST(Overlaps, WhereTheRoadComesBackTooNearBesideItself) {
   const auto hairpin = [](double apart) {
     Polyline middle;

@@ -155,6 +155,9 @@ TEST(HolmLaws, NoValueFallsAndTheirOrderStays) {
     for (double& value : values) value /= 1000;
     const std::vector<double> corrected = holm(values);
     ASSERT_EQ(corrected.size(), values.size());
+    const std::size_t least =
+        static_cast<std::size_t>(std::ranges::min_element(values) - values.begin());
+    EXPECT_NEAR(corrected[least], std::min(1.0, 7 * values[least]), 1e-12);
     for (std::size_t a = 0; a < values.size(); ++a) {
       EXPECT_GE(corrected[a], values[a]);
       EXPECT_LE(corrected[a], std::min(1.0, 7 * values[a]) + 1e-12) << "Bonferroni's is no less";
