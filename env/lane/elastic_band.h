@@ -19,8 +19,10 @@ struct BandParameters {
   int sweeps = 150;
 };
 
-/// The band of least bending plus lateral spring energy, by Gauss-Seidel with over-relaxation over
-/// the nodes' lateral offsets; then about a point each metre (Catmull-Rom).
+/// A band that is drawn to the least of bending and lateral spring energy, by Gauss-Seidel with
+/// over-relaxation over the nodes' lateral offsets; then about a point each metre (Catmull-Rom).
+/// After 150 sweeps it is not at rest: around a corner it may lie a metre from where more would
+/// bring it. The cars are calibrated with that many.
 [[nodiscard]] Polyline elastic_band(const Polyline& centre, const BandParameters& parameters);
 
 }  // namespace jaywalk::lane

@@ -18,7 +18,7 @@ constexpr double kRoundingS = 1e-9;
 // Where a line seems to lie moves a little for a sensor that is late.
 constexpr double kSameLineM = 1;
 
-bool is_ahead(const StopLine& line) { return line.closed && line.gap_m >= kPastLineM; }
+bool is_closed_ahead(const StopLine& line) { return line.closed && line.gap_m >= kPastLineM; }
 
 void keep_nearest(std::optional<Hazard>& nearest, const Hazard& hazard) {
   if (!nearest || hazard.gap_m < nearest->gap_m) nearest = hazard;
@@ -42,7 +42,7 @@ bool is_risk(const SeenActor& actor, const Strip& lane) {
 std::optional<Hazard> closed_line(const VehicleView& view) {
   std::optional<Hazard> nearest;
   for (const StopLine& line : view.stop_lines) {
-    if (is_ahead(line)) keep_nearest(nearest, {line.gap_m, 0});
+    if (is_closed_ahead(line)) keep_nearest(nearest, {line.gap_m, 0});
   }
   return nearest;
 }
@@ -91,7 +91,7 @@ const LineStop::Line* LineStop::known(double place_m) const {
 void LineStop::look(const VehicleView& view) {
   std::vector<Line> closed;
   for (const StopLine& line : view.stop_lines) {
-    if (!is_ahead(line)) continue;
+    if (!is_closed_ahead(line)) continue;
     const double place = view.front_m + line.gap_m;
     const Line* before = known(place);
     closed.push_back({place, line.gap_m, before ? before->closed_s : view.time_s});
