@@ -374,6 +374,30 @@ void sort_many(std::vector<Value>& elements, const SymbolTable& symbols) {
   elements.erase(last, elements.end());
 }
 
+constexpr std::size_t kFew = 12;
+
+// Whether a list is a sorted set of few elements as it stands, as most annotations are.
+bool is_small_set(Value list, const SymbolTable& symbols) {
+  if (!list.is_closed()) return false;
+  Value before;
+  for (std::size_t count = 0; list.is_pair(); list = list.pair()->tail, ++count) {
+    const Value element = list.pair()->head;
+    if (count == kFew) return false;
+    if (count > 0 && compare_terms(before, element, symbols) >= 0) return false;
+    before = element;
+  }
+  return list.is_empty_list();
+}
+
+// A small set with one more element, unless it has an equal one.
+Value set_with(Heap& heap, Value set, Value element, const SymbolTable& symbols) {
+  if (!set.is_pair()) return heap.pair(element, set);
+  const int order = compare_terms(set.pair()->head, element, symbols);
+  if (order == 0) return set;
+  if (order > 0) return heap.pair(element, set);
+  return heap.pair(set.pair()->head, set_with(heap, set.pair()->tail, element, symbols));
+}
+
 }  // namespace
 
 Value append_elements(std::vector<Value>& elements, Value list) {
@@ -385,7 +409,6 @@ Value append_elements(std::vector<Value>& elements, Value list) {
 }
 
 Value sorted_set(Heap& heap, std::vector<Value> elements, Value tail, const SymbolTable& symbols) {
-  constexpr std::size_t kFew = 12;
   if (elements.size() <= kFew) {
     sort_few(elements, symbols);
   } else {
@@ -395,6 +418,8 @@ Value sorted_set(Heap& heap, std::vector<Value> elements, Value tail, const Symb
 }
 
 Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
+  list = deref(list);
+  if (is_small_set(list, symbols)) return list;
   std::vector<Value> elements;
   const Value tail = append_elements(elements, list);
   return sorted_set(heap, std::move(elements), tail, symbols);
@@ -405,6 +430,8 @@ Value union_of(Heap& heap, Value a, Value b, const SymbolTable& symbols) {
   b = deref(b);
   if (!a.is_pair() || a.same_as(b)) return b.is_pair() || !a.is_variable() ? b : a;
   if (!b.is_pair()) return a;
+  const bool is_one = b.is_closed() && b.pair()->tail.is_empty_list();
+  if (is_one && is_small_set(a, symbols)) return set_with(heap, a, b.pair()->head, symbols);
   std::vector<Value> elements;
   const Value end = append_elements(elements, a);
   const Value other_end = append_elements(elements, b);

@@ -14,7 +14,8 @@ if(JAYWALK_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 # Programs read files of strangers: what an error in them could overwrite is guarded. The standard
-# library's checks of lengths need optimisation; sanitizers have their own.
+# library's checks of lengths need optimisation; sanitizers have their own. Its assertions
+# (_GLIBCXX_ASSERTIONS) cost up to an eighth of the instructions, tests/bench/README.md.
 set(JAYWALK_HARDENING "")
 if(NOT JAYWALK_SANITIZERS AND CMAKE_BUILD_TYPE MATCHES "^Rel|^MinSizeRel$")
   set(JAYWALK_HARDENING -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIE)

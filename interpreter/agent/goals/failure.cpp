@@ -35,11 +35,6 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
     return heap_.structure(name, std::span(&arg, 1));
   };
   literal = machine().unifier().apply(literal);
-  std::vector<Value> annots;
-  annots.reserve(8);
-  Value rest = append_elements(annots, literal_parts(literal).annots);
-  if (annots.empty()) rest = Value::empty_list();
-  annots.insert(annots.end(), error.annots.begin(), error.annots.end());
   const bool has_message = std::ranges::any_of(error.annots, [](Value annotation) {
     return annotation.is_structure() &&
            annotation.structure()->predicate() == predicates::error_msg;
@@ -48,12 +43,18 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
   const Value no_code = Value::atom(predicates::no_code);
   const bool has_place = line > 0 && intention != nullptr;
   const Value source = has_place ? heap_.text("file:" + intention->top().plan->file) : no_code;
-  // In the order of the set, which is then made without much ado.
+  // In the order of the set, before `source(self)`, so that little is left to sort.
+  std::vector<Value> annots;
+  annots.reserve(8);
   annots.push_back(annot(predicates::code, code.is_unset() ? no_code : code));
   annots.push_back(annot(predicates::code_line, has_place ? Value::number(line) : no_code));
   annots.push_back(annot(predicates::code_src, source));
   annots.push_back(annot(predicates::error, Value::atom(symbols_.predicate(error.id, 0))));
   if (!has_message) annots.push_back(annot(predicates::error_msg, heap_.text(error.message)));
+  const std::size_t own = annots.size();
+  Value rest = append_elements(annots, literal_parts(literal).annots);
+  if (annots.size() == own) rest = Value::empty_list();
+  annots.insert(annots.end(), error.annots.begin(), error.annots.end());
   return with_annotations(heap_, literal, sorted_set(heap_, std::move(annots), rest, symbols_));
 }
 

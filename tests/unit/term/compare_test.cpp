@@ -216,5 +216,46 @@ TEST(UnionOf, HasWhatEitherHas) {
   EXPECT_EQ(both("[]", "[]"), "[]");
 }
 
+TEST(SortedSet, IsTheListItselfIfThatIsInOrder) {
+  test::Terms terms;
+  const Value ordered = terms.term("[1,a,f(2)]");
+  EXPECT_TRUE(sorted_set(terms.heap, ordered, terms.symbols).same_as(ordered));
+}
+
+// One element, as `source(self)` mostly is, goes straight to its place: as it does beside others.
+TEST(UnionOf, PutsOneElementWhereItBelongsInAnySet) {
+  test::Terms terms;
+  for (std::size_t count = 0; count < 16; ++count) {
+    for (std::size_t element = 0; element <= 2 * count; ++element) {
+      std::vector<Value> odd;
+      for (std::size_t i = 0; i < count; ++i) odd.push_back(Value::number(static_cast<double>(2 * i + 1)));
+      std::ranges::reverse(odd);  // sets that are not in order are put in order
+      const Value list = terms.heap.list(odd);
+      const Value set = element % 3 == 0 ? list : sorted_set(terms.heap, list, terms.symbols);
+      const Value one = terms.heap.list(std::vector{Value::number(static_cast<double>(element))});
+      odd.push_back(Value::number(static_cast<double>(element)));
+      EXPECT_EQ(term_text(union_of(terms.heap, set, one, terms.symbols), terms.symbols),
+                term_text(sorted_set(terms.heap, odd, Value::empty_list(), terms.symbols),
+                          terms.symbols));
+    }
+  }
+}
+
+TEST(UnionOf, KeepsTheElementThatTheFirstSetHas) {
+  test::Terms terms;
+  const Value set = terms.term("[a,f(1)]");
+  std::vector<Value> united;
+  (void)append_elements(united, union_of(terms.heap, set, terms.term("[f(1)]"), terms.symbols));
+  ASSERT_EQ(united.size(), 2U);
+  EXPECT_TRUE(united[1].same_as(set.pair()->tail.pair()->head));
+}
+
+TEST(UnionOf, KeepsAnOpenEnd) {
+  test::Terms terms;
+  EXPECT_EQ(term_text(union_of(terms.heap, terms.term("[b|T]"), terms.term("[a]"), terms.symbols),
+                      terms.symbols),
+            "[a,b|T]");
+}
+
 }  // namespace
 }  // namespace jaywalk
