@@ -7,6 +7,7 @@ jaywalk_add_library(engine
     term/compare.cpp
     term/heap.cpp
     term/object.cpp
+    term/number_text.cpp
     term/print.cpp
     term/program_terms.cpp
     term/symbol.cpp

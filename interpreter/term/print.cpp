@@ -1,9 +1,6 @@
 #include "interpreter/term/print.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,51 +10,6 @@
 
 namespace jaywalk {
 namespace {
-
-// Java's Double.toString: the shortest digits that give the number back, but at least two, which
-// makes a difference for the least numbers of all (4.9E-324).
-void append_java_double(std::string& out, double value) {
-  std::array<char, 40> buffer{};
-  char* const limit = buffer.data() + buffer.size();
-  auto end = std::to_chars(buffer.data(), limit, value, std::chars_format::scientific);
-  if (std::fpclassify(value) == FP_SUBNORMAL &&
-      std::string_view(buffer.data(), end.ptr).find('.') == std::string_view::npos) {
-    end = std::to_chars(buffer.data(), limit, value, std::chars_format::scientific, 1);
-  }
-  const std::string_view text(buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data()));
-  // C++ writes d.ddde+dd; Java wants plain digits from 1e-3 to below 1e7, else d.dddEd.
-  const std::size_t exponent_at = text.find('e');
-  int exponent = 0;
-  const std::string_view exponent_text = text.substr(exponent_at + 1);
-  std::from_chars(exponent_text.data() + (exponent_text.front() == '+' ? 1 : 0),
-                  exponent_text.data() + exponent_text.size(), exponent);
-  std::string_view mantissa = text.substr(0, exponent_at);
-  if (mantissa.front() == '-') {
-    out += '-';
-    mantissa.remove_prefix(1);
-  }
-  std::string digits(mantissa.substr(0, 1));
-  if (mantissa.size() > 2) digits += mantissa.substr(2);
-  const auto count = static_cast<int>(digits.size());
-  if (exponent < -3 || exponent >= 7) {
-    out += digits[0];
-    out += '.';
-    out += count > 1 ? digits.substr(1) : "0";
-    out += fmt::format("E{}", exponent);
-  } else if (exponent < 0) {
-    out += "0.";
-    out.append(static_cast<std::size_t>(-exponent - 1), '0');
-    out += digits;
-  } else {
-    const auto whole = static_cast<std::size_t>(exponent) + 1;
-    if (digits.size() <= whole) digits.append(whole - digits.size() + 1, '0');
-    out.append(digits, 0, whole);
-    out += '.';
-    out.append(digits, whole);
-  }
-}
-
-constexpr double kLongLimit = 9223372036854775808.0;
 
 class Printer {
  public:
@@ -91,9 +43,9 @@ class Printer {
       case Value::Kind::structure:
         break;
     }
+    if (is_enough()) return;
     // Bounds the depth, and with it the stack.
     const TermWalk::Level level(walk_);
-    check_length();
     if (value.is_object()) {
       object(*value.object()->object);
     } else if (value.is_pair()) {
@@ -103,10 +55,16 @@ class Printer {
     }
   }
 
+  /// Something was left out, for want of room.
+  [[nodiscard]] bool is_cut() const { return is_cut_; }
+
  private:
-  // A term that shares its parts may be small, and its text longer than any memory.
-  void check_length() const {
-    if (out_.size() > most_) throw HeapExhausted{};
+  // A term that shares its parts may be small, and its text longer than any memory. What would stand
+  // behind the limit is left out; an exception would take its time through all levels of the term.
+  bool is_enough() {
+    const bool is_long = out_.size() > most_;
+    is_cut_ = is_cut_ || is_long;
+    return is_long;
   }
 
   // What has no name gets a number, in the order of the text: the number of its making would show
@@ -162,7 +120,7 @@ class Printer {
       // A list that contains itself would never end (walk.h).
       walk.visit(value);
       walk_.visit();
-      check_length();
+      if (is_enough()) return;
       if (!first) out_ += ',';
       first = false;
       term(value.pair()->head);
@@ -177,7 +135,7 @@ class Printer {
   void args(const Structure& s) {
     if (s.arity == 0) return;
     out_ += '(';
-    for (std::size_t i = 0; i < s.arity; ++i) {
+    for (std::size_t i = 0; i < s.arity && !is_enough(); ++i) {
       if (i > 0) out_ += ',';
       term(s.arg(i));
     }
@@ -290,7 +248,7 @@ class Printer {
   }
 
   void steps(const Structure& s) {
-    for (std::size_t i = 0; i < s.arity; ++i) {
+    for (std::size_t i = 0; i < s.arity && !is_enough(); ++i) {
       if (i > 0) out_ += "; ";
       const Value inner = body_of(s.arg(i));
       inner.is_unset() ? term(s.arg(i)) : steps(*inner.structure());
@@ -363,6 +321,7 @@ class Printer {
     std::string& out = out_;
     out += queue ? '[' : '{';
     object.visit([&](Value& value) {
+      if (is_enough()) return;
       const bool is_map = object.kind() == Object::Kind::map;
       if (!first) out += is_map && !key ? "->" : queue ? ", " : ",";
       first = false;
@@ -376,36 +335,24 @@ class Printer {
   const SymbolTable& symbols_;
   Strings strings_;
   std::size_t most_;
+  bool is_cut_ = false;
   TermWalk walk_;
   std::vector<const Variable*> unnamed_;
 };
 
 }  // namespace
 
-void append_number(std::string& out, double value) {
-  if (std::isnan(value)) {
-    out += "NaN";
-  } else if (std::isinf(value)) {
-    out += value > 0 ? "Infinity" : "-Infinity";
-  } else if (value == std::floor(value) && std::fabs(value) < kLongLimit) {
-    out += fmt::format("{}", static_cast<std::int64_t>(value));
-  } else if (value == kLongLimit) {
-    out += "9223372036854775807";  // Math.round saturates
-  } else if (value == -kLongLimit) {
-    out += "-9223372036854775808";
-  } else {
-    append_java_double(out, value);
-  }
+namespace {
+
+void print_whole(Printer printer, Value term) {
+  printer.term(term);
+  if (printer.is_cut()) throw HeapExhausted{};
 }
 
-std::string number_text(double value) {
-  std::string out;
-  append_number(out, value);
-  return out;
-}
+}  // namespace
 
 void append_term(std::string& out, Value term, const SymbolTable& symbols) {
-  Printer(out, symbols).term(term);
+  print_whole(Printer(out, symbols), term);
 }
 
 std::string term_text(Value term, const SymbolTable& symbols) {
@@ -419,14 +366,14 @@ std::string brief_text(Value term, const SymbolTable& symbols, std::size_t most)
   try {
     Printer(out, symbols, Printer::Strings::as_they_are, most).term(term);
   } catch (const HeapExhausted&) {
-    if (out.size() <= most) return out + "...";  // a walk that is too long, not a text
+    return out + "...";  // a walk that is too long, not a text
   }
   return shortened(out, most);
 }
 
 std::string source_text(Value term, const SymbolTable& symbols) {
   std::string out;
-  Printer(out, symbols, Printer::Strings::escaped).term(term);
+  print_whole(Printer(out, symbols, Printer::Strings::escaped), term);
   return out;
 }
 

@@ -39,6 +39,8 @@ ROWS = [
             "-!go[error_msg(M)] <- .length(M,L); if (L < 5000) { .print(short) } else { .print(L) }.\n", 0, "short", *BOUND, "--no-check", **BRIEF),
     program("a goal with a term that shares its parts, and no plan", SHARED.format("!!unknown(T)"), 0, "unknown(f(f(", *BOUND, **BRIEF),
     program("a failure within a goal with such a term", SHARED.format("!!fails(T)") + "+!fails(_) <- .fail.\n", 0, "goals: fails(a)", *BOUND, **BRIEF),
+    program("warnings about a body that has itself in itself", "!a. !b. !c.\n+!Y <- X = { (2-X) \\== d(X,math.max(X,1)); c }; X = [].\n", 0,
+            "arithmetic on { ((2-{ ((2-", *BOUND, "--no-check", most_mb=MB, most=2_500_000, seconds=1),
     held("beliefs without end", "!go(0). +!go(N) <- +b(N); !go(N+1).\n"),
     held("goals without end", "!go. +!go <- !go; a.\n"),
     held("goals without end, handled", f"!top. +!top <- !go. +!go <- !go; a. {HANDLED.replace('-!go', '-!top')}\n", "limit: the agent's " + FULL),

@@ -150,6 +150,29 @@ TEST(BriefText, IsTheWholeTextOrItsBeginning) {
   EXPECT_EQ(brief_text(term, terms.symbols, 4), "f(ab...");
 }
 
+// Whatever it is made of: what is behind the bound is not printed and then cut off.
+TEST(BriefText, EndsWithinAnyKindOfTerm) {
+  test::Terms terms;
+  std::string elements = "a";
+  for (int i = 0; i < 2000; ++i) elements += ",f(" + std::to_string(i) + ")";
+  for (const std::string& text : {"[" + elements + "]", "f(" + elements + ")", "p[" + elements + "]",
+                                  "{ !a; " + std::string(200, 'b') + "; { !f([" + elements + "]) } }",
+                                  "{ +!g(X) : f([" + elements + "]) <- !h }"}) {
+    const Value term = terms.term(text);
+    const std::string whole = term_text(term, terms.symbols);
+    const std::string brief = brief_text(term, terms.symbols, 100);
+    EXPECT_EQ(brief, whole.substr(0, 100) + "...");
+  }
+}
+
+TEST(BriefText, OfBodiesWithinBodiesIsTheirBeginning) {
+  test::Terms terms;
+  Value body = terms.term("{ !a }");
+  for (int i = 0; i < 900; ++i) body = terms.heap.structure(predicates::source, std::span(&body, 1));
+  EXPECT_EQ(brief_text(body, terms.symbols, 14), "source(source(...");
+  EXPECT_EQ(term_text(body, terms.symbols).size(), 900 * 8 + 6);
+}
+
 TEST(BriefText, OfATermWhoseTextNoMemoryHoldsIsShort) {
   test::Terms terms;
   Value term = Value::atom(predicates::self);
