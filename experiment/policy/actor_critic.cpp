@@ -2,7 +2,9 @@
 // expected. The actor follows a clipped objective, with what a choice was better than expected as
 // Schulman et al. estimate it
 // ("High-dimensional continuous control using generalized advantage estimation", 2016, equation
-// 16). Features and rewards are brought to a common scale by what was seen of them so far.
+// 16). Features, rewards and advantages are brought to a common scale by what was seen of them so
+// far: by those of one generation alone, what chance is left in the advantages once nearly all is
+// learned would be made as large as what was there to learn.
 
 #include <algorithm>
 #include <cmath>
@@ -147,6 +149,7 @@ class ActorCritic final : public Learner {
     // Scales first, then one batch, by which all passes improve: the policy that chose stays the
     // reference of the clipped objective.
     note_scales(generation);
+    episodes_ += generation.size();
     ChoiceBatch batch = batch_of(generation);
     if (batch.decisions.empty()) return;
     for (std::uint32_t pass = 0; pass < settings_.passes; ++pass) {
@@ -160,7 +163,8 @@ class ActorCritic final : public Learner {
     for (const SeenScale& scale : features_) features.push_back(scale.state());
     return {{"actor", numbers_of(actor_)},     {"actor_steps", memory_of(actor_steps_)},
             {"critic", numbers_of(critic_)},   {"critic_steps", memory_of(critic_steps_)},
-            {"features", std::move(features)}, {"returns", returns_.state()}};
+            {"features", std::move(features)}, {"returns", returns_.state()},
+            {"episodes", episodes_},           {"advantages", advantages_.state()}};
   }
 
   void restore(const nlohmann::json& state) override {
@@ -175,6 +179,9 @@ class ActorCritic final : public Learner {
       features_[i].restore(state.at("features").at(i));
     }
     returns_.restore(state.at("returns"));
+    if (!state.contains("episodes")) return;  // a file from before they were kept
+    episodes_ = state.at("episodes").get<std::uint64_t>();
+    advantages_.restore(state.at("advantages"));
   }
 
  private:
@@ -219,7 +226,7 @@ class ActorCritic final : public Learner {
     }
   }
 
-  [[nodiscard]] ChoiceBatch batch_of(std::span<const Episode> generation) const {
+  [[nodiscard]] ChoiceBatch batch_of(std::span<const Episode> generation) {
     ChoiceBatch batch;
     for (const Episode& episode : generation) {
       for (const Transition& decision : episode) batch.decisions.push_back(&decision);
@@ -234,8 +241,8 @@ class ActorCritic final : public Learner {
     return batch;
   }
 
-  /// Advantages by the critic as it is, brought to mean 0 and deviation 1.
-  void estimate(std::span<const Episode> generation, ChoiceBatch& batch) const {
+  /// Advantages by the critic as it is, less their mean, on the scale of all so far.
+  void estimate(std::span<const Episode> generation, ChoiceBatch& batch) {
     const Matrix expected = critic_.output(batch.features);
     batch.advantages.resize(batch.decisions.size());
     batch.returns.resize(batch.decisions.size());
@@ -258,23 +265,34 @@ class ActorCritic final : public Learner {
       }
       first += episode.size();
     }
-    SeenScale scale;
-    for (const double advantage : batch.advantages) scale.add(advantage);
-    for (double& advantage : batch.advantages) {
-      advantage = (advantage - scale.mean()) / scale.deviation();
+    SeenScale own;
+    for (const double advantage : batch.advantages) {
+      own.add(advantage);
+      advantages_.add(advantage);
     }
+    for (double& advantage : batch.advantages) {
+      advantage = (advantage - own.mean()) / advantages_.deviation();
+    }
+  }
+
+  /// What chance is worth by now: much at first, so that what succeeds seldom is met before it is
+  /// given up.
+  [[nodiscard]] double entropy() const {
+    const double halvings = static_cast<double>(episodes_) / settings_.halves_after;
+    return std::max(settings_.entropy_least, settings_.entropy * std::exp2(-halvings));
   }
 
   void improve_actor(const ChoiceBatch& batch) {
     const Matrix scores = actor_.forward(batch.features);
     Matrix gradient = Matrix::Zero(scores.rows(), scores.cols());
     std::vector<double> probabilities;
+    const ObjectiveSettings objective{.clip = settings_.clip, .entropy = entropy()};
     for (Eigen::Index i = 0; i < scores.cols(); ++i) {
       const Transition& decision = *batch.decisions[static_cast<std::size_t>(i)];
       probabilities.resize(decision.options.size());
       softmax(numbers(scores, i), decision.options, probabilities);
       add_clipped_gradient(decision, batch.advantages[static_cast<std::size_t>(i)], probabilities,
-                           {settings_.clip, settings_.entropy}, numbers(gradient, i));
+                           objective, numbers(gradient, i));
     }
     actor_.clear_gradients();
     // The mean over the batch, so that the rate does not depend on its size.
@@ -305,6 +323,8 @@ class ActorCritic final : public Learner {
   Adam critic_steps_;
   std::vector<SeenScale> features_;
   SeenScale returns_;
+  SeenScale advantages_;
+  std::uint64_t episodes_ = 0;
 };
 
 }  // namespace

@@ -24,17 +24,18 @@ struct LearnerSettings {
   /// Of q-table, by which part of its error a value is corrected at least; of actor-critic, the
   /// step of its optimiser. Not set: 0.05 and 0.003.
   std::optional<double> rate;
-  /// Of q-table: the share of choices that are made at random, at first and at least, and after how
-  /// many episodes it has halved.
+  /// Of both: after how many episodes `explores` or `entropy` has halved.
+  double halves_after = 500;
+  /// Of q-table: the share of choices that are made at random, at first and at least.
   double explores = 0.5;
   double explores_least = 0.01;
-  double halves_after = 500;
   /// Of actor-critic: units in each hidden layer, passes over each generation, how far the
-  /// probability of an option may change in one, and what chance is worth.
+  /// probability of an option may change in one, and what chance is worth, at first and at least.
   std::uint32_t hidden = 32;
   std::uint32_t passes = 4;
   double clip = 0.2;
-  double entropy = 0.01;
+  double entropy = 0.3;
+  double entropy_least = 0.01;
 
   friend bool operator==(const LearnerSettings&, const LearnerSettings&) = default;
 };

@@ -49,7 +49,8 @@ json settings_to_json(const LearnerSettings& settings) {
               {"hidden", settings.hidden},
               {"passes", settings.passes},
               {"clip", settings.clip},
-              {"entropy", settings.entropy}};
+              {"entropy", settings.entropy},
+              {"entropy_least", settings.entropy_least}};
   if (settings.rate) object["rate"] = *settings.rate;
   return object;
 }
@@ -65,6 +66,8 @@ LearnerSettings settings_from_json(const json& object) {
   settings.passes = whole<std::uint32_t>(object.at("passes"));
   settings.clip = object.at("clip").get<double>();
   settings.entropy = object.at("entropy").get<double>();
+  // Older files have one for all time.
+  settings.entropy_least = object.value("entropy_least", settings.entropy);
   if (object.contains("rate")) settings.rate = object.at("rate").get<double>();
   return settings;
 }
@@ -146,6 +149,7 @@ void check_spec(const LearningSpec& spec) {
   check_share("explores", settings.explores);
   check_share("explores_least", settings.explores_least);
   check_share("entropy", settings.entropy);
+  check_share("entropy_least", settings.entropy_least);
   check_share("discount", spec.discount);
 }
 

@@ -119,6 +119,7 @@ class LearningReader : LayerPart {
                   {"passes", integer(settings.passes, kPasses)},
                   {"clip", number(settings.clip, kClip)},
                   {"entropy", number(settings.entropy, kShare)},
+                  {"entropy_least", number(settings.entropy_least, kShare)},
               });
   }
 };

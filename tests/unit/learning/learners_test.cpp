@@ -142,6 +142,28 @@ TEST(ActorCritic, LeavesNothingToChanceOnceItExploits) {
   }
 }
 
+/// How probable the likeliest move is on average, while it learns, after some generations.
+double certainty(const LearnerSettings& settings) {
+  const auto learner = made("actor-critic", settings);
+  teach(*learner, 60);
+  double sum = 0;
+  const std::array<std::uint32_t, 4> all{0, 1, 2, 3};
+  for (const Cell cell : cells_to_begin_in()) {
+    std::array<double, 4> probabilities{};
+    learner->weigh(features_of(cell), all, Learner::Mode::explore, probabilities);
+    sum += *std::ranges::max_element(probabilities);
+  }
+  return sum / static_cast<double>(cells_to_begin_in().size());
+}
+
+TEST(ActorCritic, LeavesLessToChanceAsTimeGoesOn) {
+  const double lasting = certainty({.halves_after = 1e6, .entropy = 1});
+  const double halved = certainty({.halves_after = 10, .entropy = 1});
+  EXPECT_LT(lasting, 0.5);
+  EXPECT_GT(halved, 0.7);
+  EXPECT_LT(certainty({.halves_after = 10, .entropy = 1, .entropy_least = 1}), 0.6);
+}
+
 INSTANTIATE_TEST_SUITE_P(Learners, EveryLearner, testing::Values("q-table", "actor-critic"),
                          [](const auto& each) {
                            return each.param == "q-table" ? "QTable" : "ActorCritic";

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace jaywalk {
 namespace {
@@ -85,6 +86,20 @@ TEST(PolicyFile, IsPointedAtWhereItIsNoJson) {
   EXPECT_THAT(parsed("{\"jaywalk_policy\": 1e999}").diagnostics().render(),
               HasSubstr("learned.json: error: the policy has a number that is too large"));
   EXPECT_THAT(parsed("[]").diagnostics().render(), HasSubstr("no policy of version 1"));
+}
+
+TEST(PolicyFile, MayBeFromBeforeChanceBecameLessInTime) {
+  nlohmann::json document = nlohmann::json::parse(learned("actor-critic").text());
+  nlohmann::json& learning = document.at("learning");
+  learning.at("settings").at("entropy") = 0.02;
+  learning.at("settings").erase("entropy_least");
+  for (nlohmann::json& part : document.at("policies")) {
+    part.at("learned").erase("episodes");
+    part.at("learned").erase("advantages");
+  }
+  const auto read = parsed(document.dump());
+  ASSERT_TRUE(read.ok()) << read.diagnostics().render();
+  EXPECT_THAT(read.value()->origin().spec.settings.entropy_least, testing::DoubleEq(0.02));
 }
 
 TEST(PolicyFile, HasNoWeightThatIsTooLargeForItsNetworks) {
