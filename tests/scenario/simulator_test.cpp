@@ -168,7 +168,7 @@ TEST(ASimulator, IsOneProcessForEachWorkerAndSeesWhereEverybodyGoes) {
 }
 
 TEST(ASimulator, GivesTheSameForAnyNumberOfThreads) {
-  const auto prepared = testing_scenario::scenario("simulator");
+  const auto prepared = testing_scenario::scenario("simulators/simulator");
   const auto results = [&](unsigned threads) {
     std::vector<std::string> texts;
     TestRunners runners(*prepared);
@@ -193,7 +193,7 @@ TEST(ASimulator, GivesTheSameForAnyNumberOfThreads) {
 }
 
 TEST(TheSimulatorToCopy, BrakesForPedestriansAndHasTrafficOfItsOwn) {
-  const auto prepared = testing_scenario::scenario("simulator");
+  const auto prepared = testing_scenario::scenario("simulators/simulator");
   double slowest = 100;
   double fastest_before_anybody = 0;
   for (std::uint64_t test = 0; test < 10; ++test) {
@@ -220,7 +220,7 @@ TEST(TheSimulatorToCopy, BrakesForPedestriansAndHasTrafficOfItsOwn) {
 TEST(Esmini, BrakesForPedestriansAndGivesTheSameAgain) {
   if (std::getenv("ESMINI_LIB") == nullptr) GTEST_SKIP() << "ESMINI_LIB names no esmini library";
   const auto slowest_mps = [](const std::string& options) {
-    const auto prepared = testing_scenario::scenario("esmini", {options});
+    const auto prepared = testing_scenario::scenario("simulators/esmini", {options});
     EXPECT_THAT(simulator_version(prepared->scenario()).value(), ::testing::StartsWith("esmini 3"));
     TestRunner runner(*prepared);
     std::vector<double> slowest;
@@ -245,8 +245,9 @@ TEST(Esmini, BrakesForPedestriansAndGivesTheSameAgain) {
 
 TEST(Esmini, SaysWhatIsMissing) {
   const auto prepared = testing_scenario::scenario(
-      "esmini", {simulator_of({"env", "-u", "ESMINI_LIB", "python3",
-                               project_file("scenarios/simulators/esmini.py"), "/no/library.so"})});
+      "simulators/esmini",
+      {simulator_of({"env", "-u", "ESMINI_LIB", "python3",
+                     project_file("scenarios/simulators/esmini.py"), "/no/library.so"})});
   const auto version = simulator_version(prepared->scenario());
   ASSERT_FALSE(version.ok());
   EXPECT_THAT(version.diagnostics().render(), HasSubstr("cannot load esmini's library"));

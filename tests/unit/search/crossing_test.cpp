@@ -97,7 +97,7 @@ TEST(CrossingSut, RefusesTestsThatDependOnEachOther) {
 
 TEST(CrossingSut, ComparesBehavioursOnOneFooting) {
   const Result<SearchExperiment> experiment =
-      read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/crossing-search.yaml",
+      read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/search/crossing-search.yaml",
                   {.sets = {"budget.tests=20", "repetitions=1"}});
   ASSERT_TRUE(experiment.ok()) << experiment.diagnostics().render();
   const SearchResults results = run_searches(experiment.value().plan, nullptr);
@@ -213,7 +213,7 @@ TEST(CrossingSut, TellsAgentsWhatTheTestsBeforeHaveCovered) {
 // Of 200 tests about 98 meet a rare situation, and about 63 of random ones.
 TEST(MapElitesOfSituations, MeetsRareOnesMoreOftenThanChance) {
   const Result<SearchExperiment> experiment =
-      read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/defects-search.yaml",
+      read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/search/defects-search.yaml",
                   {.sets = {"defects=[]", "seed=1", "fitness.measure=rarity", "fitness.harmless=0",
                             "fitness.worst=1", "fitness.fails_at=0.05", "sut.starts=spawn",
                             "sut.behaviour=" JAYWALK_SOURCE_DIR "/agents/crossing/scripted.asl"},

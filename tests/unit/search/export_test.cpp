@@ -118,7 +118,7 @@ TEST(Page, HasTheFiguresOfASearchThatIsNotAboutRoads) {
 
 /// The page of a scenario's search before anything has run.
 std::string empty_page(const std::string& file, std::vector<std::string> sets = {}) {
-  auto experiment = read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/" + file,
+  auto experiment = read_search(std::string(JAYWALK_SOURCE_DIR) + "/scenarios/search/" + file,
                                 {.sets = std::move(sets), .generators = {}});
   EXPECT_TRUE(experiment.ok()) << experiment.diagnostics().render();
   return to_html(experiment.value(), group(experiment.value(), {}));

@@ -176,10 +176,12 @@ CommandHelp help() {
               kPolicyOption,
           },
       .examples =
-          "  jaywalk search scenarios/lane-keeping.yaml\n"
-          "  jaywalk search scenarios/lane-keeping.yaml --generators random,graft --repetitions 5\n"
-          "  jaywalk search scenarios/lane-keeping.yaml --set sut.controller=stanley\n"
-          "  jaywalk search scenarios/defects-search.yaml --defects latency --kills kills.csv\n"};
+          "  jaywalk search scenarios/search/lane-keeping.yaml\n"
+          "  jaywalk search scenarios/search/lane-keeping.yaml --generators random,graft "
+          "--repetitions 5\n"
+          "  jaywalk search scenarios/search/lane-keeping.yaml --set sut.controller=stanley\n"
+          "  jaywalk search scenarios/search/defects-search.yaml --defects latency --kills "
+          "kills.csv\n"};
   help.options.insert(help.options.end(), kLimitOptions.begin(), kLimitOptions.end());
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   return help;
