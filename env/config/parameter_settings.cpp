@@ -1,13 +1,13 @@
 #include "env/config/parameter_settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
-
-#include "interpreter/support/source_files.h"
 
 namespace jaywalk {
 namespace {
@@ -49,6 +49,13 @@ bool read_values(const ConfigNode& node, const ConfigReader& reader,
   return read_value(node, reader, values);
 }
 
+/// Where a world's installed behaviours are. Copies cannot be listed, so that the folders have
+/// names.
+std::array<std::string, 2> behaviour_folders(std::string_view world) {
+  const std::string folder = fmt::format("{}{}", kLibraryPrefix, world);
+  return {folder, folder + "/specialists"};
+}
+
 }  // namespace
 
 bool is_atom(std::string_view text) {
@@ -80,19 +87,33 @@ std::string path_in(const std::string& folder, const std::string& path) {
   return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
 }
 
-std::string installed_behaviours(std::string_view world) {
-  return fmt::format("{}{}", kLibraryPrefix, world);
+std::vector<std::string> installed_behaviours(std::string_view world, const SourceFiles& files) {
+  std::vector<std::string> paths;
+  for (const std::string& folder : behaviour_folders(world)) {
+    std::ranges::move(files.installed_in(folder), std::back_inserter(paths));
+  }
+  std::ranges::sort(paths, {}, [](const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+  });
+  return paths;
 }
 
-std::string installed_behaviour(std::string_view world, std::string_view name) {
-  return fmt::format("{}/{}.asl", installed_behaviours(world), name);
+std::string installed_behaviour(std::string_view world, std::string_view name,
+                                const SourceFiles& files) {
+  const std::array folders = behaviour_folders(world);
+  const auto path_below = [&](const std::string& folder) {
+    return fmt::format("{}/{}.asl", folder, name);
+  };
+  const auto found = std::ranges::find_if(
+      folders, [&](const std::string& folder) { return files.has(path_below(folder)); });
+  return path_below(found == folders.end() ? folders.front() : *found);
 }
 
-std::string program_path(const std::string& folder, const std::string& text,
-                         std::string_view world) {
+std::string program_path(const std::string& folder, const std::string& text, std::string_view world,
+                         const SourceFiles& files) {
   if (text.starts_with(kLibraryPrefix)) return text;
   if (text.ends_with(".asl") || text.find('/') != std::string::npos) return path_in(folder, text);
-  return installed_behaviour(world, text);
+  return installed_behaviour(world, text, files);
 }
 
 }  // namespace jaywalk

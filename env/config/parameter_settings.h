@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "env/config/reader.h"
+#include "interpreter/support/source_files.h"
 
 namespace jaywalk {
 
@@ -32,15 +33,20 @@ void read_parameters(const ConfigNode& node, const ConfigReader& reader,
 /// `folder`/`path`, or `path` if that is absolute.
 [[nodiscard]] std::string path_in(const std::string& folder, const std::string& path);
 
-/// Where the installed behaviours of a world are, among the installed programs (source_files.h):
-/// `$jaywalk/crossing` of `crossing`.
-[[nodiscard]] std::string installed_behaviours(std::string_view world);
-/// `$jaywalk/crossing/proximity.asl` for `proximity` in `crossing`.
-[[nodiscard]] std::string installed_behaviour(std::string_view world, std::string_view name);
+/// The installed behaviours of a world, among the installed programs (source_files.h): those of its
+/// folder, `$jaywalk/crossing/proximity.asl` of `crossing`, and those of `specialists` in it,
+/// sorted by the names of the files. None if `files` are copies.
+[[nodiscard]] std::vector<std::string> installed_behaviours(std::string_view world,
+                                                            const SourceFiles& files);
+/// `$jaywalk/crossing/proximity.asl` for `proximity` in `crossing`,
+/// `$jaywalk/crossing/specialists/brink.asl` for `brink`; a file in the world's folder for a name
+/// that none has.
+[[nodiscard]] std::string installed_behaviour(std::string_view world, std::string_view name,
+                                              const SourceFiles& files);
 
 /// The file of a program: as path_in, or an installed one, by its name in `$jaywalk/` or, without
 /// folder and `.asl`, as a behaviour of the world (`proximity`).
 [[nodiscard]] std::string program_path(const std::string& folder, const std::string& text,
-                                       std::string_view world);
+                                       std::string_view world, const SourceFiles& files);
 
 }  // namespace jaywalk

@@ -176,7 +176,7 @@ class ScenarioBuilder {
 
   std::optional<BehaviourSpec> find_behaviour(const std::string& wanted) {
     // By name, then by file: a name of the scenario hides an installed one.
-    const std::string path = program_path("", wanted, world_->name);
+    const std::string path = program_path("", wanted, world_->name, options_.files);
     std::vector<std::string> names;
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
       if (behaviour.name == wanted || behaviour.program == path) return behaviour;
@@ -190,8 +190,7 @@ class ScenarioBuilder {
       behaviour.origin.option = option;
       return behaviour;
     }
-    const std::string folder = installed_behaviours(world_->name);
-    for (const std::string& installed : options_.files.installed_in(folder)) {
+    for (const std::string& installed : installed_behaviours(world_->name, options_.files)) {
       names.push_back(behaviour_name(installed));
     }
     std::string hint = did_you_mean(wanted, names);

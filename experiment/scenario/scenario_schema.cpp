@@ -81,7 +81,7 @@ class LayerReader : LayerPart {
       read_behaviour(node, path, behaviour);
 
     } else if (const auto program = reader_.text(node, "the path of an AgentSpeak program")) {
-      behaviour.program = program_path(folder_, *program, draft_.world_kind);
+      behaviour.program = program_path(folder_, *program, draft_.world_kind, context_.files);
     }
     if (behaviour.program.empty()) return;
     if (behaviour.name.empty()) behaviour.name = behaviour_name(behaviour.program);
@@ -107,7 +107,8 @@ class LayerReader : LayerPart {
                   {"program",
                    [&](const ConfigNode& value, const std::string&) {
                      if (const auto program = reader_.text(value, "the path of a program")) {
-                       behaviour.program = program_path(folder_, *program, draft_.world_kind);
+                       behaviour.program =
+                           program_path(folder_, *program, draft_.world_kind, context_.files);
                      }
                    }},
                   {"name",
@@ -137,7 +138,7 @@ class LayerReader : LayerPart {
       member.origin = entry.value.origin;
       const auto program = reader_.text(entry.value, "the path of a program");
       if (!program || !read_numbers(entry.key, entry.origin, member.agents)) continue;
-      member.program = program_path(folder_, *program, draft_.world_kind);
+      member.program = program_path(folder_, *program, draft_.world_kind, context_.files);
       behaviour.team.push_back(std::move(member));
     }
     if (behaviour.program.empty() && !behaviour.team.empty()) {

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +16,7 @@
 #include "experiment/scenario/scenario_yaml.h"
 #include "experiment/test_run/tested_vehicles.h"
 #include "interpreter/compile/compiler.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/support/excerpt.h"
 #include "interpreter/syntax/load.h"
 
@@ -27,6 +32,20 @@ struct Indicator {
 Indicator parse_indicator(const std::string& text) {
   const std::size_t slash = text.rfind('/');
   return {text.substr(0, slash), static_cast<std::size_t>(std::stoul(text.substr(slash + 1)))};
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+/// Suggests the installed behaviour whose file is called so, in whichever folder, or nearly so.
+std::string similar_behaviour(const std::string& path, std::span<const std::string> installed) {
+  std::vector<std::string> names;
+  std::ranges::transform(installed, std::back_inserter(names), file_name);
+  std::string name = file_name(path);
+  if (std::ranges::find(names, name) == names.end()) name = closest(name, names).value_or("");
+  const auto found = std::ranges::find(installed, name, file_name);
+  return found == installed.end() ? "" : fmt::format("did you mean '{}'?", *found);
 }
 
 /// Loads and compiles behaviours into one symbol table.
@@ -73,9 +92,8 @@ class Preparation {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
     // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
     if (!include_path_.files.has(path)) {
-      const std::string folder = installed_behaviours(world_);
       report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path),
-             did_you_mean(path, include_path_.files.installed_in(folder)));
+             similar_behaviour(path, installed_behaviours(world_, include_path_.files)));
       return nullptr;
     }
     const SourceTree tree = load_agent(path, include_path_, diagnostics_);

@@ -36,11 +36,15 @@ std::string project_file(const std::string& path) {
   return std::string(JAYWALK_SOURCE_DIR) + "/" + path;
 }
 
+SourceFiles installed_files() { return SourceFiles(project_file("agents")); }
+
 std::shared_ptr<const PreparedScenario> scenario(const std::string& name,
                                                  std::vector<std::string> sets) {
-  return prepare(read_scenario(project_file("scenarios/" + name + ".yaml"),
-                               {.preset = {}, .sets = std::move(sets), .behaviours = {}}),
-                 {});
+  return prepare(
+      read_scenario(
+          project_file("scenarios/" + name + ".yaml"),
+          {.preset = {}, .sets = std::move(sets), .behaviours = {}, .files = installed_files()}),
+      {});
 }
 
 std::shared_ptr<const PreparedScenario> paper(const ScenarioOptions& options) {

@@ -11,11 +11,15 @@
 #include "experiment/compare/test_assessment.h"
 #include "experiment/test_run/prepared_scenario.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/source_files.h"
 
 namespace jaywalk::testing_scenario {
 
 /// A file of the project, by its path from the project's folder.
 [[nodiscard]] std::string project_file(const std::string& path);
+
+/// The disk, with the project's agents as the installed ones.
+[[nodiscard]] SourceFiles installed_files();
 
 /// scenarios/<name>.yaml with other values for keys; a test that asks for more than there is fails.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> scenario(const std::string& name,

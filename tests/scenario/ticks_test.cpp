@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "env/config/parameter_settings.h"
 #include "scenarios.h"
 
 namespace jaywalk::testing_scenario {
@@ -26,12 +27,10 @@ std::vector<std::string> at_tick(const std::string& seconds, std::vector<std::st
 
 std::vector<std::string> installed_pedestrians() {
   std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(project_file("agents/crossing"))) {
-    const std::string name = file.path().stem().string();
-    if (file.path().extension() != ".asl" || name == "cyclist" || name == "signal") continue;
-    names.push_back(name);
+  for (const std::string& path : installed_behaviours("crossing", installed_files())) {
+    const std::string name = std::filesystem::path(path).stem().string();
+    if (name != "cyclist" && name != "signal") names.push_back(name);
   }
-  std::ranges::sort(names);
   return names;
 }
 
@@ -51,7 +50,8 @@ bool needs_short_ticks(const std::string& name) {
 int met(const std::string& name, const std::string& tick) {
   const auto prepared = paper({.preset = {},
                                .sets = at_tick(tick, {"world.pedestrians.features=true"}),
-                               .behaviours = {project_file("agents/crossing/" + name + ".asl")}});
+                               .behaviours = {name},
+                               .files = installed_files()});
   if (!prepared) return 0;
   int count = 0;
   for (std::uint64_t test = 0; test < kTests; ++test) {

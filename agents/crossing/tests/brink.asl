@@ -1,7 +1,7 @@
 // Brink: stepping out at 9 m/s is avoided from 18.27 m on; a tick later the AV is 0.9 m nearer.
 
 { include("shared/road.asl") }
-{ include("../brink.asl") }
+{ include("../specialists/brink.asl") }
 
 at(1.5 - 1 / 6, 30).  // beside the lane, 45.5 m along the road
 

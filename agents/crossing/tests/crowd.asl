@@ -1,7 +1,7 @@
 // Crowd: who joins whom. The AV is at 1.5 m.
 
 { include("shared/road.asl") }
-{ include("../crowd.asl") }
+{ include("../specialists/crowd.asl") }
 
 av_start(1.5).
 stood(1, left, 20).

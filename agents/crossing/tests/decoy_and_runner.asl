@@ -1,7 +1,7 @@
 // Decoy and runner: who is which.
 
 { include("shared/road.asl") }
-{ include("../decoy_and_runner.asl") }
+{ include("../specialists/decoy_and_runner.asl") }
 
 stood(1, left, 50).
 stood(2, right, 40).

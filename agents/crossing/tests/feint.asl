@@ -1,7 +1,7 @@
 // Feint: out, back, and out again.
 
 { include("shared/road.asl") }
-{ include("../feint.asl") }
+{ include("../specialists/feint.asl") }
 
 at(1.4, 30).  // a foot in the lane
 

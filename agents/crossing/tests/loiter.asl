@@ -1,7 +1,7 @@
 // Loiter: with a foot in the lane, 45.5 m along the road.
 
 { include("shared/road.asl") }
-{ include("../loiter.asl") }
+{ include("../specialists/loiter.asl") }
 
 at(1.4, 30).
 

@@ -1,7 +1,7 @@
 // Shadow: a car is parked 45 to 51 m along the road.
 
 { include("shared/road.asl") }
-{ include("../shadow.asl") }
+{ include("../specialists/shadow.asl") }
 
 obstacle(2, 2, 30, 33).
 

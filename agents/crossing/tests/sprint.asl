@@ -1,7 +1,7 @@
 // Sprint: a foot in the lane, 45.5 m along the road.
 
 { include("shared/road.asl") }
-{ include("../sprint.asl") }
+{ include("../specialists/sprint.asl") }
 
 at(1.4, 30).
 

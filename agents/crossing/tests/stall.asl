@@ -1,7 +1,7 @@
 // Stall: in the middle of the AV's path.
 
 { include("shared/road.asl") }
-{ include("../stall.asl") }
+{ include("../specialists/stall.asl") }
 
 at(3.5, 30).
 

@@ -1,7 +1,7 @@
 // Tail: beside the AV's path, in its lane.
 
 { include("shared/road.asl") }
-{ include("../tail.asl") }
+{ include("../specialists/tail.asl") }
 
 at(2.1, 30).
 

@@ -58,7 +58,8 @@ class ActorsReader : CrossingPart {
                {"program",
                 [&](const ConfigNode& value, const std::string&) {
                   if (const auto file = reader_.text(value, "the path of a program")) {
-                    program.program = program_path(context_.folder, *file, kCrossing);
+                    program.program =
+                        program_path(context_.folder, *file, kCrossing, context_.files);
                   }
                 }},
                {"start",

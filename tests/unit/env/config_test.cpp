@@ -1,6 +1,9 @@
 // Values of scenarios and what is said of wrong ones.
 
 #include <array>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,9 +20,13 @@ using test::list;
 using test::map;
 using test::nothing;
 using test::scalar;
+using testing::AnyOf;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
 
 /// A reader, and what it reports.
 struct Reading {
@@ -218,12 +225,41 @@ TEST(Atoms, BeginWithASmallLetter) {
 }
 
 TEST(ProgramPaths, AreFilesInstalledProgramsOrNamesOfBehaviours) {
-  EXPECT_EQ(program_path("dir", "mine.asl", "crossing"), "dir/mine.asl");
-  EXPECT_EQ(program_path("dir", "../mine.asl", "crossing"), "mine.asl");
-  EXPECT_EQ(program_path("dir", "/abs/mine.asl", "crossing"), "/abs/mine.asl");
-  EXPECT_EQ(program_path("dir", "sub/mine", "crossing"), "dir/sub/mine");
-  EXPECT_EQ(program_path("dir", "$jaywalk/crossing/a.asl", "motorway"), "$jaywalk/crossing/a.asl");
-  EXPECT_EQ(program_path("dir", "proximity", "crossing"), "$jaywalk/crossing/proximity.asl");
+  const SourceFiles files(std::string(JAYWALK_SOURCE_DIR "/agents"));
+  const auto path_of = [&](const char* text) {
+    return program_path("dir", text, "crossing", files);
+  };
+  EXPECT_EQ(path_of("mine.asl"), "dir/mine.asl");
+  EXPECT_EQ(path_of("../mine.asl"), "mine.asl");
+  EXPECT_EQ(path_of("/abs/mine.asl"), "/abs/mine.asl");
+  EXPECT_EQ(path_of("sub/mine"), "dir/sub/mine");
+  EXPECT_EQ(path_of("$jaywalk/motorway/a.asl"), "$jaywalk/motorway/a.asl");
+  EXPECT_EQ(path_of("proximity"), "$jaywalk/crossing/proximity.asl");
+  EXPECT_EQ(path_of("brink"), "$jaywalk/crossing/specialists/brink.asl");
+  EXPECT_EQ(path_of("nobody"), "$jaywalk/crossing/nobody.asl");
+}
+
+TEST(ProgramPaths, OfNamesOfBehavioursAreFoundAmongCopies) {
+  const std::array copies = {
+      std::make_shared<const Source>("$jaywalk/crossing/specialists/brink.asl", "!a."),
+      std::make_shared<const Source>("$jaywalk/crossing/specialists/tail.asl", "!a."),
+      std::make_shared<const Source>("$jaywalk/crossing/tail.asl", "!a.")};
+  const SourceFiles files(copies);
+  EXPECT_EQ(program_path("dir", "brink", "crossing", files),
+            "$jaywalk/crossing/specialists/brink.asl");
+  EXPECT_EQ(program_path("dir", "tail", "crossing", files), "$jaywalk/crossing/tail.asl")
+      << "as stores have it that were written when all behaviours were in one folder";
+}
+
+TEST(InstalledBehaviours, AreThoseOfTheWorldAndItsSpecialistsByName) {
+  const SourceFiles files(std::string(JAYWALK_SOURCE_DIR "/agents"));
+  const std::vector<std::string> paths = installed_behaviours("crossing", files);
+  EXPECT_THAT(paths, IsSupersetOf({"$jaywalk/crossing/hunter.asl",
+                                   "$jaywalk/crossing/specialists/brink.asl",
+                                   "$jaywalk/crossing/specialists/tail.asl"}));
+  EXPECT_THAT(paths, Each(Not(AnyOf(HasSubstr("/shared/"), HasSubstr("/tests/")))));
+  EXPECT_EQ(paths.front(), "$jaywalk/crossing/specialists/brink.asl")
+      << "the first of the alphabet";
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ std::string behaviour_text() {
   const SourceFiles files = files_on_disk();
   std::vector<Row> rows;
   for (const EnvironmentKind& world : environments()) {
-    for (const std::string& name : files.installed_in(installed_behaviours(world.name))) {
+    for (const std::string& name : installed_behaviours(world.name, files)) {
       const auto source = files.read(name);
       if (!source) continue;
       const std::size_t slash = name.rfind('/') + 1;

@@ -2,7 +2,7 @@
 // driver who sees it then could just stop. Where the time is short it walks in the lane, so that the
 // AV waits. Where nothing hides it, it acts as brink does.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 !exercise_av.
 

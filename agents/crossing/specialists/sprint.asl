@@ -1,7 +1,7 @@
 // Sprint: steps out on the brink, but slowly, as somebody who will let the AV pass; runs when that is
 // the last moment to get into its path.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 slow(0.5).  // m/s
 fast(3).    // m/s, or as fast as it can

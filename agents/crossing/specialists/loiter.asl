@@ -2,7 +2,7 @@
 // sets out when the AV, which has not stopped, is about to pass. When it stops it does the same on
 // the other side of the lane.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 patience(3).  // s, how long to stand at the other side
 

@@ -2,8 +2,8 @@
 // and draws the AV's braking by a foot in the lane, and back; then it tells the others, who step out
 // on the brink. Somebody who is alone is both.
 
-{ include("shared/stepping.asl") }
-{ include("shared/company.asl") }
+{ include("../shared/stepping.asl") }
+{ include("../shared/company.asl") }
 
 short_of(4).  // m before the runner, where the decoy stands
 

@@ -1,7 +1,7 @@
 // Feint: out into the lane, back when the AV slows, and out again on the brink when it picks up speed;
 // again and again.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 !exercise_av.
 

@@ -1,7 +1,7 @@
 // Tail: walks along the lane beside the AV's path, against the AV, whatever that does, and turns in
 // when it is about to pass.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 !exercise_av.
 

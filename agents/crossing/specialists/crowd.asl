@@ -2,8 +2,8 @@
 // foot in its lane until all have come. Then they split: the post steps back and stays, the others
 // step out on the brink and cross. Whoever is alone does that at once.
 
-{ include("shared/stepping.asl") }
-{ include("shared/company.asl") }
+{ include("../shared/stepping.asl") }
+{ include("../shared/company.asl") }
 
 !exercise_av.
 

@@ -1,7 +1,7 @@
 // Stall: walks out in good time, stops in the AV's path and stands there; when the AV has waited long
 // enough, or drives on, it goes on.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 steps_out(4).    // s before the AV comes
 stands_for(20).  // s

@@ -2,7 +2,7 @@
 // driver would still avoid it, if the AV meets it unless it brakes; stands in the AV's path until the
 // AV has stopped or passed.
 
-{ include("shared/stepping.asl") }
+{ include("../shared/stepping.asl") }
 
 !exercise_av.
 
