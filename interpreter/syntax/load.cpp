@@ -183,7 +183,9 @@ class Loader {
   // A program that was copied away from the installed ones finds what it included there.
   std::optional<std::string> find_installed(const std::string& name, const SourceSpan& where) {
     if (name.find('/') == std::string::npos) return std::nullopt;
-    auto installed = include_path_.files.find_installed(name);
+    std::string_view below = name;  // of a world's folder, from whatever folder in it
+    while (below.starts_with("../")) below.remove_prefix(3);
+    auto installed = include_path_.files.find_installed(below);
     if (!installed) return std::nullopt;
     diagnostics_.add({.severity = Severity::note,
                       .message = fmt::format("'{}' is not beside the program; the installed one "
