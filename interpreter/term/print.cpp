@@ -59,8 +59,9 @@ class Printer {
   [[nodiscard]] bool is_cut() const { return is_cut_; }
 
  private:
-  // A term that shares its parts may be small, and its text longer than any memory. What would stand
-  // behind the limit is left out; an exception would take its time through all levels of the term.
+  // A term that shares its parts may be small, and its text longer than any memory. What would
+  // stand behind the limit is left out; an exception would take its time through all levels of the
+  // term.
   bool is_enough() {
     const bool is_long = out_.size() > most_;
     is_cut_ = is_cut_ || is_long;

@@ -228,7 +228,8 @@ TEST(UnionOf, PutsOneElementWhereItBelongsInAnySet) {
   for (std::size_t count = 0; count < 16; ++count) {
     for (std::size_t element = 0; element <= 2 * count; ++element) {
       std::vector<Value> odd;
-      for (std::size_t i = 0; i < count; ++i) odd.push_back(Value::number(static_cast<double>(2 * i + 1)));
+      for (std::size_t i = 0; i < count; ++i)
+        odd.push_back(Value::number(static_cast<double>(2 * i + 1)));
       std::ranges::reverse(odd);  // sets that are not in order are put in order
       const Value list = terms.heap.list(odd);
       const Value set = element % 3 == 0 ? list : sorted_set(terms.heap, list, terms.symbols);

@@ -155,9 +155,10 @@ TEST(BriefText, EndsWithinAnyKindOfTerm) {
   test::Terms terms;
   std::string elements = "a";
   for (int i = 0; i < 2000; ++i) elements += ",f(" + std::to_string(i) + ")";
-  for (const std::string& text : {"[" + elements + "]", "f(" + elements + ")", "p[" + elements + "]",
-                                  "{ !a; " + std::string(200, 'b') + "; { !f([" + elements + "]) } }",
-                                  "{ +!g(X) : f([" + elements + "]) <- !h }"}) {
+  for (const std::string& text :
+       {"[" + elements + "]", "f(" + elements + ")", "p[" + elements + "]",
+        "{ !a; " + std::string(200, 'b') + "; { !f([" + elements + "]) } }",
+        "{ +!g(X) : f([" + elements + "]) <- !h }"}) {
     const Value term = terms.term(text);
     const std::string whole = term_text(term, terms.symbols);
     const std::string brief = brief_text(term, terms.symbols, 100);
@@ -168,7 +169,8 @@ TEST(BriefText, EndsWithinAnyKindOfTerm) {
 TEST(BriefText, OfBodiesWithinBodiesIsTheirBeginning) {
   test::Terms terms;
   Value body = terms.term("{ !a }");
-  for (int i = 0; i < 900; ++i) body = terms.heap.structure(predicates::source, std::span(&body, 1));
+  for (int i = 0; i < 900; ++i)
+    body = terms.heap.structure(predicates::source, std::span(&body, 1));
   EXPECT_EQ(brief_text(body, terms.symbols, 14), "source(source(...");
   EXPECT_EQ(term_text(body, terms.symbols).size(), 900 * 8 + 6);
 }
