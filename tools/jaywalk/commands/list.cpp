@@ -92,7 +92,7 @@ std::string words(std::string_view title, std::span<const EnvironmentWord> words
 std::string environment_text() {
   std::string text;
   for (const EnvironmentKind& environment : environments()) {
-    text += fmt::format("{}  {}\n", environment.name, environment.summary);
+    text += columns("", {{std::string(environment.name), std::string(environment.summary)}});
     text += words("percepts", environment.percepts) + words("actions", environment.actions);
   }
   return text;
@@ -233,7 +233,7 @@ CommandHelp help() {
           .description =
               "Names what there is of a kind: environments, behaviours, internal-actions,\n"
               "functions, checks, measures, metrics, signals, exporters, vehicles, defects,\n"
-              "simulators, generators, suts, controllers, presets or commands.\n",
+              "simulators, learners, generators, suts, controllers, presets or commands.\n",
           .options = {},
           .examples =
               "  jaywalk list environments\n"
