@@ -21,8 +21,12 @@ struct AxleForces {
 
 AxleForces loads(const VehicleParameters& p, double acceleration) {
   const double base = p.wheelbase_m();
-  return {p.mass_kg * (kGravityMps2 * p.rear_axle_m - acceleration * p.height_m) / base,
-          p.mass_kg * (kGravityMps2 * p.front_axle_m + acceleration * p.height_m) / base};
+  const double weight = p.mass_kg * kGravityMps2;
+  const double front =
+      p.mass_kg * (kGravityMps2 * p.rear_axle_m - acceleration * p.height_m) / base;
+  // An axle that has left the ground bears nothing, and the other one the whole car.
+  const double borne = std::clamp(front, 0.0, weight);
+  return {borne, weight - borne};
 }
 
 AxleForces longitudinal(const VehicleParameters& p, double acceleration, const AxleForces& load) {

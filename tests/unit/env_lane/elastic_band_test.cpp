@@ -146,6 +146,31 @@ TEST(ElasticBand, BendsLessWithEachSweep) {
   }
 }
 
+/// How far two bands of as many points are apart where they are furthest.
+double furthest(const Polyline& a, const Polyline& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, distance(a[i], b[i]));
+  return most;
+}
+
+TEST(ElasticBand, ComesToRestAfterManySweeps) {
+  // With few nodes it takes fewer.
+  BandParameters many{.node_m = 6, .sweeps = 2000};
+  const Polyline rest = elastic_band(corner(30), many);
+  many.sweeps = 4000;
+  EXPECT_LT(furthest(elastic_band(corner(30), many), rest), 1e-3);
+}
+
+TEST(ElasticBand, IsNotAtRestAfterTheSweepsThatTheCarsAreCalibratedWith) {
+  BandParameters more;
+  EXPECT_EQ(more.sweeps, 150);
+  const Polyline calibrated = elastic_band(corner(30), more);
+  more.sweeps = 4000;
+  const double apart = furthest(calibrated, elastic_band(corner(30), more));
+  EXPECT_GT(apart, 0.3);
+  EXPECT_LT(apart, 1.5) << "about a metre, as its header says";
+}
+
 TEST(ElasticBand, OfAShortLineHasFiveNodes) {
   const Polyline band = elastic_band({{0, 0}, {0, 2}}, {});
   EXPECT_EQ(band.size(), 5U);
