@@ -56,9 +56,9 @@ std::string tracks(const Recording& recording, const RoadPicture& road) {
 
 std::string command(const ReportData& data, const ReplayLink& link) {
   return fmt::format("jaywalk replay {} --behaviour {} --agents {} --test {}",
-                     data.store_path.empty() ? "STORE.gpkg" : data.store_path,
-                     data.description.behaviours[link.test.behaviour].name, link.test.agents,
-                     link.test.number);
+                     shell_quoted(data.store_path.empty() ? "STORE.gpkg" : data.store_path),
+                     shell_quoted(data.description.behaviours[link.test.behaviour].name),
+                     link.test.agents, link.test.number);
 }
 
 }  // namespace
