@@ -109,6 +109,7 @@ TEST(PlanHints, KnowThatATestGoalIsAnotherKindOfEvent) {
 
 TEST(PlanHints, DoNotTakeAFailurePlanForAPlanOfTheGoal) {
   EXPECT_EQ(plan_hint("cross", "-!cross <- .print(a).\n"), "");
+  EXPECT_EQ(plan_hint("cross", "-!cross(W) <- .print(W).\n"), "");
 }
 
 TEST(Explanations, AreOfTheAgentAndTheTickThatAreWanted) {

@@ -67,6 +67,11 @@ class RepeatedKills : public SearchKillsTest {
   RepeatedKills() : SearchKillsTest(3) {}
 };
 
+class TwiceRepeatedKills : public SearchKillsTest {
+ protected:
+  TwiceRepeatedKills() : SearchKillsTest(2) {}
+};
+
 TEST_F(SearchKillsTest, HaveARowForEachGeneratorAndACellForEachDefect) {
   SearchKills kills(experiment_);
   for (std::size_t search = 0; search < 6; ++search) {
@@ -137,6 +142,13 @@ TEST_F(RepeatedKills, TakeARepetitionThatKillsNothingForTheLongest) {
   EXPECT_FALSE(kills.matrix().rows[0].cells[1].measured->first_median) << "two of three never";
 }
 
+TEST_F(TwiceRepeatedKills, HaveTheLowerOfTwoInTheMiddle) {
+  SearchKills kills(experiment_);
+  kills.add(0, run({test(0.1, false), test(0.2, true)}));
+  kills.add(1, run({test(0.1, true)}));
+  EXPECT_EQ(kills.matrix().rows[0].cells[0].measured->first_median, 1U);
+}
+
 TEST_F(SearchKillsTest, KnowTheTestThatKillsMostAndTheTwoThatDoTogether) {
   SearchKills kills(experiment_);
   // 0.1 kills the first two, 0.2 the last, 0.3 the first alone.
@@ -150,6 +162,19 @@ TEST_F(SearchKillsTest, KnowTheTestThatKillsMostAndTheTwoThatDoTogether) {
   EXPECT_EQ(teams[1].killed, 3U);
   EXPECT_THAT(teams[1].tests, SizeIs(2));
   EXPECT_TRUE(kills.best_tests(0).empty()) << "the other generator kills nothing";
+}
+
+TEST_F(SearchKillsTest, TakeTheFirstOfTeamsThatKillAsMuch) {
+  SearchKills kills(experiment_);
+  // Any two of the three kill two defects.
+  kills.add(0, run({test(0.1, true)}));
+  kills.add(1, run({test(0.2, true)}));
+  kills.add(2, run({test(0.3, true)}));
+  const auto teams = kills.best_tests(0);
+  ASSERT_THAT(teams, SizeIs(2));
+  EXPECT_THAT(teams[0].tests[0].values, ElementsAre(0.3, 0)) << "of the last defect";
+  EXPECT_THAT(teams[1].tests[0].values, ElementsAre(0.3, 0));
+  EXPECT_THAT(teams[1].tests[1].values, ElementsAre(0.2, 0));
 }
 
 TEST_F(SearchKillsTest, HaveNoTeamOfTwoWhereOneDoesAsWell) {
