@@ -59,7 +59,7 @@ Outcome replace_all(ActionCall& call, std::size_t result, const std::string& tex
   return call.result(result, call.heap().text(*replaced));
 }
 
-Outcome delete_range(ActionCall& call, std::int32_t start, std::int32_t end, std::size_t whole) {
+Outcome delete_range(ActionCall& call, std::int64_t start, std::int64_t end, std::size_t whole) {
   if (call.arg(whole).is_text()) {
     const std::string_view text = call.arg(whole).text()->view();
     const auto length = static_cast<std::int64_t>(utf16_length(text));
@@ -70,7 +70,7 @@ Outcome delete_range(ActionCall& call, std::int32_t start, std::int32_t end, std
     return call.result(whole + 1, call.heap().text(kept));
   }
   std::vector<Value> kept;
-  std::int32_t i = 0;
+  std::int64_t i = 0;
   for (const Value element : elements(call.arg(whole))) {
     if (i < start || i >= end) kept.push_back(element);
     ++i;
@@ -152,9 +152,9 @@ Outcome concat(ActionCall& call) {
 Outcome delete_from(ActionCall& call) {
   const Value first = call.arg(0);
   if (first.is_number()) {
-    const std::int32_t start = java_int(first.as_number());
+    const std::int64_t start = java_int(first.as_number());
     const bool has_end = call.count() == 4 && call.arg(1).is_number();
-    const std::int32_t end = has_end ? java_int(call.arg(1).as_number()) : start + 1;
+    const std::int64_t end = has_end ? java_int(call.arg(1).as_number()) : start + 1;
     const std::size_t whole = has_end ? 2 : 1;
     if (call.arg(whole).is_text() || call.arg(whole).is_list()) {
       return delete_range(call, start, end, whole);

@@ -30,6 +30,7 @@ TEST(StringActions, DeleteElementsRangesAndMatches) {
       {".delete(1, 3, [k,l,m,n], R); .print(R)", {"[k,n]"}},
       {".delete(1, \"house\", A); .delete(1, 3, \"house\", B); .print(A, B)", {"husehse"}},
       {".delete(9, \"abc\", R); .print(R)", {"abc"}},
+      {".delete(2147483647, [p,q], A); .delete(2147483647, \"pq\", B); .print(A, B)", {"[p,q]pq"}},
       {".delete(\"an\", \"banana\", A); .delete(\"[ab]\", \"cab\", B); .print(A, B)", {"bac"}},
       {".delete(\"[\", \"abc\", R)", {"failed: unknown"}},
       {".delete(a, b, R)", {"failed: internal_action"}},
