@@ -15,11 +15,12 @@ inline constexpr std::uint64_t kMaxTermParts = 50'000'000;
 /// One walk through a term, or through two terms side by side.
 class TermWalk {
  public:
-  /// Stands for one level of nesting.
+  /// Stands for one level of nesting: `term`'s, if it is given, which no level below can have but
+  /// that of a term that contains itself.
   class Level {
    public:
-    explicit Level(TermWalk& walk) : walk_(walk) {
-      if (walk_.depth_ >= kMaxTermDepth) throw TermTooDeep{};
+    explicit Level(TermWalk& walk, Value term = {}) : walk_(walk) {
+      if (walk_.depth_ >= kShallow) walk_.look_for_circle(term);
       ++walk_.depth_;
       walk_.visit();
     }
@@ -39,7 +40,25 @@ class TermWalk {
   [[nodiscard]] int depth() const { return depth_; }
 
  private:
+  static constexpr int kShallow = 64;
+
+  // Goes down to kMaxTermDepth only if it has to: the way back takes an exception through all
+  // levels, which is slow. Remembers the term of a level, and of one that is twice as deep, and so
+  // on (Brent 1980), until the walk has come back above that level.
+  void look_for_circle(Value term) {
+    if (depth_ >= kMaxTermDepth) throw TermTooDeep{};
+    if (depth_ <= level_remembered_) level_remembered_ = 0;
+    const bool is_given = !term.is_unset();
+    if (level_remembered_ != 0 && is_given && term.same_as(remembered_)) throw TermTooDeep{};
+    if (is_given && (level_remembered_ == 0 || depth_ >= 2 * level_remembered_)) {
+      remembered_ = term;
+      level_remembered_ = depth_;
+    }
+  }
+
   int depth_ = 0;
+  int level_remembered_ = 0;
+  Value remembered_;
   std::uint64_t parts_ = 0;
 };
 

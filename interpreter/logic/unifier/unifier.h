@@ -199,6 +199,7 @@ class Unifier {
  private:
   static bool is_sum(const Structure& expression, const Value* slots, double& result, int depth);
   void rename_arguments(std::span<Value> args, std::vector<std::pair<Value, Value>>* renamed);
+  [[nodiscard]] bool is_open(Value term, const Value* slots) const;
   bool evaluate_term(Value term, Value* slots, double& result);
   bool evaluate_function(const Structure& function, const Value* slots, double& result);
   Value instantiate_structure(const Structure& structure, Value* slots);

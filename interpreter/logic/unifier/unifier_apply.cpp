@@ -67,7 +67,7 @@ Value Unifier::instantiate(Value term, Value* slots) {
     term = deref(term);
     return term.is_variable() || term.is_closed() ? term : instantiate(term, slots);
   }
-  const TermWalk::Level level(walk_);
+  const TermWalk::Level level(walk_, term);
   return term.is_pair() ? instantiate_pairs(term, slots)
                         : instantiate_structure(*term.structure(), slots);
 }
@@ -232,7 +232,7 @@ Value Unifier::instantiate_structure(const Structure& s, Value* slots) {
 }
 
 Value Unifier::keep_expression(const Structure& s, Value* slots) {
-  const TermWalk::Level level(walk_);
+  const TermWalk::Level level(walk_, Value::reference(Value::Kind::structure, &s, 0));
   ArgumentBuffer args(s.arity);
   for (std::size_t i = 0; i < s.arity; ++i) {
     args[i] = is_form(s.arg(i), Form::expression) ? keep_expression(*s.arg(i).structure(), slots)

@@ -50,6 +50,11 @@ bool Unifier::evaluate_function(const Structure& function, const Value* slots, d
   return true;
 }
 
+bool Unifier::is_open(Value term, const Value* slots) const {
+  if (term.is_slot() && !keep_slots_) term = slots[term.slot_index()];
+  return term.is_unset() || deref(term).is_variable();
+}
+
 bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   if (term.is_slot()) {
     if (keep_slots_) return false;
@@ -78,6 +83,8 @@ bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   }
   const TermWalk::Level level(walk_);
   const Structure& s = *term.structure();
+  // Nothing is said about the first operand, either, if the second is unknown.
+  if (s.arity == 2 && is_open(s.arg(1), slots)) return false;
   double a = 0;
   if (!evaluate(s.arg(0), slots, a)) return false;
   if (s.arity == 1) {
