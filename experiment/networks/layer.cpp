@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "experiment/networks/root.h"
+
 namespace jaywalk::networks {
 namespace {
 
@@ -61,7 +63,7 @@ void Adam::step() {
     slot.mean = b1 * slot.mean + (1 - b1) * gradients;
     slot.square = b2 * slot.square + (1 - b2) * gradients.square();
     values -= settings_.rate / correction1 * slot.mean /
-              ((slot.square / correction2).sqrt() + settings_.epsilon);
+              (roots(slot.square / correction2) + settings_.epsilon);
   }
 }
 

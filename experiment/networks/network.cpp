@@ -1,5 +1,7 @@
 #include "experiment/networks/network.h"
 
+#include "experiment/networks/root.h"
+
 namespace jaywalk::networks {
 namespace {
 
@@ -68,7 +70,7 @@ float Network::add_gradient_penalty(const Matrix& x, float weight) {
   const Matrix g = first_.input_gradient(a1);
 
   const Eigen::ArrayXf norm =
-      (g.array().square().colwise().sum() + kNormEpsilon).sqrt().transpose();
+      roots((g.array().square().colwise().sum() + kNormEpsilon).transpose());
   const float scale = 2 * weight / static_cast<float>(x.cols());
   const Matrix v = g.array().rowwise() * (scale * (norm - 1) / norm).transpose();
 

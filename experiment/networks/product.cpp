@@ -21,6 +21,14 @@ namespace {
 
 using Eigen::Index;
 
+// Eigen cuts its own products to what the processor's caches hold, and adds up piece by piece: with
+// sizes of some processor, the same sums on all of them.
+[[maybe_unused]] const bool kCachesAreSaid = [] {
+  constexpr std::ptrdiff_t kKilobyte = 1024;
+  Eigen::setCpuCacheSizes(32 * kKilobyte, 512 * kKilobyte, 4096 * kKilobyte);
+  return true;
+}();
+
 /// Columns of a tile.
 constexpr Index kTileColumns = 4;
 

@@ -1,6 +1,6 @@
 #include "search/learn/adversary.h"
 
-#include <cmath>
+#include "experiment/networks/root.h"
 
 namespace jaywalk::search::learn {
 namespace {
@@ -35,7 +35,7 @@ Matrix TestMaker::normalise(const Matrix& output, Pass pass) {
         // biased one.
         (1 - kMomentum) * running_variance_ + kMomentum * variance * (count / (count - 1));
   }
-  inverse_deviation_ = (variance.array() + kVarianceEpsilon).rsqrt();
+  inverse_deviation_ = 1 / networks::roots(variance.array() + kVarianceEpsilon);
   normalised_ = (output.colwise() - mean).array().colwise() * inverse_deviation_.array();
   return (normalised_.array().colwise() * scale_.array()).colwise() + shift_.array();
 }

@@ -1,10 +1,15 @@
-// Products are what the definition says, bit for bit: so they are the same on every processor.
+// Products, roots and what Adam makes of them are what the definition says, bit for bit: so they
+// are the same on every processor.
 
 #include "experiment/networks/product.h"
+
+#include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "experiment/networks/layer.h"
+#include "experiment/networks/root.h"
 
 namespace jaywalk::networks {
 namespace {
@@ -67,6 +72,48 @@ TEST(Products, OfOtherSizesAreNearThem) {
     set_product(a, b, sum);
     const Matrix wanted = by_definition(a, b, Matrix::Zero(rows, columns));
     EXPECT_LT((sum - wanted).cwiseAbs().maxCoeff(), 1e-4F);
+  }
+}
+
+TEST(Products, OfEigenAreCutInOneWay) {
+  const Matrix ones = Matrix::Ones(5, 5);
+  Matrix sum;
+  set_product(ones, ones, sum);
+  EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);
+  EXPECT_EQ(Eigen::l2CacheSize(), 512 * 1024);
+  EXPECT_EQ(Eigen::l3CacheSize(), 4096 * 1024);
+}
+
+TEST(Roots, AreThoseOfRealNumbersRounded) {
+  Random random(3);
+  const Eigen::ArrayXf numbers = 1 + noise(1000, 1, random).array();
+  const Eigen::ArrayXf wanted = numbers.cast<double>().sqrt().cast<float>();
+  EXPECT_TRUE((roots(numbers) == wanted).all());
+}
+
+// Kingma and Ba 2015, algorithm 1, number by number.
+TEST(Adam, StepsAsItsDefinitionSays) {
+  const AdamSettings settings{.rate = 0.01F, .beta1 = 0.9F, .beta2 = 0.999F, .epsilon = 1e-8F};
+  Random random(4);
+  std::vector<float> values(1001, 0);
+  std::vector<float> gradients(values.size());
+  for (float& gradient : gradients) gradient = static_cast<float>(random.uniform(-1, 1));
+  Adam adam(settings);
+  adam.add(values, gradients);
+  adam.step();
+  const float correction1 = 1 - settings.beta1;
+  const float correction2 = 1 - settings.beta2;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const volatile float mean = (1 - settings.beta1) * gradients[i];
+    const volatile float squared = gradients[i] * gradients[i];
+    const volatile float square = (1 - settings.beta2) * squared;
+    const volatile float corrected = square / correction2;
+    const volatile float root = std::sqrt(corrected);
+    const volatile float below = root + settings.epsilon;
+    const volatile float rate = settings.rate / correction1;
+    const volatile float above = rate * mean;
+    const volatile float step = above / below;
+    ASSERT_EQ(values[i], -step) << i;
   }
 }
 
