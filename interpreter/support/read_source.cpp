@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/diagnostics.h"
+#include "interpreter/support/input/missing_file.h"
 #include "interpreter/support/input/read_pipe.h"
 #include "interpreter/support/read_program.h"
 #include "interpreter/support/silenced.h"
@@ -89,7 +90,8 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
 Result<std::string> read_bytes(const std::string& path, std::size_t max_bytes) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return failure(path, "no such file");
+  if (!std::filesystem::exists(status))
+    return failure(path, "no such file", hint_for_missing(path));
   if (std::filesystem::is_directory(status)) {
     return failure(path, "this is a folder, a file was expected");
   }
