@@ -21,7 +21,7 @@ foreach(layer env experiment search)
 endforeach()
 list(FILTER pending EXCLUDE REGEX "/(scenario_reader|scenario_schema|scenario_yaml|trimmed|mean_estimate)\\.h$")
 list(FILTER pending EXCLUDE REGEX "^search/(evolve|generators|learn|model_based|store|suts)/")
-list(FILTER pending EXCLUDE REGEX "^experiment/networks/(layer|network|product)\\.h$")
+list(FILTER pending EXCLUDE REGEX "^experiment/networks/(layer|network|product|root)\\.h$")
 
 set(found "")
 while(pending)
