@@ -82,7 +82,7 @@ std::optional<std::string> objection(Database& database) {
   const bool ours =
       database.number("SELECT count(*) FROM sqlite_master WHERE name = 'versions'") == 1;
   if (database.failure()) return std::nullopt;
-  if (!ours) return "not a results store: a GeoPackage that jaywalk did not write";
+  if (!ours) return "not a results store: a GeoPackage with other tables";
   const auto create = [](Database& wanted) {
     create_tables(wanted, Placement(std::nullopt));
     complete_tables(wanted);

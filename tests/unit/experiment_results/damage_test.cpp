@@ -60,7 +60,7 @@ TEST_F(Damage, OfFilesThatAreNoStores) {
   run_sql(file("sqlite.gpkg"), "CREATE TABLE t (x)");
   expect_refused(file("sqlite.gpkg"), "a SQLite file, but no GeoPackage");
   run_sql(file("other.gpkg"), "CREATE TABLE t (x); PRAGMA application_id = 0x47504B47");
-  expect_refused(file("other.gpkg"), "a GeoPackage that jaywalk did not write");
+  expect_refused(file("other.gpkg"), "a GeoPackage with other tables");
 }
 
 TEST_F(Damage, OfStoresOfAnotherVersion) {
