@@ -25,6 +25,7 @@ Matrix noise(Eigen::Index rows, Eigen::Index columns, Random& random) {
 
 Layer::Layer(Eigen::Index inputs, Eigen::Index outputs, Random& random)
     : weights(outputs, inputs), bias(outputs) {
+  fix_order_of_sums();
   const double bound = 1 / std::sqrt(static_cast<double>(inputs));
   fill_uniform(weights, bound, random);
   fill_uniform(bias, bound, random);

@@ -5,5 +5,3 @@ target_sources(jaywalk_experiment PRIVATE
   networks/product.cpp)
 # Each product and each sum is to be rounded by itself, on every machine.
 set_source_files_properties(networks/product.cpp PROPERTIES COMPILE_OPTIONS -ffp-contract=off)
-# A square root is an instruction then, and several at once; nobody asks why one failed.
-set_source_files_properties(networks/layer.cpp PROPERTIES COMPILE_OPTIONS -fno-math-errno)

@@ -21,14 +21,6 @@ namespace {
 
 using Eigen::Index;
 
-// Eigen cuts its own products to what the processor's caches hold, and adds up piece by piece: with
-// sizes of some processor, the same sums on all of them.
-[[maybe_unused]] const bool kCachesAreSaid = [] {
-  constexpr std::ptrdiff_t kKilobyte = 1024;
-  Eigen::setCpuCacheSizes(32 * kKilobyte, 512 * kKilobyte, 4096 * kKilobyte);
-  return true;
-}();
-
 /// Columns of a tile.
 constexpr Index kTileColumns = 4;
 
@@ -132,6 +124,16 @@ bool has_wide_lanes() {
 #endif
 
 }  // namespace
+
+void fix_order_of_sums() {
+  // Said once, before any other thread can multiply: whoever multiplies has called this before.
+  static const bool is_fixed = [] {
+    constexpr std::ptrdiff_t kKilobyte = 1024;
+    Eigen::setCpuCacheSizes(32 * kKilobyte, 512 * kKilobyte, 4096 * kKilobyte);
+    return true;
+  }();
+  (void)is_fixed;
+}
 
 void add_tiled_product(const Factor& a, const Factor& b, Eigen::MatrixXf& sum) {
   // Memory alone: nothing is read that this call has not written.

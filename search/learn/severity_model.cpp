@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiment/networks/product.h"
+
 namespace jaywalk::search::learn {
 namespace {
 
@@ -38,6 +40,7 @@ double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); 
 }  // namespace
 
 SeverityModel::SeverityModel(std::vector<FeatureLength> lengths) : lengths_(std::move(lengths)) {
+  networks::fix_order_of_sums();
   places_.resize(static_cast<Index>(lengths_.size()), kMostKnown);
   severities_.resize(kMostKnown);
 }

@@ -76,9 +76,8 @@ TEST(Products, OfOtherSizesAreNearThem) {
 }
 
 TEST(Products, OfEigenAreCutInOneWay) {
-  const Matrix ones = Matrix::Ones(5, 5);
-  Matrix sum;
-  set_product(ones, ones, sum);
+  Random random(1);
+  const Layer layer(3, 5, random);
   EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);
   EXPECT_EQ(Eigen::l2CacheSize(), 512 * 1024);
   EXPECT_EQ(Eigen::l3CacheSize(), 4096 * 1024);
