@@ -10,6 +10,7 @@ namespace {
 /// Goes down through levels of these terms until a limit stops it; how many levels there were.
 int levels_before_the_end(TermWalk& walk, const std::function<Value(int)>& term_of) {
   const int depth = walk.depth();
+  if (depth > kMaxTermDepth) return depth;  // no limit has stopped it
   try {
     const TermWalk::Level level(walk, term_of(depth));
     return levels_before_the_end(walk, term_of);
