@@ -107,7 +107,7 @@ Outcome stop_mas(ActionCall& call) {
   if (call.count() > 1 && call.arg(1).is_number()) {
     exit_code = static_cast<int>(std::clamp(call.arg(1).as_number(), -255.0, 255.0));
   }
-  call.agent()->host().society().stop(deadline_ms, exit_code);
+  call.agent()->host().society().stop(*call.agent(), deadline_ms, exit_code);
   return Outcome::succeeded;
 }
 

@@ -25,8 +25,8 @@ Outcome print_line(ActionCall& call, std::string_view text, std::string_view end
   Agent* const agent = call.agent();
   if (agent == nullptr) return Outcome::succeeded;
   if (agent->settings().verbosity == 0) {
-    agent->host().write(text);
-    agent->host().write(end);
+    agent->host().write(*agent, text);
+    agent->host().write(*agent, end);
   } else {
     agent->host().print(*agent, text);
   }

@@ -61,7 +61,8 @@ Outcome add(ActionCall& call, Value what, Value source, Place place) {
     std::string text(what.text()->view());
     // Jason removes all backslashes, not only those before quotes.
     std::erase(text, '\\');
-    plan = read_plan(text, call.heap(), call.symbols(), call.machine().actions(), problem);
+    plan = read_plan(text, call.heap(), call.symbols(), call.machine().actions(),
+                     call.machine().texts(), problem);
   } else if (!is_plan(what)) {
     plan = plan_of_trigger(what, call.heap(), call.symbols());
   }
@@ -109,7 +110,7 @@ bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) 
   if (trigger.is_text()) {
     std::string problem;
     const Value plan = read_plan(std::string(trigger.text()->view()), call.heap(), call.symbols(),
-                                 call.machine().actions(), problem);
+                                 call.machine().actions(), call.machine().texts(), problem);
     if (plan.is_unset()) return false;
     trigger = plan_parts(plan).trigger;
   }

@@ -19,6 +19,7 @@ AgentParts::AgentParts(std::string name, std::shared_ptr<const Program> program,
       program_(std::move(program)),
       symbols_(symbols),
       host_(host),
+      turn_(&host.common_turn()),
       observer_(host.observer()),
       beliefs_(heap_, symbols),
       max_inferences_(limits.inferences),
@@ -32,7 +33,7 @@ AgentParts::~AgentParts() = default;
 Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTable& symbols,
              AgentHost& host, std::uint64_t seed, const AgentLimits& limits)
     : AgentParts(std::move(name), std::move(program), symbols, host, seed, limits) {
-  if (auto remains = host_.workspaces().take_remains(program_.get())) {
+  if (auto remains = turn_->workspaces->take_remains(program_.get())) {
     heap_.use(std::move(remains->heap));
     beliefs_.use(std::move(remains->beliefs));
   }
@@ -67,19 +68,20 @@ void Agent::note_unusual() {
 }
 
 Agent::~Agent() {
-  WorkspacePool& pool = host_.workspaces();
+  WorkspacePool& pool = *turn_->workspaces;
   if (!pool.wants_remains()) return;
   pool.keep({program_.get(), heap_.leave_remains(), beliefs_.leave_remains()});
 }
 
 void Agent::borrow_workspace() {
-  WorkspacePool& pool = host_.workspaces();
+  WorkspacePool& pool = *turn_->workspaces;
   workspace_ = pool.lend();
   workspace_->machine.attach({.heap = &heap_,
                               .beliefs = &beliefs_,
                               .actions = &program_->actions(),
                               .agent = this,
                               .surroundings = this,
+                              .texts = &turn_->texts,
                               .functions = own_ == nullptr || own_->functions.empty()
                                                ? &program_->functions()
                                                : &own_->functions,
@@ -90,7 +92,7 @@ void Agent::borrow_workspace() {
 void Agent::give_back_workspace() {
   workspace_->take_back_queues(circumstance_);
   workspace_->machine.unifier().commit(0);
-  host_.workspaces().take_back(std::move(workspace_));
+  turn_->workspaces->take_back(std::move(workspace_));
 }
 
 void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {

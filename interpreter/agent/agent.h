@@ -79,6 +79,10 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::uint32_t number() const { return number_; }
   void set_number(std::uint32_t number) { number_ = number; }
   [[nodiscard]] AgentHost& host() { return host_; }
+  /// The turn in which it reasons, mostly that of agents that reason one after another. It is at
+  /// rest when another one is set.
+  [[nodiscard]] AgentTurn& turn() { return *turn_; }
+  void set_turn(AgentTurn& turn) { turn_ = &turn; }
   /// The machine that answers its queries, borrowed from the system until the end of its cycle.
   [[nodiscard]] Machine& machine() { return work().machine; }
   /// To be called when the agent has been made to do something outside of its cycles.

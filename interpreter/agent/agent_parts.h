@@ -12,6 +12,7 @@
 #include "interpreter/agent/surroundings/customisation.h"
 #include "interpreter/agent/surroundings/host.h"
 #include "interpreter/agent/surroundings/settings.h"
+#include "interpreter/agent/surroundings/turn.h"
 #include "interpreter/agent/workspace.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/program/program.h"
@@ -45,6 +46,7 @@ class AgentParts {
   std::shared_ptr<const Program> program_;
   SymbolTable& symbols_;
   AgentHost& host_;
+  AgentTurn* turn_;
   ReasoningObserver* const observer_;
   Heap heap_;
   BeliefBase beliefs_;

@@ -5,13 +5,12 @@
 #include "interpreter/compile/translator.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/syntax/parser.h"
-#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
 Value read_plan(const std::string& text, Heap& heap, SymbolTable& symbols,
-                const ActionRegistry& actions, std::string& problem) {
-  TextsRead::require_room(heap, text.size());
+                const ActionRegistry& actions, TextsRead& texts, std::string& problem) {
+  texts.require_room(heap, text.size());
   const auto source = std::make_shared<const Source>("text", text);
   ast::Arena arena;
   Diagnostics diagnostics;

@@ -7,13 +7,15 @@
 
 #include "interpreter/logic/action.h"
 #include "interpreter/term/heap.h"
+#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
 /// The plan that a text denotes, with or without its final stop, as a term with fresh variables;
-/// unset, and `problem` set, if it is none.
+/// unset, and `problem` set, if it is none. The text is counted among `texts`.
 [[nodiscard]] Value read_plan(const std::string& text, Heap& heap, SymbolTable& symbols,
-                              const ActionRegistry& actions, std::string& problem);
+                              const ActionRegistry& actions, TextsRead& texts,
+                              std::string& problem);
 
 /// A plan without context and body for a trigger term ({+!g} or {+b}); unset if it is no trigger.
 [[nodiscard]] Value plan_of_trigger(Value trigger, Heap& heap, SymbolTable& symbols);

@@ -7,12 +7,11 @@
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/source.h"
 #include "interpreter/syntax/parser.h"
-#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
 std::optional<Value> read_term(std::string_view text, ActionCall& call) {
-  TextsRead::require_room(call.heap(), text.size());
+  call.machine().texts().require_room(call.heap(), text.size());
   ast::Arena arena;
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>("a string", std::string(text));

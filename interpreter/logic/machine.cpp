@@ -117,6 +117,7 @@ void Machine::attach(const MachineClient& client) {
   actions_ = client.actions;
   agent_ = client.agent;
   surroundings_ = client.surroundings;
+  texts_ = client.texts;
   functions_ = client.functions == nullptr ? &own_functions_ : client.functions;
   max_inferences_ = client.max_inferences;
   known_functions_ = {};

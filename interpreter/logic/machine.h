@@ -37,6 +37,7 @@
 #include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/frame_stack.h"
 #include "interpreter/logic/unifier/unifier.h"
+#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
@@ -75,6 +76,7 @@ struct MachineClient {
   const ActionRegistry* actions = nullptr;
   Agent* agent = nullptr;                       // null in tests
   MachineSurroundings* surroundings = nullptr;  // null: there is neither chance nor time
+  TextsRead* texts = nullptr;                   // null: as many as may be
   const std::vector<RuleFunction>* functions = nullptr;
   std::uint64_t max_inferences = 1'000'000'000;
 };
@@ -154,6 +156,8 @@ class Machine : public FunctionCaller {
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
   [[nodiscard]] BeliefBase& beliefs() { return *beliefs_; }
   [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
+  /// Texts that become names.
+  [[nodiscard]] TextsRead& texts() { return texts_ == nullptr ? own_texts_ : *texts_; }
 
   /// Other functions than those of the client until the next attach().
   void use_functions(const std::vector<RuleFunction>& functions) { functions_ = &functions; }
@@ -324,6 +328,8 @@ class Machine : public FunctionCaller {
   Unifier unifier_;
   Agent* agent_ = nullptr;
   MachineSurroundings* surroundings_ = nullptr;
+  TextsRead* texts_ = nullptr;
+  TextsRead own_texts_;
   const std::vector<RuleFunction>* functions_ = nullptr;
   std::function<void(std::string_view)> log_;
 

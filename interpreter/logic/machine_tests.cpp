@@ -184,7 +184,7 @@ void Machine::probe(const Goal& goal, Value* slots) {
 bool Machine::univ(const Goal& goal) {
   const Value left = unifier_.instantiate(goal.args()[0], environment_->slots);
   const Value right = unifier_.instantiate(goal.args()[1], environment_->slots);
-  return unify_univ(unifier_, left, right);
+  return unify_univ(unifier_, texts(), left, right);
 }
 
 }  // namespace jaywalk

@@ -20,7 +20,6 @@
 #include "interpreter/mas/beside.h"
 #include "interpreter/mas/system.h"
 #include "interpreter/program/solitary.h"
-#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
@@ -71,7 +70,7 @@ void Mas::Implementation::reason_ahead(Resident& resident, std::uint64_t most, A
   if (resident.is_leaving || !resident.agent->is_active()) return;
   ahead.agent = resident.agent.get();
   ahead.since = ahead.agent->cycles();
-  TextsRead::begin_turn(left_bytes_);
+  resident.agent->turn().texts.begin_turn(left_bytes_);
   reason(resident, most);
   ahead.longest = std::max(ahead.longest, ahead.agent->cycles() - ahead.since);
   ahead.agent = nullptr;

@@ -11,6 +11,14 @@
 
 namespace jaywalk {
 
+template <class TakeTurn>
+void Mas::Implementation::take_turn_beside(Resident& resident, Beside& beside, TakeTurn take_turn) {
+  Agent& agent = *resident.agent;
+  agent.set_turn(beside);
+  take_turn(resident, beside);
+  agent.set_turn(turn_);
+}
+
 template <class TakeTurn, class IsDone>
 void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn,
                                         IsDone is_done) {
@@ -26,15 +34,13 @@ void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, 
   workers_->run(blocks, [&](std::size_t worker, std::size_t block) {
     done[block] = std::make_unique<Beside>(*workspaces_of_workers_[worker]);
     Beside& beside = *done[block];
-    beside_ = &beside;
     beside.left = numbers.subspan(block * size, std::min(size, numbers.size() - block * size));
     while (!beside.left.empty() && !beside.outbox.end && held < kMostHeld) {
       const std::size_t before = beside.outbox.bytes();
-      take_turn(residents_[beside.left.front()], beside);
+      take_turn_beside(residents_[beside.left.front()], beside, take_turn);
       beside.left = beside.left.subspan(1);
       held += beside.outbox.bytes() - before;
     }
-    beside_ = nullptr;
   });
   for (std::unique_ptr<Beside>& beside : done) {
     empty(beside->outbox);
@@ -43,9 +49,7 @@ void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, 
     for (std::span<const std::uint32_t> left = beside->left; !left.empty() && !ended_;
          left = left.subspan(1)) {
       beside = std::make_unique<Beside>(*workspaces_of_workers_.front());
-      beside_ = beside.get();
-      take_turn(residents_[left.front()], *beside);
-      beside_ = nullptr;
+      take_turn_beside(residents_[left.front()], *beside, take_turn);
       empty(beside->outbox);
       is_done(*beside);
     }

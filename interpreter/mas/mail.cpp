@@ -51,7 +51,7 @@ const Resident& Mas::Implementation::named(Resident& resident) {
   return resident;
 }
 
-Resident* Mas::Implementation::receiver_of(const OutgoingMessage& message, const Agent& sender) {
+Resident* Mas::Implementation::receiver_of(const OutgoingMessage& message, Agent& sender) {
   if (!message.receiver_atom) {
     return message.receiver == "self" ? &residents_.of(sender) : residents_.find(message.receiver);
   }
@@ -59,12 +59,12 @@ Resident* Mas::Implementation::receiver_of(const OutgoingMessage& message, const
   if (atom == predicates::self) return &residents_.of(sender);
   if (Resident* const known = residents_.known_as(atom)) return known;
   Resident* const found = residents_.find(symbols_.functor(atom));
-  if (found != nullptr && beside_ == nullptr) residents_.remember(atom, *found);
+  if (found != nullptr && beside(sender) == nullptr) residents_.remember(atom, *found);
   return found;
 }
 
 bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
-  has_business_ = true;
+  sender.turn().has_business = true;
   Resident* const receiver = receiver_of(message, sender);
   if (receiver == nullptr) return false;
   Resident& from = residents_.of(sender);
@@ -83,8 +83,8 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   copy.in_reply_to = message.in_reply_to;
   // What it takes counts for the sender, who may send no more than an agent may have: terms that
   // share their parts are larger as copies.
-  if (beside_ != nullptr) {
-    Outbox& outbox = beside_->outbox;
+  if (Beside* const beside = this->beside(sender)) {
+    Outbox& outbox = beside->outbox;
     const std::size_t before = outbox.heap.bytes();
     copy.content = copy_content(message.content, outbox.heap, options_.max_agent_bytes);
     from.sent_bytes += outbox.heap.bytes() - before;
@@ -113,7 +113,7 @@ void Mas::Implementation::tell_of_provider(const std::string& subscriber,
 }
 
 void Mas::Implementation::post(Resident& receiver, const Message& message) {
-  has_business_ = true;
+  turn_.has_business = true;
   receiver.agent->circumstance().arriving.push_back(message);
   if (receiver.has_mail) return;
   receiver.has_mail = true;

@@ -27,11 +27,8 @@
 
 #include "interpreter/mas/beside.h"
 #include "interpreter/mas/system.h"
-#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
-
-thread_local Mas::Implementation::Beside* Mas::Implementation::beside_ = nullptr;
 
 bool Mas::Implementation::can_reason_beside(Resident& resident) {
   if (resident.reach_version != reaches_.version()) {
@@ -67,11 +64,12 @@ bool Mas::Implementation::round(Turn turn) {
 
 bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
   if (resident.is_leaving || !resident.agent->is_active()) return false;
-  TextsRead::begin_turn(left_bytes_);
+  Agent& agent = *resident.agent;
+  agent.turn().texts.begin_turn(left_bytes_);
   do {
     reason(resident, turn == Turn::one_cycle ? 1 : UINT64_MAX);
-  } while (turn == Turn::until_idle && !has_ended() && !resident.is_leaving &&
-           resident.agent->is_active() && !interrupted());
+  } while (turn == Turn::until_idle && !has_ended(beside(agent)) && !resident.is_leaving &&
+           agent.is_active() && !interrupted());
   return true;
 }
 

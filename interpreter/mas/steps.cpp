@@ -11,7 +11,6 @@
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/system.h"
-#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 namespace {
@@ -72,7 +71,7 @@ void Mas::Implementation::reason_alone(Resident& first) {
   Resident* lone = &first;
   while (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
     const std::uint64_t start = outcome_.cycles;
-    TextsRead::begin_turn(left_bytes_);
+    turn_.texts.begin_turn(left_bytes_);
     reason(*lone, std::min(end - start, kStepsPerMs - busy_steps_));
     if (ended_) return;
     share_memory();
@@ -120,34 +119,36 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
     most = std::min(most, kCyclesBetweenLooks);
   }
   allow_memory(resident);
-  has_business_ = false;
+  agent.turn().has_business = false;
   const std::uint64_t taken = agent.reason(most);
-  Beside* const beside = beside_;
+  Beside* const beside = this->beside(agent);
   (beside != nullptr ? beside->outbox.cycles : outcome_.cycles) += taken;
   note_memory(resident, beside != nullptr ? beside->outbox.grown : owned_bytes_);
-  if (beside != nullptr ? beside->outbox.end.has_value() : ended_) note_who_stopped(agent);
+  if (has_ended(beside)) note_who_stopped(agent);
   const std::uint64_t in_period = agent.cycles() - resident.cycles_before;
   if (in_period > options_.max_cycles_per_tick) {
     end({.how = RunEnd::looping,
          .message = busy_message(agent, options_.max_cycles_per_tick),
          .limit = RunLimit::cycles,
          .agent = agent.name(),
-         .where = last_place(agent)});
+         .where = last_place(agent)},
+        beside);
   } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
     end({.how = RunEnd::limit,
          .message = fmt::format("agent {} reached the limit of {} cycles", agent.name(),
                                 options_.max_cycles),
          .limit = RunLimit::cycles,
          .agent = agent.name(),
-         .where = last_place(agent)});
+         .where = last_place(agent)},
+        beside);
   }
-  if (options_.max_run_inferences != 0 && beside_ == nullptr) count_inferences(agent.name());
+  if (options_.max_run_inferences != 0 && beside == nullptr) count_inferences(agent.name());
   if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
 }
 
-void Mas::Implementation::note_who_stopped(const Agent& agent) {
-  if (beside_ != nullptr) {
-    Outbox::End& end = *beside_->outbox.end;
+void Mas::Implementation::note_who_stopped(Agent& agent) {
+  if (Beside* const beside = this->beside(agent)) {
+    Outbox::End& end = *beside->outbox.end;
     if (end.how == RunEnd::stopped) end.agent = agent.name();
   } else if (outcome_.end == RunEnd::stopped) {
     outcome_.agent = agent.name();
@@ -191,10 +192,11 @@ void Mas::Implementation::limit_reached(Agent& agent, ReachedLimit limit, std::s
          .message = std::move(message),
          .limit = RunLimit::memory,
          .agent = agent.name(),
-         .where = std::move(where)});
-  } else if (limit == ReachedLimit::inferences && beside_ == nullptr) {
+         .where = std::move(where)},
+        beside(agent));
+  } else if (limit == ReachedLimit::inferences && beside(agent) == nullptr) {
     last_query_ = std::move(where);
-    has_business_ = true;  // perhaps it was the run's limit
+    turn_.has_business = true;  // perhaps it was the run's limit
   }
 }
 

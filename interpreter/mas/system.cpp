@@ -6,7 +6,6 @@
 
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/mas/machine_memory.h"
-#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
@@ -71,7 +70,7 @@ Resident& Mas::Implementation::settle(const std::string& name,
   resident.known_bytes = sizeof(Agent) + sizeof(Resident);
   owned_bytes_ += static_cast<std::int64_t>(resident.known_bytes);
   residents_.wake(resident);
-  has_business_ = true;
+  turn_.has_business = true;
   return resident;
 }
 
@@ -192,18 +191,18 @@ bool Mas::Implementation::kill(std::string_view name, double deadline_ms) {
 }
 
 void Mas::Implementation::leave(Resident& resident) {
-  has_business_ = true;
+  turn_.has_business = true;
   services_.forget(resident.agent->name());
   release_memory(resident);
   residents_.remove(resident);
 }
 
-void Mas::Implementation::stop(double deadline_ms, int exit_code) {
-  has_business_ = true;
-  if (beside_ != nullptr) {
-    end({.how = RunEnd::stopped, .exit_code = exit_code});
+void Mas::Implementation::stop(Agent& agent, double deadline_ms, int exit_code) {
+  if (Beside* const beside = this->beside(agent)) {
+    end({.how = RunEnd::stopped, .exit_code = exit_code}, beside);
     return;
   }
+  turn_.has_business = true;
   outcome_.exit_code = exit_code;
   if (deadline_ms <= 0) {
     end({.how = RunEnd::stopped, .exit_code = exit_code});
@@ -217,11 +216,11 @@ void Mas::Implementation::stop(double deadline_ms, int exit_code) {
   timers_.add({.at_ms = now_ms_ + deadline_ms, .purpose = Timer::Purpose::stop});
 }
 
-void Mas::Implementation::end(Outbox::End how) {
-  has_business_ = true;
-  if (has_ended()) return;
-  if (beside_ != nullptr) {
-    beside_->outbox.end = std::move(how);
+void Mas::Implementation::end(Outbox::End how, Beside* beside) {
+  (beside != nullptr ? *beside : turn_).has_business = true;
+  if (has_ended(beside)) return;
+  if (beside != nullptr) {
+    beside->outbox.end = std::move(how);
     return;
   }
   ended_ = true;
@@ -243,7 +242,7 @@ bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& 
   Resident& resident = residents_[static_cast<std::uint32_t>(id)];
   Agent& agent = *resident.agent;
   all_keep_to_themselves_ = false;  // it may get other plans
-  TextsRead::begin_turn(left_bytes_);
+  turn_.texts.begin_turn(left_bytes_);
   const bool completed = agent.intervene([&] { work(agent); }, problem);
   go_on_after_idleness();
   if (agent.is_active()) wake(resident);
@@ -254,8 +253,8 @@ bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& 
 
 void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t token) {
   const Timer timer{.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token};
-  if (beside_ != nullptr) {
-    beside_->outbox.add(timer);
+  if (Beside* const beside = this->beside(agent)) {
+    beside->outbox.add(timer);
   } else {
     timers_.add(timer);
   }
@@ -264,27 +263,29 @@ void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t to
 bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_body(); }
 
 void Mas::Implementation::print(Agent& agent, std::string_view text) {
-  if (options_.print) put_out(Outbox::Kind::print, fmt::format("[{}] {}", agent.name(), text));
+  if (options_.print)
+    put_out(Outbox::Kind::print, fmt::format("[{}] {}", agent.name(), text), beside(agent));
 }
 
-void Mas::Implementation::write(std::string_view text) {
-  if (options_.write) put_out(Outbox::Kind::write, std::string(text));
+void Mas::Implementation::write(Agent& agent, std::string_view text) {
+  if (options_.write) put_out(Outbox::Kind::write, std::string(text), beside(agent));
 }
 
 void Mas::Implementation::log(Agent& agent, std::string_view text) {
   if (!options_.log) return;
   std::string line = fmt::format("[{}] {}", agent.name(), text);
-  Ahead& ahead = beside_ != nullptr ? beside_->ahead : ahead_;
+  Beside* const beside = this->beside(agent);
+  Ahead& ahead = beside != nullptr ? beside->ahead : ahead_;
   if (&agent == ahead.agent) {
     ahead.lines.push_back({agent.cycles() - ahead.since, std::move(line)});
   } else {
-    put_out(Outbox::Kind::log, line);
+    put_out(Outbox::Kind::log, line, beside);
   }
 }
 
-void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text) {
-  if (beside_ != nullptr) {
-    beside_->outbox.add_text(kind, text);
+void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text, Beside* beside) {
+  if (beside != nullptr) {
+    beside->outbox.add_text(kind, text);
   } else if (kind == Outbox::Kind::print) {
     options_.print(text);
   } else if (kind == Outbox::Kind::write) {

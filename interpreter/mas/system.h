@@ -58,13 +58,11 @@ class Mas::Implementation : public AgentHost, public Society {
   bool send(Agent& sender, const OutgoingMessage& message) override;
   bool act(Agent& agent) override;
   void print(Agent& agent, std::string_view text) override;
-  void write(std::string_view text) override;
+  void write(Agent& agent, std::string_view text) override;
   void log(Agent& agent, std::string_view text) override;
   [[nodiscard]] bool keeps_log() const override { return static_cast<bool>(options_.log); }
   [[nodiscard]] Society& society() override { return *this; }
-  [[nodiscard]] WorkspacePool& workspaces() override {
-    return beside_ != nullptr ? beside_->workspaces : stock_->workspaces;
-  }
+  [[nodiscard]] AgentTurn& common_turn() override { return turn_; }
   void limit_reached(Agent& agent, ReachedLimit limit, std::string where) override;
   [[nodiscard]] bool interrupted() override {
     return options_.interrupted && options_.interrupted();
@@ -82,7 +80,7 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] Creation create(const std::string& name, const std::string& file) override;
   [[nodiscard]] Creation clone(Agent& original, const std::string& name) override;
   bool kill(std::string_view name, double deadline_ms) override;
-  void stop(double deadline_ms, int exit_code) override;
+  void stop(Agent& agent, double deadline_ms, int exit_code) override;
   [[nodiscard]] ServiceDirectory& services() override { return services_; }
 
  private:
@@ -90,7 +88,9 @@ class Mas::Implementation : public AgentHost, public Society {
   Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
   [[nodiscard]] std::string problem_with_more_agents() const;
   void start(Agent& agent, const AgentSpec& spec);
-  void end(Outbox::End how);
+  struct Beside;
+  /// Ends the run, now or, for an agent that reasons beside others, as far as it is concerned.
+  void end(Outbox::End how, Beside* beside = nullptr);
   void go_on_after_idleness();
   void leave(Resident& resident);
 
@@ -124,11 +124,11 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason_until_quiet();
   void execute_actions();
   void reason(Resident& resident, std::uint64_t most);
-  void note_who_stopped(const Agent& agent);
+  void note_who_stopped(Agent& agent);
   [[nodiscard]] std::uint64_t inferences() const;
   void count_inferences(std::string agent);
-  [[nodiscard]] bool has_ended() const {
-    return beside_ ? beside_->outbox.end.has_value() : ended_;
+  [[nodiscard]] bool has_ended(const Beside* beside) const {
+    return beside != nullptr ? beside->outbox.end.has_value() : ended_;
   }
   void fire_timers();
   void pass_idle_time();
@@ -143,28 +143,31 @@ class Mas::Implementation : public AgentHost, public Society {
   void run_ahead_beside(std::span<const std::uint32_t> numbers, std::uint64_t most);
   [[nodiscard]] bool can_reason_beside(Resident& resident);
   void empty(Outbox& outbox);
-  /// Where this thread's agents reason and what they ask for goes, beside others; null: it is done
-  /// at once.
-  struct Beside {
-    explicit Beside(WorkspacePool& pool) : workspaces(pool) {}
-    WorkspacePool& workspaces;
+  /// The turn of agents that a thread reasons for beside others, and what they ask for meanwhile.
+  struct Beside : AgentTurn {
+    using AgentTurn::AgentTurn;
     Outbox outbox;
     Ahead ahead;
     /// Those of its block who have not had their turns.
     std::span<const std::uint32_t> left;
   };
-  static thread_local Beside* beside_;
+  /// Null: the agent has its turn after others, and what it asks for is done at once.
+  [[nodiscard]] Beside* beside(Agent& agent) {
+    return &agent.turn() == &turn_ ? nullptr : static_cast<Beside*>(&agent.turn());
+  }
+  template <class TakeTurn>
+  void take_turn_beside(Resident& resident, Beside& beside, TakeTurn take_turn);
   /// On all threads, `take_turn(resident, beside)` for each of these; then, in order, what they
   /// asked for is done, and `is_done(beside)` is called for each block of them.
   template <class TakeTurn, class IsDone>
   void reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn, IsDone is_done);
 
-  void put_out(Outbox::Kind kind, const std::string& text);
+  void put_out(Outbox::Kind kind, const std::string& text, Beside* beside = nullptr);
   void wake(Resident& resident);
   void put_to_sleep(Resident& resident);
   void announce(Agent& agent, Predicate predicate, std::span<const Value> args);
   [[nodiscard]] const Resident& named(Resident& resident);
-  [[nodiscard]] Resident* receiver_of(const OutgoingMessage& message, const Agent& sender);
+  [[nodiscard]] Resident* receiver_of(const OutgoingMessage& message, Agent& sender);
   void post(Resident& receiver, const Message& message);
   void post_content(Resident& receiver, Message message, Value content);
   [[nodiscard]] static Value hand_over(Value content, Agent& receiver);
@@ -188,7 +191,8 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] double wall_ms() const;
 
   std::unique_ptr<SystemStock> stock_;  // outlives the agents, as do the next
-  SymbolTable& symbols_;                // of this run, above the programs' own
+  AgentTurn turn_{stock_->workspaces};
+  SymbolTable& symbols_;  // of this run, above the programs' own
   /// Loaded during the run. Terms that agents send refer to their constants.
   std::unordered_set<std::shared_ptr<const Program>> loaded_;
   MasOptions options_;

@@ -12,8 +12,8 @@ namespace jaywalk {
 
 class TextsRead {
  public:
-  /// The agent that reasons on this thread begins a turn; so much is left of the memory of all.
-  static void begin_turn(std::size_t left_of_all) {
+  /// An agent begins a turn; so much is left of the memory of all.
+  void begin_turn(std::size_t left_of_all) {
     bytes_ = 0;
     left_of_all_ = left_of_all;
   }
@@ -21,7 +21,7 @@ class TextsRead {
   /// Before a text of so many bytes is read. Throws HeapExhausted if what was read in this turn
   /// could take more than is left, to all or to the owner of the heap: names remain when the terms
   /// of an agent that owns little are gone.
-  static void require_room(Heap& heap, std::size_t bytes) {
+  void require_room(Heap& heap, std::size_t bytes) {
     // A name of one letter takes that many: its texts, entries of tables, and before all that the
     // syntax tree.
     constexpr std::size_t kTakenByEach = 32;
@@ -31,8 +31,8 @@ class TextsRead {
   }
 
  private:
-  static inline thread_local std::size_t bytes_ = 0;
-  static inline thread_local std::size_t left_of_all_ = std::size_t(-1);
+  std::size_t bytes_ = 0;
+  std::size_t left_of_all_ = std::size_t(-1);
 };
 
 }  // namespace jaywalk

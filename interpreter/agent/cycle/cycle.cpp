@@ -43,7 +43,7 @@ std::uint64_t Agent::reason(std::uint64_t most) {
   (void)work();
   do {
     cycle();
-  } while (cycles_ < last_cycle_ && !host_.has_business() && is_active());
+  } while (cycles_ < last_cycle_ && !turn_->has_business && is_active());
   if (is_in_nursery) end_first_cycles();
   rest();
   return cycles_ - first;

@@ -332,7 +332,7 @@ bool Agent::has_unusual_business() {
 inline bool Agent::is_alone() {
   const Circumstance& c = circumstance_;
   return c.events.empty() && c.running.empty() && cycles_ < last_cycle_ &&
-         !heap_.wants_collection() && !heap_.wants_count() && !host_.has_business() &&
+         !heap_.wants_collection() && !heap_.wants_count() && !turn_->has_business &&
          (unusual_ & (kCustomised | kSeldomLooks)) == 0 && (!attention_ || !has_unusual_business());
 }
 

@@ -17,11 +17,11 @@
 namespace jaywalk {
 
 class Agent;
+struct AgentTurn;
 class OptionPolicies;
 class Program;
 class ReasoningObserver;
 class ServiceDirectory;
-class WorkspacePool;
 
 /// A message as its sender gives it. The content is copied when it is sent.
 struct OutgoingMessage {
@@ -74,8 +74,8 @@ class Society {
   /// The agent goes: at once, or after a time that it is informed about. False: there is no such
   /// agent.
   virtual bool kill(std::string_view name, double deadline_ms) = 0;
-  /// The run ends: at once, or after a time that all agents are informed about.
-  virtual void stop(double deadline_ms, int exit_code) = 0;
+  /// The agent ends the run: at once, or after a time that all agents are informed about.
+  virtual void stop(Agent& agent, double deadline_ms, int exit_code) = 0;
   /// The yellow pages.
   [[nodiscard]] virtual ServiceDirectory& services() = 0;
 };
@@ -88,10 +88,6 @@ class AgentHost {
  public:
   virtual ~AgentHost() = default;
 
-  /// An agent that reasons has asked for something that concerns others: a message, a new agent,
-  /// the end of the run. So it stops at the end of its cycle.
-  [[nodiscard]] static bool has_business() { return has_business_; }
-
   [[nodiscard]] virtual double now_ms() const = 0;
   /// Calls Agent::timer_fired(token) at that time.
   virtual void set_timer(Agent& agent, double at_ms, std::uint64_t token) = 0;
@@ -102,13 +98,13 @@ class AgentHost {
   /// Text for the console, without line break and without `[agent]`.
   virtual void print(Agent& agent, std::string_view text) = 0;
   /// Text for the console as it is, for agents with `verbose=0`.
-  virtual void write(std::string_view text) = 0;
+  virtual void write(Agent& agent, std::string_view text) = 0;
   virtual void log(Agent& agent, std::string_view text) = 0;
   /// Somebody reads the log; otherwise its lines need not be made.
   [[nodiscard]] virtual bool keeps_log() const { return true; }
   [[nodiscard]] virtual Society& society() = 0;
-  /// Where agents borrow what they reason with.
-  [[nodiscard]] virtual WorkspacePool& workspaces() = 0;
+  /// The turn of agents that reason one after another.
+  [[nodiscard]] virtual AgentTurn& common_turn() = 0;
   /// A limit has ended a step of the agent, or a query; `where` says which: "x.asl:2:21", "the
   /// context of @p1". Perhaps that ends the run.
   virtual void limit_reached(Agent& /*agent*/, ReachedLimit /*limit*/, std::string /*where*/) {}
@@ -118,10 +114,6 @@ class AgentHost {
   [[nodiscard]] virtual OptionPolicies* policies() { return nullptr; }
   /// Who looks at the agents as they reason; null: nobody.
   [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
-
- protected:
-  // Of the agent that reasons on this thread, since it began.
-  static inline thread_local bool has_business_ = false;
 };
 
 }  // namespace jaywalk

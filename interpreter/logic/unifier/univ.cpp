@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "interpreter/term/program_terms.h"
-#include "interpreter/term/texts_read.h"
 #include "interpreter/term/width.h"
 
 namespace jaywalk {
@@ -60,7 +59,7 @@ Value plan_of(Heap& heap, SymbolTable& symbols, const std::vector<Value>& parts)
   return made;
 }
 
-bool put_together(Unifier& unifier, Value term, Value list) {
+bool put_together(Unifier& unifier, TextsRead& texts, Value term, Value list) {
   Heap& heap = unifier.heap();
   SymbolTable& symbols = unifier.symbols();
   const std::vector<Value> parts = elements_of(list);
@@ -71,7 +70,7 @@ bool put_together(Unifier& unifier, Value term, Value list) {
   const std::size_t first = parts.size() - 3;
   std::string functor;
   if (parts[first].is_text()) {
-    TextsRead::require_room(heap, parts[first].text()->view().size());
+    texts.require_room(heap, parts[first].text()->view().size());
     functor = parts[first].text()->view();
   } else if (is_literal(parts[first])) {
     const Predicate named = literal_parts(parts[first]).predicate;
@@ -98,7 +97,7 @@ bool put_together(Unifier& unifier, Value term, Value list) {
 
 }  // namespace
 
-bool unify_univ(Unifier& unifier, Value term, Value list) {
+bool unify_univ(Unifier& unifier, TextsRead& texts, Value term, Value list) {
   if (is_literal(term)) return take_apart(unifier, term, list);
   if (is_program(term) && !is_form(term, Form::plan)) {
     const Value literal = program_structure(unifier.heap(), unifier.symbols(), term);
@@ -112,7 +111,7 @@ bool unify_univ(Unifier& unifier, Value term, Value list) {
     if (deref(parts[2]).is_unset()) parts[2] = Value::atom(predicates::truth);
     return unifier.unify(unifier.heap().list(parts), list);
   }
-  return list.is_pair() && put_together(unifier, term, list);
+  return list.is_pair() && put_together(unifier, texts, term, list);
 }
 
 }  // namespace jaywalk

@@ -4,10 +4,11 @@
 // trigger, context and body.
 
 #include "interpreter/logic/unifier/unifier.h"
+#include "interpreter/term/texts_read.h"
 
 namespace jaywalk {
 
-/// REQUIRES: both sides applied.
-[[nodiscard]] bool unify_univ(Unifier& unifier, Value term, Value list);
+/// A text that becomes a functor is counted among `texts`. REQUIRES: both sides applied.
+[[nodiscard]] bool unify_univ(Unifier& unifier, TextsRead& texts, Value term, Value list);
 
 }  // namespace jaywalk

@@ -22,7 +22,8 @@ class PlanReader : public testing::Test {
   /// The plan as text, or why it is none.
   std::string read(const std::string& text) {
     std::string problem;
-    const Value plan = read_plan(text, terms_.heap, terms_.symbols, standard_actions(), problem);
+    const Value plan =
+        read_plan(text, terms_.heap, terms_.symbols, standard_actions(), texts_, problem);
     EXPECT_EQ(plan.is_unset(), !problem.empty());
     return plan.is_unset() ? problem : term_text(plan, terms_.symbols);
   }
@@ -32,6 +33,7 @@ class PlanReader : public testing::Test {
   }
 
   Terms terms_;
+  TextsRead texts_;
 };
 
 TEST_F(PlanReader, ReadsAPlanWithOrWithoutItsStop) {
@@ -47,10 +49,10 @@ TEST_F(PlanReader, SaysWhatIsNoPlan) {
 
 TEST_F(PlanReader, GivesEachPlanItsOwnVariables) {
   std::string problem;
-  const Value a =
-      read_plan("+!g(X) <- a(X).", terms_.heap, terms_.symbols, standard_actions(), problem);
-  const Value b =
-      read_plan("+!g(X) <- a(X).", terms_.heap, terms_.symbols, standard_actions(), problem);
+  const Value a = read_plan("+!g(X) <- a(X).", terms_.heap, terms_.symbols, standard_actions(),
+                            texts_, problem);
+  const Value b = read_plan("+!g(X) <- a(X).", terms_.heap, terms_.symbols, standard_actions(),
+                            texts_, problem);
   const auto variable = [](Value plan) {
     return deref(deref(deref(plan_parts(plan).trigger).structure()->arg(0)).structure()->arg(0));
   };

@@ -1,0 +1,25 @@
+#pragma once
+
+// What an agent reasons with while it has its turn, and what it makes known meanwhile. Agents that
+// have their turns one after another share one; where several threads reason, each has its own for
+// the agents of its block (mas/parallel.cpp).
+
+#include "interpreter/term/texts_read.h"
+
+namespace jaywalk {
+
+class WorkspacePool;
+
+struct AgentTurn {
+  explicit AgentTurn(WorkspacePool& pool) : workspaces(&pool) {}
+
+  /// Where the agent borrows what it reasons with.
+  WorkspacePool* workspaces;
+  /// The agent has asked for something that concerns others: a message, a new agent, the end of the
+  /// run. So it stops at the end of its cycle.
+  bool has_business = false;
+  /// Texts that it has made names of.
+  TextsRead texts;
+};
+
+}  // namespace jaywalk
