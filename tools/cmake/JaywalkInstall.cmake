@@ -6,7 +6,7 @@
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
 #   share/jaywalk/              agents and scenarios
-#   share/doc/jaywalk/          the language's reference, how to embed it, the licence
+#   share/doc/jaywalk/          the language's reference, how to embed it, the changes, the licence
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(JAYWALK_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/jaywalk)
@@ -38,9 +38,14 @@ install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios
         DESTINATION ${JAYWALK_DATA_DIR}
         FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.md")
-install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
+file(GLOB changelogs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG*.md)
+install(FILES ${changelogs} ${PROJECT_SOURCE_DIR}/LICENSE
               ${PROJECT_SOURCE_DIR}/SECURITY.md
+              ${PROJECT_SOURCE_DIR}/interpreter/CHECKS.md
               ${PROJECT_SOURCE_DIR}/interpreter/COVERAGE.md
               ${PROJECT_SOURCE_DIR}/interpreter/EMBEDDING.md
               ${PROJECT_SOURCE_DIR}/interpreter/LANGUAGE.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/interpreter/language DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/interpreter/embed/CUSTOMISATION.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/embed)
