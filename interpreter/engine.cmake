@@ -22,7 +22,7 @@ jaywalk_add_library(engine
     logic/machine.cpp
     logic/machine_annotated.cpp
     logic/machine_calls.cpp
-    logic/machine_facts.cpp
+    logic/machine_queries.cpp
     logic/machine_rules.cpp
     logic/machine_tests.cpp
     logic/rule_unfolder.cpp
@@ -119,7 +119,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     term/compare.cpp term/heap.cpp term/transfer.cpp
     logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/belief_update.cpp logic/beliefs/fact_index.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
-    logic/machine_facts.cpp
+    logic/machine_queries.cpp
     logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/row_index.cpp logic/beliefs/rule_table.cpp
     logic/unifier/unifier.cpp logic/unifier/unifier_apply.cpp logic/unifier/unifier_numbers.cpp
     agent/plans/add_means.cpp agent/agent.cpp agent/execution/bindings.cpp agent/plans/choose_plan.cpp

@@ -8,7 +8,7 @@
 namespace jaywalk {
 namespace {
 
-// Whether a query can put the arguments of a fact straight into its slots (machine_facts.cpp).
+// Whether a query can put the arguments of a fact straight into its slots (machine_queries.cpp).
 bool is_plain(std::span<const Value> args) {
   constexpr std::size_t kMost = 16;
   if (args.size() > kMost) return false;
@@ -26,6 +26,7 @@ Goal& FormulaCompiler::add(Goal::Kind kind, Value term, const Goal* next) {
   Goal& goal = code_.goals.emplace_back();
   goal.kind = kind;
   goal.term = term;
+  goal.note_args();
   goal.next = next;
   return goal;
 }

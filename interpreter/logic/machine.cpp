@@ -11,73 +11,41 @@ namespace {
 
 constexpr int kMaxNestedQueries = 150;
 
-// Undoes what is bound while it lives, unless that is kept; also when a limit ends a query.
-class UndoGuard {
- public:
-  explicit UndoGuard(Unifier& unifier) : unifier_(unifier), mark_(unifier.mark()) {}
-  ~UndoGuard() {
-    if (!kept_) unifier_.undo(mark_);
-  }
-  UndoGuard(const UndoGuard&) = delete;
-  UndoGuard& operator=(const UndoGuard&) = delete;
-  void keep() { kept_ = true; }
-
- private:
-  Unifier& unifier_;
-  std::size_t mark_;
-  bool kept_ = false;
-};
-
 }  // namespace
 
 class Machine::Run {
  public:
-  Run(Machine& machine, const Goal* entry, Value* slots)
+  [[gnu::always_inline]] Run(Machine& machine, const Goal* entry, Value* slots, Frame frame)
       : machine_(machine),
-        goal_(machine.goal_),
-        environment_(machine.environment_),
-        outer_root_(machine.root_),
         frames_(machine.frames_.mark()),
-        names_(machine.unifier_.slot_names()),
         trail_(machine.unifier_.mark()),
         base_(machine.choice_count_),
-        young_(machine.unifier_.young()),
-        run_young_(machine.run_young_),
         root_{.parent = nullptr,
               .continuation = nullptr,
               .slots = slots,
-              .names = names_.data(),
-              .slot_count = static_cast<std::uint32_t>(names_.size()),
-              .choice_points = kOutside,
+              .names = machine.unifier_.slot_names().data(),
+              .slot_count = static_cast<std::uint32_t>(machine.unifier_.slot_names().size()),
+              .choice_points = frame == Frame::given_up ? base_ : kOutside,
               .slots_recorded = 0,
               .trail = trail_} {
-    if (machine.nesting_ == 0) machine.start_query();
-    if (++machine.nesting_ > kMaxNestedQueries) {
-      --machine.nesting_;
-      throw QueryLimit{fmt::format("queries within queries, {} deep", kMaxNestedQueries),
-                       ReachedLimit::nesting};
-    }
-    // A function in an argument is a query while the arguments of another are made.
-    if (machine.nesting_ > 1) registers_.swap(machine.registers_);
-    machine.unifier_.end_fresh_frame();
+    machine.nesting_ == 0 ? machine.start_query() : machine.begin_nested();
+    ++machine.nesting_;
     machine.run_young_ = machine.heap().first_young();
     machine.unifier_.set_young(machine.run_young_);
     machine.goal_ = entry;
     machine.environment_ = &root_;
     machine.root_ = &root_;
+    machine.use_frame(root_);
   }
-  ~Run() {
-    if (--machine_.nesting_ > 0) registers_.swap(machine_.registers_);
-    machine_.unifier_.end_fresh_frame();
-    machine_.unifier_.set_young(young_);
-    machine_.run_young_ = run_young_;
-    if (!keeps_bindings_) machine_.unifier_.undo(trail_);
-    machine_.cut(base_);
-    machine_.frames_.release(frames_);
-    machine_.goal_ = goal_;
-    machine_.environment_ = environment_;
-    machine_.root_ = outer_root_;
-    machine_.unifier_.set_slot_names(names_);
+  [[gnu::always_inline]] ~Run() {
+    Unifier& unifier = machine_.unifier_;
+    unifier.end_fresh_frame();
+    if (!keeps_bindings_) unifier.undo(trail_);
+    if (machine_.choice_count_ > base_) machine_.cut(base_);
+    if (machine_.frames_.mark() != frames_) machine_.frames_.release(frames_);
+    unifier.set_slot_names({root_.names, root_.slot_count});
+    unifier.set_young(Unifier::kNoneYoung);
+    if (--machine_.nesting_ > 0) machine_.end_nested();
   }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -87,19 +55,37 @@ class Machine::Run {
 
  private:
   Machine& machine_;
-  const Goal* goal_;
-  Environment* environment_;
-  Environment* outer_root_;
   FrameStack::Mark frames_;
-  std::span<const Symbol> names_;
   std::size_t trail_;
-  std::size_t base_;
-  std::uint32_t young_;
-  std::uint32_t run_young_;
+  std::uint32_t base_;
   bool keeps_bindings_ = false;
-  std::vector<Value> registers_;
   Environment root_;
 };
+
+// A function in an argument is a query while the arguments of another are made.
+[[gnu::noinline]] void Machine::begin_nested() {
+  if (nesting_ == kMaxNestedQueries) {
+    throw QueryLimit{fmt::format("queries within queries, {} deep", kMaxNestedQueries),
+                     ReachedLimit::nesting};
+  }
+  outer_.push_back({.goal = goal_,
+                    .environment = environment_,
+                    .root = root_,
+                    .young = unifier_.young(),
+                    .run_young = run_young_,
+                    .registers = std::exchange(registers_, {})});
+}
+
+[[gnu::noinline]] void Machine::end_nested() {
+  Outer& outer = outer_.back();
+  registers_ = std::move(outer.registers);
+  unifier_.set_young(outer.young);
+  run_young_ = outer.run_young;
+  goal_ = outer.goal;
+  environment_ = outer.environment;
+  root_ = outer.root;
+  outer_.pop_back();
+}
 
 Machine::Machine(Heap& heap, SymbolTable& symbols, BeliefBase& beliefs,
                  const ActionRegistry& actions)
@@ -126,20 +112,10 @@ void Machine::attach(const MachineClient& client) {
 
 Machine::~Machine() = default;
 
-bool Machine::solve_goals(const Goal* entry, Value* slots) {
-  UndoGuard bindings(unifier_);
-  Tests tests = Tests::undecided;
-  if (nesting_ == 0) {
-    start_query();
-    tests = test_in_place(entry, slots);
-  }
-  if (tests == Tests::fail) return false;
-  if (tests == Tests::undecided) {
-    Run state(*this, entry, slots);
-    if (!run(state.base())) return false;
-    state.keep_bindings();
-  }
-  bindings.keep();
+bool Machine::solve_goals(const Goal* entry, Value* slots, Frame frame) {
+  Run state(*this, entry, slots, frame);
+  if (!run(state.base())) return false;
+  state.keep_bindings();
   return true;
 }
 
@@ -150,7 +126,7 @@ void Machine::solve_all(const Goal* entry, Value* slots, const std::function<boo
     unifier_.undo(trail);
     return;
   }
-  Run state(*this, entry, slots);
+  Run state(*this, entry, slots, Frame::restored);
   bool found = run(state.base());
   while (found) {
     const bool more = solution();
@@ -193,12 +169,8 @@ void Machine::solve_all_terms(Value formula, const std::function<bool()>& soluti
   switch (goal.kind) {
     case Goal::Kind::query:
       return query(goal);
-    case Goal::Kind::unfolded: {
-      const Tests entered = enter_unfolded(goal, environment_->slots);
-      if (entered == Tests::undecided) return query(goal);
-      goal_ = goal.inner;
-      return entered == Tests::hold;
-    }
+    case Goal::Kind::unfolded:
+      return enter_unfolded(goal);
     case Goal::Kind::slow_query:
       return slow_query(goal, unifier_.instantiate(goal.term, environment_->slots));
     case Goal::Kind::variable:
@@ -333,8 +305,6 @@ bool Machine::retry() {
   switch (choice.kind) {
     case ChoicePoint::Kind::rows:
       return retry_rows();
-    case ChoicePoint::Kind::facts:
-      return retry_facts();
     case ChoicePoint::Kind::annotated: {
       const AnnotatedQuery query = *choice.annotated;
       const Goal& goal = *choice.goal;

@@ -16,8 +16,8 @@
 // point nor variables that are.
 //
 //   machine.cpp            the loop, choice points, frames
-//   machine_rules.cpp      queries over facts and rules
-//   machine_facts.cpp      the usual queries over facts alone
+//   machine_queries.cpp    queries over facts and rules
+//   machine_rules.cpp      which rule, its head, its frame
 //   machine_annotated.cpp  queries with annotations, and variables as queries
 //   machine_tests.cpp      comparison and unification
 //   machine_calls.cpp      internal actions and functions
@@ -95,7 +95,12 @@ class Machine : public FunctionCaller {
   /// none. A null entry is `true`.
   [[nodiscard]] bool solve(const Goal* entry, Value* slots) {
     bool holds = false;
-    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots);
+    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots, Frame::restored);
+  }
+  /// The same over a frame at which nobody looks again if there is no solution.
+  [[nodiscard]] bool solve_context(const Goal* entry, Value* slots) {
+    bool holds = false;
+    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots, Frame::given_up);
   }
   /// Whether the formula is none, or one comparison of numbers that are known; then `holds` says
   /// whether it holds, and nothing is bound.
@@ -199,7 +204,7 @@ class Machine : public FunctionCaller {
     Value literal;
   };
   struct ChoicePoint {
-    enum class Kind : std::uint8_t { rows, facts, annotated, alternative, negation, solutions };
+    enum class Kind : std::uint8_t { rows, annotated, alternative, negation, solutions };
     Kind kind;
     std::uint32_t young;  // the first variable that is newer
     const Goal* goal;
@@ -207,18 +212,18 @@ class Machine : public FunctionCaller {
     std::size_t trail;
     FrameStack::Mark frames;
     Heap::Mark heap;
-    // rows, facts
-    const Relation* relation = nullptr;
-    // facts: the next candidate
-    std::int64_t seq = 0;
-    // rows; the arguments begin where the frames do without them
+    // Rows; null: the arguments are those of the goal, else they begin where the frames do without
+    // them.
+    const Relation* relation;
+    Value* args;
     Relation::Cursor cursor;
-    Value* args = nullptr;
     std::unique_ptr<AnnotatedQuery> annotated;
     std::unique_ptr<ActionCall> call;  // solutions
   };
 
-  bool solve_goals(const Goal* entry, Value* slots);
+  /// What becomes of a frame over which a formula has no solution.
+  enum class Frame : std::uint8_t { restored, given_up };
+  bool solve_goals(const Goal* entry, Value* slots, Frame frame);
   bool run(std::size_t base);
   bool fail(std::size_t base);
   bool step(const Goal& goal);
@@ -253,23 +258,19 @@ class Machine : public FunctionCaller {
   }
 
   bool query(const Goal& goal);
-  std::span<const Value> make_arguments(std::span<const Value> terms);
-  bool try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal,
-                std::span<const Value> args);
-  bool choose_rule(Relation& relation, const RuleTable& table, const Goal& goal,
-                   std::span<const Value> args);
+  const Value* make_arguments(const Goal& goal);
+  const Value* look_at_arguments(const Goal& goal);
+  bool match_lone(Value fact, const Goal& goal);
+  bool try_rows(Relation& relation, const Goal& goal, const Value* args);
   void push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
-                 std::span<const Value> args);
+                 const Value* args);
   bool retry_rows();
-  bool enter_last_row(const Row& row);
-  bool unify_fact(Value fact, std::span<const Value> args);
-
-  enum class Tests { hold, fail, undecided };
-  bool query_facts(const Relation& relation, const Goal& goal);
-  Tests query_in_place(const Goal& goal, Value* slots);
-  bool retry_facts();
+  bool leave_rows(const Row* row, const Goal& goal, const Value* saved);
+  bool enter_row(const Row& row, const Goal& goal, const Value* args);
+  bool match_argument(Value known, Value wanted, Value term);
+  bool match_fact(Value fact, std::span<const Value> args, const Value* terms);
   [[nodiscard]] std::optional<std::size_t> count_facts(const Goal& goal, const Value* slots);
-  bool match_fact(Value fact, const Goal& goal, Value* slots);
+  bool choose_rule(Relation& relation, const RuleTable& table, const Goal& goal, const Value* args);
   bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
     return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)
                                       : enter_framed(rule, goal, args);
@@ -298,8 +299,7 @@ class Machine : public FunctionCaller {
   bool unify(const Goal& goal, Value* slots);
   bool compare(const Goal& goal, Value* slots);
   bool compare_values(const Goal& goal, Value left, Value right);
-  Tests test_in_place(const Goal*& goal, Value* slots);
-  [[nodiscard]] Tests enter_unfolded(const Goal& goal, Value* slots);
+  bool enter_unfolded(const Goal& goal);
   bool univ(const Goal& goal);
   void probe(const Goal& goal, Value* slots);
   bool action(const Goal& goal);
@@ -320,6 +320,8 @@ class Machine : public FunctionCaller {
 
   // Saves what a run changes and puts it back, also when a limit ends the run.
   class Run;
+  void begin_nested();
+  void end_nested();
 
   Heap* heap_ = nullptr;
   SymbolTable& symbols_;
@@ -339,7 +341,17 @@ class Machine : public FunctionCaller {
   std::vector<ChoicePoint> choices_;
   std::uint32_t choice_count_ = 0;
   FrameStack frames_;
-  std::vector<Value> registers_;                   // the arguments of a query
+  std::vector<Value> registers_;  // the arguments of a query
+  /// What a run keeps of the one within which it is.
+  struct Outer {
+    const Goal* goal;
+    Environment* environment;
+    Environment* root;
+    std::uint32_t young;
+    std::uint32_t run_young;
+    std::vector<Value> registers;
+  };
+  std::vector<Outer> outer_;
   std::uint32_t run_young_ = Unifier::kNoneYoung;  // the first variable made since who asked asked
   std::vector<std::unique_ptr<FormulaCode>> temporary_;
   std::uint64_t inferences_ = 0;

@@ -121,7 +121,8 @@ bool Machine::unify_subset(Value literal, Value fact, std::size_t combination, b
     annots = heap().list(some);
   }
   if (exhausted) return false;
-  return unify_fact(fact, wanted.args) && unifier_.unify_annotations(wanted.annots, annots);
+  return match_fact(fact, wanted.args, wanted.args.data()) &&
+         unifier_.unify_annotations(wanted.annots, annots);
 }
 
 bool Machine::variable_goal(const Goal& goal) {

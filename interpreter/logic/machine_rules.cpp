@@ -1,5 +1,5 @@
-// Queries over facts and rules: the arguments are made, the candidates among the rows are tried one
-// after another, and a rule's head is matched with the arguments step by step (head_code.h).
+// Rules: which of them a query may be for, the head, matched with the arguments of the query step
+// by step (head_code.h), and the frame.
 
 #include <algorithm>
 
@@ -164,11 +164,11 @@ bool Machine::match_deep_pair(const HeadStep* step, Value* slots, Value value) {
 
 // The kind of the first argument leaves several rules, or none.
 bool Machine::choose_rule(Relation& relation, const RuleTable& table, const Goal& goal,
-                          std::span<const Value> args) {
+                          const Value* args) {
   const std::span<const RuleTable::Candidate> candidates = table.candidates();
-  const std::uint32_t key = args.empty() ? 0 : argument_key(args[0]);
+  const std::uint32_t key = goal.args().empty() ? 0 : argument_key(args[0]);
   const auto may_match = [&](const RuleTable::Candidate& candidate) {
-    return candidate.may_match(key, args.data());
+    return candidate.may_match(key, args);
   };
   const auto first = std::find_if(candidates.begin(), candidates.end(), may_match);
   if (first == candidates.end()) return false;
@@ -177,133 +177,7 @@ bool Machine::choose_rule(Relation& relation, const RuleTable& table, const Goal
     const std::int64_t seq = relation.end_seq() - 1 - (next - candidates.begin());
     push_rows(relation, Relation::cursor_at(seq, key), goal, args);
   }
-  return enter_rule(*first->rule, goal, args.data());
-}
-
-// The candidates of a cursor. The last of them needs no choice point: if it fails, so does the
-// query. A fact that does not match needs none either.
-bool Machine::try_rows(Relation& relation, Relation::Cursor& cursor, const Goal& goal,
-                       std::span<const Value> args) {
-  std::int64_t seq = 0;
-  while (const Row* const row = relation.advance(cursor, seq, args.data())) {
-    const bool is_last = !cursor.has_more();
-    if (row->rule != nullptr) {
-      if (!is_last) push_rows(relation, cursor, goal, args);
-      return enter_rule(*row->rule, goal, args.data());
-    }
-    const std::size_t trail = unifier_.mark();
-    const Heap::Mark top = heap().mark();
-    if (unify_fact(row->fact, args)) {
-      if (!is_last) {
-        push_rows(relation, cursor, goal, args);
-        choices_.back().trail = trail;
-        choices_.back().heap = top;
-      }
-      goal_ = goal.next;
-      return true;
-    }
-    unifier_.undo(trail);
-    heap().release(top);
-  }
-  return false;
-}
-
-// Variables are handed over as they are; a query within an argument has other registers.
-[[gnu::always_inline]] inline std::span<const Value> Machine::make_arguments(
-    std::span<const Value> terms) {
-  if (registers_.size() < terms.size()) registers_.resize(terms.size());
-  Value* const registers = registers_.data();
-  Value* const slots = environment_->slots;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    Value made = terms[i];
-    if (made.is_slot()) {
-      const Value value = slots[made.slot_index()];
-      made = value.is_unset() ? unifier_.make_variable(slots, made.slot_index()) : value;
-    } else if (!made.is_closed()) {
-      made = unifier_.build_term(made, slots);
-    }
-    registers[i] = made;
-  }
-  return {registers, terms.size()};
-}
-
-bool Machine::query(const Goal& goal) {
-  Relation* const relation = beliefs_->find(goal.predicate);
-  if (relation == nullptr) return false;
-  if (goal.is_plain && relation->has_few_facts()) return query_facts(*relation, goal);
-  const std::span<const Value> args = make_arguments(goal.args());
-  if (const RuleTable* const table = relation->rule_table()) {
-    const RuleCode* const rule = table->only(args.empty() ? Value() : deref(args[0]));
-    if (rule == nullptr) return choose_rule(*relation, *table, goal, args);
-    return rule->body.entry == nullptr ? match_bodiless(*rule, goal, args.data())
-                                       : enter_framed(*rule, goal, args.data());
-  }
-  Relation::Cursor cursor = relation->open(args);
-  return try_rows(*relation, cursor, goal, args);
-}
-
-// A choice point for what is left of a cursor.
-void Machine::push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
-                        std::span<const Value> args) {
-  auto* const saved = reinterpret_cast<Value*>(allocate_frame(args.size()));
-  std::copy(args.begin(), args.end(), saved);
-  ChoicePoint& choice = push(ChoicePoint::Kind::rows, goal);
-  choice.relation = &relation;
-  choice.cursor = cursor;
-  choice.args = saved;
-}
-
-// The choice point stays as long as it has candidates left.
-bool Machine::retry_rows() {
-  ChoicePoint& choice = choices_.back();
-  const Relation& relation = *choice.relation;
-  const Goal& goal = *choice.goal;
-  const std::span<const Value> args(choice.args, goal.args().size());
-  std::int64_t seq = 0;
-  while (const Row* const row = relation.advance(choices_.back().cursor, seq, args.data())) {
-    if (!choices_.back().cursor.has_more()) return enter_last_row(*row);
-    if (row->rule != nullptr) {
-      if (enter_rule(*row->rule, goal, args.data())) return true;
-    } else if (unify_fact(row->fact, args)) {
-      goal_ = goal.next;
-      return true;
-    }
-    restore(choices_.back());
-  }
-  frames_.release(reinterpret_cast<FrameStack::Mark>(choices_.back().args));
-  pop();
-  return false;
-}
-
-// Without the choice point, and in its place.
-bool Machine::enter_last_row(const Row& row) {
-  const ChoicePoint& choice = choices_.back();
-  const Goal& goal = *choice.goal;
-  const std::size_t count = goal.args().size();
-  if (registers_.size() < count) registers_.resize(count);
-  std::copy_n(choice.args, count, registers_.begin());
-  frames_.release(reinterpret_cast<FrameStack::Mark>(choice.args));
-  pop();
-  if (row.rule != nullptr) return enter_rule(*row.rule, goal, registers_.data());
-  goal_ = goal.next;
-  return unify_fact(row.fact, {registers_.data(), count});
-}
-
-bool Machine::unify_fact(Value fact, std::span<const Value> args) {
-  if (args.empty()) return true;
-  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
-  const Structure& s = *fact.structure();
-  for (std::size_t i = 0; i < args.size(); ++i) {
-    const Value arg = deref(args[i]);
-    const Value other = deref(s.arg(i));  // a variable of the fact may be known by now
-    if (arg.same_as(other)) continue;
-    if (arg.is_variable()) {
-      unifier_.bind(arg.variable(), other);
-    } else if (!unifier_.unify_no_undo(arg, other)) {
-      return false;
-    }
-  }
-  return true;
+  return enter_rule(*first->rule, goal, args);
 }
 
 // The last goal of a rule takes the place of the rule's frame.

@@ -18,78 +18,13 @@ Value compared_with(Value left, Value right, Heap& heap, SymbolTable& symbols) {
 
 }  // namespace
 
-// What leaves no choice needs neither frame nor choice point: comparisons, facts of which one at
-// most can match, negations of those. Most contexts begin with them or consist of them. `goal`
-// becomes the first that needs more.
-Machine::Tests Machine::test_in_place(const Goal*& goal, Value* slots) {
-  while (goal != nullptr) {
-    const Goal* next = goal->next;
-    bool holds = true;
-    switch (goal->kind) {
-      case Goal::Kind::unfolded: {
-        const Tests entered = enter_unfolded(*goal, slots);
-        if (entered == Tests::undecided) return entered;
-        holds = entered == Tests::hold;
-        next = goal->inner;
-        break;
-      }
-      case Goal::Kind::compare:
-        holds = compare(*goal, slots);
-        break;
-      case Goal::Kind::unify:
-        holds = unify(*goal, slots);
-        break;
-      case Goal::Kind::query: {
-        const Tests found = query_in_place(*goal, slots);
-        if (found == Tests::undecided) return found;
-        holds = found == Tests::hold;
-        break;
-      }
-      case Goal::Kind::negation: {
-        // What is asked within would be asked twice if it turned out to need more.
-        if (goal->inner->kind == Goal::Kind::probe) return Tests::undecided;
-        unifier_.end_fresh_frame();  // what is set in it here is to be undone
-        const std::size_t trail = unifier_.mark();
-        const Heap::Mark top = heap().mark();
-        const std::uint64_t number = heap().next_number();
-        const Goal* inner = goal->inner;
-        const Tests found = test_in_place(inner, slots);
-        unifier_.undo(trail);
-        if (found == Tests::undecided) {
-          // It is asked again, and makes its variables again.
-          heap().release(top);
-          heap().number_from(number);
-          return found;
-        }
-        holds = found == Tests::fail;
-        break;
-      }
-      case Goal::Kind::negation_done:
-        return Tests::hold;
-      case Goal::Kind::falsity:
-        holds = false;
-        break;
-      case Goal::Kind::truth:
-        break;
-      case Goal::Kind::probe:
-        probe(*goal, slots);
-        goal = next;
-        continue;
-      default:
-        return Tests::undecided;
-    }
-    count_inference();
-    if (!holds) return Tests::fail;
-    goal = next;
-  }
-  return Tests::hold;
-}
-
 // Whether a rule that stands in the place of a query may be asked there, and its head matches:
-// arguments that have no value get a variable, as where it is called.
-Machine::Tests Machine::enter_unfolded(const Goal& goal, Value* slots) {
+// arguments that have no value get a variable, as where it is called. An agent that has other
+// rules, or beliefs, asks the query itself.
+bool Machine::enter_unfolded(const Goal& goal) {
   Relation* const relation = beliefs_->find(goal.predicate);
-  if (relation == nullptr || relation->rule_table() != goal.table) return Tests::undecided;
+  if (relation == nullptr || relation->rule_table() != goal.table) return query(goal);
+  Value* const slots = environment_->slots;
   bool may_be_taken = true;
   for (const Value arg : goal.args()) {
     if (!arg.is_slot()) continue;
@@ -100,7 +35,8 @@ Machine::Tests Machine::enter_unfolded(const Goal& goal, Value* slots) {
       may_be_taken = may_be_taken && !Unifier::is_of_other_namespace(deref(value));
     }
   }
-  return may_be_taken ? Tests::hold : Tests::fail;
+  goal_ = goal.inner;
+  return may_be_taken;
 }
 
 bool Machine::unify(const Goal& goal, Value* slots) {

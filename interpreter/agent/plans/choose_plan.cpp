@@ -17,13 +17,6 @@ namespace {
 
 constinit const std::shared_ptr<Scope> kNoScope;  // of the library alone
 
-// A constant and a value that evidently cannot be unified with it.
-[[gnu::always_inline]] inline bool differ(Value constant, Value value) {
-  if (constant.is_unset() || constant.same_as(value)) return false;
-  if (constant.is_number() && value.is_number()) return constant.as_number() != value.as_number();
-  return (constant.is_number() || constant.is_atom()) && (value.is_number() || value.is_atom());
-}
-
 // Whether a head matches. `open`: the unifier has to say.
 enum class Match : std::uint8_t { fails, holds, open };
 
@@ -35,7 +28,7 @@ enum class Match : std::uint8_t { fails, holds, open };
       if (Unifier::is_of_other_namespace(value)) return Match::fails;
       frame[wanted.slot] = value;
     } else if (value.is_number() || value.is_atom()) {
-      if (differ(wanted.constant, value)) return Match::fails;
+      if (evidently_differ(wanted.constant, value)) return Match::fails;
     } else if (value.is_variable() && !Unifier::is_of_other_namespace(wanted.constant)) {
       unifier.bind(value.variable(), wanted.constant);
     } else {
@@ -139,17 +132,13 @@ void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, H
 bool Agent::context_holds(const Plan& plan, const Event& event, Value* frame) {
   const Heap::Mark unused = heap_.mark();
   std::unique_ptr<ActionError> error;
-  // If the context does not hold, nobody looks at the frame again.
-  Unifier& unifier = workspace_->machine.unifier();
-  unifier.begin_fresh_frame({frame, plan.slot_count});
   const bool holds = guarded(error, [&] {
-    if (observer_ == nullptr) return workspace_->machine.solve(plan.context, frame);
+    if (observer_ == nullptr) return workspace_->machine.solve_context(plan.context, frame);
     observer_->plan_relevant(*this, plan, event, {frame, plan.slot_count});
-    const bool found = machine().solve(observer_->context_of(plan), frame);
+    const bool found = machine().solve_context(observer_->context_of(plan), frame);
     observer_->plan_tried(*this, plan, found);
     return found;
   });
-  unifier.end_fresh_frame();
   if (error != nullptr) leave_context_at_limit(plan, *error, unused);
   return holds;
 }
@@ -253,7 +242,7 @@ const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
   const EventArguments given = arguments_of(event);
   const Value first = given.args.empty() ? Value() : deref(given.args.front());
   for (const Plan* const plan : plans.plans()) {
-    if (!differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
+    if (!evidently_differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
       return plan;
     }
   }

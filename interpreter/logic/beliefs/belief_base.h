@@ -45,7 +45,7 @@ std::uint32_t argument_key(Value argument) {
     return mix_key(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
   }
   if (argument.is_atom()) return mix_key(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
-  if (argument.is_variable()) return 0;
+  if (argument.is_variable() || argument.is_unset()) return 0;
   if (argument.is_empty_list()) return 5;
   return argument_key_of_cell(argument);
 }
@@ -99,7 +99,7 @@ class Relation {
   };
   [[nodiscard]] [[gnu::always_inline]] inline Cursor open(std::span<const Value> args);
   /// The candidate whose turn it is, or null at the end. `seq` receives its place. Rules that
-  /// cannot match the arguments (null: any) are no candidates.
+  /// cannot match the arguments (null: any), and facts that evidently do not, are no candidates.
   [[nodiscard]] [[gnu::always_inline]] const Row* advance(Cursor& cursor, std::int64_t& seq,
                                                           const Value* args) const {
     while (cursor.seq != RowIndex::kNone) {
@@ -198,11 +198,20 @@ class Relation {
       const Row& candidate = row(seq);
       if (candidate.key != 0 && key != 0 && candidate.key != key) continue;
       if (candidate.rule != nullptr ? args == nullptr || !candidate.rule->head_code.rejects(args)
-                                    : !candidate.fact.is_unset()) {
+                                    : may_match(candidate.fact, args)) {
         return seq;
       }
     }
     return RowIndex::kNone;
+  }
+  // Of a row without a rule, beside the first argument.
+  [[nodiscard]] [[gnu::always_inline]] static bool may_match(Value fact, const Value* args) {
+    if (!fact.is_structure() || args == nullptr) return !fact.is_unset();
+    const std::span<const Value> known = fact.structure()->arg_span();
+    for (std::size_t i = 1; i < known.size(); ++i) {
+      if (evidently_differ(deref(args[i]), known[i])) return false;
+    }
+    return true;
   }
   void move_on_indexed(Cursor& cursor) const;
   [[nodiscard]] std::int64_t older(RowIndex& index, std::uint32_t key, std::int64_t seq) const;
@@ -288,7 +297,7 @@ class BeliefBase {
   /// Removes a row whatever its sources.
   void erase(Relation& relation, std::int64_t seq);
 
-  [[nodiscard]] Relation* find(Predicate predicate) {
+  [[nodiscard, gnu::always_inline]] Relation* find(Predicate predicate) {
     const std::uint32_t place = by_predicate_.find(static_cast<std::uint32_t>(predicate));
     if (place == FlatIndex<std::uint32_t>::kNone) return nullptr;
     Relation* const known = known_[place].get();

@@ -56,9 +56,15 @@ struct Goal {
   /// Of an internal action: its arguments that are formulas, compiled (null for other arguments).
   std::vector<const Goal*> queries;
 
-  [[nodiscard]] std::span<const Value> args() const {
-    return term.is_structure() ? term.structure()->arg_span() : std::span<const Value>{};
+  /// The term's arguments.
+  [[nodiscard]] std::span<const Value> args() const { return args_; }
+  /// To be called when the term has been set, or has moved.
+  void note_args() {
+    args_ = term.is_structure() ? term.structure()->arg_span() : std::span<const Value>{};
   }
+
+ private:
+  std::span<const Value> args_;
 };
 
 /// A formula, or several, with one frame layout. Owns its goals.
@@ -68,7 +74,10 @@ struct FormulaCode {
   /// Passes all terms to `visit`: those made at run time live in an agent's heap.
   template <class Visit>
   void visit_terms(Visit&& visit) {
-    for (Goal& goal : goals) visit(goal.term);
+    for (Goal& goal : goals) {
+      visit(goal.term);
+      goal.note_args();
+    }
   }
 };
 

@@ -1,0 +1,188 @@
+// Queries over facts and rules: the arguments are made, and the candidates among the rows are tried
+// one after another.
+//
+// An argument without a value gets a variable, which is handed to the query and bound there. But if
+// only a few facts can answer, and all arguments are constants and slots (Goal::is_plain), it stays
+// without one, and the argument of a fact goes straight into the slot.
+//
+// The next candidate is looked for before the present one is tried, so that the last of them leaves
+// no choice point.
+
+#include <algorithm>
+
+#include "interpreter/logic/machine.h"
+
+namespace jaywalk {
+namespace {
+
+// Of an argument; unset: a slot without a value.
+Value value_of(Value arg, const Value* slots) {
+  return deref(arg.is_slot() ? slots[arg.slot_index()] : arg);
+}
+
+}  // namespace
+
+// A query within an argument has other registers.
+[[gnu::always_inline]] inline const Value* Machine::make_arguments(const Goal& goal) {
+  const std::span<const Value> terms = goal.args();
+  if (registers_.size() < terms.size()) registers_.resize(terms.size());
+  Value* const registers = registers_.data();
+  Value* const slots = environment_->slots;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    Value made = terms[i];
+    if (made.is_slot()) {
+      const Value value = slots[made.slot_index()];
+      made = value.is_unset() ? unifier_.make_variable(slots, made.slot_index()) : value;
+    } else if (!made.is_closed()) {
+      made = unifier_.build_term(made, slots);
+    }
+    registers[i] = made;
+  }
+  return registers;
+}
+
+// The same without variables for slots that have no value.
+[[gnu::always_inline]] inline const Value* Machine::look_at_arguments(const Goal& goal) {
+  const std::span<const Value> terms = goal.args();
+  if (registers_.size() < terms.size()) registers_.resize(terms.size());
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    registers_[i] = value_of(terms[i], environment_->slots);
+  }
+  return registers_.data();
+}
+
+// Where an argument of a fact meets an unset one, the slot in its place in the goal gets it. False:
+// something may have been bound.
+[[gnu::always_inline]] inline bool Machine::match_argument(Value known, Value wanted, Value term) {
+  if (wanted.is_unset()) {
+    unifier_.set_slot(environment_->slots + term.slot_index(), known);
+    return true;
+  }
+  if (wanted.same_as(known)) return true;
+  if (wanted.is_variable()) {
+    unifier_.bind(wanted.variable(), known);
+    return true;
+  }
+  return !evidently_differ(wanted, known) && unifier_.unify_no_undo(wanted, known);
+}
+
+bool Machine::match_fact(Value fact, std::span<const Value> args, const Value* terms) {
+  if (args.empty()) return true;
+  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
+  const Value* const known = fact.structure()->args();
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    // A variable of the fact may be known by now.
+    if (!match_argument(deref(known[i]), deref(args[i]), terms[i])) return false;
+  }
+  return true;
+}
+
+bool Machine::query(const Goal& goal) {
+  Relation* const relation = beliefs_->find(goal.predicate);
+  if (relation == nullptr) return false;
+  if (goal.is_plain && relation->has_few_facts()) {
+    const Row* const lone = relation->lone_fact();
+    return lone != nullptr ? match_lone(lone->fact, goal)
+                           : try_rows(*relation, goal, look_at_arguments(goal));
+  }
+  const Value* const args = make_arguments(goal);
+  const RuleTable* const table = relation->rule_table();
+  if (table == nullptr) return try_rows(*relation, goal, args);
+  const RuleCode* const rule = table->only(goal.args().empty() ? Value() : deref(args[0]));
+  if (rule == nullptr) return choose_rule(*relation, *table, goal, args);
+  return enter_rule(*rule, goal, args);
+}
+
+// The only fact need not be looked for.
+[[gnu::always_inline]] inline bool Machine::match_lone(Value fact, const Goal& goal) {
+  goal_ = goal.next;
+  const std::span<const Value> terms = goal.args();
+  if (terms.empty()) return true;
+  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
+  const Value* const known = fact.structure()->args();
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Value wanted = value_of(terms[i], environment_->slots);
+    if (!match_argument(deref(known[i]), wanted, terms[i])) return false;
+  }
+  return true;
+}
+
+// The last candidate needs no choice point: if it fails, so does the query.
+[[gnu::noinline]] bool Machine::try_rows(Relation& relation, const Goal& goal, const Value* args) {
+  Relation::Cursor cursor = relation.open({args, goal.args().size()});
+  std::int64_t seq = 0;
+  const Row* const row = relation.advance(cursor, seq, args);
+  if (row == nullptr) return false;
+  if (!cursor.has_more()) return enter_row(*row, goal, args);
+  push_rows(relation, cursor, goal, args);
+  if (enter_row(*row, goal, args)) return true;
+  restore(choices_.back());
+  return retry_rows();
+}
+
+[[gnu::always_inline]] inline bool Machine::enter_row(const Row& row, const Goal& goal,
+                                                      const Value* args) {
+  if (row.rule != nullptr) return enter_rule(*row.rule, goal, args);
+  goal_ = goal.next;
+  return match_fact(row.fact, {args, goal.args().size()}, goal.args().data());
+}
+
+// A choice point for what is left of a cursor. Arguments that have been made are kept, others are
+// looked at again.
+void Machine::push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
+                        const Value* args) {
+  Value* saved = nullptr;
+  if (relation.has_rules() || !goal.is_plain || !relation.has_few_facts()) {
+    const std::size_t count = goal.args().size();
+    saved = reinterpret_cast<Value*>(allocate_frame(count));
+    std::copy_n(args, count, saved);
+  }
+  ChoicePoint& choice = push(ChoicePoint::Kind::rows, goal);
+  choice.relation = &relation;
+  choice.cursor = cursor;
+  choice.args = saved;
+}
+
+// The latest choice point, to which we have gone back, stays as long as it has candidates left.
+bool Machine::retry_rows() {
+  for (;;) {
+    ChoicePoint& choice = choices_.back();
+    const Goal& goal = *choice.goal;
+    const Value* const saved = choice.args;
+    const Value* const args = saved != nullptr ? saved : look_at_arguments(goal);
+    std::int64_t seq = 0;
+    const Row* const row = choice.relation->advance(choice.cursor, seq, args);
+    if (row == nullptr || !choice.cursor.has_more()) return leave_rows(row, goal, saved);
+    if (enter_row(*row, goal, args)) return true;
+    restore(choices_.back());
+  }
+}
+
+// The last row, or null, without the choice point, and in its place.
+bool Machine::leave_rows(const Row* row, const Goal& goal, const Value* saved) {
+  if (saved != nullptr) {
+    const std::size_t count = goal.args().size();
+    if (registers_.size() < count) registers_.resize(count);
+    std::copy_n(saved, count, registers_.begin());
+    frames_.release(reinterpret_cast<FrameStack::Mark>(const_cast<Value*>(saved)));
+  }
+  pop();
+  return row != nullptr && enter_row(*row, goal, registers_.data());
+}
+
+// Where one argument at most is given and each of the others takes anything.
+std::optional<std::size_t> Machine::count_facts(const Goal& goal, const Value* slots) {
+  Relation* const relation = beliefs_->find(goal.predicate);
+  if (relation == nullptr) return 0;
+  if (relation->has_rules()) return std::nullopt;
+  const std::span<const Value> args = goal.args();
+  std::optional<std::size_t> given;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    if (value_of(args[i], slots).is_unset()) continue;
+    if (given) return std::nullopt;
+    given = i;
+  }
+  return given ? relation->count(*given, value_of(args[*given], slots)) : relation->size();
+}
+
+}  // namespace jaywalk
