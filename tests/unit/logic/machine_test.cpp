@@ -243,6 +243,36 @@ TEST(Machine, AnswersFromAFewFactsAsFromAnyRows) {
   }
 }
 
+// The frame of a context is not put back where it has no solution: the next row, the other side and
+// what comes after a negation must find it as it was all the same.
+TEST(Machine, FindsInAContextWhatItFindsElsewhere) {
+  const std::string bodies[] = {"f(X) & g(X,Y)",
+                                "f(X) & not g(X,_) & Y = X",
+                                "not g(X,none) & f(X) & X > 2 & Y = 1",
+                                "not (f(X) & X > 3) & Y = 1 & f(X)",
+                                "(f(X) & X > 7 | g(X,Y)) & Y = b",
+                                "r(X) & g(X,Y) & Y = c",
+                                "not r(9) & r(X) & g(X,Y)",
+                                "f(X) & .member(Y,[X,2]) & g(Y,Z) & Z = b",
+                                "f(X) & X > 3 & Y = 1",
+                                "g(X,Y) & r(X) & Y = d"};
+  for (const std::string& body : bodies) {
+    test::Terms terms;
+    terms.believe("f(1). f(2). f(3). g(2,a). g(2,b). g(3,c). r(X) :- f(X) & X > 1. both(X,Y) :- " +
+                  body + ".");
+    const Relation& both = *terms.beliefs.find(terms.symbols.predicate("both", 2));
+    const RuleCode& rule = *both.row(both.first_seq()).rule;
+    const std::vector<std::string> answers = terms.answers("both(X,Y)", "both(X,Y)[source(self)]");
+    std::vector<Value> slots(rule.slot_count);
+    terms.unifier().set_slot_names(rule.slot_names);
+    const bool holds = terms.machine.solve_context(rule.body.entry, slots.data());
+    ASSERT_EQ(holds, !answers.empty()) << body;
+    if (!holds) continue;
+    EXPECT_EQ(terms.text(terms.unifier().instantiate(rule.head, slots.data())), answers.front())
+        << body;
+  }
+}
+
 // What is counted without a look at each fact is what is found by looking.
 TEST(Machine, CountsFactsAsItFindsThem) {
   const std::vector<std::string> values = {"0",    "-0",    "1",   "1.5",  "a", "b",
