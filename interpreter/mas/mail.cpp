@@ -170,7 +170,8 @@ bool Mas::Implementation::deliver_messages() {
         hand_over(each.content, *receiver.agent);
   }
   contents_.clear();
-  mail_.reset();
+  if (mail_ && mail_->is_short()) mail_.reset();
+  if (mail_) mail_->clear();
   for (const std::uint32_t number : receivers_) {
     Resident& receiver = residents_[number];
     receiver.has_mail = false;

@@ -132,6 +132,14 @@ Heap::Remains Heap::leave_remains() {
   return remains;
 }
 
+void Heap::clear() {
+  objects_.clear();
+  const bool is_usual = !chunks_.empty() && chunks_.front().size == kFirstChunkWords;
+  release_chunks(is_usual ? 1 : 0);
+  top_ = start_;
+  floor_ = {};
+}
+
 void Heap::use(Remains remains) {
   if (remains.words_ == nullptr) return;
   chunks_.push_back({std::move(remains.words_), remains.size_});

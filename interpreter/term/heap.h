@@ -133,6 +133,8 @@ class Heap {
   /// Ends the heap's life.
   [[nodiscard]] Remains leave_remains();
   void use(Remains remains);
+  /// Everything goes, and memory for a few new terms stays. REQUIRES: no Value of it is in use.
+  void clear();
   /// Nothing has been made here yet.
   [[nodiscard]] bool is_unused() const { return chunks_.empty(); }
 

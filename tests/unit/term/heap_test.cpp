@@ -226,6 +226,21 @@ TEST(Heap, IsCutBackToNothing) {
   EXPECT_EQ(heap.text("again").text()->view(), "again");
 }
 
+TEST(Heap, IsEmptyOnceItIsCleared) {
+  for (const std::size_t length : {3, 3000}) {  // within its first chunk, and beyond
+    int alive = 0;
+    Heap heap;
+    (void)heap.object(std::make_unique<Box>(heap.text(std::string(length, 'x')), alive));
+    heap.protect();
+    heap.clear();
+    EXPECT_EQ(heap.bytes(), 0U);
+    EXPECT_EQ(alive, 0);
+    const Value text = heap.text(std::string(length, 'y'));
+    EXPECT_EQ(text.text()->view(), std::string(length, 'y'));
+    EXPECT_GE(heap.bytes(), length);
+  }
+}
+
 TEST(Heap, KeepsWhatIsProtectedWhateverTheMark) {
   Heap heap;
   const Heap::Mark mark = heap.mark();
