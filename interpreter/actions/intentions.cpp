@@ -251,7 +251,7 @@ Outcome done(ActionCall& call) {
   if (call.count() == 1) depth = Goals(agent).find(*own, goal);
   Intention* ended = own;
   if (is_branch && depth && *depth < own->shared) {
-    ended = agent.intention_with_id(own->origin);
+    ended = agent.find_intention(own->origin);
     depth = ended == nullptr ? std::nullopt : Goals(agent).find(*ended, goal);
   }
   call.unifier().undo(trail);

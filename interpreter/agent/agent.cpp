@@ -89,6 +89,10 @@ void Agent::borrow_workspace() {
   workspace_->lend_queues(circumstance_);
 }
 
+void Agent::rest() {
+  if (workspace_ != nullptr) give_back_workspace();
+}
+
 void Agent::give_back_workspace() {
   workspace_->take_back_queues(circumstance_);
   workspace_->machine.unifier().commit(0);

@@ -79,16 +79,13 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::uint32_t number() const { return number_; }
   void set_number(std::uint32_t number) { number_ = number; }
   [[nodiscard]] AgentHost& host() { return host_; }
-  /// The turn in which it reasons, mostly that of agents that reason one after another. It is at
-  /// rest when another one is set.
+  /// The turn in which it reasons; another one may be set while it is at rest.
   [[nodiscard]] AgentTurn& turn() { return *turn_; }
   void set_turn(AgentTurn& turn) { turn_ = &turn; }
   /// The machine that answers its queries, borrowed from the system until the end of its cycle.
   [[nodiscard]] Machine& machine() { return work().machine; }
   /// To be called when the agent has been made to do something outside of its cycles.
-  void rest() {
-    if (workspace_ != nullptr) give_back_workspace();
-  }
+  void rest();
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
   [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
   [[nodiscard]] Heap& heap() { return heap_; }
@@ -116,7 +113,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Posts a goal as an external event.
   void add_goal(Value literal);
 
-  [[nodiscard]] Intention* intention_with_id(std::uint32_t id) { return find_intention(id); }
+  [[nodiscard]] Intention* find_intention(std::uint32_t id);
   /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
                          std::string_view reason = {}) {
@@ -349,7 +346,6 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void execute_join(Intention& intention);
   bool leave_failed_branch(Intention& intention);
   Intention& copy_for_branch(Intention& intention);
-  [[nodiscard]] Intention* find_intention(std::uint32_t id);
   // Rounds of `for` (for_loops.cpp).
   [[nodiscard]] Loop::Level collect_solutions(Intention& intention, const Goal* condition,
                                               std::span<const Value> before, std::size_t most);

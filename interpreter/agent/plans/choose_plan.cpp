@@ -129,7 +129,7 @@ void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, H
 }
 
 // Rule ApplPl for a plan that is relevant.
-[[gnu::noinline]] bool Agent::context_holds(const Plan& plan, const Event& event, Value* frame) {
+bool Agent::context_holds(const Plan& plan, const Event& event, Value* frame) {
   const Heap::Mark unused = heap_.mark();
   std::unique_ptr<ActionError> error;
   const bool holds = guarded(error, [&] {
@@ -144,7 +144,7 @@ void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, H
 }
 
 // Rules RelPl and ApplPl for one plan with the unifier.
-[[gnu::noinline]] bool Agent::applies_in_general(const Plan& plan, const Event& event,
+bool Agent::applies_in_general(const Plan& plan, const Event& event,
                                std::span<const Value> enclosing) {
   Value* const frame = prepare_scratch(plan, enclosing);
   const Value literal = literal_of(event);
@@ -225,7 +225,7 @@ bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const 
   return applies(plan, event, arguments_of(event), enclosing);
 }
 
-[[gnu::noinline]] const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
+const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
                                  std::span<const Value> enclosing) {
   const EventArguments given = arguments_of(event);
   const std::uint64_t key = given.args.empty() ? 0 : argument_key(given.args.front());
