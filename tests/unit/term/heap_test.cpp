@@ -227,7 +227,8 @@ TEST(Heap, IsCutBackToNothing) {
 }
 
 TEST(Heap, IsEmptyOnceItIsCleared) {
-  for (const std::size_t length : {3, 3000}) {  // within its first chunk, and beyond
+  for (const std::size_t length :
+       {std::size_t{3}, std::size_t{3000}}) {  // within its first chunk, and beyond
     int alive = 0;
     Heap heap;
     (void)heap.object(std::make_unique<Box>(heap.text(std::string(length, 'x')), alive));
