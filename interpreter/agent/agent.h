@@ -113,6 +113,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Posts a goal as an external event.
   void add_goal(Value literal);
 
+  /// Null: no intention has this number, or none any more.
   [[nodiscard]] Intention* find_intention(std::uint32_t id);
   /// Announces that a goal changed its state, to plans `^!g[state(S)[reason(R)]]`.
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state,
@@ -158,8 +159,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void remove_plan_source(const Plan& plan, Value source);
   /// The plan as a term whose variables are fresh.
   [[nodiscard]] Value plan_term(const Plan& plan);
-  /// Adds a term of form plan, or its source if there is an equal plan; `problem` receives why that
-  /// is not possible.
+  /// Adds a term of form plan, or its source to an equal plan; `problem`: why that is impossible.
   [[nodiscard]] bool add_plan_term(Value term, Value source, Place place, std::string& problem);
   [[nodiscard]] const Plan* plan_with_label(Value label) const;
   /// The plans whose trigger unifies, whatever their context.

@@ -258,6 +258,7 @@ class Machine : public FunctionCaller {
   }
 
   bool query(const Goal& goal);
+  Value* registers_for(const Goal& goal);
   const Value* make_arguments(const Goal& goal);
   const Value* look_at_arguments(const Goal& goal);
   bool match_lone(Value fact, const Goal& goal);
@@ -268,7 +269,9 @@ class Machine : public FunctionCaller {
   bool leave_rows(const Row* row, const Goal& goal, const Value* saved);
   bool enter_row(const Row& row, const Goal& goal, const Value* args);
   bool match_argument(Value known, Value wanted, Value term);
-  bool match_fact(Value fact, std::span<const Value> args, const Value* terms);
+  template <class Argument>
+  bool match_each(Value fact, std::span<const Value> terms, Argument argument);
+  bool match_fact(Value fact, const Value* args, std::span<const Value> terms);
   [[nodiscard]] std::optional<std::size_t> count_facts(const Goal& goal, const Value* slots);
   bool choose_rule(Relation& relation, const RuleTable& table, const Goal& goal, const Value* args);
   bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {

@@ -121,7 +121,7 @@ bool Machine::unify_subset(Value literal, Value fact, std::size_t combination, b
     annots = heap().list(some);
   }
   if (exhausted) return false;
-  return match_fact(fact, wanted.args, wanted.args.data()) &&
+  return match_fact(fact, wanted.args.data(), wanted.args) &&
          unifier_.unify_annotations(wanted.annots, annots);
 }
 

@@ -22,11 +22,15 @@ Value value_of(Value arg, const Value* slots) {
 
 }  // namespace
 
-// A query within an argument has other registers.
+// Room for the arguments of a query. One within an argument has other registers.
+[[gnu::always_inline]] inline Value* Machine::registers_for(const Goal& goal) {
+  if (registers_.size() < goal.args().size()) registers_.resize(goal.args().size());
+  return registers_.data();
+}
+
 [[gnu::always_inline]] inline const Value* Machine::make_arguments(const Goal& goal) {
   const std::span<const Value> terms = goal.args();
-  if (registers_.size() < terms.size()) registers_.resize(terms.size());
-  Value* const registers = registers_.data();
+  Value* const registers = registers_for(goal);
   Value* const slots = environment_->slots;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     Value made = terms[i];
@@ -44,11 +48,11 @@ Value value_of(Value arg, const Value* slots) {
 // The same without variables for slots that have no value.
 [[gnu::always_inline]] inline const Value* Machine::look_at_arguments(const Goal& goal) {
   const std::span<const Value> terms = goal.args();
-  if (registers_.size() < terms.size()) registers_.resize(terms.size());
+  Value* const registers = registers_for(goal);
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    registers_[i] = value_of(terms[i], environment_->slots);
+    registers[i] = value_of(terms[i], environment_->slots);
   }
-  return registers_.data();
+  return registers;
 }
 
 // Where an argument of a fact meets an unset one, the slot in its place in the goal gets it. False:
@@ -66,15 +70,22 @@ Value value_of(Value arg, const Value* slots) {
   return !evidently_differ(wanted, known) && unifier_.unify_no_undo(wanted, known);
 }
 
-bool Machine::match_fact(Value fact, std::span<const Value> args, const Value* terms) {
-  if (args.empty()) return true;
+// `argument` gives the value of a term's place.
+template <class Argument>
+[[gnu::always_inline]] inline bool Machine::match_each(Value fact, std::span<const Value> terms,
+                                                       Argument argument) {
+  if (terms.empty()) return true;
   if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
   const Value* const known = fact.structure()->args();
-  for (std::size_t i = 0; i < args.size(); ++i) {
+  for (std::size_t i = 0; i < terms.size(); ++i) {
     // A variable of the fact may be known by now.
-    if (!match_argument(deref(known[i]), deref(args[i]), terms[i])) return false;
+    if (!match_argument(deref(known[i]), argument(i), terms[i])) return false;
   }
   return true;
+}
+
+bool Machine::match_fact(Value fact, const Value* args, std::span<const Value> terms) {
+  return match_each(fact, terms, [args](std::size_t i) { return deref(args[i]); });
 }
 
 bool Machine::query(const Goal& goal) {
@@ -96,15 +107,10 @@ bool Machine::query(const Goal& goal) {
 // The only fact need not be looked for.
 [[gnu::always_inline]] inline bool Machine::match_lone(Value fact, const Goal& goal) {
   goal_ = goal.next;
-  const std::span<const Value> terms = goal.args();
-  if (terms.empty()) return true;
-  if (!fact.is_closed()) fact = unifier_.fresh_copy(fact);
-  const Value* const known = fact.structure()->args();
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Value wanted = value_of(terms[i], environment_->slots);
-    if (!match_argument(deref(known[i]), wanted, terms[i])) return false;
-  }
-  return true;
+  const Value* const terms = goal.args().data();
+  const Value* const slots = environment_->slots;
+  return match_each(fact, goal.args(),
+                    [terms, slots](std::size_t i) { return value_of(terms[i], slots); });
 }
 
 // The last candidate needs no choice point: if it fails, so does the query.
@@ -124,7 +130,7 @@ bool Machine::query(const Goal& goal) {
                                                       const Value* args) {
   if (row.rule != nullptr) return enter_rule(*row.rule, goal, args);
   goal_ = goal.next;
-  return match_fact(row.fact, {args, goal.args().size()}, goal.args().data());
+  return match_fact(row.fact, args, goal.args());
 }
 
 // A choice point for what is left of a cursor. Arguments that have been made are kept, others are
@@ -161,9 +167,7 @@ bool Machine::retry_rows() {
 // The last row, or null, without the choice point, and in its place.
 bool Machine::leave_rows(const Row* row, const Goal& goal, const Value* saved) {
   if (saved != nullptr) {
-    const std::size_t count = goal.args().size();
-    if (registers_.size() < count) registers_.resize(count);
-    std::copy_n(saved, count, registers_.begin());
+    std::copy_n(saved, goal.args().size(), registers_for(goal));
     frames_.release(reinterpret_cast<FrameStack::Mark>(const_cast<Value*>(saved)));
   }
   pop();
