@@ -11,11 +11,19 @@
 
 namespace jaywalk {
 
+namespace {
+
+Diagnostics taken(const std::string& path) {
+  return store_error(path, "the file exists", "choose another name, or remove it first");
+}
+
+}  // namespace
+
 std::optional<Diagnostics> create_store_file(const std::string& path,
                                              const std::function<void(Database& database)>& fill) {
   std::error_code error;
   if (std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
-    return store_error(path, "the file exists", "choose another name, or remove it first");
+    return taken(path);
   }
   PartFile part(path);
   std::optional<std::string> failure;
@@ -32,7 +40,11 @@ std::optional<Diagnostics> create_store_file(const std::string& path,
     database.execute("COMMIT");
     if (database.failure()) failure = trouble_with(database);
   }
-  if (!failure && !part.put_new()) failure = std::generic_category().message(errno);
+  if (!failure && !part.put_new()) {
+    // Another process may have put its file there while this one was filled.
+    if (errno == EEXIST) return taken(path);
+    failure = std::generic_category().message(errno);
+  }
   if (!failure) return std::nullopt;
   return store_error(path, fmt::format("cannot be written: {}", *failure));
 }

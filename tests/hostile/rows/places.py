@@ -51,7 +51,9 @@ ROWS = [
     shell("a page in place of its store", STORE + "cp s.gpkg k; jaywalk report s.gpkg --html s.gpkg; code=$?; cmp s.gpkg k || exit 99; exit $code", 2, "which the command reads"),
     shell("a table in place of its scenario", COMPARE + "--csv s.yaml; code=$?; grep -q walker s.yaml || exit 99; exit $code", 2, "which the command reads"),
     shell("two outputs to a device", COMPARE + "--csv /dev/null --json /dev/null", 0),
-    shell("four merges to one name", STORE + "for i in 1 2 3 4; do jaywalk merge m.gpkg s.gpkg --quiet & done; wait; ls -A | grep part && exit 99; jaywalk judge m.gpkg --metrics >/dev/null", 0, "File exists"),
+    shell("four merges to one name",
+          STORE + "for i in 1 2 3 4; do jaywalk merge m.gpkg s.gpkg --quiet 2>>said & done; wait; cat said; ls -A | grep part && exit 99; "
+          "[ $(grep -c 'the file exists' said) = 3 ] && jaywalk judge m.gpkg --metrics >/dev/null", 0, "m.gpkg: error: the file exists"),
     shell("three at a time resume one store",
           STORE + "for i in 1 2 3; do jaywalk compare s.yaml --tests 80 --agents 2 --no-check --quiet --store s.gpkg --resume & done; wait; "
           "jaywalk compare s.yaml --tests 80 --agents 2 --no-check --quiet --store s.gpkg --resume --csv a.csv; "

@@ -150,6 +150,16 @@ TEST_F(StoreParts, AreCreatedWholeOrNotAtAll) {
   EXPECT_TRUE(std::filesystem::is_empty(std::filesystem::path(file("new.db")).parent_path()));
 }
 
+TEST_F(StoreParts, AreNotPutWhereAnotherProcessWasFaster) {
+  const auto failure = create_store_file(file("new.db"), [&](Database& database) {
+    database.execute("CREATE TABLE t (x INTEGER)");
+    std::ofstream(file("new.db")) << "mine";
+  });
+  ASSERT_TRUE(failure);
+  EXPECT_THAT(failure->render(), HasSubstr("the file exists"));
+  EXPECT_EQ(std::filesystem::file_size(file("new.db")), 4U);
+}
+
 TEST_F(StoreParts, AreCreatedByWhatFillsThem) {
   ASSERT_FALSE(create_store_file(file("new.db"), [](Database& database) {
     database.execute("CREATE TABLE t (x INTEGER)");
