@@ -36,6 +36,7 @@ Agent::Agent(std::string name, std::shared_ptr<const Program> program, SymbolTab
   if (auto remains = turn_->workspaces->take_remains(program_.get())) {
     heap_.use(std::move(remains->heap));
     beliefs_.use(std::move(remains->beliefs));
+    remains->queues.give(circumstance_);
   }
   note_unusual();
 }
@@ -70,7 +71,10 @@ void Agent::note_unusual() {
 Agent::~Agent() {
   WorkspacePool& pool = *turn_->workspaces;
   if (!pool.wants_remains()) return;
-  pool.keep({program_.get(), heap_.leave_remains(), beliefs_.leave_remains()});
+  QueueRemains queues;
+  queues.use(circumstance_);
+  pool.keep(std::move(circumstance_.intentions));
+  pool.keep({program_.get(), heap_.leave_remains(), beliefs_.leave_remains(), std::move(queues)});
 }
 
 void Agent::borrow_workspace() {

@@ -85,12 +85,39 @@ struct Workspace {
   std::vector<std::unique_ptr<Intention>> intentions_;
 };
 
+/// Memory of the queues between an agent and its environment. Nothing is in them.
+struct QueueRemains {
+  Seldom<Ring<PendingAction>> actions;
+  Seldom<std::vector<PendingAction>> acting;
+  Seldom<Ring<Feedback>> feedback;
+
+  void use(Circumstance& from) {
+    use(from.actions, actions);
+    use(from.acting, acting);
+    use(from.feedback, feedback);
+  }
+  void give(Circumstance& to) {
+    to.actions = std::move(actions);
+    to.acting = std::move(acting);
+    to.feedback = std::move(feedback);
+  }
+
+ private:
+  template <class Queue>
+  static void use(Seldom<Queue>& from, Seldom<Queue>& to) {
+    constexpr std::size_t kLong = 64;
+    from.clear();
+    if (from.capacity() <= kLong) to = std::move(from);
+  }
+};
+
 /// What is left of an agent: memory for another one with the same program. Nothing that it believed
 /// or did is in it.
 struct AgentRemains {
   const Program* program = nullptr;
   Heap::Remains heap;
   BeliefBase::Remains beliefs;
+  QueueRemains queues;
 };
 
 class WorkspacePool {
@@ -126,6 +153,8 @@ class WorkspacePool {
   [[nodiscard]] std::optional<AgentRemains> take_remains(const Program* program);
   [[nodiscard]] bool wants_remains() const { return remains_.size() < most_remains_; }
   void keep(AgentRemains remains) { remains_.push_back(std::move(remains)); }
+  /// Intentions of an agent that ends are for those that come.
+  void keep(std::vector<std::unique_ptr<Intention>> intentions);
   /// The agents that end from now on leave theirs, up to this number.
   void want_remains(std::size_t most) { most_remains_ = most; }
 
@@ -137,6 +166,16 @@ class WorkspacePool {
   std::size_t most_remains_ = 0;
   std::uint64_t inferences_left_ = UINT64_MAX;
 };
+
+inline void WorkspacePool::keep(std::vector<std::unique_ptr<Intention>> intentions) {
+  if (idle_.empty()) return;
+  auto& spares = idle_.back()->spare_intentions;
+  for (auto& intention : intentions) {
+    if (spares.size() >= most_remains_) return;
+    intention->finish();
+    spares.push_back(std::move(intention));
+  }
+}
 
 inline std::optional<AgentRemains> WorkspacePool::take_remains(const Program* program) {
   for (auto each = remains_.rbegin(); each != remains_.rend(); ++each) {

@@ -98,6 +98,10 @@ Machine::Machine(SymbolTable& symbols) : symbols_(symbols), unifier_(symbols) {
 }
 
 void Machine::attach(const MachineClient& client) {
+  if (actions_ != client.actions || symbols_cleared_ != symbols_.times_cleared()) {
+    known_functions_ = {};
+    symbols_cleared_ = symbols_.times_cleared();
+  }
   heap_ = client.heap;
   beliefs_ = client.beliefs;
   actions_ = client.actions;
@@ -106,7 +110,6 @@ void Machine::attach(const MachineClient& client) {
   texts_ = client.texts;
   functions_ = client.functions == nullptr ? &own_functions_ : client.functions;
   max_inferences_ = client.max_inferences;
-  known_functions_ = {};
   unifier_.set_heap(*client.heap);
 }
 

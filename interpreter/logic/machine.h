@@ -371,6 +371,7 @@ class Machine : public FunctionCaller {
     const FunctionDefinition* definition = nullptr;
   };
   std::array<KnownFunction, 4> known_functions_;
+  std::uint32_t symbols_cleared_ = 0;  // when these were found
 };
 
 }  // namespace jaywalk

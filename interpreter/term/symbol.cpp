@@ -52,6 +52,7 @@ void SymbolTable::clear_layer() {
   predicates_.clear();
   texts_.clear();
   signatures_.clear();
+  ++times_cleared_;
 }
 
 const Symbol* SymbolTable::find(std::string_view text) const {

@@ -87,6 +87,8 @@ class SymbolTable {
 
   /// Forgets the names above the base. REQUIRES: nothing refers to them any more.
   void clear_layer();
+  /// How often that was done: what is known of a predicate's number holds until the next time.
+  [[nodiscard]] std::uint32_t times_cleared() const { return times_cleared_; }
 
   Symbol symbol(std::string_view text);
   Predicate predicate(const Signature& signature);
@@ -125,6 +127,7 @@ class SymbolTable {
   std::unordered_map<std::string_view, Symbol> symbols_;
   std::unordered_map<Signature, Predicate, SignatureHash> predicates_;
   bool has_threads_ = false;
+  std::uint32_t times_cleared_ = 0;
   mutable std::shared_mutex mutex_;
 };
 

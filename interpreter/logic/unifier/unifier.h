@@ -171,7 +171,9 @@ class Unifier {
     }
   }
   /// The bindings since a mark are kept for good.
-  void commit(std::size_t mark) { trail_.resize(mark); }
+  void commit(std::size_t mark) {
+    trail_.erase(trail_.begin() + static_cast<std::ptrdiff_t>(mark), trail_.end());
+  }
   /// Bindings of these cells since a mark are not undone: the cells are about to go.
   void forget(std::size_t mark, const Value* first, const Value* last);
   /// Forgets the bindings of a frame that is given up: nothing will ask for its slots again.

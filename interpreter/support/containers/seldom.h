@@ -18,6 +18,8 @@ class Seldom {
 
   [[nodiscard]] bool empty() const { return all_ == nullptr || all_->empty(); }
   [[nodiscard]] std::size_t size() const { return all_ == nullptr ? 0 : all_->size(); }
+  /// How many elements there is memory for.
+  [[nodiscard]] std::size_t capacity() const { return all_ == nullptr ? 0 : all_->capacity(); }
 
   [[nodiscard]] iterator begin() { return all_ == nullptr ? iterator{} : all_->begin(); }
   [[nodiscard]] iterator end() { return all_ == nullptr ? iterator{} : all_->end(); }
