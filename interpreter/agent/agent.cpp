@@ -71,9 +71,9 @@ void Agent::note_unusual() {
 Agent::~Agent() {
   WorkspacePool& pool = *turn_->workspaces;
   if (!pool.wants_remains()) return;
+  pool.keep(circumstance_.intentions);
   QueueRemains queues;
   queues.use(circumstance_);
-  pool.keep(std::move(circumstance_.intentions));
   pool.keep({program_.get(), heap_.leave_remains(), beliefs_.leave_remains(), std::move(queues)});
 }
 

@@ -85,18 +85,24 @@ struct Workspace {
   std::vector<std::unique_ptr<Intention>> intentions_;
 };
 
-/// Memory of the queues between an agent and its environment. Nothing is in them.
+/// Memory of the queues that an agent mostly has of its own. Nothing is in them.
 struct QueueRemains {
+  Ring<Event> events;
+  std::vector<std::unique_ptr<Intention>> intentions;
   Seldom<Ring<PendingAction>> actions;
   Seldom<std::vector<PendingAction>> acting;
   Seldom<Ring<Feedback>> feedback;
 
   void use(Circumstance& from) {
+    use(from.events, events);
+    use(from.intentions, intentions);
     use(from.actions, actions);
     use(from.acting, acting);
     use(from.feedback, feedback);
   }
   void give(Circumstance& to) {
+    to.events = std::move(events);
+    to.intentions = std::move(intentions);
     to.actions = std::move(actions);
     to.acting = std::move(acting);
     to.feedback = std::move(feedback);
@@ -104,7 +110,7 @@ struct QueueRemains {
 
  private:
   template <class Queue>
-  static void use(Seldom<Queue>& from, Seldom<Queue>& to) {
+  static void use(Queue& from, Queue& to) {
     constexpr std::size_t kLong = 64;
     from.clear();
     if (from.capacity() <= kLong) to = std::move(from);
@@ -154,7 +160,7 @@ class WorkspacePool {
   [[nodiscard]] bool wants_remains() const { return remains_.size() < most_remains_; }
   void keep(AgentRemains remains) { remains_.push_back(std::move(remains)); }
   /// Intentions of an agent that ends are for those that come.
-  void keep(std::vector<std::unique_ptr<Intention>> intentions);
+  void keep(std::span<std::unique_ptr<Intention>> intentions);
   /// The agents that end from now on leave theirs, up to this number.
   void want_remains(std::size_t most) { most_remains_ = most; }
 
@@ -167,7 +173,7 @@ class WorkspacePool {
   std::uint64_t inferences_left_ = UINT64_MAX;
 };
 
-inline void WorkspacePool::keep(std::vector<std::unique_ptr<Intention>> intentions) {
+inline void WorkspacePool::keep(std::span<std::unique_ptr<Intention>> intentions) {
   if (idle_.empty()) return;
   auto& spares = idle_.back()->spare_intentions;
   for (auto& intention : intentions) {
