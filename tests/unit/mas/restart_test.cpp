@@ -48,11 +48,11 @@ std::vector<std::string> run(System& system, Mas& mas, int agents) {
   return seen;
 }
 
-// Whatever it is cut off in: a question, a timer, a wait, a suspended goal, a deadline,
-// subscriptions to the yellow pages, agents that were created, plans that were added, percepts not
-// looked at yet.
+// Whatever it is cut off in: a question, a timer, a wait, a suspended goal, a deadline, branches,
+// a loop, an atomic plan, subscriptions to the yellow pages, agents that were created, plans that
+// were added, percepts not looked at yet.
 constexpr std::string_view kPending = R"(
-  !ask. !later. !sleep. !late[hard_deadline(250)].
+  !ask. !later. !sleep. !late[hard_deadline(250)]. !both. !held.
   +!ask <- .create_agent(H, "w.asl"); .send(H, askOne, secret(_), A, 300); .print(H, A);
      .send(H, tell, hi); .send(H, askOne, unknown(_), B, 200); .print(B);
      .clone(C); .send(C, tell, made).
@@ -62,6 +62,9 @@ constexpr std::string_view kPending = R"(
   +!sleep <- .wait({+provider(_, _)}, 1000, T); .print(woken, T); .stopMAS(300).
   +!late <- .print(late, _); .wait(5000).
   -!late[error(E)] <- .print(E).
+  +!both <- !loop(1) |&| !loop(2); .print(both).
+  +!loop(N) <- for (.range(I, 1, 2)) { .wait(20); .print(N, I) }.
+  @held[atomic] +!held <- .wait(120); .print(held).
   ^!sleep[state(S)] <- .print(S).
   +provider(A, S) <- .print(A, S).
   +made <- .print(made); .my_name(M); .wait(50); .kill_agent(M).
@@ -84,8 +87,8 @@ TEST(Restart, ForgetsWhatWasGoingOn) {
   const std::vector<std::string> expected = run(system, fresh, 2);
   EXPECT_THAT(expected,
               testing::IsSupersetOf(
-                  {"[a0] due", "[a1] goes_on", "[h] a0",
-                   "[a0] [p__10[source(self),url(\"file:ann.asl\")],made[source(self)]]"}));
+                  {"[a0] due", "[a1] goes_on", "[h] a0", "[a0] both", "[a1] held",
+                   "[a0] [p__12[source(self),url(\"file:ann.asl\")],made[source(self)]]"}));
   TestWorld unused(*system.symbols, kLastTick);
   Mas reused(system.symbols, system.options, &unused);
   for (int steps = 0; steps <= kLastTick; ++steps) {
