@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <new>
@@ -87,13 +88,15 @@ void limit_memory() {
   (void)setrlimit(RLIMIT_CORE, &no_core);
 }
 
-/// A folder in memory if there is one: stores are written with care for the disk.
+/// A folder in memory if the user may have one: stores are written with care for the disk.
 std::string make_scratch() {
-  const bool memory = std::filesystem::is_directory("/dev/shm");
-  std::string folder =
-      memory ? std::string("/dev/shm") : std::filesystem::temp_directory_path().string();
-  folder += "/jaywalk-fuzz-XXXXXX";
-  return mkdtemp(folder.data()) == nullptr ? std::string() : folder;
+  for (const std::string& place :
+       {std::string("/dev/shm"), std::filesystem::temp_directory_path().string()}) {
+    std::string folder = place + "/jaywalk-fuzz-XXXXXX";
+    if (mkdtemp(folder.data()) != nullptr) return folder;
+  }
+  std::fprintf(stderr, "fuzz: no folder can be made for the cases: %s\n", std::strerror(errno));
+  std::exit(2);
 }
 
 /// Runs one target's cases in child processes.

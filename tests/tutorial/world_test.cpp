@@ -1,8 +1,5 @@
 // The world that env/world/TUTORIAL.md adds is there as the page says, and comparisons run in it.
 
-#include <cstdio>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "env/environments.h"
+#include "tests/helpers/folder.h"
 #include "tests/helpers/run_command.h"
 
 namespace jaywalk {
@@ -22,28 +20,26 @@ using testing::HasSubstr;
 
 const std::string kScenario = JAYWALK_TUTORIAL_DIR "/scenarios/corridor.yaml";
 
-std::string text_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
+class WorldTutorial : public FolderTest {
+ protected:
+  /// `compare` of 30 tests with each number of people; its JSON.
+  nlohmann::json compare(const std::vector<std::string>& more) {
+    const std::string json = path("results.json");
+    std::vector<std::string> words{"compare", kScenario, "--tests", "30",
+                                   "--quiet", "--json",  json};
+    words.insert(words.end(), more.begin(), more.end());
+    const CommandRun outcome = run_command(words);
+    EXPECT_EQ(outcome.code, ExitCode::success) << outcome.errors;
+    return nlohmann::json::parse(text("results.json"));
+  }
+};
 
-/// `compare` of 30 tests with each number of people; its JSON.
-nlohmann::json compare(std::vector<std::string> more) {
-  const std::string path = testing::TempDir() + "world_tutorial.json";
-  std::vector<std::string> words{"compare", kScenario, "--tests", "30", "--quiet", "--json", path};
-  words.insert(words.end(), more.begin(), more.end());
-  const CommandRun outcome = run_command(words);
-  EXPECT_EQ(outcome.code, ExitCode::success) << outcome.errors;
-  return nlohmann::json::parse(text_of(path));
-}
-
-TEST(WorldTutorial, HasAWorldThatIsListed) {
+TEST_F(WorldTutorial, HasAWorldThatIsListed) {
   EXPECT_EQ(environments().back().name, "corridor");
   EXPECT_THAT(run_command({"list", "environments"}).output, HasSubstr("before a delivery robot"));
 }
 
-TEST(WorldTutorial, HasAScenarioInWhichNothingIsWrong) {
+TEST_F(WorldTutorial, HasAScenarioInWhichNothingIsWrong) {
   const CommandRun outcome = run_command({"check", kScenario});
   EXPECT_EQ(outcome.code, ExitCode::success) << outcome.errors;
   const CommandRun wrong = run_command({"compare", kScenario, "--set", "world.lenght=20"});
@@ -51,7 +47,7 @@ TEST(WorldTutorial, HasAScenarioInWhichNothingIsWrong) {
   EXPECT_THAT(wrong.errors, HasSubstr("did you mean 'length'"));
 }
 
-TEST(WorldTutorial, HasPeopleWhoStepOutBeforeTheRobot) {
+TEST_F(WorldTutorial, HasPeopleWhoStepOutBeforeTheRobot) {
   const nlohmann::json rank = compare({"--avs", "constant,braking"})["avs"]["rank"];
   ASSERT_EQ(rank.size(), 2U);
   EXPECT_EQ(rank[0]["av"], "braking");
@@ -62,21 +58,19 @@ TEST(WorldTutorial, HasPeopleWhoStepOutBeforeTheRobot) {
   for (const nlohmann::json& each : rank) EXPECT_EQ(each["successes"], 60);
 }
 
-TEST(WorldTutorial, HasTestsThatStoresKeep) {
-  const std::string store = testing::TempDir() + "world_tutorial.gpkg";
-  std::remove(store.c_str());
+TEST_F(WorldTutorial, HasTestsThatStoresKeep) {
+  const std::string store = path("tests.gpkg");
   (void)compare({"--store", store, "--store-level", "all"});
   EXPECT_THAT(run_command({"replay", store, "--test", "1"}).output, HasSubstr("precondition met"));
   EXPECT_THAT(run_command({"explain", store, "--test", "1", "--agent", "p1"}).output,
               HasSubstr("step_out.asl"));
 }
 
-TEST(WorldTutorial, HasTheSameResultsOnAnyThreads) {
+TEST_F(WorldTutorial, HasTheSameResultsOnAnyThreads) {
   std::vector<std::string> tables;
   for (const std::string threads : {"1", "2", "8"}) {
-    const std::string path = testing::TempDir() + "world_tutorial_" + threads + ".csv";
-    (void)compare({"--threads", threads, "--per-test", path, "--metrics"});
-    tables.push_back(text_of(path));
+    (void)compare({"--threads", threads, "--per-test", path(threads + ".csv"), "--metrics"});
+    tables.push_back(text(threads + ".csv"));
   }
   EXPECT_NE(tables[0].find("step_out,3,29,"), std::string::npos) << tables[0];
   EXPECT_EQ(tables[0], tables[1]);
