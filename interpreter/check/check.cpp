@@ -1,6 +1,7 @@
 #include "interpreter/check/check.h"
 
 #include <array>
+#include <utility>
 
 #include "interpreter/check/checking.h"
 
@@ -19,7 +20,12 @@ std::span<const CheckInfo> checks() { return kChecks; }
 
 void check_program(const SourceTree& program, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics) {
-  Checking checking(program, vocabulary);
+  check_program(program, words_of(program), vocabulary, diagnostics);
+}
+
+void check_program(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary,
+                   Diagnostics& diagnostics) {
+  Checking checking(program, std::move(words), vocabulary);
 #define JAYWALK_CHECK(function, code, summary) \
   checking.begin(code);                        \
   function(checking);

@@ -18,6 +18,8 @@
 
 namespace jaywalk {
 
+struct ProgramWords;
+
 /// The words that a program may use without defining them.
 struct Vocabulary {
   struct Entry {
@@ -70,6 +72,9 @@ struct CheckInfo {
 /// Adds warnings, by file and place. Of a program whose includes are not all there, or that adds
 /// plans or beliefs of unknown content, only what these cannot change is reported.
 void check_program(const SourceTree& program, const Vocabulary& vocabulary,
+                   Diagnostics& diagnostics);
+/// The same of a program whose words somebody has looked at already, `words_of(program)`.
+void check_program(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
 
 /// All names of literals that a program's text mentions, within strings too: what it might post,

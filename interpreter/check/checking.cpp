@@ -18,10 +18,10 @@ std::set<std::string, std::less<>> allowed_in(const Source& source) {
 
 }  // namespace
 
-Checking::Checking(const SourceTree& program, const Vocabulary& vocabulary)
-    : vocabulary_(vocabulary),
-      index_(index_of(program)),
-      mentions_(mentions_in(program)),
+Checking::Checking(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary)
+    : program_(program),
+      vocabulary_(vocabulary),
+      index_(std::move(words.index)),
       answers_(index_.beliefs) {
   for (const Vocabulary::Entry& percept : vocabulary.percepts) {
     for (int arity = percept.least_args; arity <= percept.most_args; ++arity) {
@@ -31,11 +31,11 @@ Checking::Checking(const SourceTree& program, const Vocabulary& vocabulary)
   for (const std::string& test : index_.planned_tests.names()) {
     for (const int arity : index_.planned_tests.arities(test)) answers_.add(test, arity);
   }
-  for (const auto& file : program.files) {
-    files_.push_back({.file = file.get(),
-                      .uses = uses_in(file->components),
-                      .is_main = file == program.files.front(),
-                      .allowed = allowed_in(*file->source),
+  for (std::size_t i = 0; i < program.files.size(); ++i) {
+    files_.push_back({.file = program.files[i].get(),
+                      .uses = std::move(words.uses[i]),
+                      .is_main = i == 0,
+                      .allowed = allowed_in(*program.files[i]->source),
                       .reported = {},
                       .found = {}});
   }
@@ -48,11 +48,21 @@ bool Checking::asked_by_nobody() const {
   if (index_.has_open_goals || index_.has_open_beliefs) return false;
   if (vocabulary_.others_known) return true;
   return has_initial_goal_ &&
-         (told_everything() || (vocabulary_.may_be_alone && !mentions_.other_agents));
+         (told_everything() || (vocabulary_.may_be_alone && !has_other_agents()));
+}
+
+const Mentions& Checking::mentions() const {
+  if (!mentions_) mentions_ = mentions_in(program_);
+  return *mentions_;
+}
+
+bool Checking::has_other_agents() const {
+  if (!has_other_agents_) has_other_agents_ = shows_other_agents(program_);
+  return *has_other_agents_;
 }
 
 bool Checking::is_mentioned(std::string_view name) const {
-  return mentions_.names.contains(name) || vocabulary_.named_by_others.contains(name);
+  return mentions().names.contains(name) || vocabulary_.named_by_others.contains(name);
 }
 
 void Checking::warn(CheckedFile& file, Span where, std::string message, std::string hint) {

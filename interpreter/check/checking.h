@@ -4,6 +4,7 @@
 // report what was found.
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -31,11 +32,12 @@ struct CheckedFile {
 
 class Checking {
  public:
-  Checking(const SourceTree& program, const Vocabulary& vocabulary);
+  Checking(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary);
 
   [[nodiscard]] const Vocabulary& vocabulary() const { return vocabulary_; }
   [[nodiscard]] const ProgramIndex& index() const { return index_; }
-  [[nodiscard]] const Mentions& mentions() const { return mentions_; }
+  /// Looked for when somebody first asks.
+  [[nodiscard]] const Mentions& mentions() const;
   /// What can answer a query: beliefs, percepts and plans for test goals.
   [[nodiscard]] const NameSet& answers() const { return answers_; }
   [[nodiscard]] std::vector<CheckedFile>& files() { return files_; }
@@ -66,9 +68,13 @@ class Checking {
   [[nodiscard]] Diagnostics finish();
 
  private:
+  [[nodiscard]] bool has_other_agents() const;
+
+  const SourceTree& program_;
   const Vocabulary& vocabulary_;
   ProgramIndex index_;
-  Mentions mentions_;
+  mutable std::optional<Mentions> mentions_;
+  mutable std::optional<bool> has_other_agents_;
   NameSet answers_;
   std::vector<CheckedFile> files_;
   Diagnostics about_settings_;

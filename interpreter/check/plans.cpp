@@ -103,8 +103,15 @@ bool are_options(const Plan& first, const Plan& second) {
 
 using TriggerKey = std::tuple<TriggerOperator, TriggerKind, std::string_view, std::size_t>;
 
-void look_for_unreachable(Checking& checking, CheckedFile& file,
-                          const std::vector<const Plan*>& plans) {
+/// A plan, and the one that is chosen whenever it could be.
+struct Unreachable {
+  CheckedFile* file = nullptr;
+  const Plan* plan = nullptr;
+  const Plan* first = nullptr;
+};
+
+void look_for_unreachable(CheckedFile& file, const std::vector<const Plan*>& plans,
+                          std::vector<Unreachable>& found) {
   std::map<TriggerKey, std::vector<const Plan*>> earlier;
   for (const Plan* plan : plans) {
     const Node& literal = *plan->trigger.literal;
@@ -115,13 +122,7 @@ void look_for_unreachable(Checking& checking, CheckedFile& file,
       return !are_options(*rival, *plan) && comes_first(*rival, *plan);
     });
     if (first != rivals.end()) {
-      const auto line = file.file->source->position((*first)->trigger.literal->span.begin).line;
-      checking.warn(file, literal.span,
-                    fmt::format("this plan is never chosen: the one at line {} is, whenever this "
-                                "could be",
-                                line),
-                    is_always((*first)->context) ? "put the plan without a condition last"
-                                                 : "both have the same trigger and context");
+      found.push_back({&file, plan, *first});
     } else if (rivals.size() < kMostCompared) {
       rivals.push_back(plan);
     }
@@ -172,9 +173,19 @@ bool waits(const Node& action) {
 }  // namespace
 
 void unreachable_plans(Checking& checking) {
-  if (choice_may_change(checking)) return;
+  std::vector<Unreachable> found;
   for (CheckedFile& file : checking.files()) {
-    for (const auto& plans : file.uses.plan_lists) look_for_unreachable(checking, file, plans);
+    for (const auto& plans : file.uses.plan_lists) look_for_unreachable(file, plans, found);
+  }
+  if (found.empty() || choice_may_change(checking)) return;
+  for (const auto& [file, plan, first] : found) {
+    const auto line = file->file->source->position(first->trigger.literal->span.begin).line;
+    checking.warn(*file, plan->trigger.literal->span,
+                  fmt::format("this plan is never chosen: the one at line {} is, whenever this "
+                              "could be",
+                              line),
+                  is_always(first->context) ? "put the plan without a condition last"
+                                            : "both have the same trigger and context");
   }
 }
 

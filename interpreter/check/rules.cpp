@@ -38,11 +38,11 @@ using HeadKey = std::tuple<std::string_view, std::size_t, bool>;
 
 void endless_rules(Checking& checking) {
   if (checking.index().has_open_beliefs) return;
-  std::map<HeadKey, bool> has_base;
+  std::map<HeadKey, bool> has_base;  // beside facts
   for (const CheckedFile& file : checking.files()) {
     for (const auto& [head, body] : file.uses.clauses) {
-      has_base[{head->text, head->args.size(), head->negated}] |=
-          body == nullptr || !needs(*body, *head);
+      if (body == nullptr) continue;
+      has_base[{head->text, head->args.size(), head->negated}] |= !needs(*body, *head);
     }
   }
   for (CheckedFile& file : checking.files()) {

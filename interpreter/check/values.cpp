@@ -24,14 +24,16 @@ using ast::Node;
 using AtomRole = AtomUse::Role;
 using Atoms = std::set<std::string_view>;
 
-/// How often each atom occurs in the program, as an argument or otherwise.
+/// How often each atom occurs in the program, as an argument or otherwise; counted when somebody
+/// first asks.
 class AtomCounts {
  public:
-  explicit AtomCounts(Checking& checking) {
-    for (const CheckedFile& file : checking.files()) components(file.file->components);
-  }
+  explicit AtomCounts(Checking& checking) : checking_(checking) {}
 
-  [[nodiscard]] int of(std::string_view atom) const {
+  [[nodiscard]] int of(std::string_view atom) {
+    if (counts_.empty()) {
+      for (const CheckedFile& file : checking_.files()) components(file.file->components);
+    }
     const auto found = counts_.find(atom);
     return found == counts_.end() ? 0 : found->second;
   }
@@ -49,6 +51,7 @@ class AtomCounts {
     }
   }
 
+  Checking& checking_;
   std::unordered_map<std::string_view, int> counts_;
 };
 

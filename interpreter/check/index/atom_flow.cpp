@@ -48,7 +48,7 @@ class ValueFlow {
  private:
   using Id = std::size_t;
   enum class What : std::uint8_t { belief, goal, action, structure };
-  using Argument = std::tuple<What, std::string_view, std::size_t, std::size_t>;
+  using Signature = std::tuple<What, std::string_view, std::size_t>;
 
   // Classes.
 
@@ -63,10 +63,17 @@ class ValueFlow {
   }
   void unite(Id a, Id b) { parents_[root(b)] = root(a); }
 
-  Id argument_id(What what, std::string_view name, std::size_t arity, std::size_t index) {
-    const auto [found, is_new] = arguments_.try_emplace({what, name, arity, index}, 0);
-    if (is_new) found->second = new_id();
-    return found->second;
+  // Of the first argument; those of the others follow. Most facts of long programs follow another
+  // one of the same name.
+  Id first_argument_id(What what, std::string_view name, std::size_t arity) {
+    const Signature signature{what, name, arity};
+    if (last_signature_ == signature) return last_arguments_;
+    const auto [found, is_new] = arguments_.try_emplace(signature, parents_.size());
+    if (is_new) {
+      for (std::size_t i = 0; i < arity; ++i) new_id();
+    }
+    last_signature_ = signature;
+    return last_arguments_ = found->second;
   }
   Id variable_id(std::string_view name) {
     const auto [found, is_new] = variables_.try_emplace(name, 0);
@@ -96,7 +103,7 @@ class ValueFlow {
   void declare(What what, const Vocabulary::Entry& entry) {
     for (std::size_t i = 0; i < entry.values.size(); ++i) {
       if (entry.values[i].empty()) continue;
-      const Id id = argument_id(what, entry.name, entry.values.size(), i);
+      const Id id = first_argument_id(what, entry.name, entry.values.size()) + i;
       declared_.insert(id);
       for (const std::string& atom : entry.values[i]) {
         note(id, {.atom = atom, .role = AtomRole::allowed});
@@ -107,7 +114,7 @@ class ValueFlow {
   void setting(const Vocabulary::Setting& setting) {
     for (std::size_t i = 0; i < setting.atoms.size(); ++i) {
       if (setting.atoms[i].empty()) continue;
-      note(argument_id(What::belief, setting.name, setting.atoms.size(), i),
+      note(first_argument_id(What::belief, setting.name, setting.atoms.size()) + i,
            {.atom = setting.atoms[i], .role = AtomRole::given, .setting = &setting});
     }
   }
@@ -224,9 +231,9 @@ class ValueFlow {
       term(node);
       return;
     }
-    for (std::size_t i = 0; i < node.args.size(); ++i) {
-      argument(argument_id(what, node.text, node.args.size(), i), *node.args[i], role);
-    }
+    if (node.args.empty()) return;
+    const Id first = first_argument_id(what, node.text, node.args.size());
+    for (std::size_t i = 0; i < node.args.size(); ++i) argument(first + i, *node.args[i], role);
   }
 
   void argument(Id id, const Node& node, AtomRole role) {
@@ -292,7 +299,9 @@ class ValueFlow {
   Checking& checking_;
   CheckedFile* file_ = nullptr;
   std::vector<Id> parents_;
-  std::map<Argument, Id> arguments_;
+  std::map<Signature, Id> arguments_;
+  Signature last_signature_;
+  Id last_arguments_ = 0;
   std::map<std::string_view, Id> variables_;
   std::set<Id> declared_;
   std::vector<std::pair<Id, AtomUse>> uses_;

@@ -6,6 +6,7 @@
 
 #include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/check.h"
+#include "interpreter/support/characters.h"
 #include "interpreter/syntax/node.h"
 
 namespace jaywalk {
@@ -14,15 +15,15 @@ namespace {
 using ast::Kind;
 using ast::Node;
 
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
+/// Calls `visit(node)` for all that is within a program but what it defines: the literals of the
+/// triggers of plans and of the heads of rules.
+template <class Visit>
 class Reader {
  public:
-  Mentions run(const SourceTree& program) {
+  explicit Reader(Visit visit) : visit_(visit) {}
+
+  void run(const SourceTree& program) {
     for (const auto& file : program.files) components(file->components);
-    return std::move(mentions_);
   }
 
  private:
@@ -61,13 +62,8 @@ class Reader {
   }
 
   void node(const Node& node) {
-    if (node.kind == Kind::literal) {
-      name(node.text);
-      sociability(node);
-    } else if (node.kind == Kind::string) {
-      // A text may become a plan or a goal: each of its words could be a name.
-      words(node.text);
-    } else if (node.kind == Kind::plan) {
+    visit_(node);
+    if (node.kind == Kind::plan) {
       plan(*node.plan);
     } else if (node.kind == Kind::trigger) {
       this->node(*node.trigger->literal);
@@ -82,36 +78,45 @@ class Reader {
     formulas(node.formulas);
   }
 
-  void sociability(const Node& node) {
-    const bool is_message_plan = node.text.starts_with("kqml");
-    if (is_message_plan || traits_of(node.text).is_social()) mentions_.other_agents = true;
-    // Who distinguishes sources reckons with other agents.
-    if (node.text != "source" || node.args.size() != 1) return;
-    const Node& source = *node.args[0];
-    const bool own =
-        source.kind == Kind::literal && (source.text == "self" || source.text == "percept");
-    if (!own) mentions_.other_agents = true;
-  }
-
-  void name(std::string_view name) {
-    if (!mentions_.names.contains(name)) mentions_.names.emplace(name);
-  }
-
-  void words(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-      std::size_t end = at;
-      while (end < text.size() && is_word(text[end])) ++end;
-      if (end > at) name(text.substr(at, end - at));
-      at = end + 1;
-    }
-  }
-
-  Mentions mentions_;
+  Visit visit_;
 };
+
+bool is_social(const Node& node) {
+  if (node.kind != Kind::literal) return false;
+  const bool is_message_plan = node.text.starts_with("kqml");
+  if (is_message_plan || traits_of(node.text).is_social()) return true;
+  // Who distinguishes sources reckons with other agents.
+  if (node.text != "source" || node.args.size() != 1) return false;
+  const Node& source = *node.args[0];
+  return source.kind != Kind::literal || (source.text != "self" && source.text != "percept");
+}
+
+void add_words(std::string_view text, Mentions& mentions) {
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_name_character(text[end])) ++end;
+    if (end > at && !is_digit(text[at])) mentions.names.insert(text.substr(at, end - at));
+    at = end + 1;
+  }
+}
 
 }  // namespace
 
-Mentions mentions_in(const SourceTree& program) { return Reader().run(program); }
+Mentions mentions_in(const SourceTree& program) {
+  Mentions mentions;
+  Reader([&mentions](const Node& node) {
+    if (node.kind == Kind::literal) mentions.names.insert(node.text);
+    // A text may become a plan or a goal: each of its words could be a name.
+    if (node.kind == Kind::string) add_words(node.text, mentions);
+  }).run(program);
+  return mentions;
+}
+
+bool shows_other_agents(const SourceTree& program) {
+  bool shows = false;
+  Reader([&shows](const Node& node) { shows = shows || is_social(node); }).run(program);
+  return shows;
+}
 
 std::set<std::string, std::less<>> names_in(const SourceTree& program) {
   const auto names = mentions_in(program).names;

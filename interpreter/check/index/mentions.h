@@ -3,9 +3,6 @@
 // The names that a program mentions anywhere but where it defines something: what it may post, ask
 // for or tell, however roundabout its way (a term in a variable, a text that becomes a plan).
 
-#include <functional>
-#include <set>
-#include <string>
 #include <string_view>
 #include <unordered_set>
 
@@ -13,22 +10,16 @@
 
 namespace jaywalk {
 
-/// Of names, which are looked for without a copy.
-struct NameHash {
-  using is_transparent = void;
-  std::size_t operator()(std::string_view name) const {
-    return std::hash<std::string_view>()(name);
-  }
-};
-
+/// REQUIRES: the program lives as long, whose texts these are.
 struct Mentions {
   /// Functors anywhere but of the triggers of plans and the heads of rules, and all words within
-  /// strings.
-  std::unordered_set<std::string, NameHash, std::equal_to<>> names;
-  /// Whether anything shows that there are other agents: messages, names, sources.
-  bool other_agents = false;
+  /// strings that may be names.
+  std::unordered_set<std::string_view> names;
 };
 
 [[nodiscard]] Mentions mentions_in(const SourceTree& program);
+
+/// Whether anything in a program shows that there are other agents: messages, names, sources.
+[[nodiscard]] bool shows_other_agents(const SourceTree& program);
 
 }  // namespace jaywalk

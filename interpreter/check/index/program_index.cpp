@@ -30,7 +30,7 @@ class Indexer {
       switch (component.kind) {
         case ast::ComponentKind::belief:
           if (component.body == nullptr) {
-            belief(*component.literal);
+            fact(*component.literal);
           } else {
             index_.beliefs.add(component.literal->text, arity_of(*component.literal));
             index_.given.add(component.literal->text, arity_of(*component.literal));
@@ -78,6 +78,15 @@ class Indexer {
       }
     }
     components(component.inner);
+  }
+
+  // Most facts of long programs follow another one of the same name.
+  void fact(const Node& node) {
+    const bool is_known = last_fact_ != nullptr && node.kind == Kind::literal &&
+                          last_fact_->kind == Kind::literal && last_fact_->text == node.text &&
+                          last_fact_->args.size() == node.args.size();
+    if (!is_known) belief(node);
+    last_fact_ = &node;
   }
 
   void belief(const Node& node) {
@@ -209,6 +218,7 @@ class Indexer {
 
   const SourceTree& program_;
   ProgramIndex index_;
+  const Node* last_fact_ = nullptr;
 };
 
 }  // namespace
@@ -238,6 +248,13 @@ std::vector<std::string> NameSet::names() const {
 }
 
 ProgramIndex index_of(const SourceTree& program) { return Indexer(program).run(); }
+
+ProgramWords words_of(const SourceTree& program) {
+  ProgramWords words;
+  words.index = index_of(program);
+  for (const auto& file : program.files) words.uses.push_back(uses_in(file->components));
+  return words;
+}
 
 int arity_of(const ast::Node& literal) { return static_cast<int>(literal.args.size()); }
 

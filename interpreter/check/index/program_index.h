@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/check/index/uses.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
@@ -55,6 +56,15 @@ struct ProgramIndex {
 };
 
 [[nodiscard]] ProgramIndex index_of(const SourceTree& program);
+
+/// The same with where each of the program's files uses names, in their order.
+/// REQUIRES: the program lives as long.
+struct ProgramWords {
+  ProgramIndex index;
+  std::vector<Uses> uses;
+};
+
+[[nodiscard]] ProgramWords words_of(const SourceTree& program);
 
 /// The number of arguments of a literal.
 [[nodiscard]] int arity_of(const ast::Node& literal);

@@ -113,27 +113,28 @@ TEST(ProgramIndex, IsOpenWhereAnIncludeIsMissing) {
 }
 
 TEST(Mentions, AreOfNamesThatAreUsed) {
-  const auto names = mentions_in(loaded("defined :- used.\n+!plan(X) : asked <- !posted.\n")).names;
+  const SourceTree program = loaded("defined :- used.\n+!plan(X) : asked <- !posted.\n");
+  const auto names = mentions_in(program).names;
   for (const char* name : {"used", "asked", "posted"}) EXPECT_THAT(names, Contains(name));
   EXPECT_THAT(names, Not(Contains("defined"))) << "the head of a rule";
   EXPECT_THAT(names, Not(Contains("plan"))) << "the trigger of a plan";
 }
 
 TEST(Mentions, AreWordsOfTextsToo) {
-  const auto names =
-      mentions_in(loaded("+!g <- .add_plan(\"+!new_goal(X) <- !other1.\").\n")).names;
+  const SourceTree program = loaded("+!g <- .add_plan(\"+!new_goal(X, 2nd) <- !other1.\").\n");
+  const auto names = mentions_in(program).names;
   for (const char* name : {"new_goal", "other1", "X"}) EXPECT_THAT(names, Contains(name));
+  EXPECT_THAT(names, Not(Contains("2nd"))) << "no name begins with a digit";
 }
 
 TEST(Mentions, AreInArgumentsAndAnnotations) {
-  const auto names = mentions_in(loaded("b(in_argument)[in_annotation].\n")).names;
+  const SourceTree program = loaded("b(in_argument)[in_annotation].\n");
+  const auto names = mentions_in(program).names;
   for (const char* name : {"in_argument", "in_annotation"}) EXPECT_THAT(names, Contains(name));
 }
 
 TEST(Mentions, ShowWhetherThereAreOtherAgents) {
-  const auto social = [](const std::string& text) {
-    return mentions_in(loaded(text)).other_agents;
-  };
+  const auto social = [](const std::string& text) { return shows_other_agents(loaded(text)); };
   EXPECT_TRUE(social("+!g <- .send(bob, tell, b).\n"));
   EXPECT_TRUE(social("+!kqml_received(A, B, C, D) : kqml_mine <- true.\n"));
   EXPECT_TRUE(social("+!g : b[source(bob)] <- true.\n"));

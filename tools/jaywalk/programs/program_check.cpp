@@ -76,9 +76,10 @@ void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& fou
 
 void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
                     Diagnostics& found) {
-  Vocabulary vocabulary = vocabulary_for(environment_of(program));
+  ProgramWords words = words_of(program);
+  Vocabulary vocabulary = vocabulary_for(environment_of(words));
   vocabulary.may_be_alone = started == StartedAs::alone && !lies_in_project(path);
-  check_program(program, vocabulary, found);
+  check_program(program, std::move(words), vocabulary, found);
 }
 
 void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found) {

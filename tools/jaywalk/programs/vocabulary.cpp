@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -32,30 +32,17 @@ Vocabulary::Entry entry_for(const EnvironmentWord& word) {
           .values = argument_values(word)};
 }
 
-// The words of a program that say for which environment it is written.
-struct ProgramWords {
-  explicit ProgramWords(const SourceTree& program) : index(index_of(program)) {
-    for (const auto& file : program.files) {
-      uses.push_back(uses_in(file->components));
-      for (const Clause& clause : uses.back().clauses) own.insert(clause.head->text);
-    }
-  }
-
-  ProgramIndex index;
-  std::vector<Uses> uses;
-  std::set<std::string_view> own;  // what it believes by itself is no percept
-};
-
 // What speaks for and against a program being written for an environment.
 class Evidence {
  public:
-  Evidence(const Vocabulary& vocabulary, const ProgramWords& program) : vocabulary_(vocabulary) {
+  Evidence(const Vocabulary& vocabulary, const ProgramWords& program)
+      : vocabulary_(vocabulary), program_(program) {
     for (const Uses& uses : program.uses) {
       for (const ast::Node* action : uses.actions) this->action(*action, program.index);
-      for (const ast::Node* query : uses.queries) percept(*query, program.own);
+      for (const ast::Node* query : uses.queries) percept(*query);
       for (const ast::Plan* plan : uses.plans) {
         if (plan->trigger.kind == ast::TriggerKind::belief) {
-          percept(*plan->trigger.literal, program.own);
+          percept(*plan->trigger.literal);
         }
       }
     }
@@ -97,13 +84,25 @@ class Evidence {
     return false;
   }
 
-  void percept(const ast::Node& node, const std::set<std::string_view>& own) {
-    if (node.kind != ast::Kind::literal || own.contains(node.text)) return;
+  // What it believes by itself is no percept.
+  void percept(const ast::Node& node) {
+    if (perceives_ || node.kind != ast::Kind::literal) return;
     const Vocabulary::Entry* const known = entry_of(vocabulary_.percepts, node.text);
-    perceives_ = perceives_ || (known != nullptr && takes(*known, arity_of(node)));
+    perceives_ = known != nullptr && takes(*known, arity_of(node)) && !is_own(node.text);
+  }
+
+  bool is_own(std::string_view name) {
+    if (own_.empty()) {
+      for (const Uses& uses : program_.uses) {
+        for (const Clause& clause : uses.clauses) own_.insert(clause.head->text);
+      }
+    }
+    return own_.contains(name);
   }
 
   const Vocabulary& vocabulary_;
+  const ProgramWords& program_;
+  std::unordered_set<std::string_view> own_;  // filled when somebody first asks
   bool takes_action_ = false;
   bool takes_foreign_ = false;
   bool perceives_ = false;
@@ -111,12 +110,15 @@ class Evidence {
 };
 
 // Those for which every agent has plans.
-std::vector<std::string> standard_performatives() {
-  Diagnostics ignored;
-  const auto source = std::make_shared<const Source>("kqml", std::string(kKqmlPlans));
-  const ast::File file = parse_agent(source, ignored);
-  const auto handled = handled_performatives(uses_in(file.components));
-  return {handled.begin(), handled.end()};
+const std::vector<std::string>& standard_performatives() {
+  static const std::vector<std::string> performatives = [] {
+    Diagnostics ignored;
+    const auto source = std::make_shared<const Source>("kqml", std::string(kKqmlPlans));
+    const ast::File file = parse_agent(source, ignored);
+    const auto handled = handled_performatives(uses_in(file.components));
+    return std::vector<std::string>(handled.begin(), handled.end());
+  }();
+  return performatives;
 }
 
 }  // namespace
@@ -149,7 +151,10 @@ Vocabulary vocabulary_for(const EnvironmentKind* environment) {
 }
 
 const EnvironmentKind* environment_of(const SourceTree& program) {
-  const ProgramWords words(program);
+  return environment_of(words_of(program));
+}
+
+const EnvironmentKind* environment_of(const ProgramWords& words) {
   for (const EnvironmentKind& environment : environments()) {
     const Vocabulary vocabulary = vocabulary_for(&environment);
     if (Evidence(vocabulary, words).is_for()) return &environment;

@@ -9,6 +9,7 @@
 #include "env/environments.h"
 #include "experiment/scenario/scenario.h"
 #include "interpreter/check/check.h"
+#include "interpreter/check/index/program_index.h"
 
 namespace jaywalk {
 
@@ -18,6 +19,7 @@ namespace jaywalk {
 /// The environment that a program seems to be written for: it takes its actions and no others, and
 /// has its percepts or the values of its actions, too. Null if there is none.
 [[nodiscard]] const EnvironmentKind* environment_of(const SourceTree& program);
+[[nodiscard]] const EnvironmentKind* environment_of(const ProgramWords& words);
 
 /// Marks the percepts that agents never have in the world of a scenario. REQUIRES: the vocabulary
 /// is that of the environment `crossing`, the world of all scenarios.
