@@ -96,16 +96,22 @@ class ProgramBuilder {
     return false;
   }
 
+  // What the agent believes or wants by itself: its source is itself if none is written.
+  Value own_literal(const ast::Node& node, VariableScope& scope) {
+    const Value literal = translator_.literal(node, scope, source_self());
+    if (!is_literal(literal) || has_source(literal_parts(literal).annots)) return literal;
+    const Value annots =
+        union_of(constants(), literal_parts(literal).annots, source_self(), symbols_);
+    return with_annotations(constants(), literal, annots);
+  }
+
   void add_belief(const ast::Component& component) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
-    Value head = translator_.literal(*component.literal, scope);
+    Value head = own_literal(*component.literal, scope);
     if (!is_literal(head)) {
       diagnostics_.error(where(component.literal->span), "a belief must be a literal");
       return;
     }
-    Value annots = literal_parts(head).annots;
-    if (!has_source(annots)) annots = union_of(constants(), annots, source_self(), symbols_);
-    head = with_annotations(constants(), head, annots);
     const Predicate predicate = literal_parts(head).predicate;
     const SourceSpan place = where(component.literal->span);
     if (component.body == nullptr && scope.slot_names().empty()) {
@@ -161,18 +167,13 @@ class ProgramBuilder {
 
   void add_goal(const ast::Component& component) {
     VariableScope scope(VariableScope::Kind::slots, constants(), symbols_);
-    Value literal = translator_.literal(*component.literal, scope);
+    const Value literal = own_literal(*component.literal, scope);
     if (!is_literal(literal)) {
       diagnostics_.error(where(component.literal->span), "an initial goal must be a literal",
                          component.literal->kind == ast::Kind::variable
                              ? "names begin with a lower-case letter"
                              : "");
       return;
-    }
-    if (!has_source(literal_parts(literal).annots)) {
-      literal = with_annotations(
-          constants(), literal,
-          union_of(constants(), literal_parts(literal).annots, source_self(), symbols_));
     }
     if (!has_few_variables(scope, component.span)) return;
     const auto count = static_cast<std::uint32_t>(scope.slot_names().size());

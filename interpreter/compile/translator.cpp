@@ -135,7 +135,6 @@ void Translator::add_function(std::string_view name, std::size_t arity) {
 }
 
 bool Translator::is_function(std::string_view name, std::size_t arity) const {
-  if (!is_dotted(name)) return false;
   const bool own = std::any_of(functions_.begin(), functions_.end(), [&](const auto& function) {
     return function.first == name && function.second == arity;
   });
@@ -154,7 +153,7 @@ Symbol Translator::namespace_of(const ast::Node& node, std::size_t arity) {
     return resolve_namespace(node.ns->text);
   }
   if (node.this_namespace) return module_;
-  if (node.ns != nullptr) return names::default_ns;
+  if (node.ns != nullptr || namespace_ == names::default_ns) return names::default_ns;
   if (is_dotted(node.text) || is_keyword(node.text, arity)) return names::default_ns;
   return namespace_;
 }
@@ -215,18 +214,32 @@ Value Translator::annotations(const ast::Node* annots, VariableScope& scope) {
                            : sorted_set(heap_, translate_list(*annots, scope), symbols_);
 }
 
-Value Translator::translate_literal(const ast::Node& node, VariableScope& scope) {
-  std::vector<Value> args;
-  args.reserve(node.args.size());
-  for (const ast::Node* arg : node.args) args.push_back(term(*arg, scope));
-  const Signature signature{.ns = namespace_of(node, args.size()),
-                            .functor = symbols_.symbol(node.text),
-                            .arity = static_cast<std::uint16_t>(args.size()),
-                            .negated = node.negated};
-  const bool function = !node.negated && is_function(node.text, args.size());
-  const Value made =
-      heap_.structure(symbols_.predicate(signature), args, annotations(node.annots, scope),
-                      function ? Form::function : Form::literal);
+Predicate Translator::predicate_of(const ast::Node& node) {
+  Signature signature{.ns = namespace_of(node, node.args.size()),
+                      .functor = last_signature_.functor,
+                      .arity = static_cast<std::uint16_t>(node.args.size()),
+                      .negated = node.negated};
+  if (node.text == last_functor_ && signature == last_signature_) return last_predicate_;
+  signature.functor = symbols_.symbol(node.text);
+  const Predicate predicate = symbols_.predicate(signature);
+  if (!node.args.empty()) {
+    last_functor_ = symbols_.text(signature.functor);
+    last_signature_ = signature;
+    last_predicate_ = predicate;
+  }
+  return predicate;
+}
+
+Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
+                                    Value unless_annotated) {
+  const std::size_t first = args_.size();
+  for (const ast::Node* arg : node.args) args_.push_back(term(*arg, scope));
+  const Predicate predicate = predicate_of(node);
+  const bool function = !node.negated && node.dotted && is_function(node.text, node.args.size());
+  const Value annots = node.annots == nullptr ? unless_annotated : annotations(node.annots, scope);
+  const Value made = heap_.structure(predicate, std::span<const Value>(args_).subspan(first),
+                                     annots, function ? Form::function : Form::literal);
+  args_.resize(first);
   if (node.ns == nullptr || node.ns->kind != ast::Kind::variable) return made;
   // The namespace is a variable: known when the literal is applied.
   const std::array<Value, 2> parts{made, scope.variable(node.ns->text)};

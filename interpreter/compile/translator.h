@@ -50,6 +50,11 @@ class Translator {
   [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope) {
     return translate(node, scope);
   }
+  /// A literal with these annotations if it is written without any.
+  [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope, Value annots) {
+    return node.kind == ast::Kind::literal ? translate_literal(node, scope, annots)
+                                           : translate(node, scope);
+  }
   [[nodiscard]] Value formula(const ast::Node& node, VariableScope& scope) {
     return translate(node, scope);
   }
@@ -72,7 +77,8 @@ class Translator {
 
  private:
   Value translate(const ast::Node& node, VariableScope& scope);
-  Value translate_literal(const ast::Node& node, VariableScope& scope);
+  Value translate_literal(const ast::Node& node, VariableScope& scope,
+                          Value unless_annotated = Value::empty_list());
   Value translate_variable(const ast::Node& node, VariableScope& scope);
   Value translate_unary(const ast::Node& node, VariableScope& scope);
   Value translate_binary(const ast::Node& node, VariableScope& scope);
@@ -83,7 +89,9 @@ class Translator {
   Value step(const ast::Formula& formula, VariableScope& scope);
   Value label(const ast::Plan& plan, VariableScope& scope);
   Value plan_with_label(Value label, const ast::Plan& plan, VariableScope& scope);
+  Predicate predicate_of(const ast::Node& node);
   Symbol namespace_of(const ast::Node& node, std::size_t arity);
+  // Of a name with a dot.
   bool is_function(std::string_view name, std::size_t arity) const;
 
   Heap& heap_;
@@ -92,6 +100,11 @@ class Translator {
   const Source* source_ = nullptr;
   Symbol module_ = names::default_ns;
   Symbol namespace_ = names::default_ns;  // the module's, but within terms
+  std::vector<Value> args_;               // of the literals that are being translated, a stack
+  // The latest literal with arguments: many a program has thousands of facts of one predicate.
+  Signature last_signature_;
+  std::string_view last_functor_;
+  Predicate last_predicate_{};
   std::unordered_map<Symbol, Symbol> renamed_;
   std::vector<std::pair<std::string, std::size_t>> functions_;
 };

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -51,8 +52,20 @@ std::size_t character_length(std::string_view text, std::size_t at) {
   return 0;
 }
 
+// Whether the eight bytes from there on are all ASCII.
+bool is_ascii_word(std::string_view text, std::size_t at) {
+  constexpr std::uint64_t kHighBits = 0x8080'8080'8080'8080U;
+  std::uint64_t word = kHighBits;
+  if (text.size() - at >= sizeof(word)) std::memcpy(&word, text.data() + at, sizeof(word));
+  return (word & kHighBits) == 0;
+}
+
 std::optional<std::size_t> first_bad_byte(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
+    if (is_ascii_word(text, at)) {
+      at += sizeof(std::uint64_t);
+      continue;
+    }
     const std::size_t length = character_length(text, at);
     if (length == 0) return at;
     at += length;

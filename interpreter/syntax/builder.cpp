@@ -119,6 +119,11 @@ Node* Builder::make_node(Kind kind, Span span) {
   return node;
 }
 
+void Builder::set_name(Node& node, std::string_view name) {
+  node.text = name;
+  node.dotted = name.front() != '\'' && name.find('.') != std::string_view::npos;
+}
+
 Span Builder::span_from(const Token* begin) const { return {begin->span.begin, token_->span.end}; }
 
 void Builder::begin_frame(const Token* begin) {
@@ -186,7 +191,7 @@ bool Builder::enter() {
 void Builder::namespace_prefix() {
   const Kind kind = token_->kind == TokenKind::variable ? Kind::variable : Kind::literal;
   Node* const node = make_node(kind, token_->span);
-  node->text = source_->text(token_->span);
+  set_name(*node, source_->text(token_->span));
   namespace_ = node;
   prefix_begin_ = token_;
 }
@@ -206,7 +211,7 @@ void Builder::begin_named(Kind kind) {
   const Token* const begin = prefix_begin_ != nullptr ? prefix_begin_ : token_;
   begin_frame(begin);
   Node* const node = make_node(kind, span_from(begin));
-  node->text = source_->text(token_->span);
+  set_name(*node, source_->text(token_->span));
   node->ns = std::exchange(namespace_, nullptr);
   node->this_namespace = std::exchange(this_namespace_, false);
   node->negated = std::exchange(negated_, false);

@@ -207,6 +207,7 @@ class Builder {
     return {storage, count};
   }
   ast::Node* make_node(ast::Kind kind, Span span);
+  static void set_name(ast::Node& node, std::string_view name);
 
   [[nodiscard]] Span span_from(const Token* begin) const;
   void begin_frame(const Token* begin);

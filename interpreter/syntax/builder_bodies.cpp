@@ -185,7 +185,7 @@ void Builder::end_fork(Statement statement) {
   const Span span = {formulas_[frame.formulas].formula.span.begin, token_->span.end};
   formulas_.resize(frame.formulas);
   Node* const node = make_node(Kind::literal, span);
-  node->text = ".fork";
+  set_name(*node, ".fork");
   int depth = 0;
   node->args = pop_values(frame.values, depth);
   push_formula({.statement = statement, .span = span, .node = node}, depth + 1);
@@ -196,7 +196,7 @@ void Builder::begin_statement() { begin_frame(token_); }
 void Builder::end_statement(Statement statement, std::string_view functor) {
   const Frame frame = end_frame();
   Node* const node = make_node(Kind::literal, span_from(frame.begin));
-  node->text = functor;
+  set_name(*node, functor);
   int depth = 0;
   node->args = pop_values(frame.values, depth);
   push_formula({.statement = statement, .span = node->span, .node = node}, depth + 1);

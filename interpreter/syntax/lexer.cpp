@@ -9,81 +9,15 @@
 
 #include "interpreter/support/characters.h"
 #include "interpreter/syntax/format/typographic.h"
+#include "interpreter/syntax/token_spellings.h"
 
 namespace jaywalk {
 namespace {
 
 using enum TokenKind;
 
-struct Spelling {
-  std::string_view text;
-  TokenKind kind;
-};
-
-// Grouped by their first character, longer ones before those that they begin with.
-constexpr std::array kOperators = {
-    Spelling{"|||", fork_or},
-    Spelling{"|&|", fork_and},
-    Spelling{"|", bar},
-    Spelling{"&", ampersand},
-    Spelling{"\\==", not_equal},
-    Spelling{"=..", univ},
-    Spelling{"==", equal},
-    Spelling{"=", unify},
-    Spelling{"<:", goal_condition},
-    Spelling{"<-", arrow},
-    Spelling{"<=", less_equal},
-    Spelling{"<", less},
-    Spelling{">=", greater_equal},
-    Spelling{">", greater},
-    Spelling{":-", rule},
-    Spelling{"::", double_colon},
-    Spelling{":", colon},
-    Spelling{"!!", double_bang},
-    Spelling{"!", bang},
-    Spelling{"?", question},
-    Spelling{"++", plus_plus},
-    Spelling{"+<", plus_less},
-    Spelling{"+>", plus_greater},
-    Spelling{"+", plus},
-    Spelling{"--", minus_minus},
-    Spelling{"-+", minus_plus},
-    Spelling{"-", minus},
-    Spelling{"**", power},
-    Spelling{"*", times},
-    Spelling{"/", divide},
-    Spelling{"(", open},
-    Spelling{")", close},
-    Spelling{"[", open_list},
-    Spelling{"]", close_list},
-    Spelling{"{", open_brace},
-    Spelling{"}", close_brace},
-    Spelling{"~", tilde},
-    Spelling{"@", at},
-    Spelling{".", stop},
-    Spelling{",", comma},
-    Spelling{";", semicolon},
-    Spelling{"^", caret},
-};
-
-// Where the operators with a first character begin in the table above.
-constexpr auto kFirstOperator = [] {
-  std::array<std::uint8_t, 256> first{};
-  first.fill(kOperators.size());
-  for (std::size_t i = kOperators.size(); i-- > 0;) {
-    first[static_cast<unsigned char>(kOperators[i].text.front())] = static_cast<std::uint8_t>(i);
-  }
-  return first;
-}();
-
-constexpr std::array kWords = {
-    Spelling{"true", true_word},   Spelling{"false", false_word}, Spelling{"not", not_word},
-    Spelling{"div", div_word},     Spelling{"mod", mod_word},     Spelling{"if", if_word},
-    Spelling{"elif", elif_word},   Spelling{"else", else_word},   Spelling{"for", for_word},
-    Spelling{"while", while_word}, Spelling{"begin", begin_word}, Spelling{"end", end_word},
-};
-
-constexpr std::size_t kLongestWord = 5;
+// Printable ASCII that means itself in a string.
+constexpr bool is_plain_in_text(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
 class Lexer {
  public:
@@ -114,7 +48,15 @@ class Lexer {
     diagnostics_.error({source_, span_from(begin)}, std::move(message), std::move(hint));
   }
 
-  void skip_blanks() {
+  // Most tokens stand right behind another one.
+  [[gnu::always_inline]] void skip_blanks() {
+    if (at_ < text_.size() && !may_begin_blank(text_[at_])) return;
+    skip_blanks_and_comments();
+  }
+
+  static bool may_begin_blank(char c) { return c <= ' ' || c == '/' || c == '#' || c == '%'; }
+
+  [[gnu::noinline]] void skip_blanks_and_comments() {
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == ' ' || c == '\n' || c == '\t' || c == '\r') continue;
@@ -189,7 +131,7 @@ class Lexer {
          ++i) {
       const Spelling& spelling = kOperators[i];
       if (spelling.text.front() != c) break;
-      if (!text_.substr(at_).starts_with(spelling.text)) continue;
+      if (spelling.text.size() > 1 && !text_.substr(at_).starts_with(spelling.text)) continue;
       if (spelling.text.size() == 2 && (c == '+' || c == '-') && is_behind_operand()) continue;
       at_ += spelling.text.size();
       return spelling.kind;
@@ -218,7 +160,7 @@ class Lexer {
     // Most atoms are longer than any reserved word, and need not be compared.
     if (word.size() > kLongestWord) return atom;
     for (const Spelling& spelling : kWords) {
-      if (spelling.text == word) return spelling.kind;
+      if (spelling.text.front() == word.front() && spelling.text == word) return spelling.kind;
     }
     return atom;
   }
@@ -266,6 +208,10 @@ class Lexer {
   TokenKind read_string() {
     const std::size_t begin = at_++;
     while (peek() != '"') {
+      if (is_plain_in_text(peek())) {
+        ++at_;
+        continue;
+      }
       if (at_ >= text_.size() || peek() == '\n' || peek() == '\r') {
         error(begin, "this string is not closed on its line",
               "close it with \" and write line breaks as \\n");

@@ -2,11 +2,6 @@
 
 namespace jaywalk::ast {
 
-bool is_internal(const Node& node) {
-  return node.kind == Kind::literal && node.text.front() != '\'' &&
-         node.text.find('.') != std::string_view::npos;
-}
-
 bool is_arithmetic(const Node& node) {
   return (node.kind == Kind::binary && node.op >= Operator::add) ||
          (node.kind == Kind::unary && node.op != Operator::logical_not);

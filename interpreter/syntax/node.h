@@ -9,7 +9,9 @@
 namespace jaywalk::ast {
 
 /// `.print`, `my.action`, `math.max`: a literal that is an internal action or a function.
-[[nodiscard]] bool is_internal(const Node& node);
+[[nodiscard]] inline bool is_internal(const Node& node) {
+  return node.kind == Kind::literal && node.dotted;
+}
 
 /// An operation whose value is a number.
 [[nodiscard]] bool is_arithmetic(const Node& node);

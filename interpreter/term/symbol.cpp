@@ -50,7 +50,7 @@ SymbolTable::SymbolTable(std::shared_ptr<const SymbolTable> base)
 void SymbolTable::clear_layer() {
   symbols_.clear();
   predicates_.clear();
-  texts_.clear();
+  names_.clear();
   signatures_.clear();
   ++times_cleared_;
 }
@@ -76,23 +76,28 @@ const Predicate* SymbolTable::find(const Signature& signature) const {
 Symbol SymbolTable::symbol(std::string_view text) {
   if (const Symbol* known = find(text)) return *known;
   const auto guard = lock<WritingLock>();
-  if (const auto found = symbols_.find(text); found != symbols_.end()) return found->second;
+  if (has_threads_) {  // another one may have been faster
+    if (const auto found = symbols_.find(text); found != symbols_.end()) return found->second;
+  }
   const Symbol id{static_cast<std::uint32_t>(symbol_count())};
-  symbols_.emplace(texts_.emplace_back(text), id);
+  names_.push_back({std::string(text), is_dotted(text)});
+  symbols_.emplace(names_.back().text, id);
   return id;
 }
 
 Predicate SymbolTable::predicate(const Signature& signature) {
   Signature complete = signature;
-  const std::string_view functor = text(signature.functor);
-  complete.dotted = is_dotted(functor);
+  const Name& functor = name(signature.functor);
+  complete.dotted = functor.is_dotted;
   if (const Predicate* known = find(complete)) return *known;
   const auto guard = lock<WritingLock>();
-  if (const auto found = predicates_.find(complete); found != predicates_.end()) {
-    return found->second;
+  if (has_threads_) {
+    const auto found = predicates_.find(complete);
+    if (found != predicates_.end()) return found->second;
   }
   // The name of a file's own namespace is as hidden as what is in it.
-  const bool is_hidden = signature.ns != names::default_ns || functor.starts_with(kLocalNamespace);
+  const bool is_hidden =
+      signature.ns != names::default_ns || functor.text.starts_with(kLocalNamespace);
   const Predicate id{static_cast<std::uint32_t>(predicate_count()) | (is_hidden ? kForeignBit : 0) |
                      (signature.negated ? kNegatedBit : 0)};
   predicates_.emplace(signatures_.emplace_back(complete), id);
@@ -105,11 +110,13 @@ Predicate SymbolTable::predicate(std::string_view functor, std::uint16_t arity) 
   return predicate(Signature{.functor = symbol(functor), .arity = arity, .negated = negated});
 }
 
-std::string_view SymbolTable::text(Symbol symbol) const {
+std::string_view SymbolTable::text(Symbol symbol) const { return name(symbol).text; }
+
+const SymbolTable::Name& SymbolTable::name(Symbol symbol) const {
   const SymbolTable* table = this;
   while (static_cast<std::uint32_t>(symbol) < table->first_symbol_) table = table->base_.get();
   const auto guard = table->lock<ReadingLock>();
-  return table->texts_[static_cast<std::uint32_t>(symbol) - table->first_symbol_];
+  return table->names_[static_cast<std::uint32_t>(symbol) - table->first_symbol_];
 }
 
 const Signature& SymbolTable::signature(Predicate predicate) const {

@@ -100,7 +100,7 @@ class SymbolTable {
   [[nodiscard]] std::string_view text(Symbol symbol) const;
   [[nodiscard]] const Signature& signature(Predicate predicate) const;
   [[nodiscard]] std::string_view functor(Predicate predicate) const;
-  [[nodiscard]] std::size_t symbol_count() const { return first_symbol_ + texts_.size(); }
+  [[nodiscard]] std::size_t symbol_count() const { return first_symbol_ + names_.size(); }
   [[nodiscard]] std::size_t predicate_count() const {
     return first_predicate_ + signatures_.size();
   }
@@ -122,7 +122,13 @@ class SymbolTable {
   std::shared_ptr<const SymbolTable> base_;
   std::uint32_t first_symbol_ = 0;
   std::uint32_t first_predicate_ = 0;
-  std::deque<std::string> texts_;  // a deque, since the map's keys point into it
+  struct Name {
+    std::string text;
+    bool is_dotted = false;
+  };
+
+  [[nodiscard]] const Name& name(Symbol symbol) const;
+  std::deque<Name> names_;  // a deque, since the map's keys point into it
   std::deque<Signature> signatures_;
   std::unordered_map<std::string_view, Symbol> symbols_;
   std::unordered_map<Signature, Predicate, SignatureHash> predicates_;

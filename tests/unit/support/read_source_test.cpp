@@ -48,6 +48,16 @@ TEST_F(ReadSource, NamesTheFirstByteThatIsNotUtf8) {
             "not UTF-8 text: unexpected byte 0xFF at offset 5 (line 2)");
 }
 
+TEST_F(ReadSource, FindsABadByteWhereverItStands) {
+  for (std::size_t at = 0; at < 20; ++at) {
+    std::string text(20, 'a');
+    text[at] = '\x80';
+    EXPECT_EQ(message_for(file("a.asl", text)),
+              "not UTF-8 text: unexpected byte 0x80 at offset " + std::to_string(at) + " (line 1)");
+    EXPECT_EQ(message_for(file("a.asl", std::string(at, 'a') + "\xC3\xA4" + "aaaaaaaa")), "read");
+  }
+}
+
 TEST_F(ReadSource, RefusesWhatOnlyLooksLikeUtf8) {
   for (const std::string bytes :
        {"\xC0\xAF", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF0\x9F\x98", "\x80"}) {
