@@ -16,6 +16,7 @@ jaywalk_add_library(engine
     logic/beliefs/belief_base.cpp
     logic/beliefs/belief_update.cpp
     logic/beliefs/fact_index.cpp
+    logic/beliefs/remains.cpp
     logic/formula_compiler.cpp
     logic/frame_stack.cpp
     logic/code/head_code.cpp
@@ -120,7 +121,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/belief_update.cpp logic/beliefs/fact_index.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
     logic/machine_queries.cpp
-    logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/row_index.cpp logic/beliefs/rule_table.cpp
+    logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/remains.cpp logic/beliefs/row_index.cpp
+    logic/beliefs/rule_table.cpp
     logic/unifier/unifier.cpp logic/unifier/unifier_apply.cpp logic/unifier/unifier_numbers.cpp
     agent/plans/add_means.cpp agent/agent.cpp agent/execution/bindings.cpp agent/plans/choose_plan.cpp
     agent/execution/change_beliefs.cpp agent/execution/clear.cpp agent/cycle/cycle.cpp

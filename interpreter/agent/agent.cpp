@@ -74,7 +74,8 @@ Agent::~Agent() {
   pool.keep(circumstance_.intentions);
   QueueRemains queues;
   queues.use(circumstance_);
-  pool.keep({program_.get(), heap_.leave_remains(), beliefs_.leave_remains(), std::move(queues)});
+  const auto rules = included().empty() ? Relation::Rules::kept : Relation::Rules::dropped;
+  pool.keep({program_, heap_.leave_remains(), beliefs_.leave_remains(rules), std::move(queues)});
 }
 
 void Agent::borrow_workspace() {
@@ -133,6 +134,9 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
     return std::find(replaced.begin(), replaced.end(), predicate) != replaced.end();
   };
   for (const Value fact : given) (void)add_belief(fact, Place::front, nullptr);
+  // What is kept of another agent's rules holds as long as nobody looks in between.
+  const bool may_be_there =
+      &program == program_.get() && observer_ == nullptr && customisation_ == nullptr;
   // From the last to the first: queries find them in source order, events come in reverse.
   const auto& initial = program.beliefs();
   for (std::size_t i = initial.size(); i > 0; --i) {
@@ -141,8 +145,12 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
       if (predicate_of(belief.rule->head) == predicates::select_option) {
         unusual_ |= kSelectsByRules;
       }
-      beliefs_.add_rule(observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule),
-                        Place::front);
+      if (may_be_there) {
+        beliefs_.begin_with_rule(*belief.rule);
+      } else {
+        beliefs_.add_rule(observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule),
+                          Place::front);
+      }
     } else if (!is_replaced(belief.predicate)) {
       (void)add_belief(belief.fact, Place::front, nullptr);
     }

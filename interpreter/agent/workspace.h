@@ -89,6 +89,8 @@ struct Workspace {
 struct QueueRemains {
   Ring<Event> events;
   std::vector<std::unique_ptr<Intention>> intentions;
+  Seldom<Ring<Message>> mailbox;
+  Seldom<std::vector<Message>> arriving;
   Seldom<Ring<PendingAction>> actions;
   Seldom<std::vector<PendingAction>> acting;
   Seldom<Ring<Feedback>> feedback;
@@ -96,6 +98,8 @@ struct QueueRemains {
   void use(Circumstance& from) {
     use(from.events, events);
     use(from.intentions, intentions);
+    use(from.mailbox, mailbox);
+    use(from.arriving, arriving);
     use(from.actions, actions);
     use(from.acting, acting);
     use(from.feedback, feedback);
@@ -103,6 +107,8 @@ struct QueueRemains {
   void give(Circumstance& to) {
     to.events = std::move(events);
     to.intentions = std::move(intentions);
+    to.mailbox = std::move(mailbox);
+    to.arriving = std::move(arriving);
     to.actions = std::move(actions);
     to.acting = std::move(acting);
     to.feedback = std::move(feedback);
@@ -118,9 +124,9 @@ struct QueueRemains {
 };
 
 /// What is left of an agent: memory for another one with the same program. Nothing that it believed
-/// or did is in it.
+/// or did is in it but the rules that it began with.
 struct AgentRemains {
-  const Program* program = nullptr;
+  std::weak_ptr<const Program> program;  // whose rules may be among the beliefs
   Heap::Remains heap;
   BeliefBase::Remains beliefs;
   QueueRemains queues;
@@ -185,7 +191,7 @@ inline void WorkspacePool::keep(std::span<std::unique_ptr<Intention>> intentions
 
 inline std::optional<AgentRemains> WorkspacePool::take_remains(const Program* program) {
   for (auto each = remains_.rbegin(); each != remains_.rend(); ++each) {
-    if (each->program != program) continue;
+    if (each->program.lock().get() != program) continue;
     std::optional<AgentRemains> taken = std::move(*each);
     remains_.erase(std::next(each).base());
     return taken;

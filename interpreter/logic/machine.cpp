@@ -73,12 +73,12 @@ class Machine::Run {
                     .root = root_,
                     .young = unifier_.young(),
                     .run_young = run_young_,
-                    .registers = std::exchange(registers_, {})});
+                    .registers = std::exchange(registers_, std::move(spare_registers_))});
 }
 
 [[gnu::noinline]] void Machine::end_nested() {
   Outer& outer = outer_.back();
-  registers_ = std::move(outer.registers);
+  spare_registers_ = std::exchange(registers_, std::move(outer.registers));
   unifier_.set_young(outer.young);
   run_young_ = outer.run_young;
   goal_ = outer.goal;

@@ -344,7 +344,8 @@ class Machine : public FunctionCaller {
   std::vector<ChoicePoint> choices_;
   std::uint32_t choice_count_ = 0;
   FrameStack frames_;
-  std::vector<Value> registers_;  // the arguments of a query
+  std::vector<Value> registers_;        // the arguments of a query
+  std::vector<Value> spare_registers_;  // memory for those of one within it
   /// What a run keeps of the one within which it is.
   struct Outer {
     const Goal* goal;

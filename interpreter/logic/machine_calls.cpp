@@ -17,24 +17,24 @@ bool Machine::action(const Goal& goal) {
     warn(fmt::format("{} cannot be used within a formula", goal.action->name));
     return false;
   }
-  auto call = std::make_unique<ActionCall>(*this, goal, environment_->slots, agent_, nullptr);
-  if (!takes(*goal.action, call->count())) {
+  ActionCall call(*this, goal, environment_->slots, agent_, nullptr);
+  if (!takes(*goal.action, call.count())) {
     warn(fmt::format("wrong number of arguments: {}", goal.action->signature));
     return false;
   }
-  switch (goal.action->function(*call)) {
+  switch (goal.action->function(call)) {
     case Outcome::succeeded:
       goal_ = goal.next;
       return true;
     case Outcome::failed:
       return false;
     case Outcome::many:
-      push(ChoicePoint::Kind::solutions, goal).call = std::move(call);
+      push(ChoicePoint::Kind::solutions, goal).call = std::make_unique<ActionCall>(std::move(call));
       return next_solution();
     case Outcome::suspended:
       return false;
     case Outcome::error:
-      warn(fmt::format("{}: {}", goal.action->name, call->error().message));
+      warn(fmt::format("{}: {}", goal.action->name, call.error().message));
       return false;
   }
   return false;

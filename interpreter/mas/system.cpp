@@ -297,6 +297,7 @@ void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text, Be
 
 std::vector<std::string> Mas::Implementation::names() const {
   std::vector<std::string> names;
+  names.reserve(residents_.all().size());
   for (const Resident& resident : residents_.all()) {
     if (!resident.is_leaving) names.push_back(resident.agent->name());
   }

@@ -49,7 +49,7 @@ void Agent::queue_event(const Event& event) {
   } else {
     if (event.kind == TriggerKind::belief && (unusual_ & kSubplans) == 0 &&
         settings_.unwanted == ReasoningSettings::Unwanted::discard &&
-        library_->candidates(key_of(event)).empty()) {
+        (!library_->has_belief_plans() || library_->candidates(key_of(event)).empty())) {
       return;
     }
   }

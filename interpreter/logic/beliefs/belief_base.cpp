@@ -162,7 +162,7 @@ const RuleTable* Relation::make_rule_table() {
 
 void Relation::share_rule_table(const RuleTable& table) {
   const std::span<const RuleTable::Candidate> candidates = table.candidates();
-  if (candidates.size() != rows_.size()) return;
+  if (table_ == &table || candidates.size() != rows_.size()) return;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (row(end_seq() - 1 - static_cast<std::int64_t>(i)).rule != candidates[i].rule) return;
   }
@@ -241,39 +241,6 @@ void Relation::compact() {
   indexes_.reset();
 }
 
-void Relation::reset() {
-  constexpr std::size_t kMostRowsKept = 16;
-  if (rows_.capacity() <= kMostRowsKept) {
-    rows_.clear();
-  } else {
-    rows_ = {};
-  }
-  rules_ = 0;
-  first_seq_ = 0;
-  holes_ = 0;
-  forget_rule_table();
-  rules_owned_.clear();
-  indexes_.reset();
-  percepts = 0;
-  has_percepts = false;
-  perceived_since = 0;
-  exists = false;
-}
-
-BeliefBase::Remains BeliefBase::leave_remains() {
-  constexpr std::size_t kMostRelations = 256;  // more were made of names that may not come again
-  Remains remains;
-  if (known_.size() > kMostRelations) return remains;
-  for (Relation* const relation : relations_) relation->reset();
-  relations_.clear();
-  perceived_.clear();
-  remains.relations_ = std::move(relations_);
-  remains.perceived_ = std::move(perceived_);
-  remains.known_ = std::move(known_);
-  remains.by_predicate_ = std::move(by_predicate_);
-  return remains;
-}
-
 Relation& BeliefBase::relation(Predicate predicate) {
   const auto key = static_cast<std::uint32_t>(predicate);
   std::uint32_t place = by_predicate_.find(key);
@@ -284,8 +251,8 @@ Relation& BeliefBase::relation(Predicate predicate) {
   }
   Relation& relation = *known_[place];
   if (!relation.exists) {
-    relation.exists = true;
-    relations_.push_back(&relation);
+    if (relation.has_kept_rules()) relation.reset(Relation::Rules::dropped);
+    bring_into_being(relation);
   }
   return relation;
 }

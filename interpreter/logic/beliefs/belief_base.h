@@ -123,6 +123,8 @@ class Relation {
   }
   /// The same table, made for the rules of a program. Taken if these are what the rows are.
   void share_rule_table(const RuleTable& table);
+  /// Its rows are still the rules of a program, from a belief base that had them.
+  [[nodiscard]] bool has_kept_rules() const { return has_kept_rules_; }
   /// A cursor whose next candidate is a rule.
   [[nodiscard]] static Cursor cursor_at(std::int64_t seq, std::uint32_t key) {
     Cursor cursor;
@@ -159,8 +161,10 @@ class Relation {
   /// What a row of many takes with its place in an index, old and new memory while they grow.
   static constexpr std::size_t kIndexedRowBytes = 24;
   static constexpr std::size_t kRowBytes = 2 * (sizeof(Row) + kIndexedRowBytes);
-  /// Becomes as new, but keeps memory for a few rows.
-  void reset();
+  /// Becomes as new, but keeps memory for a few rows, and if wanted the rules of a program if it
+  /// has nothing else.
+  enum class Rules : std::uint8_t { dropped, kept };
+  void reset(Rules rules);
 
   void own_rule(std::unique_ptr<RuleCode> rule) { rules_owned_.push_back(std::move(rule)); }
   template <class Visit>
@@ -219,6 +223,7 @@ class Relation {
   void forget_rule_table() {
     table_ = nullptr;
     own_table_.reset();
+    has_kept_rules_ = false;
   }
   [[nodiscard]] FactIndex& facts();
   [[nodiscard]] RowIndex& index_of(std::size_t argument);
@@ -231,6 +236,7 @@ class Relation {
   std::int64_t first_seq_ = 0;
   std::size_t holes_ = 0;
   const RuleTable* table_ = nullptr;  // null: there is none, or it is not made yet
+  bool has_kept_rules_ = false;
   std::unique_ptr<RuleTable> own_table_;
   std::vector<std::unique_ptr<RuleCode>> rules_owned_;
   std::unique_ptr<Indexes> indexes_;
@@ -262,8 +268,8 @@ class BeliefBase {
  public:
   BeliefBase(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
 
-  /// Memory of a destroyed belief base, for one that has not been used yet: relations without
-  /// rows, which do not exist until something is believed.
+  /// Memory of a destroyed belief base, for one that has not been used yet: relations that do not
+  /// exist until something is believed. They have no rows, or the rules of a program.
   class Remains {
     friend class BeliefBase;
     std::vector<std::unique_ptr<Relation>> known_;
@@ -271,8 +277,9 @@ class BeliefBase {
     std::vector<Relation*> relations_;  // these have room, and nothing in it
     std::vector<Relation*> perceived_;
   };
-  /// Ends the belief base's life.
-  [[nodiscard]] Remains leave_remains();
+  /// Ends the belief base's life. REQUIRES: if rules are kept, that whoever uses them has the same
+  /// program, and no rule table is of another.
+  [[nodiscard]] Remains leave_remains(Relation::Rules rules);
   void use(Remains remains) {
     known_ = std::move(remains.known_);
     by_predicate_ = std::move(remains.by_predicate_);
@@ -286,6 +293,8 @@ class BeliefBase {
   /// Rules are added without looking for an equal one. Static rules belong to a program.
   void add_rule(const RuleCode& rule, Place place);
   void add_rule(std::unique_ptr<RuleCode> rule, Place place);
+  /// The same in front for a rule of the program that the remains are of: it may be there already.
+  void begin_with_rule(const RuleCode& rule);
   /// Rules that have been added are those of a table, which outlives them.
   void share_rule_table(Predicate predicate, const RuleTable& table) {
     if (Relation* const known = find(predicate)) known->share_rule_table(table);
@@ -351,6 +360,7 @@ class BeliefBase {
 
  private:
   Relation& relation(Predicate predicate);
+  void bring_into_being(Relation& relation);
   bool remove_annotations(Relation& relation, std::int64_t seq, Value annots, bool exact);
   void no_percept_any_more(Relation& relation, Row& row);
   void remove_percept(Relation& relation, std::int64_t seq, std::vector<PerceptChange>& changes);

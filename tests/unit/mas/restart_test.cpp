@@ -126,5 +126,62 @@ TEST(Restart, ForgetsAllThatHappenedBefore) {
   }
 }
 
+// Each agent does something else with the rules that it began with, and says what they answer.
+constexpr std::string_view kRules = R"(
+  given(0).
+  r(X) :- X = 1.  r(X) :- X = 2 | X = 3.
+  one(X) :- r(X) & X < 2.
+  both(X) :- r(X).  both(fact).
+  !go.
+  +!go <- !ask; !change; !ask.
+  +!ask : given(G) & .my_name(N) <- .findall(X, r(X), R); .findall(X, one(X), O);
+     .findall(X, both(X), B); .print(G, N, R, O, B).
+  +!change : .my_name(a0) <- +{ r(X) :- X = 4 }.
+  +!change : .my_name(a1) <- +r(5).
+  +!change : .my_name(a2) <- +r(6); -r(6).
+  +!change : .my_name(a3) <- .include("more.asl").
+  +!change : .my_name(a4) <- .abolish(both(_)); +{ one(X) :- r(X) }.
+  +!change.
+)";
+constexpr std::string_view kMoreRules = "r(X) :- X = 7. one(more).";
+
+TEST(Restart, LeavesTheRulesOfTheProgramAndNoOthers) {
+  System system;
+  system.provide("more.asl", kMoreRules);
+  system.add("ann", kRules);
+  Mas reused(system.symbols, system.options, nullptr);
+  for (const int agents : {6, 5, 6, 3, 6}) {
+    const std::vector<std::string> after = run(system, reused, agents);
+    Mas fresh(system.symbols, system.options, nullptr);
+    EXPECT_EQ(after, run(system, fresh, agents)) << agents << " agents";
+    reused.restart(system.options, nullptr);
+  }
+  EXPECT_THAT(run(system, reused, 6),
+              testing::IsSupersetOf(
+                  {"[a0] 0a0[4,1,2,3][1][4,1,2,3,fact]", "[a1] 0a1[5,1,2,3][1][5,1,2,3,fact]",
+                   "[a2] 0a2[1,2,3][1][1,2,3,fact]", "[a3] 0a3[7,1,2,3][more,1][7,1,2,3,fact]",
+                   "[a4] 0a4[1,2,3][1,2,3,1][1,2,3]", "[a5] 0a5[1,2,3][1][1,2,3,fact]"}));
+}
+
+TEST(Restart, PutsGivenBeliefsBeforeRulesThatWereLeft) {
+  System system;
+  system.add("ann", kRules);
+  system.agents.front().parameters = {{system.symbols->predicate("given", 1), {Value::number(1)}}};
+  const AgentSpec plain = system.agents.front();
+  AgentSpec with_fact = plain;
+  with_fact.parameters.push_back({system.symbols->predicate("r", 1), {Value::number(8)}});
+  Mas reused(system.symbols, system.options, nullptr);
+  for (const AgentSpec& spec : {plain, with_fact, plain, with_fact}) {
+    system.agents.front() = spec;
+    const std::vector<std::string> after = run(system, reused, 9);
+    Mas fresh(system.symbols, system.options, nullptr);
+    EXPECT_EQ(after, run(system, fresh, 9));
+    const bool has_fact = spec.parameters.size() > 1;
+    EXPECT_THAT(after, testing::Contains(has_fact ? "[a8] 1a8[1,2,3,8][1][1,2,3,8,fact]"
+                                                  : "[a8] 1a8[1,2,3][1][1,2,3,fact]"));
+    reused.restart(system.options, nullptr);
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk
