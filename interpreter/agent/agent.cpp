@@ -134,7 +134,8 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
     return std::find(replaced.begin(), replaced.end(), predicate) != replaced.end();
   };
   for (const Value fact : given) (void)add_belief(fact, Place::front, nullptr);
-  // What is kept of another agent's rules holds as long as nobody looks in between.
+  // Rules that an agent before has left are this program's own: an observer may give others, and
+  // the agent's own functions may believe something between two of them.
   const bool may_be_there =
       &program == program_.get() && observer_ == nullptr && customisation_ == nullptr;
   // From the last to the first: queries find them in source order, events come in reverse.
@@ -145,12 +146,9 @@ void Agent::begin(const Program& program, std::span<const Predicate> replaced,
       if (predicate_of(belief.rule->head) == predicates::select_option) {
         unusual_ |= kSelectsByRules;
       }
-      if (may_be_there) {
-        beliefs_.begin_with_rule(*belief.rule);
-      } else {
-        beliefs_.add_rule(observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule),
-                          Place::front);
-      }
+      const RuleCode& rule =
+          observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule);
+      may_be_there ? beliefs_.begin_with_rule(rule) : beliefs_.add_rule(rule, Place::front);
     } else if (!is_replaced(belief.predicate)) {
       (void)add_belief(belief.fact, Place::front, nullptr);
     }

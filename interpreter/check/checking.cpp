@@ -19,9 +19,10 @@ std::set<std::string, std::less<>> allowed_in(const Source& source) {
 }  // namespace
 
 Checking::Checking(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary)
-    : program_(program),
-      vocabulary_(vocabulary),
+    : vocabulary_(vocabulary),
       index_(std::move(words.index)),
+      mentions_([&program] { return mentions_in(program); }),
+      has_other_agents_([&program] { return shows_other_agents(program); }),
       answers_(index_.beliefs) {
   for (const Vocabulary::Entry& percept : vocabulary.percepts) {
     for (int arity = percept.least_args; arity <= percept.most_args; ++arity) {
@@ -48,17 +49,7 @@ bool Checking::asked_by_nobody() const {
   if (index_.has_open_goals || index_.has_open_beliefs) return false;
   if (vocabulary_.others_known) return true;
   return has_initial_goal_ &&
-         (told_everything() || (vocabulary_.may_be_alone && !has_other_agents()));
-}
-
-const Mentions& Checking::mentions() const {
-  if (!mentions_) mentions_ = mentions_in(program_);
-  return *mentions_;
-}
-
-bool Checking::has_other_agents() const {
-  if (!has_other_agents_) has_other_agents_ = shows_other_agents(program_);
-  return *has_other_agents_;
+         (told_everything() || (vocabulary_.may_be_alone && !*has_other_agents_));
 }
 
 bool Checking::is_mentioned(std::string_view name) const {

@@ -4,7 +4,6 @@
 // report what was found.
 
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "interpreter/check/index/mentions.h"
 #include "interpreter/check/index/program_index.h"
 #include "interpreter/check/index/uses.h"
+#include "interpreter/support/containers/lazy.h"
 
 namespace jaywalk {
 
@@ -36,8 +36,7 @@ class Checking {
 
   [[nodiscard]] const Vocabulary& vocabulary() const { return vocabulary_; }
   [[nodiscard]] const ProgramIndex& index() const { return index_; }
-  /// Looked for when somebody first asks.
-  [[nodiscard]] const Mentions& mentions() const;
+  [[nodiscard]] const Mentions& mentions() const { return *mentions_; }
   /// What can answer a query: beliefs, percepts and plans for test goals.
   [[nodiscard]] const NameSet& answers() const { return answers_; }
   [[nodiscard]] std::vector<CheckedFile>& files() { return files_; }
@@ -68,13 +67,10 @@ class Checking {
   [[nodiscard]] Diagnostics finish();
 
  private:
-  [[nodiscard]] bool has_other_agents() const;
-
-  const SourceTree& program_;
   const Vocabulary& vocabulary_;
   ProgramIndex index_;
-  mutable std::optional<Mentions> mentions_;
-  mutable std::optional<bool> has_other_agents_;
+  Lazy<Mentions> mentions_;
+  Lazy<bool> has_other_agents_;
   NameSet answers_;
   std::vector<CheckedFile> files_;
   Diagnostics about_settings_;

@@ -103,15 +103,9 @@ bool are_options(const Plan& first, const Plan& second) {
 
 using TriggerKey = std::tuple<TriggerOperator, TriggerKind, std::string_view, std::size_t>;
 
-/// A plan, and the one that is chosen whenever it could be.
-struct Unreachable {
-  CheckedFile* file = nullptr;
-  const Plan* plan = nullptr;
-  const Plan* first = nullptr;
-};
-
-void look_for_unreachable(CheckedFile& file, const std::vector<const Plan*>& plans,
-                          std::vector<Unreachable>& found) {
+void look_for_unreachable(Checking& checking, CheckedFile& file,
+                          const std::vector<const Plan*>& plans,
+                          const Lazy<bool>& choice_may_change) {
   std::map<TriggerKey, std::vector<const Plan*>> earlier;
   for (const Plan* plan : plans) {
     const Node& literal = *plan->trigger.literal;
@@ -122,15 +116,22 @@ void look_for_unreachable(CheckedFile& file, const std::vector<const Plan*>& pla
       return !are_options(*rival, *plan) && comes_first(*rival, *plan);
     });
     if (first != rivals.end()) {
-      found.push_back({&file, plan, *first});
+      if (*choice_may_change) return;
+      const auto line = file.file->source->position((*first)->trigger.literal->span.begin).line;
+      checking.warn(file, literal.span,
+                    fmt::format("this plan is never chosen: the one at line {} is, whenever this "
+                                "could be",
+                                line),
+                    is_always((*first)->context) ? "put the plan without a condition last"
+                                                 : "both have the same trigger and context");
     } else if (rivals.size() < kMostCompared) {
       rivals.push_back(plan);
     }
   }
 }
 
-// Plans can go, or be chosen by the program itself.
-bool choice_may_change(const Checking& checking) {
+// Whether plans can go, or be chosen by the program itself.
+bool changes_choice(const Checking& checking) {
   const auto& names = checking.mentions().names;
   const auto removes = [](std::string_view name) { return traits_of(name).removes_plans; };
   return std::ranges::any_of(names, removes) || names.contains("untellHow") ||
@@ -173,19 +174,11 @@ bool waits(const Node& action) {
 }  // namespace
 
 void unreachable_plans(Checking& checking) {
-  std::vector<Unreachable> found;
+  const Lazy<bool> choice_may_change([&checking] { return changes_choice(checking); });
   for (CheckedFile& file : checking.files()) {
-    for (const auto& plans : file.uses.plan_lists) look_for_unreachable(file, plans, found);
-  }
-  if (found.empty() || choice_may_change(checking)) return;
-  for (const auto& [file, plan, first] : found) {
-    const auto line = file->file->source->position(first->trigger.literal->span.begin).line;
-    checking.warn(*file, plan->trigger.literal->span,
-                  fmt::format("this plan is never chosen: the one at line {} is, whenever this "
-                              "could be",
-                              line),
-                  is_always(first->context) ? "put the plan without a condition last"
-                                            : "both have the same trigger and context");
+    for (const auto& plans : file.uses.plan_lists) {
+      look_for_unreachable(checking, file, plans, choice_may_change);
+    }
   }
 }
 

@@ -188,25 +188,11 @@ void count_arguments(std::span<const ast::Component> components, AtomTimes& time
   }
 }
 
-/// Facts by name and arity, looked at when somebody first asks; of those that the program adds
-/// while it runs, nothing is known.
+/// Facts by name and arity; of those that the program adds while it runs, nothing is known.
 class Facts {
  public:
-  explicit Facts(Checking& checking) : checking_(checking) {}
-
-  /// There are such beliefs, and in all of them stands a constant where the query has the atom.
-  [[nodiscard]] bool never_have(const Node& query, std::size_t index) {
-    if (facts_.empty()) look();
-    const auto found = facts_.find({query.text, query.args.size()});
-    if (found == facts_.end() || changed_.contains(query.text)) return false;
-    return std::ranges::none_of(found->second, [&](const Node* fact) {
-      return may_match(*fact->args[index], *query.args[index]);
-    });
-  }
-
- private:
-  void look() {
-    for (const CheckedFile& file : checking_.files()) {
+  explicit Facts(Checking& checking) {
+    for (const CheckedFile& file : checking.files()) {
       for (const Clause& clause : file.uses.clauses) {
         facts_[{clause.head->text, clause.head->args.size()}].push_back(clause.head);
       }
@@ -218,42 +204,31 @@ class Facts {
     }
   }
 
-  Checking& checking_;
+  /// There are such beliefs, and in all of them stands a constant where the query has the atom.
+  [[nodiscard]] bool never_have(const Node& query, std::size_t index) const {
+    const auto found = facts_.find({query.text, query.args.size()});
+    if (found == facts_.end() || changed_.contains(query.text)) return false;
+    return std::ranges::none_of(found->second, [&](const Node* fact) {
+      return may_match(*fact->args[index], *query.args[index]);
+    });
+  }
+
+ private:
   std::map<GoalKey, std::vector<const Node*>> facts_;
   std::set<std::string_view> changed_;
 };
 
-/// Of the whole program; counted when somebody first asks.
-class ProgramAtoms {
- public:
-  explicit ProgramAtoms(Checking& checking) : checking_(checking) {}
-
-  /// REQUIRES: the atom stands somewhere as an argument.
-  [[nodiscard]] int times(std::string_view atom) {
-    if (times_.empty()) {
-      for (const CheckedFile& file : checking_.files()) {
-        count_arguments(file.file->components, times_);
-      }
-    }
-    return times_.find(atom)->second;
-  }
-
- private:
-  Checking& checking_;
-  AtomTimes times_;
-};
-
 // A query has an atom that no belief has there, and that stands elsewhere in the clause alone, as
 // one writes a variable.
-void look_at_query(Checking& checking, CheckedFile& file, const Node& query, Facts& facts,
-                   const AtomTimes& here, ProgramAtoms& all) {
+void look_at_query(Checking& checking, CheckedFile& file, const Node& query,
+                   const Lazy<Facts>& facts, const AtomTimes& here, const Lazy<AtomTimes>& all) {
   for (std::size_t i = 0; i < query.args.size(); ++i) {
     const Node& argument = *query.args[i];
     if (!is_lower_case_atom(argument)) continue;
     const auto times = here.find(argument.text);
-    const bool only_here =
-        times != here.end() && times->second > 1 && all.times(argument.text) == times->second;
-    if (!only_here || !facts.never_have(query, i)) continue;
+    const bool only_here = times != here.end() && times->second > 1 &&
+                           all->find(argument.text)->second == times->second;
+    if (!only_here || !facts->never_have(query, i)) continue;
     checking.warn(
         file, argument.span,
         fmt::format("'{}' is an atom, which no '{}' has there", argument.text, query.text),
@@ -301,8 +276,12 @@ void look_at_goal_variables(Checking& checking, CheckedFile& file, const ast::Pl
 
 void atoms_for_variables(Checking& checking) {
   if (checking.index().has_open_beliefs) return;
-  Facts facts(checking);
-  ProgramAtoms all(checking);
+  const Lazy<Facts> facts([&checking] { return Facts(checking); });
+  const Lazy<AtomTimes> all([&checking] {
+    AtomTimes times;
+    for (const CheckedFile& file : checking.files()) count_arguments(file.file->components, times);
+    return times;
+  });
   for (CheckedFile& file : checking.files()) {
     for (const Clause& clause : file.uses.clauses) {
       if (clause.body == nullptr) continue;
@@ -371,20 +350,18 @@ void unknown_performatives(Checking& checking) {
 
 void missing_questions(Checking& checking) {
   if (checking.vocabulary().environment_known) return;
-  std::map<GoalKey, bool> is_believed;  // of what stands as an action
-  for (const CheckedFile& file : checking.files()) {
-    for (const Node* action : file.uses.actions) is_believed[{action->text, action->args.size()}];
-  }
-  if (is_believed.empty()) return;
-  for (const CheckedFile& file : checking.files()) {
-    for (const Clause& clause : file.uses.clauses) {
-      const auto found = is_believed.find({clause.head->text, clause.head->args.size()});
-      if (found != is_believed.end()) found->second = true;
+  const Lazy<std::set<GoalKey>> known([&checking] {
+    std::set<GoalKey> heads;
+    for (const CheckedFile& file : checking.files()) {
+      for (const Clause& clause : file.uses.clauses) {
+        heads.insert({clause.head->text, clause.head->args.size()});
+      }
     }
-  }
+    return heads;
+  });
   for (CheckedFile& file : checking.files()) {
     for (const Node* action : file.uses.actions) {
-      if (!is_believed[{action->text, action->args.size()}]) continue;
+      if (!known->contains({action->text, action->args.size()})) continue;
       checking.warn(
           file, action->span,
           fmt::format("'{}' is a belief, but this an action of the environment", action->text),

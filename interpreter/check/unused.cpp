@@ -1,9 +1,9 @@
 // Plans and rules that nothing uses.
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -86,29 +86,12 @@ void test_goal(Checking& checking, CheckedFile& file, const Node& goal) {
   checking.warn(file, goal.span, fmt::format("nobody asks for '{}'", goal.text));
 }
 
-/// The names of facts and of what rules answer, gathered when somebody first asks.
-class Heads {
- public:
-  explicit Heads(Checking& checking) : checking_(checking) {}
-
-  [[nodiscard]] bool contain(std::string_view name) {
-    if (names_.empty()) {
-      for (const CheckedFile& file : checking_.files()) {
-        for (const Clause& clause : file.uses.clauses) names_.insert(clause.head->text);
-      }
-    }
-    return names_.contains(name);
-  }
-
- private:
-  Checking& checking_;
-  std::unordered_set<std::string_view> names_;
-};
+using Names = std::set<std::string_view>;
 
 // Only of a known environment is it known what there is to perceive.
-void belief(Checking& checking, CheckedFile& file, Heads& heads, const Node& literal) {
+void belief(Checking& checking, CheckedFile& file, const Lazy<Names>& heads, const Node& literal) {
   if (!checking.told_everything() || !checking.asked_by_nobody() ||
-      checking.is_mentioned(literal.text) || heads.contain(literal.text) ||
+      checking.is_mentioned(literal.text) || heads->contains(literal.text) ||
       entry_of(checking.vocabulary().percepts, literal.text) != nullptr) {
     return;
   }
@@ -122,7 +105,13 @@ void belief(Checking& checking, CheckedFile& file, Heads& heads, const Node& lit
 void unused_plans(Checking& checking) {
   if (checking.index().has_open_goals) return;
   const PostedGoals posted(checking.index());
-  Heads heads(checking);
+  const Lazy<Names> heads([&checking] {
+    Names names;
+    for (const CheckedFile& file : checking.files()) {
+      for (const Clause& clause : file.uses.clauses) names.insert(clause.head->text);
+    }
+    return names;
+  });
   for (CheckedFile& file : checking.files()) {
     for (const ast::Plan* plan : file.uses.plans) {
       const Node& literal = *plan->trigger.literal;

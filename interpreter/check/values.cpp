@@ -24,16 +24,14 @@ using ast::Node;
 using AtomRole = AtomUse::Role;
 using Atoms = std::set<std::string_view>;
 
-/// How often each atom occurs in the program, as an argument or otherwise; counted when somebody
-/// first asks.
+/// How often each atom occurs in the program, as an argument or otherwise.
 class AtomCounts {
  public:
-  explicit AtomCounts(Checking& checking) : checking_(checking) {}
+  explicit AtomCounts(Checking& checking) {
+    for (const CheckedFile& file : checking.files()) components(file.file->components);
+  }
 
-  [[nodiscard]] int of(std::string_view atom) {
-    if (counts_.empty()) {
-      for (const CheckedFile& file : checking_.files()) components(file.file->components);
-    }
+  [[nodiscard]] int of(std::string_view atom) const {
     const auto found = counts_.find(atom);
     return found == counts_.end() ? 0 : found->second;
   }
@@ -51,13 +49,13 @@ class AtomCounts {
     }
   }
 
-  Checking& checking_;
   std::unordered_map<std::string_view, int> counts_;
 };
 
 class Values {
  public:
-  explicit Values(Checking& checking) : checking_(checking), occurrences_(checking) {}
+  explicit Values(Checking& checking)
+      : checking_(checking), occurrences_([&checking] { return AtomCounts(checking); }) {}
 
   void judge(const ValueClass& values) {
     const Atoms allowed = atoms_of(values, AtomRole::allowed);
@@ -115,7 +113,7 @@ class Values {
       if (use.setting != nullptr) {
         if (allowed.empty()) judge_setting(use, given, wanted);
       } else if (use.role == AtomRole::wanted && !given.contains(use.atom) &&
-                 occurrences_.of(use.atom) == uses_wanted[use.atom] &&
+                 occurrences_->of(use.atom) == uses_wanted[use.atom] &&
                  !checking_.vocabulary().named_by_others.contains(use.atom)) {
         judge_wanted(use, values, given);
       }
@@ -127,7 +125,7 @@ class Values {
       return is_one_slip(use.atom, each) && is_misspelling(use.atom, each);
     });
     if (meant == given.end()) return;
-    if (occurrences_.of(*meant) >= occurrences_.of(use.atom)) {
+    if (occurrences_->of(*meant) >= occurrences_->of(use.atom)) {
       warn(use, fmt::format("did you mean '{}'?", *meant));
       return;
     }
@@ -156,7 +154,7 @@ class Values {
   }
 
   Checking& checking_;
-  AtomCounts occurrences_;
+  Lazy<AtomCounts> occurrences_;
 };
 
 }  // namespace

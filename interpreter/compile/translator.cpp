@@ -154,7 +154,7 @@ Symbol Translator::namespace_of(const ast::Node& node, std::size_t arity) {
   }
   if (node.this_namespace) return module_;
   if (node.ns != nullptr || namespace_ == names::default_ns) return names::default_ns;
-  if (is_dotted(node.text) || is_keyword(node.text, arity)) return names::default_ns;
+  if (node.dotted || is_keyword(node.text, arity)) return names::default_ns;
   return namespace_;
 }
 

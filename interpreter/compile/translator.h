@@ -47,12 +47,10 @@ class Translator {
   /// What stands as a term, an argument or an element of a list, is in the default namespace;
   /// literals and formulas are in the one in force.
   [[nodiscard]] Value term(const ast::Node& node, VariableScope& scope);
-  [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope) {
-    return translate(node, scope);
-  }
-  /// A literal with these annotations if it is written without any.
-  [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope, Value annots) {
-    return node.kind == ast::Kind::literal ? translate_literal(node, scope, annots)
+  /// A literal that is written without annotations gets those given.
+  [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope,
+                              Value unless_annotated = Value::empty_list()) {
+    return node.kind == ast::Kind::literal ? translate_literal(node, scope, unless_annotated)
                                            : translate(node, scope);
   }
   [[nodiscard]] Value formula(const ast::Node& node, VariableScope& scope) {

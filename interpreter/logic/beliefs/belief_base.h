@@ -161,9 +161,9 @@ class Relation {
   /// What a row of many takes with its place in an index, old and new memory while they grow.
   static constexpr std::size_t kIndexedRowBytes = 24;
   static constexpr std::size_t kRowBytes = 2 * (sizeof(Row) + kIndexedRowBytes);
-  /// Becomes as new, but keeps memory for a few rows, and if wanted the rules of a program if it
-  /// has nothing else.
+  /// Whether rules of a program stay, where a relation has nothing else.
   enum class Rules : std::uint8_t { dropped, kept };
+  /// Becomes as new but for memory for a few rows, and perhaps rules.
   void reset(Rules rules);
 
   void own_rule(std::unique_ptr<RuleCode> rule) { rules_owned_.push_back(std::move(rule)); }

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -19,6 +19,7 @@
 #include "interpreter/check/words.h"
 #include "interpreter/compile/kqml_plans.h"
 #include "interpreter/logic/action.h"
+#include "interpreter/support/containers/lazy.h"
 #include "interpreter/syntax/parser.h"
 
 namespace jaywalk {
@@ -36,7 +37,7 @@ Vocabulary::Entry entry_for(const EnvironmentWord& word) {
 class Evidence {
  public:
   Evidence(const Vocabulary& vocabulary, const ProgramWords& program)
-      : vocabulary_(vocabulary), program_(program) {
+      : vocabulary_(vocabulary), own_([&program] { return heads_of(program); }) {
     for (const Uses& uses : program.uses) {
       for (const ast::Node* action : uses.actions) this->action(*action, program.index);
       for (const ast::Node* query : uses.queries) percept(*query);
@@ -88,21 +89,19 @@ class Evidence {
   void percept(const ast::Node& node) {
     if (perceives_ || node.kind != ast::Kind::literal) return;
     const Vocabulary::Entry* const known = entry_of(vocabulary_.percepts, node.text);
-    perceives_ = known != nullptr && takes(*known, arity_of(node)) && !is_own(node.text);
+    perceives_ = known != nullptr && takes(*known, arity_of(node)) && !own_->contains(node.text);
   }
 
-  bool is_own(std::string_view name) {
-    if (own_.empty()) {
-      for (const Uses& uses : program_.uses) {
-        for (const Clause& clause : uses.clauses) own_.insert(clause.head->text);
-      }
+  static std::set<std::string_view> heads_of(const ProgramWords& program) {
+    std::set<std::string_view> heads;
+    for (const Uses& uses : program.uses) {
+      for (const Clause& clause : uses.clauses) heads.insert(clause.head->text);
     }
-    return own_.contains(name);
+    return heads;
   }
 
   const Vocabulary& vocabulary_;
-  const ProgramWords& program_;
-  std::unordered_set<std::string_view> own_;  // filled when somebody first asks
+  Lazy<std::set<std::string_view>> own_;
   bool takes_action_ = false;
   bool takes_foreign_ = false;
   bool perceives_ = false;
