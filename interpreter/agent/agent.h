@@ -259,8 +259,11 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] TriggerKey key_of(const Event& event);
   [[nodiscard]] EventArguments arguments_of(const Event& event) const;
   [[nodiscard]] Value literal_of(const Event& event);
-  [[nodiscard]] const PlanList& plans_for(const Event& event);
+  [[nodiscard]] const EventCode* code_of(const Event& event) const;
+  [[nodiscard]] const PlanList& plans_for(const Event& event, const EventCode* code);
+  void keep_literal(const Event& event);
   [[nodiscard]] bool find_option(const Event& event);
+  [[nodiscard]] bool find_usual_option(const Event& event);
   void note_no_option(const Event& event);
   [[nodiscard]] bool were_relevant(const Event& event);
   [[nodiscard]] bool selects_by_rules();
@@ -278,9 +281,14 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] bool applies(const Plan& plan, const Event& event, const EventArguments& given,
                              std::span<const Value> enclosing);
   [[nodiscard]] bool applies_in_general(const Plan& plan, const Event& event,
-                                        std::span<const Value> enclosing);
+                                        const EventArguments& given,
+                                        std::span<const Value> enclosing, Value* frame,
+                                        std::size_t& matched);
+  [[nodiscard]] bool is_relevant(const Plan& plan, const Event& event,
+                                 const EventArguments& given, Value* frame);
   [[nodiscard]] bool is_event_bound(const Event& event, std::size_t matched);
-  [[nodiscard]] bool context_holds(const Plan& plan, const Event& event, Value* frame);
+  [[nodiscard]] bool observed_context_holds(const Plan& plan, const Event& event, Value* frame);
+  void leave_plan_at_limit(const Plan& plan, std::size_t trail, Heap::Mark unused);
   void leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused);
   Value* empty_frame(const Plan& plan, std::uint32_t first_to_clear);
   Value* prepare_scratch(const Plan& plan, std::span<const Value> enclosing);
@@ -414,6 +422,9 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] Value as_template(Value term, std::vector<Symbol>& slot_names);
   void begin(const Program& program, std::span<const Predicate> replaced,
              std::span<const Value> given);
+  [[nodiscard]] bool begins_like_others(const Program& program) const;
+  void begin_with(const Program::Belief& belief, std::span<const Predicate> replaced);
+  void begin_with_shared(const Program& program, std::span<const Predicate> replaced);
   // Cloning (clone.cpp).
   using PlanMap = std::unordered_map<const Plan*, const Plan*>;
   void copy_beliefs(const Agent& original, Transfer& transfer);

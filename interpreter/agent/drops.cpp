@@ -91,12 +91,9 @@ std::string goal_text(const Intention& intention, const IntendedMeans& means,
   if (means.op == TriggerOperator::goal_state) text += '^';
   if (means.op == TriggerOperator::add && means.kind == TriggerKind::belief) text += '+';
   if (!means.trigger.is_unset()) return text + plain_text(means.trigger, symbols, most);
-  const PlanHead& head = means.plan->head;
-  std::vector<Value> args;
-  for (std::size_t i = 0; i < head.args.size(); ++i) {
-    args.push_back(intention.head_value(means, i));
-  }
-  return text + literal_text(head.predicate, args, symbols, most);
+  Heap lists;
+  return text + literal_text(means.plan->head.predicate, intention.goal_arguments(means, lists),
+                             symbols, most);
 }
 
 std::string describe(const DropCause& cause) {

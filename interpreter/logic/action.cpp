@@ -109,6 +109,11 @@ bool ActionCall::unify(std::size_t index, Value value) {
   // Arguments that were applied have no slots; what is bound meanwhile, unifying finds by itself.
   const bool raw = goal_.action == nullptr || goal_.action->raw_args;
   const Value own = args()[index];
+  const Value variable = deref(own);
+  if (variable.is_variable() && value.is_closed() && !Unifier::is_of_other_namespace(value)) {
+    machine_.unifier().bind(variable.variable(), value);
+    return true;
+  }
   return machine_.unifier().unify(raw && !own.is_closed() ? applied(index) : own, value);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/rule_unfolder.h"
 
 namespace jaywalk {
@@ -104,6 +105,7 @@ const Goal* FormulaCompiler::compile_relation(Value formula, const Goal* next) {
                                                    : Goal::Kind::compare;
   Goal& goal = add(kind, formula, next);
   goal.predicate = op;
+  goal.orders = orders_of(op);
   goal.left = Operand::of(formula.structure()->arg(0));
   goal.right = Operand::of(formula.structure()->arg(1));
   return &goal;

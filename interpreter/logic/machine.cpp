@@ -1,4 +1,4 @@
-#include "interpreter/logic/machine.h"
+#include "interpreter/logic/machine_inline.h"
 
 #include <algorithm>
 
@@ -191,10 +191,14 @@ void Machine::solve_all_terms(Value formula, const std::function<bool()>& soluti
       goal_ = goal.inner;
       return true;
     case Goal::Kind::unify:
-      holds = unify(goal, environment_->slots);
+      if (!decide(goal, environment_->slots, holds)) {
+        holds = unify_sides(goal, environment_->slots);
+      }
       break;
     case Goal::Kind::compare:
-      holds = compare(goal, environment_->slots);
+      if (!decide(goal, environment_->slots, holds)) {
+        holds = compare_sides(goal, environment_->slots);
+      }
       break;
     case Goal::Kind::univ:
       holds = univ(goal);
@@ -338,34 +342,6 @@ void Machine::check_limits() {
     throw QueryLimit{"the query was interrupted", ReachedLimit::interruption};
   }
   next_check_ = std::min(inferences_ + kChecked, query_start_ + max_inferences_ + 1);
-}
-
-// The goals of a frame's rule have been solved.
-void Machine::leave_frame() {
-  const Environment& done = *environment_;
-  goal_ = done.continuation;
-  environment_ = done.parent;
-  give_up(done);
-  use_frame(*environment_);
-}
-
-// Nobody asks for the slots of a frame any more, unless a choice point goes back to it.
-void Machine::give_up(const Environment& frame) {
-  if (frame.choice_points != choice_count_) return;
-  if (unifier_.slots_recorded() != frame.slots_recorded) {
-    unifier_.forget(frame.trail, {frame.slots, frame.slot_count});
-  }
-  frames_.release(reinterpret_cast<FrameStack::Mark>(const_cast<Environment*>(&frame)));
-}
-
-// What is set in a frame that no choice point goes back to need not be undone.
-void Machine::use_frame(const Environment& frame) {
-  unifier_.set_slot_names({frame.names, frame.slot_count});
-  if (frame.choice_points == choice_count_) {
-    unifier_.begin_fresh_frame({frame.slots, frame.slot_count});
-  } else {
-    unifier_.end_fresh_frame();
-  }
 }
 
 // Another block of frames is needed.

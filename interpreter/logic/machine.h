@@ -15,9 +15,10 @@
 // who asked, may want it undone: neither slots of a frame that is newer than the latest choice
 // point nor variables that are.
 //
-//   machine.cpp            the loop, choice points, frames
-//   machine_queries.cpp    queries over facts and rules
-//   machine_rules.cpp      which rule, its head, its frame
+//   machine.cpp            the loop, choice points
+//   machine_inline.h       what is in line there: queries, heads, frames
+//   machine_queries.cpp    queries over facts
+//   machine_rules.cpp      which rule, its head
 //   machine_annotated.cpp  queries with annotations, and variables as queries
 //   machine_tests.cpp      comparison and unification
 //   machine_calls.cpp      internal actions and functions
@@ -81,6 +82,9 @@ struct MachineClient {
   std::uint64_t max_inferences = 1'000'000'000;
 };
 
+/// Whether a head matches; open: it has been left undecided.
+enum class HeadMatch : std::uint8_t { fails, holds, open };
+
 class Machine : public FunctionCaller {
  public:
   /// A machine for one client after another; attach() comes before anything else.
@@ -94,46 +98,34 @@ class Machine : public FunctionCaller {
   /// The first solution of a formula, whose bindings stay (on the unifier's trail); or false, with
   /// none. A null entry is `true`.
   [[nodiscard]] bool solve(const Goal* entry, Value* slots) {
-    bool holds = false;
-    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots, Frame::restored);
+    return solve_over(entry, slots, Frame::restored);
   }
   /// The same over a frame at which nobody looks again if there is no solution.
   [[nodiscard]] bool solve_context(const Goal* entry, Value* slots) {
-    bool holds = false;
-    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots, Frame::given_up);
+    return solve_over(entry, slots, Frame::given_up);
   }
-  /// Whether the formula is none, or one comparison of numbers that are known; then `holds` says
-  /// whether it holds, and nothing is bound.
-  [[nodiscard, gnu::always_inline]] bool solve_at_once(const Goal* entry, const Value* slots,
+  /// Whether a formula is none, or one comparison or unification that its operands decide: then
+  /// `holds` says whether it holds. Nothing but a probe can meet a limit.
+  [[nodiscard, gnu::always_inline]] bool solve_at_once(const Goal* entry, Value* slots,
                                                        bool& holds) {
     holds = true;
     if (entry == nullptr) return true;
-    if (entry->kind != Goal::Kind::compare || entry->next != nullptr ||
-        !compare_numbers(*entry, slots, holds)) {
-      return false;
-    }
-    ++inferences_;
-    return true;
+    const bool is_decided = entry->next == nullptr ? decide(*entry, slots, holds)
+                                                   : entry->kind == Goal::Kind::probe &&
+                                                         decide_between_probes(*entry, slots, holds);
+    if (is_decided) ++inferences_;
+    return is_decided;
   }
-  /// Gives the left side of a unification, a variable without a value, the value of the right side.
-  /// False: these are not what its sides are, and nothing is bound.
-  [[nodiscard, gnu::always_inline]] bool unify_known(const Goal& goal, Value* slots) {
-    Value known;
-    if (goal.kind != Goal::Kind::unify || goal.left.kind != Operand::Kind::slot ||
-        goal.next != nullptr || !find_value(goal.right, slots, known) ||
-        Unifier::is_of_other_namespace(known)) {
-      return false;
-    }
-    Value* const slot = slots + goal.left.left_slot;
-    if (slot->is_unset()) {
-      unifier_.set_slot(slot, known);
-    } else {
-      const Value held = deref(*slot);
-      if (!held.is_variable()) return false;
-      unifier_.bind(held.variable(), known);
-    }
-    ++inferences_;
-    return true;
+  /// Matches a head with arguments; the unifier has the names of its slots. What is bound is on the
+  /// trail; slots that are set are not.
+  bool match_head(const HeadCode& code, Value* slots, const Value* args);
+  /// The same, where a look at each argument is enough. What is bound is to be undone if the head
+  /// does not match, or is left open.
+  HeadMatch match_head_at_once(const HeadCode& code, Value* slots, const Value* args);
+  /// Whether a constant of a head has been matched with one that has annotations since this was
+  /// last asked: then the head does not tell what it has been matched with.
+  [[nodiscard]] bool has_lost_annotations() {
+    return head_loses_annotations_ && std::exchange(head_loses_annotations_, false);
   }
   /// Every solution in turn; `solution` returns false to stop. No binding stays.
   void solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution);
@@ -177,7 +169,9 @@ class Machine : public FunctionCaller {
   /// allowed.
   void check_memory(std::size_t bytes);
   /// To be called between queries now and then: drops code of formulas made at run time.
-  void forget_temporary_code() { temporary_.clear(); }
+  void forget_temporary_code() {
+    if (!temporary_.empty()) temporary_.clear();
+  }
 
   bool call_function(const Structure& function, Value& result) override;
   bool call_of_numbers(Predicate function, std::span<const Value> args, Value& result) override;
@@ -224,6 +218,30 @@ class Machine : public FunctionCaller {
   /// What becomes of a frame over which a formula has no solution.
   enum class Frame : std::uint8_t { restored, given_up };
   bool solve_goals(const Goal* entry, Value* slots, Frame frame);
+  // One comparison or unification is mostly decided by its operands.
+  [[gnu::always_inline]] bool solve_over(const Goal* entry, Value* slots, Frame frame) {
+    bool holds = false;
+    return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots, frame);
+  }
+  // Whether the operands of a comparison or unification are enough to say whether it holds: these
+  // are numbers; a variable without a value takes a value that is known. False: nothing is bound.
+  [[gnu::always_inline]] bool decide(const Goal& goal, Value* slots, bool& holds) {
+    if (goal.kind == Goal::Kind::compare) return compare_numbers(goal, slots, holds);
+    Value known;
+    if (goal.kind != Goal::Kind::unify || goal.left.kind != Operand::Kind::slot ||
+        !find_value(goal.right, slots, known) || Unifier::is_of_other_namespace(known)) {
+      return false;
+    }
+    Value* const slot = slots + goal.left.left_slot;
+    if (slot->is_unset()) {
+      unifier_.set_slot(slot, known);
+    } else {
+      const Value held = deref(*slot);
+      if (!held.is_variable()) return false;
+      unifier_.bind(held.variable(), known);
+    }
+    return holds = true;
+  }
   bool run(std::size_t base);
   bool fail(std::size_t base);
   bool step(const Goal& goal);
@@ -261,7 +279,7 @@ class Machine : public FunctionCaller {
   Value* registers_for(const Goal& goal);
   const Value* make_arguments(const Goal& goal);
   const Value* look_at_arguments(const Goal& goal);
-  bool match_lone(Value fact, const Goal& goal);
+  bool query_few(Relation& relation, const Goal& goal);
   bool try_rows(Relation& relation, const Goal& goal, const Value* args);
   void push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
                  const Value* args);
@@ -274,20 +292,19 @@ class Machine : public FunctionCaller {
   bool match_fact(Value fact, const Value* args, std::span<const Value> terms);
   [[nodiscard]] std::optional<std::size_t> count_facts(const Goal& goal, const Value* slots);
   bool choose_rule(Relation& relation, const RuleTable& table, const Goal& goal, const Value* args);
-  bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
-    return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)
-                                      : enter_framed(rule, goal, args);
-  }
+  bool enter_rule(const RuleCode& rule, const Goal& goal, const Value* args);
   bool enter_framed(const RuleCode& rule, const Goal& goal, const Value* args);
   bool match_bodiless(const RuleCode& rule, const Goal& goal, const Value* args);
-  bool match_head(const RuleCode& rule, Value* slots, const Value* args);
+  static void clear(const RuleCode& rule, Value* slots);
+  bool match_steps(const HeadCode& code, Value* slots, const Value* args);
   template <HeadStep::Kind kHead>
-  bool match_usual_pair(const HeadStep* step, Value* slots, Value value);
-  bool match_pair(const HeadStep* step, Value* slots, Value value);
-  bool match_deep_pair(const HeadStep* step, Value* slots, Value value);
-  bool match_part(const HeadStep& step, Value* slots, Value value);
-  bool match_constant(const HeadStep& step, Value* slots, Value value);
-  bool match_again(Value value, Value known);
+  bool match_usual_pair(const HeadCode& code, const HeadStep* step, Value* slots, Value value);
+  bool match_pair(const HeadCode& code, const HeadStep* step, Value* slots, Value value);
+  bool match_deep_pair(const HeadCode& code, const HeadStep* step, Value* slots, Value value);
+  bool match_part(const HeadCode& code, const HeadStep& step, Value* slots, Value value);
+  bool match_constant(const HeadCode& code, const HeadStep& step, Value* slots, Value value);
+  bool match_term(const HeadCode& code, const HeadStep& step, Value* slots, Value value);
+  bool match_again(const HeadCode& code, Value value, Value known);
   Value make_part(const HeadStep& step, Value* slots);
 
   static constexpr std::size_t kNextRow = static_cast<std::size_t>(-1);
@@ -299,11 +316,12 @@ class Machine : public FunctionCaller {
   bool any_belief(const Goal& goal, Value pattern);
   bool enter_term(Value formula, const Goal& goal);
 
-  bool unify(const Goal& goal, Value* slots);
-  bool compare(const Goal& goal, Value* slots);
+  bool unify_sides(const Goal& goal, Value* slots);
+  bool compare_sides(const Goal& goal, Value* slots);
   bool compare_values(const Goal& goal, Value left, Value right);
   bool enter_unfolded(const Goal& goal);
   bool univ(const Goal& goal);
+  bool decide_between_probes(const Goal& asked, Value* slots, bool& holds);
   void probe(const Goal& goal, Value* slots);
   bool action(const Goal& goal);
   bool next_solution();
@@ -364,6 +382,7 @@ class Machine : public FunctionCaller {
   std::uint64_t max_inferences_ = 1'000'000'000;
   int nesting_ = 0;
   bool has_grown_ = false;
+  bool head_loses_annotations_ = false;
 
   const std::vector<RuleFunction> own_functions_;  // none
   // Functions that this client has called lately, by the last bits of their predicates.

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "interpreter/logic/machine.h"
+#include "interpreter/logic/machine_inline.h"
 
 namespace jaywalk {
 namespace {
@@ -21,29 +21,6 @@ Value value_of(Value arg, const Value* slots) {
 }
 
 }  // namespace
-
-// Room for the arguments of a query. One within an argument has other registers.
-[[gnu::always_inline]] inline Value* Machine::registers_for(const Goal& goal) {
-  if (registers_.size() < goal.args().size()) registers_.resize(goal.args().size());
-  return registers_.data();
-}
-
-[[gnu::always_inline]] inline const Value* Machine::make_arguments(const Goal& goal) {
-  const std::span<const Value> terms = goal.args();
-  Value* const registers = registers_for(goal);
-  Value* const slots = environment_->slots;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    Value made = terms[i];
-    if (made.is_slot()) {
-      const Value value = slots[made.slot_index()];
-      made = value.is_unset() ? unifier_.make_variable(slots, made.slot_index()) : value;
-    } else if (!made.is_closed()) {
-      made = unifier_.build_term(made, slots);
-    }
-    registers[i] = made;
-  }
-  return registers;
-}
 
 // The same without variables for slots that have no value.
 [[gnu::always_inline]] inline const Value* Machine::look_at_arguments(const Goal& goal) {
@@ -88,28 +65,14 @@ bool Machine::match_fact(Value fact, const Value* args, std::span<const Value> t
   return match_each(fact, terms, [args](std::size_t i) { return deref(args[i]); });
 }
 
-bool Machine::query(const Goal& goal) {
-  Relation* const relation = beliefs_->find(goal.predicate);
-  if (relation == nullptr) return false;
-  if (goal.is_plain && relation->has_few_facts()) {
-    const Row* const lone = relation->lone_fact();
-    return lone != nullptr ? match_lone(lone->fact, goal)
-                           : try_rows(*relation, goal, look_at_arguments(goal));
-  }
-  const Value* const args = make_arguments(goal);
-  const RuleTable* const table = relation->rule_table();
-  if (table == nullptr) return try_rows(*relation, goal, args);
-  const RuleCode* const rule = table->only(goal.args().empty() ? Value() : deref(args[0]));
-  if (rule == nullptr) return choose_rule(*relation, *table, goal, args);
-  return enter_rule(*rule, goal, args);
-}
-
 // The only fact need not be looked for.
-[[gnu::always_inline]] inline bool Machine::match_lone(Value fact, const Goal& goal) {
+bool Machine::query_few(Relation& relation, const Goal& goal) {
+  const Row* const lone = relation.lone_fact();
+  if (lone == nullptr) return try_rows(relation, goal, look_at_arguments(goal));
   goal_ = goal.next;
   const Value* const terms = goal.args().data();
   const Value* const slots = environment_->slots;
-  return match_each(fact, goal.args(),
+  return match_each(lone->fact, goal.args(),
                     [terms, slots](std::size_t i) { return value_of(terms[i], slots); });
 }
 

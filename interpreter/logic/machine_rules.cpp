@@ -3,24 +3,30 @@
 
 #include <algorithm>
 
-#include "interpreter/logic/machine.h"
+#include "interpreter/logic/machine_inline.h"
 
 namespace jaywalk {
 namespace {
 
-void clear(const RuleCode& rule, Value* slots) {
-  for (std::uint32_t i = rule.head_code.first_to_clear(); i < rule.slot_count; ++i) {
-    slots[i] = Value();
-  }
-}
+using head_values::may_be_taken;
 
-// A value that a variable of a head may take.
-bool may_be_taken(Value value) { return !Unifier::is_of_other_namespace(value); }
+// Of a rule the annotations of the query must be among those of the head, of a plan the reverse.
+Unifier::Direction direction_of(const HeadCode& code) {
+  return code.is_of_plan() ? Unifier::Direction::template_first : Unifier::Direction::value_first;
+}
 
 }  // namespace
 
+bool Machine::match_term(const HeadCode& code, const HeadStep& step, Value* slots, Value value) {
+  return unifier_.match(step.term, slots, value, direction_of(code));
+}
+
+bool Machine::match_head(const HeadCode& code, Value* slots, const Value* args) {
+  return match_steps(code, slots, args);
+}
+
 // A part of a list.
-bool Machine::match_part(const HeadStep& step, Value* slots, Value value) {
+bool Machine::match_part(const HeadCode& code, const HeadStep& step, Value* slots, Value value) {
   switch (step.kind) {
     case HeadStep::Kind::any:
       return may_be_taken(value);
@@ -28,31 +34,35 @@ bool Machine::match_part(const HeadStep& step, Value* slots, Value value) {
       slots[step.slot] = value;
       return may_be_taken(value);
     case HeadStep::Kind::again:
-      return match_again(value, deref(slots[step.slot]));
+      return match_again(code, value, deref(slots[step.slot]));
     case HeadStep::Kind::constant:
-      return value.same_as(step.term) || match_constant(step, slots, value);
+      return value.same_as(step.term) || match_constant(code, step, slots, value);
     default:
       break;
   }
-  return unifier_.match(step.term, slots, value, Unifier::Direction::value_first);
+  return match_term(code, step, slots, value);
 }
 
-bool Machine::match_constant(const HeadStep& step, Value* slots, Value value) {
+bool Machine::match_constant(const HeadCode& code, const HeadStep& step, Value* slots,
+                             Value value) {
   if (value.is_variable()) {
     unifier_.bind_young(value.variable(), step.term);
     return true;
   }
   if (value.is_pair() || value.is_atom()) return false;
-  return unifier_.match(step.term, slots, value, Unifier::Direction::value_first);
+  if (!match_term(code, step, slots, value)) return false;
+  if (code.is_of_plan() && value.is_structure()) head_loses_annotations_ = true;
+  return true;
 }
 
-bool Machine::match_again(Value value, Value known) {
+bool Machine::match_again(const HeadCode& code, Value value, Value known) {
   if (value.same_as(known)) return true;
   if (value.is_variable() && (known.is_pair() || known.is_number() || known.is_empty_list())) {
     unifier_.bind_young(value.variable(), known);
     return true;
   }
-  return unifier_.unify_no_undo(value, known);
+  return code.is_of_plan() ? unifier_.unify_no_undo(known, value)
+                           : unifier_.unify_no_undo(value, known);
 }
 
 Value Machine::make_part(const HeadStep& step, Value* slots) {
@@ -71,40 +81,13 @@ Value Machine::make_part(const HeadStep& step, Value* slots) {
   return unifier_.build(step.term, slots);
 }
 
-// The list is taken apart, or made for a variable. Its tail is the first place of a variable.
-template <HeadStep::Kind kHead>
-[[gnu::always_inline]] inline bool Machine::match_usual_pair(const HeadStep* step, Value* slots,
-                                                             Value value) {
-  constexpr bool kIsNew = kHead == HeadStep::Kind::first;
+bool Machine::match_pair(const HeadCode& code, const HeadStep* step, Value* slots, Value value) {
   if (value.is_pair()) {
     const Pair& pair = *value.pair();
-    const Value head = deref(pair.head);
-    if constexpr (kIsNew) {
-      slots[step[1].slot] = head;
-      if (!may_be_taken(head)) return false;
-    } else if (!match_again(head, deref(slots[step[1].slot]))) {
-      return false;
-    }
-    const Value tail = deref(pair.tail);
-    slots[step[2].slot] = tail;
-    return may_be_taken(tail);
+    return match_part(code, step[1], slots, deref(pair.head)) &&
+           match_part(code, step[2], slots, deref(pair.tail));
   }
-  if (!value.is_variable()) return match_deep_pair(step, slots, value);
-  const std::span<const Symbol> names = unifier_.slot_names();
-  Value& head = slots[step[1].slot];
-  head = kIsNew ? heap().variable(names[step[1].slot]) : deref(head);
-  const Symbol name = names[step[2].slot];
-  unifier_.bind_young(value.variable(), heap().pair_before(slots[step[2].slot], head, name));
-  return true;
-}
-
-bool Machine::match_pair(const HeadStep* step, Value* slots, Value value) {
-  if (value.is_pair()) {
-    const Pair& pair = *value.pair();
-    return match_part(step[1], slots, deref(pair.head)) &&
-           match_part(step[2], slots, deref(pair.tail));
-  }
-  if (!value.is_variable()) return match_deep_pair(step, slots, value);
+  if (!value.is_variable()) return match_deep_pair(code, step, slots, value);
   const Value head = make_part(step[1], slots);
   const Value tail = make_part(step[2], slots);
   unifier_.bind_young(value.variable(), heap().pair(head, tail));
@@ -112,54 +95,12 @@ bool Machine::match_pair(const HeadStep* step, Value* slots, Value value) {
 }
 
 // A function may still make a list of it.
-bool Machine::match_deep_pair(const HeadStep* step, Value* slots, Value value) {
+bool Machine::match_deep_pair(const HeadCode& code, const HeadStep* step, Value* slots,
+                              Value value) {
   for (const HeadStep& part : {step[1], step[2]}) {
     if (part.kind == HeadStep::Kind::first) slots[part.slot] = Value();
   }
-  return unifier_.match(step->term, slots, value, Unifier::Direction::value_first);
-}
-
-[[gnu::always_inline]] inline bool Machine::match_head(const RuleCode& rule, Value* slots,
-                                                       const Value* args) {
-  using enum HeadStep::Kind;
-  const std::vector<HeadStep>& steps = rule.head_code.steps();
-  const HeadStep* const end = steps.data() + steps.size();
-  for (const HeadStep* step = steps.data(); step != end; ++step) {
-    const Value value = deref(args[step->argument]);
-    bool matches = false;
-    switch (step->kind) {
-      case any:
-        matches = may_be_taken(value);
-        break;
-      case first:
-        slots[step->slot] = value;
-        matches = may_be_taken(value);
-        break;
-      case again:
-        matches = match_again(value, deref(slots[step->slot]));
-        break;
-      case constant:
-        matches = value.same_as(step->term) || match_constant(*step, slots, value);
-        break;
-      case new_pair:
-        matches = match_usual_pair<first>(step, slots, value);
-        step += 2;
-        break;
-      case known_pair:
-        matches = match_usual_pair<again>(step, slots, value);
-        step += 2;
-        break;
-      case pair:
-        matches = match_pair(step, slots, value);
-        step += 2;
-        break;
-      case term:
-        matches = unifier_.match(step->term, slots, value, Unifier::Direction::value_first);
-        break;
-    }
-    if (!matches) return false;
-  }
-  return true;
+  return match_term(code, *step, slots, value);
 }
 
 // The kind of the first argument leaves several rules, or none.
@@ -180,25 +121,9 @@ bool Machine::choose_rule(Relation& relation, const RuleTable& table, const Goal
   return enter_rule(*first->rule, goal, args);
 }
 
-// The last goal of a rule takes the place of the rule's frame.
-bool Machine::enter_framed(const RuleCode& rule, const Goal& goal, const Value* args) {
-  Environment* parent = environment_;
-  const Goal* continuation = goal.next;
-  if (continuation == nullptr && parent != root_) {
-    const Environment& caller = *parent;
-    continuation = caller.continuation;
-    parent = caller.parent;
-    give_up(caller);
-  }
-  Environment* const made =
-      make_environment(parent, continuation, {rule.slot_names.data(), rule.slot_count});
-  clear(rule, made->slots);
-  unifier_.set_slot_names({rule.slot_names.data(), rule.slot_count});
-  unifier_.begin_fresh_frame({made->slots, rule.slot_count});
-  if (!match_head(rule, made->slots, args)) return false;
-  environment_ = made;
-  goal_ = rule.body.entry;
-  return true;
+bool Machine::enter_rule(const RuleCode& rule, const Goal& goal, const Value* args) {
+  return rule.body.entry == nullptr ? match_bodiless(rule, goal, args)
+                                    : enter_framed(rule, goal, args);
 }
 
 // The slots of a rule without a body are needed while its head is matched, and no longer.
@@ -210,7 +135,7 @@ bool Machine::match_bodiless(const RuleCode& rule, const Goal& goal, const Value
   clear(rule, slots);
   unifier_.set_slot_names({rule.slot_names.data(), rule.slot_count});
   unifier_.begin_fresh_frame({slots, rule.slot_count});
-  const bool matches = match_head(rule, slots, args);
+  const bool matches = match_head(rule.head_code, slots, args);
   if (unifier_.slots_recorded() != recorded) unifier_.forget(trail, {slots, rule.slot_count});
   frames_.release(start);
   if (!matches) return false;

@@ -1,6 +1,5 @@
 // Goals that hold or not, and leave no choice: comparison and unification; probes.
 
-#include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/logic/unifier/univ.h"
 #include "interpreter/term/compare.h"
@@ -39,13 +38,7 @@ bool Machine::enter_unfolded(const Goal& goal) {
   return may_be_taken;
 }
 
-bool Machine::unify(const Goal& goal, Value* slots) {
-  Value known;
-  if (goal.left.kind == Operand::Kind::slot && slots[goal.left.left_slot].is_unset() &&
-      find_value(goal.right, slots, known) && !Unifier::is_of_other_namespace(known)) {
-    unifier_.set_slot(slots + goal.left.left_slot, known);
-    return true;
-  }
+bool Machine::unify_sides(const Goal& goal, Value* slots) {
   const Value left = goal.args()[0];
   const Value right = unifier_.build(goal.args()[1], slots);
   const bool foreign = (right.is_atom() && is_foreign(right.atom_id())) ||
@@ -57,9 +50,7 @@ bool Machine::unify(const Goal& goal, Value* slots) {
   return unifier_.unify_no_undo(unifier_.build(left, slots), right);
 }
 
-bool Machine::compare(const Goal& goal, Value* slots) {
-  bool result = false;
-  if (compare_numbers(goal, slots, result)) return result;
+bool Machine::compare_sides(const Goal& goal, Value* slots) {
   const Value* const sides = goal.term.structure()->args();
   const Value left = unifier_.build(sides[0], slots);
   return compare_values(goal, left, unifier_.build(sides[1], slots));
@@ -68,9 +59,8 @@ bool Machine::compare(const Goal& goal, Value* slots) {
 // Not a number is compared as a term.
 bool Machine::compare_values(const Goal& goal, Value left, Value right) {
   if (left.is_number() && right.is_number()) {
-    const double a = left.as_number();
-    const double b = right.as_number();
-    if (a == a && b == b) return relation_holds(goal.predicate, a, b);
+    const Orders order = order_of(left.as_number(), right.as_number());
+    if (order != 0) return (order & goal.orders) != 0;
   }
   if (left.is_variable() && right.is_variable() && left.same_as(right)) {
     // Unbound variables that have been unified are still two: Jason compares their names.
@@ -115,6 +105,19 @@ void Machine::probe(const Goal& goal, Value* slots) {
   const std::size_t asked = surroundings_->condition_asked(number, variables);
   if (!asking.is_unset()) return;
   unifier_.set_slot(slots + args[1].slot_index(), Value::number(static_cast<double>(asked)));
+}
+
+// A comparison by itself, which somebody looks at. False: nothing has been told.
+bool Machine::decide_between_probes(const Goal& asked, Value* slots, bool& holds) {
+  const Goal& test = *asked.next;
+  if (test.kind != Goal::Kind::compare || !compare_numbers(test, slots, holds)) return false;
+  const Goal* const answered = test.next;
+  if (answered == nullptr || answered->kind != Goal::Kind::probe || answered->next != nullptr) {
+    return false;
+  }
+  probe(asked, slots);
+  if (holds) probe(*answered, slots);
+  return true;
 }
 
 bool Machine::univ(const Goal& goal) {

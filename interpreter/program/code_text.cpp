@@ -21,43 +21,27 @@ constexpr std::size_t kNameWidth = 19;
 
 std::string named(std::string_view name) { return fmt::format("{:<{}}", name, kNameWidth); }
 
+std::string_view name_of(HeadStep::Kind kind) {
+  static constexpr std::array kNames{
+#define JAYWALK_HEAD_STEP(id, name, meaning) std::string_view(name),
+#include "interpreter/logic/code/instructions.def"
+  };
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
 std::string_view name_of(Goal::Kind kind) {
-  static constexpr std::array<std::string_view, 14> kNames{
-      "query", "query_unfolded", "query_annotated", "query_variable", "unify", "compare", "univ",
-      "call",  "not_begin",      "not_end",         "or_else",        "true",  "fail",    "probe"};
+  static constexpr std::array kNames{
+#define JAYWALK_GOAL(id, name, meaning) std::string_view(name),
+#include "interpreter/logic/code/instructions.def"
+  };
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::string_view name_of(Step::Kind kind) {
-  static constexpr std::array<std::string_view, 20> kNames{"act",
-                                                           "call",
-                                                           "hold",
-                                                           "achieve",
-                                                           "achieve_new_focus",
-                                                           "test",
-                                                           "add",
-                                                           "add_new_focus",
-                                                           "add_begin",
-                                                           "add_end",
-                                                           "remove",
-                                                           "remove_new_focus",
-                                                           "replace",
-                                                           "execute_value",
-                                                           "if",
-                                                           "while",
-                                                           "for",
-                                                           "fork_and",
-                                                           "fork_or",
-                                                           "join"};
-  static_assert(kNames.size() == static_cast<std::size_t>(Step::Kind::wrong));
-  const auto index = static_cast<std::size_t>(kind);
-  return index < kNames.size() ? kNames[index] : "wrong";
-}
-
-std::string_view name_of(HeadStep::Kind kind) {
-  static constexpr std::array<std::string_view, 8> kNames{"get_any",      "get_first", "get_again",
-                                                          "get_constant", "get_pair",  "get_pair",
-                                                          "get_pair",     "get_term"};
+  static constexpr std::array kNames{
+#define JAYWALK_BODY_STEP(id, name, meaning) std::string_view(name),
+#include "interpreter/logic/code/instructions.def"
+  };
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -244,17 +228,21 @@ std::string source_line(const Program& program, const std::string& file, std::ui
   return fmt::format("{}:{}: {}\n", file, line, source->line(line));
 }
 
-std::string rule_text(const RuleCode& rule, Heap& heap, SymbolTable& symbols) {
-  CodeWriter writer(heap, symbols, rule.slot_names);
-  writer.add_note("slots", slots_text(rule.slot_names, symbols));
+void add_head(CodeWriter& writer, const HeadCode& code) {
   std::string_view title = "head";
-  for (const HeadStep& step : rule.head_code.steps()) {
+  for (const HeadStep& step : code.steps()) {
     const bool has_slot = step.kind == HeadStep::Kind::first || step.kind == HeadStep::Kind::again;
     const Value shown = has_slot ? Value::slot(step.slot) : step.term;
     writer.add_note(title,
                     named(name_of(step.kind)) + (shown.is_unset() ? "" : writer.text_of(shown)));
     title = "";
   }
+}
+
+std::string rule_text(const RuleCode& rule, Heap& heap, SymbolTable& symbols) {
+  CodeWriter writer(heap, symbols, rule.slot_names);
+  writer.add_note("slots", slots_text(rule.slot_names, symbols));
+  add_head(writer, rule.head_code);
   writer.add_formula("body", rule.body.entry);
   return writer.text();
 }
@@ -267,16 +255,10 @@ std::string plan_text(const Program& program, const Plan& plan, Heap& heap, Symb
                   fmt::format("{}{}, plan {} of {}", trigger_operator(plan.key.op, plan.key.kind),
                               writer.text_of(plan.trigger), place + 1, rivals.size()));
   writer.add_note("slots", slots_text(plan.slot_names, symbols));
-  std::string_view title = "head";
-  for (const HeadArgument& arg : plan.head.args) {
-    if (!plan.head.is_decoded) break;
-    const bool is_slot = arg.slot != Operand::kNoSlot;
-    writer.add_note(title, named(is_slot ? "get_first" : "get_constant") +
-                               writer.text_of(is_slot ? Value::slot(arg.slot) : arg.constant));
-    title = "";
-  }
-  if (!plan.head.is_decoded) {
-    writer.add_note(title, named("get_term") + writer.text_of(plan.trigger));
+  if (plan.head.is_decoded) {
+    add_head(writer, plan.head.code);
+  } else {
+    writer.add_note("head", named("get_term") + writer.text_of(plan.trigger));
   }
   writer.add_formula("context", plan.context);
   writer.add_formula("until", plan.goal_condition);

@@ -1,23 +1,21 @@
 #include "interpreter/program/event_code.h"
 
-#include <algorithm>
-
 #include "interpreter/logic/unifier/unifier.h"
 
 namespace jaywalk {
 namespace {
 
-// Constants, and slots each of which stands there once. False: there are other terms.
-bool read_head(Value trigger, std::vector<HeadArgument>& head) {
-  if (trigger.is_atom()) return true;
-  if (trigger.structure()->is_annotated()) return false;
-  for (const Value arg : trigger.structure()->arg_span()) {
-    const bool is_slot = arg.is_slot();
-    if (!is_slot && !arg.is_number() && !arg.is_atom()) return false;
-    const HeadArgument made{is_slot ? arg.slot_index() : Operand::kNoSlot, is_slot ? Value() : arg};
-    const auto is_same = [&](const HeadArgument& other) { return other.slot == made.slot; };
-    if (is_slot && std::any_of(head.begin(), head.end(), is_same)) return false;
-    head.push_back(made);
+// Whether nothing that a head is matched with is lost: the frame has all of it.
+bool tells_all(const HeadCode& code) {
+  using enum HeadStep::Kind;
+  const std::span<const HeadStep> steps = code.steps();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const HeadStep::Kind kind = steps[i].kind;
+    if (kind == new_pair) {
+      i += 2;
+    } else if (kind != first && kind != constant) {
+      return false;
+    }
   }
   return true;
 }
@@ -36,14 +34,15 @@ bool read_arguments(Value term, std::vector<Operand>& args) {
 
 }  // namespace
 
-PlanHead decode_head(Value trigger) {
+PlanHead decode_head(Value trigger, std::span<const Symbol> slot_names,
+                     std::span<const std::uint32_t> inherits) {
   PlanHead made;
-  if (is_literal(trigger)) {
-    made.predicate = predicate_of(trigger);
-    made.is_decoded = read_head(trigger, made.args);
-    const auto is_set = [&](const HeadArgument& arg) { return arg.slot == made.first_to_clear; };
-    while (std::ranges::any_of(made.args, is_set)) ++made.first_to_clear;
-  }
+  if (!is_literal(trigger)) return made;
+  made.predicate = predicate_of(trigger);
+  made.is_decoded = trigger.is_atom() || !trigger.structure()->is_annotated();
+  if (!made.is_decoded) return made;
+  made.code = HeadCode::of_plan(trigger, slot_names, inherits);
+  made.tells_goal = tells_all(made.code);
   return made;
 }
 

@@ -2,12 +2,14 @@
 
 // Heads of plans, and arguments of the formulas that make events, decoded when a plan is compiled:
 // what otherwise would have to be found out from the terms in every cycle. What is not of a usual
-// kind is left to the unifier.
+// kind is left to the unifier. Heads are matched as those of rules are (logic/code/head_code.h).
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "interpreter/logic/code/head_code.h"
 #include "interpreter/logic/code/operand.h"
 #include "interpreter/program/trigger.h"
 #include "interpreter/term/heap.h"
@@ -17,22 +19,16 @@ namespace jaywalk {
 class PlanLibrary;
 class PlanList;
 
-/// An argument of a plan's trigger: the slot that gets the event's argument, or (kNoSlot) a
-/// constant.
-struct HeadArgument {
-  std::uint32_t slot = Operand::kNoSlot;
-  Value constant;
-};
-
 /// A plan's trigger.
 struct PlanHead {
-  /// All its arguments are constants and variables, each of which stands there once, and it has no
-  /// annotations. Then the goal of a means can be told from the frame.
+  /// It is a literal without annotations, whose arguments are matched step by step; else the
+  /// unifier matches it as a whole.
   bool is_decoded = false;
+  /// The goal of a means can be told from the trigger and the frame: all arguments are variables,
+  /// numbers, atoms, and lists of a variable and a variable.
+  bool tells_goal = false;
   Predicate predicate{};
-  std::vector<HeadArgument> args;
-  /// Slots below this one get values of the event; the others have none at first.
-  std::uint32_t first_to_clear = 0;
+  HeadCode code;
 };
 
 /// A formula of a plan's body that makes an event, `!g(X+1)`, `+b`.
@@ -53,8 +49,9 @@ struct EventCode {
   const PlanList* plans = nullptr;
 };
 
-/// Of a plan with this trigger, a template.
-[[nodiscard]] PlanHead decode_head(Value trigger);
+/// Of a plan with this trigger, a template; `inherits` are the slots that have a value before.
+[[nodiscard]] PlanHead decode_head(Value trigger, std::span<const Symbol> slot_names,
+                                   std::span<const std::uint32_t> inherits = {});
 /// Of the literal of a goal or a change of belief.
 [[nodiscard]] EventCode decode_event(Value term);
 

@@ -35,6 +35,7 @@ bool BodyCode::has(const Step& step) const {
 
 void PlanList::add(const Plan& plan) {
   plans_.push_back(&plan);
+  is_short_ = plans_.size() <= kUnindexedPlans;
   has_learned_ = has_learned_ || !plan.policy.is_unset();
   if (plans_.size() <= kUnindexedPlans) return;
   const auto index = [this](std::size_t place) {

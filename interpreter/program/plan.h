@@ -29,27 +29,8 @@ struct Body;
 /// One formula of a plan body.
 struct Step {
   enum class Kind : std::uint8_t {
-    action,             // a(1): for the environment
-    internal_action,    // .print(1): goal
-    constraint,         // X > 1: goal
-    achieve,            // !g
-    achieve_new_focus,  // !!g
-    test,               // ?q: goal
-    add,
-    add_new_focus,
-    add_begin,
-    add_end,  // +b ++b +<b +>b
-    remove,
-    remove_new_focus,
-    replace,       // -b --b -+b
-    variable,      // X, with any operator: what it is bound to decides
-    if_statement,  // goal is the condition; first, second the branches (second may be null)
-    while_loop,    // goal, first
-    for_loop,      // conjuncts, first
-    fork_and,
-    fork_or,  // branches
-    join,     // the end of a branch, never written
-    wrong,    // a formula that cannot be executed: fails
+#define JAYWALK_BODY_STEP(id, name, meaning) id,
+#include "interpreter/logic/code/instructions.def"
   };
 
   Kind kind = Kind::wrong;
@@ -154,7 +135,7 @@ class PlanList {
   void add(const Plan& plan);
   [[nodiscard]] const std::vector<const Plan*>& plans() const { return plans_; }
   /// There is no index: it is as well to look at all of them.
-  [[nodiscard]] bool is_short() const { return plans_.size() <= kUnindexedPlans; }
+  [[nodiscard]] bool is_short() const { return is_short_; }
   /// Some of the plans are options of a policy.
   [[nodiscard]] bool has_learned() const { return has_learned_; }
 
@@ -172,6 +153,7 @@ class PlanList {
   std::unordered_map<std::uint64_t, Places> by_first_key_;
   Places wild_;  // those that may match any first argument
   bool has_learned_ = false;
+  bool is_short_ = true;
 };
 
 /// Plans in order, and by what they are relevant for.
@@ -256,6 +238,7 @@ void Plan::visit_terms(Visit&& visit) {
   visit(label);
   visit(trigger);
   visit(source);
+  head.code.visit_terms(visit);
   code.visit_terms(visit);
 }
 

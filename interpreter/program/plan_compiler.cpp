@@ -315,7 +315,7 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   }
   BodyCompiler compiler(plan->code, actions, symbols);
   if (!parts.context.is_unset()) plan->context = compiler.compile_formula(parts.context);
-  plan->head = decode_head(plan->trigger);
+  plan->head = decode_head(plan->trigger, slot_names);
   if (!parts.goal_condition.is_unset()) {
     plan->has_goal_condition = true;
     plan->goal_condition = compiler.compile_formula(parts.goal_condition);

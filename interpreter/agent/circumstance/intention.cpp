@@ -4,6 +4,19 @@
 
 namespace jaywalk {
 
+std::vector<Value> Intention::goal_arguments(const IntendedMeans& means, Heap& heap) const {
+  std::vector<Value> args;
+  if (!means.plan->trigger.is_structure()) return args;
+  const Value* const slots = values.data() + means.frame;
+  const auto known = [&](Value part) { return part.is_slot() ? slots[part.slot_index()] : part; };
+  for (const Value arg : means.plan->trigger.structure()->arg_span()) {
+    const bool is_list = arg.is_pair();
+    args.push_back(is_list ? heap.pair(known(arg.pair()->head), known(arg.pair()->tail))
+                           : known(arg));
+  }
+  return args;
+}
+
 void Intention::forget_bottom(std::size_t count) {
   const std::size_t cut = stack[count].frame;
   std::copy(values.begin() + cut, values.end(), values.begin());

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/agent/circumstance/value_stack.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/program/plan.h"
 #include "interpreter/support/containers/boxed.h"
+#include "interpreter/support/containers/flat_stack.h"
 
 namespace jaywalk {
 
@@ -91,6 +91,9 @@ struct Fork {
   std::shared_ptr<Fork> outer;          // the fork of which this one's intention was a branch
 };
 
+/// The frames of an intention.
+using ValueStack = FlatStack<Value>;
+
 class Intention {
  public:
   enum class State : std::uint8_t {
@@ -120,11 +123,9 @@ class Intention {
   [[nodiscard]] bool is_atomic() const { return atomic_means > 0; }
   [[nodiscard]] bool is_branch_done() const { return shared > 0 && stack.size() == shared; }
 
-  /// An argument of the goal of a means whose plan's head is decoded.
-  [[nodiscard]] Value head_value(const IntendedMeans& means, std::size_t index) const {
-    const HeadArgument& arg = means.plan->head.args[index];
-    return arg.slot == Operand::kNoSlot ? arg.constant : values.data()[means.frame + arg.slot];
-  }
+  /// The arguments of the goal of a means, from the frame; lists are made in `heap`. REQUIRES: the
+  /// head of its plan tells the goal.
+  [[nodiscard]] std::vector<Value> goal_arguments(const IntendedMeans& means, Heap& heap) const;
   /// Puts a means on top, at the beginning of its plan's body, with a frame of these values.
   [[gnu::always_inline]] void push(const Plan& plan, std::span<const Value> slots) {
     IntendedMeans& means = stack.emplace_back();

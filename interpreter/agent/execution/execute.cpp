@@ -12,6 +12,7 @@
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/goals.h"
 #include "interpreter/agent/next_cycle.h"
+#include "interpreter/agent/plans/choose_plan_inline.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
@@ -83,8 +84,7 @@ void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
                                                              const Step& step) {
   Machine& machine = workspace_->machine;
   const std::size_t trail = machine.unifier().mark();
-  Value* const frame = intention.frame(intention.top());
-  if (!machine.unify_known(*step.goal, frame) && !machine.solve(step.goal, frame)) {
+  if (!machine.solve(step.goal, intention.frame(intention.top()))) {
     fail_constraint(intention);
     return;
   }
@@ -126,9 +126,12 @@ namespace {
 // A deep stack doubles when it grows, and is there twice meanwhile.
 inline void require_room_on(const Intention& intention, Heap& heap) {
   constexpr std::size_t kDeep = 1024;
+  if (intention.stack.data() + intention.stack.size() <
+      intention.stack.data() + intention.stack.capacity()) {
+    return;
+  }
   const std::size_t depth = intention.stack.size();
-  if (depth < kDeep || depth < intention.stack.capacity()) return;
-  heap.require_bytes(2 * depth * sizeof(IntendedMeans));
+  if (depth >= kDeep) heap.require_bytes(2 * depth * sizeof(IntendedMeans));
 }
 
 }  // namespace
@@ -304,7 +307,8 @@ void Agent::tell_of_formula(const Intention& intention, const Step& step) {
   }
   const Step& step = means.step();
   try {
-    workspace_->machine.unifier().set_slot_names(means.plan->slot_names);
+    workspace_->machine.unifier().set_slot_names(
+        {means.plan->slot_names.data(), means.plan->slot_count});
     if (observer_ != nullptr) tell_of_formula(intention, step);
     if (heap_.is_short() && handles_failure(intention)) {
       execute_at_limit(intention, step);
@@ -348,7 +352,7 @@ inline bool Agent::is_alone() {
     end_cycle();
     ++cycles_;
     next.is_pending = false;
-    if (!find_option(next.event)) (void)no_plan(next.event);
+    if (!find_usual_option(next.event)) (void)no_plan(next.event);
     if (goal_conditions_ > 0 || !circumstance_.running.empty() || !(goes_on_ || next.is_pending)) {
       if (next.is_pending) queue_next_event(intention);
       release_held();

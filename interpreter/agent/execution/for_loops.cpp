@@ -127,7 +127,8 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
       if (!is_slot && !machine().is_known_outside(cell, young)) continue;
       level.solutions.push_back(is_slot ? Value::slot(static_cast<std::uint32_t>(cell - first))
                                         : Value::reference(Value::Kind::variable, cell, 0));
-      level.solutions.push_back(unifier.instantiate(*cell, first));
+      const Value held = deref(*cell);
+      level.solutions.push_back(held.is_closed() ? held : unifier.instantiate(held, first));
     }
     level.ends.push_back(level.solutions.size());
     constexpr std::size_t kBetweenChecks = 1024;

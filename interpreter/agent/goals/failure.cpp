@@ -91,8 +91,10 @@ void Agent::free_goal(Intention& intention, std::size_t depth) {
   if (!goal.trigger.is_unset()) {
     free_variables(goal.trigger);
   } else {
-    for (std::size_t i = 0; i < goal.plan->head.args.size(); ++i) {
-      free_variables(intention.head_value(goal, i));
+    for (const HeadStep& step : goal.plan->head.code.steps()) {
+      if (step.kind == HeadStep::Kind::first) {
+        free_variables(intention.frame(goal)[step.slot]);
+      }
     }
   }
   if (depth == 0) return;

@@ -73,14 +73,8 @@ void Agent::announce_means(const Plan& plan, const Event& event, Intention& inte
 // The literal of the event for which a means was added.
 Value Agent::goal_of(const Intention& intention, const IntendedMeans& means) {
   if (!means.trigger.is_unset()) return means.trigger;
-  const PlanHead& head = means.plan->head;
-  Structure* const made = heap_.blank_literal(head.predicate, head.args.size(), source_self());
-  bool is_closed = true;
-  for (std::size_t i = 0; i < head.args.size(); ++i) {
-    made->args()[i] = intention.head_value(means, i);
-    is_closed = is_closed && made->arg(i).is_closed();
-  }
-  return heap_.literal_of(made, is_closed);
+  return heap_.structure(means.plan->head.predicate, intention.goal_arguments(means, heap_),
+                         source_self());
 }
 
 // An event whose literal has not been made is the next one, whose arguments are known.
@@ -90,6 +84,12 @@ Value Agent::literal_of(const Event& event) {
   Structure* const made = heap_.blank_literal(next.predicate, next.arity, source_self());
   std::copy_n(next.args.data(), next.arity, made->args());
   return next.event.literal = heap_.literal_of(made, !next.is_open);
+}
+
+// The same, where queries that are given up do not take it away.
+void Agent::keep_literal(const Event& event) {
+  (void)literal_of(event);
+  heap_.protect();
 }
 
 }  // namespace jaywalk

@@ -1,12 +1,13 @@
-// Rules RelPl, ApplPl, SelAppl and AddIM: which plan is for an event, and its means. The usual
-// heads are decoded (program/event_code.h) and matched with the event's arguments alone, others by
-// the unifier with its literal.
+// Rules RelPl, ApplPl, SelAppl and AddIM: which plan is for an event, and its means. Heads are
+// matched with the event's arguments as those of rules with a query's (logic/code/head_code.h);
+// triggers that are variables, or have annotations, by the unifier with the event's literal.
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/plans/choose_plan_inline.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/text.h"
@@ -14,29 +15,6 @@
 
 namespace jaywalk {
 namespace {
-
-constinit const std::shared_ptr<Scope> kNoScope;  // of the library alone
-
-// Whether a head matches. `open`: the unifier has to say.
-enum class Match : std::uint8_t { fails, holds, open };
-
-[[gnu::always_inline]] inline Match match_head(const PlanHead& head, const Value* args,
-                                               Value* frame, Unifier& unifier) {
-  for (const HeadArgument& wanted : head.args) {
-    const Value value = deref(*args++);
-    if (wanted.slot != Operand::kNoSlot) {
-      if (Unifier::is_of_other_namespace(value)) return Match::fails;
-      frame[wanted.slot] = value;
-    } else if (value.is_number() || value.is_atom()) {
-      if (evidently_differ(wanted.constant, value)) return Match::fails;
-    } else if (value.is_variable() && !Unifier::is_of_other_namespace(wanted.constant)) {
-      unifier.bind(value.variable(), wanted.constant);
-    } else {
-      return Match::open;
-    }
-  }
-  return Match::holds;
-}
 
 // Whether the trigger of one of the plans unifies with the event's literal.
 bool has_relevant(const std::vector<const Plan*>& plans, const Scope* scope, Value literal,
@@ -65,38 +43,7 @@ TriggerKey Agent::key_of(const Event& event) {
   return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
-[[gnu::always_inline]] inline EventArguments Agent::arguments_of(const Event& event) const {
-  const Value literal = event.literal;
-  if (literal.is_unset()) {
-    const NextEvent& next = workspace_->next;
-    return {true, next.is_open, next.predicate, {next.args.data(), next.arity}};
-  }
-  if (literal.is_atom()) return {true, false, literal.atom_id(), {}};
-  if (!is_literal(literal)) return {false, true, {}, {}};
-  const Structure& structure = *literal.structure();
-  return {true, !literal.is_closed(), structure.predicate(), structure.arg_span()};
-}
-
-// The plans that an event may be for: mostly known from the formula that has made it.
-[[gnu::always_inline]] inline const PlanList& Agent::plans_for(const Event& event) {
-  const NextEvent& next = workspace_->next;
-  const bool is_known =
-      &event == &next.event && next.code != nullptr && next.code->library == library_;
-  return is_known ? *next.code->plans : library_->list(key_of(event));
-}
-
-// The frame of a plan before its trigger is matched.
-[[gnu::always_inline]] inline Value* Agent::empty_frame(const Plan& plan,
-                                                        std::uint32_t first_to_clear) {
-  std::vector<Value>& scratch = workspace_->frame;
-  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
-  Value* const frame = scratch.data();
-  for (std::uint32_t i = first_to_clear; i < plan.slot_count; ++i) frame[i] = Value();
-  workspace_->machine.unifier().set_slot_names(plan.slot_names);
-  return frame;
-}
-
-// The same of a sub-plan, which has values of the enclosing plan.
+// The frame of a sub-plan, which has values of the enclosing plan.
 Value* Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing) {
   Value* const frame = empty_frame(plan, 0);
   if (enclosing.empty() || plan.inherited.empty()) return frame;
@@ -120,6 +67,14 @@ std::vector<Value> Agent::closed_off(std::span<const Value> values) {
   return copies;
 }
 
+// A limit has been met while the trigger was matched or the context was solved. REQUIRES: called from
+// a handler.
+void Agent::leave_plan_at_limit(const Plan& plan, std::size_t trail, Heap::Mark unused) {
+  const ActionError error = error_of_limit();
+  machine().unifier().undo(trail);  // before what is bound is given up
+  leave_context_at_limit(plan, error, unused);
+}
+
 // Nothing of what was made while the context was solved is in use.
 void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
   heap_.release(unused);
@@ -128,36 +83,53 @@ void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, H
   report_limit(error, where);
 }
 
-// Rule ApplPl for a plan that is relevant.
-bool Agent::context_holds(const Plan& plan, const Event& event, Value* frame) {
-  const Heap::Mark unused = heap_.mark();
-  std::unique_ptr<ActionError> error;
-  const bool holds = guarded(error, [&] {
-    if (observer_ == nullptr) return workspace_->machine.solve_context(plan.context, frame);
-    observer_->plan_relevant(*this, plan, event, {frame, plan.slot_count});
-    const bool found = machine().solve_context(observer_->context_of(plan), frame);
-    observer_->plan_tried(*this, plan, found);
-    return found;
-  });
-  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
-  return holds;
+// Rule ApplPl for a plan that is relevant, where somebody looks.
+bool Agent::observed_context_holds(const Plan& plan, const Event& event, Value* frame) {
+  observer_->plan_relevant(*this, plan, event, {frame, plan.slot_count});
+  const bool found = machine().solve_context(observer_->context_of(plan), frame);
+  observer_->plan_tried(*this, plan, found);
+  return found;
 }
 
-// Rules RelPl and ApplPl for one plan with the unifier.
-bool Agent::applies_in_general(const Plan& plan, const Event& event,
-                               std::span<const Value> enclosing) {
-  Value* const frame = prepare_scratch(plan, enclosing);
-  const Value literal = literal_of(event);
+// Rule RelPl for one plan: whether its trigger matches the event, whose variables get their values
+// in the frame. What the frame does not tell of the event, its literal has.
+bool Agent::is_relevant(const Plan& plan, const Event& event, const EventArguments& given,
+                        Value* frame) {
+  Machine& machine = workspace_->machine;
+  if (!plan.head.is_decoded || !given.is_literal) {
+    return machine.unifier().match(plan.trigger, frame, event.literal,
+                                   Unifier::Direction::template_first);
+  }
+  if (plan.head.predicate != given.predicate) return false;
+  if (!machine.match_head(plan.head.code, frame, given.args.data())) return false;
+  if (machine.has_lost_annotations()) keep_literal(event);
+  return true;
+}
+
+// Rules RelPl and ApplPl for one plan; the head has been matched if there is a frame. `matched`
+// receives how much was bound when it had been.
+bool Agent::applies_in_general(const Plan& plan, const Event& event, const EventArguments& given,
+                               std::span<const Value> enclosing, Value* frame,
+                               std::size_t& matched) {
+  const bool has_matched = frame != nullptr;
+  if (!has_matched) {
+    if (!plan.head.tells_goal || !enclosing.empty()) (void)literal_of(event);
+    frame = prepare_scratch(plan, enclosing);
+  }
+  Machine& machine = workspace_->machine;
   const Heap::Mark unused = heap_.mark();
-  const std::size_t trail = machine().unifier().mark();
-  std::unique_ptr<ActionError> error;
-  const bool is_relevant = guarded(error, [&] {
-    return machine().unifier().match(plan.trigger, frame, literal,
-                                     Unifier::Direction::template_first);
-  });
-  if (error != nullptr) machine().unifier().undo(trail);  // before what is bound is given up
-  if (error != nullptr) leave_context_at_limit(plan, *error, unused);
-  return is_relevant && context_holds(plan, event, frame);
+  const std::size_t trail = machine.unifier().mark();
+  bool applicable = false;
+  try {
+    if (has_matched || is_relevant(plan, event, given, frame)) {
+      matched = machine.unifier().mark();
+      applicable = (unusual_ & kObserved) == 0 ? machine.solve_context(plan.context, frame)
+                                               : observed_context_holds(plan, event, frame);
+    }
+  } catch (...) {
+    leave_plan_at_limit(plan, trail, unused);
+  }
+  return applicable;
 }
 
 // Of an open event: whether the context has bound something in it; what the head has bound, the
@@ -169,40 +141,6 @@ bool Agent::is_event_bound(const Event& event, std::size_t matched) {
   return std::any_of(bound.begin(), bound.end(), [&](const Value* cell) {
     return cell < frame.data() || cell >= frame.data() + frame.size();
   });
-}
-
-// Rules RelPl and ApplPl for one plan, whose values are in the workspace's frame then.
-[[gnu::always_inline]] inline bool Agent::applies(const Plan& plan, const Event& event,
-                                                  const EventArguments& given,
-                                                  std::span<const Value> enclosing) {
-  Workspace& workspace = *workspace_;
-  Unifier& unifier = workspace.machine.unifier();
-  const std::size_t trail = unifier.mark();
-  Match relevant = Match::open;
-  Value* frame = nullptr;
-  if (plan.head.is_decoded && given.is_literal && enclosing.empty()) {
-    if (plan.head.predicate != given.predicate) return false;
-    frame = empty_frame(plan, plan.head.first_to_clear);
-    relevant = match_head(plan.head, given.args.data(), frame, unifier);
-  }
-  const std::size_t matched = unifier.mark();
-  bool applicable = relevant == Match::holds;
-  if (relevant == Match::open) {
-    unifier.undo(trail);
-    applicable = applies_in_general(plan, event, enclosing);
-  } else if (applicable && ((unusual_ & kObserved) != 0 ||
-                            !workspace.machine.solve_at_once(plan.context, frame, applicable))) {
-    applicable = context_holds(plan, event, frame);
-  }
-  workspace.binds_event = false;
-  if (unifier.mark() == trail) return applicable;
-  if (applicable) {
-    workspace.binds_event = given.is_open && is_event_bound(event, matched);
-    unifier.commit(trail);
-  } else {
-    unifier.undo(trail);
-  }
-  return applicable;
 }
 
 // Of an event that had candidates. Jason takes the rules one by one for atomic intentions and where
@@ -230,83 +168,6 @@ const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
   const EventArguments given = arguments_of(event);
   const std::uint64_t key = given.args.empty() ? 0 : argument_key(given.args.front());
   return plans.find(key, [&](const Plan& plan) { return is_applicable(plan, event, enclosing); });
-}
-
-// Rules RelPl, ApplPl and SelAppl for plans in order: the first that is applicable, or null.
-[[gnu::always_inline]] inline const Plan* Agent::first_applicable(
-    const PlanList& plans, const Event& event, std::span<const Value> enclosing) {
-  if (!plans.is_short()) {
-    workspace_->had_candidates = true;
-    return first_indexed(plans, event, enclosing);
-  }
-  const EventArguments given = arguments_of(event);
-  const Value first = given.args.empty() ? Value() : deref(given.args.front());
-  for (const Plan* const plan : plans.plans()) {
-    if (!evidently_differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
-      return plan;
-    }
-  }
-  if (!plans.plans().empty()) workspace_->had_candidates = true;
-  return nullptr;
-}
-
-// Rule AddIM. The values of the plan's slots are in the workspace's frame.
-std::span<const Value> Agent::frame_for(const Plan& plan) const {
-  return {workspace_->frame.data(), plan.slot_count};
-}
-
-[[gnu::always_inline]] inline bool Agent::replaces_caller(const Intention& intention,
-                                                          const Event& event) {
-  if ((unusual_ & kKeepsCallers) != 0) return false;
-  const NextEvent& next = workspace_->next;
-  const bool is_known = &event == &next.event && next.code != nullptr &&
-                        next.code->last_call != EventCode::LastCall::unknown;
-  return is_known ? next.code->last_call == EventCode::LastCall::yes
-                  : is_last_call(intention, event);
-}
-
-[[gnu::always_inline]] inline void Agent::fill_means(Intention& intention, const Plan& plan,
-                                                     const Event& event,
-                                                     const std::shared_ptr<Scope>& scope) {
-  IntendedMeans& means = intention.top();
-  means.op = event.op;
-  means.kind = event.kind;
-  means.trigger = workspace_->binds_event ? settled_literal(event) : event.literal;
-  means.keeps = event.keeps;
-  if (scope != nullptr || !plan.is_simple) fill_rare(means, scope);
-}
-
-void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
-                       const std::shared_ptr<Scope>& scope) {
-  heap_.note_beside(sizeof(IntendedMeans));
-  intention.push(plan, frame_for(plan));
-  fill_means(intention, plan, event, scope);
-}
-
-[[gnu::always_inline]] inline void Agent::add_means(const Plan& plan, const Event& event,
-                                                    const std::shared_ptr<Scope>& scope) {
-  Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
-  const bool replaces = event.intention != nullptr && replaces_caller(intention, event);
-  if ((unusual_ & (kObserved | kGoalStates)) != 0 || (replaces && intention.top().returns > 0)) {
-    announce_means(plan, event, intention, replaces);
-  }
-  if (replaces) {
-    intention.replace(plan, frame_for(plan));
-  } else {
-    heap_.note_beside(sizeof(IntendedMeans));
-    intention.push(plan, frame_for(plan));
-  }
-  fill_means(intention, plan, event, scope);
-  if ((unusual_ & kGoalStates) != 0 && event.op == TriggerOperator::add &&
-      event.kind == TriggerKind::achieve) {
-    signal_goal_state(event.kind, literal_of(event), "executing");
-  }
-  stay_ready(intention);
-}
-
-void Agent::add_intended_means(const Plan& plan, const Event& event,
-                               const std::shared_ptr<Scope>& scope) {
-  add_means(plan, event, scope);
 }
 
 bool Agent::try_plans(const PlanList& plans, const Event& event,
@@ -346,25 +207,21 @@ bool Agent::find_unusual_option(const Event& event) {
   for (; scope != nullptr; scope = scope->outer) {
     if (try_plans(scope->library->list(key_of(event)), event, scope)) return true;
   }
-  return try_plans(plans_for(event), event, nullptr);
+  return try_plans(plans_for(event, code_of(event)), event, nullptr);
 }
 
-// Whether a plan has been chosen and its means added, or the event has failed for another reason.
-bool Agent::find_option(const Event& event) {
-  constexpr std::uint32_t kUnusual =
-      kShowsEvents | kCustomised | kSelectsByRules | kSubplans | kLearned;
-  workspace_->had_candidates = false;
-  selected_event_ = &event;
-  bool found = false;
-  if ((unusual_ & kUnusual) != 0) {
-    found = find_unusual_option(event);
-  } else if (const Plan* const chosen = first_applicable(plans_for(event), event, {})) {
-    add_means(*chosen, event, kNoScope);
-    found = true;
-  }
-  selected_event_ = nullptr;
-  if (!found && (workspace_->had_candidates || observer_ != nullptr)) note_no_option(event);
-  return found;
+void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
+                       const std::shared_ptr<Scope>& scope) {
+  heap_.note_beside(sizeof(IntendedMeans));
+  intention.push(plan, frame_for(plan));
+  fill_means(intention, plan, event, scope);
 }
+
+void Agent::add_intended_means(const Plan& plan, const Event& event,
+                               const std::shared_ptr<Scope>& scope) {
+  add_means(plan, event, scope);
+}
+
+bool Agent::find_option(const Event& event) { return find_usual_option(event); }
 
 }  // namespace jaywalk

@@ -22,26 +22,15 @@ class RuleTable;
 /// One goal of a formula. `next` is what must hold after it; null: the formula (or rule) is done.
 struct Goal {
   enum class Kind : std::uint8_t {
-    query,          // a literal over beliefs and rules: term
-    unfolded,       // the same; while the relation's rules are those of table: inner in its place
-    slow_query,     // the same with annotations or an open namespace
-    variable,       // a variable as formula: term
-    unify,          // args[0] = args[1]
-    compare,        // args[0] op args[1]; predicate is the operator
-    univ,           // args[0] =.. args[1]
-    action,         // an internal action: action (null: unknown), term
-    negation,       // not inner
-    negation_done,  // the end of a negation's inner formula; origin is the negation
-    disjunction,    // inner, or else other; both go on with next
-    truth,
-    falsity,
-    probe,  // an observer hears that a condition is asked or has an answer: action says which;
-            // term: p(Number, Asking, Variables...)
+#define JAYWALK_GOAL(id, name, meaning) id,
+#include "interpreter/logic/code/instructions.def"
   };
 
   Kind kind = Kind::truth;
   /// Of a query: its arguments are constants and slots, each slot once, and not many.
   bool is_plain = false;
+  /// Of compare: in which orders of two numbers it holds (known_numbers.h).
+  std::uint8_t orders = 0;
   Predicate predicate{};
   Value term;
   const Goal* next = nullptr;

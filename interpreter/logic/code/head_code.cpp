@@ -1,5 +1,7 @@
 #include "interpreter/logic/code/head_code.h"
 
+#include <algorithm>
+
 namespace jaywalk {
 
 class HeadCode::Compiler {
@@ -24,7 +26,13 @@ class HeadCode::Compiler {
     }
   }
 
+  // Every variable counts as if it stood somewhere else, too.
+  void keep_all() { std::ranges::fill(uses_, 2); }
+  // The slot has a value before the head is matched.
+  void leave_to_templates(std::uint32_t slot) { in_templates_[slot] = true; }
+
   void compile(const Structure& head) {
+    code_.steps_.clear();
     for (std::uint16_t i = 0; i < head.arity; ++i) {
       HeadStep step = step_for(head.arg(i));
       step.argument = i;
@@ -44,6 +52,7 @@ class HeadCode::Compiler {
     while (code_.first_to_clear_ < is_set_.size() && is_set_[code_.first_to_clear_]) {
       ++code_.first_to_clear_;
     }
+    code_.steps_.push_back({.kind = HeadStep::Kind::end});
   }
 
  private:
@@ -97,12 +106,25 @@ class HeadCode::Compiler {
 };
 
 HeadCode::HeadCode(Value head, const std::vector<Value>& body_terms,
-                   std::span<const Symbol> slot_names) {
+                   std::span<const Symbol> slot_names)
+    : HeadCode() {
   if (!head.is_structure()) return;
   Compiler compiler(*this, slot_names);
   compiler.count(head);
   for (const Value term : body_terms) compiler.count(term);
   compiler.compile(*head.structure());
+}
+
+HeadCode HeadCode::of_plan(Value head, std::span<const Symbol> slot_names,
+                           std::span<const std::uint32_t> inherits) {
+  HeadCode code;
+  code.is_of_plan_ = true;
+  if (!head.is_structure()) return code;
+  Compiler compiler(code, slot_names);
+  compiler.keep_all();
+  for (const std::uint32_t slot : inherits) compiler.leave_to_templates(slot);
+  compiler.compile(*head.structure());
+  return code;
 }
 
 }  // namespace jaywalk

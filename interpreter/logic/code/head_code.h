@@ -1,7 +1,7 @@
 #pragma once
 
-// The head of a rule, compiled to steps. Matching a head with the arguments of a query is what a
-// program of rules does most, and what each place of the head asks for is known beforehand:
+// The head of a rule or a plan, compiled to steps. Matching a head with the arguments of a query or
+// an event is what a program does most, and what each place of the head asks for is known beforehand:
 //
 //   append([H|T], L, [H|R])      pair  0         argument 0 is a list; its two parts follow
 //                                  first H       the first place of H: the slot takes the value
@@ -33,14 +33,8 @@ namespace jaywalk {
 
 struct HeadStep {
   enum class Kind : std::uint8_t {
-    any,         // `_`
-    first,       // the first place of a variable
-    again,       // a later place of a variable
-    constant,    // an atom, a number or the empty list: term
-    new_pair,    // a list; the steps of its head and its tail follow, both `first`
-    known_pair,  // ... `again` and `first`
-    pair,        // ... any two
-    term,        // a template: term
+#define JAYWALK_HEAD_STEP(id, name, meaning) id,
+#include "interpreter/logic/code/instructions.def"
   };
   [[nodiscard]] bool is_pair() const { return kind >= Kind::new_pair && kind <= Kind::pair; }
 
@@ -52,11 +46,23 @@ struct HeadStep {
 
 class HeadCode {
  public:
-  HeadCode() = default;
+  HeadCode() : steps_(1, HeadStep{.kind = HeadStep::Kind::end}) {}
   /// `body_terms`: what else of the rule mentions its slots.
   HeadCode(Value head, const std::vector<Value>& body_terms, std::span<const Symbol> slot_names);
 
-  [[nodiscard]] const std::vector<HeadStep>& steps() const { return steps_; }
+  /// Of a plan: each of its variables gets a value, and those that it `inherits` have one before.
+  [[nodiscard]] static HeadCode of_plan(Value head, std::span<const Symbol> slot_names,
+                                        std::span<const std::uint32_t> inherits);
+
+  /// The first step; the last is `end`.
+  [[nodiscard]] const HeadStep* begin() const { return steps_.data(); }
+  /// Without the last.
+  [[nodiscard]] std::span<const HeadStep> steps() const {
+    return std::span(steps_).first(steps_.size() - 1);
+  }
+  /// Whether the annotations of the head must be among those of the value that it is matched with;
+  /// of a rule it is the reverse.
+  [[nodiscard]] bool is_of_plan() const { return is_of_plan_; }
   /// Slots below this one are set by the steps `first`; the others have to be cleared before.
   [[nodiscard]] std::uint32_t first_to_clear() const { return first_to_clear_; }
 
@@ -93,6 +99,7 @@ class HeadCode {
   std::vector<HeadStep> steps_;
   std::vector<HeadStep> tests_;
   std::uint32_t first_to_clear_ = 0;
+  bool is_of_plan_ = false;
 };
 
 }  // namespace jaywalk

@@ -6,22 +6,33 @@
 
 namespace jaywalk {
 
-[[nodiscard, gnu::always_inline]] inline bool relation_holds(Predicate relation, double a,
-                                                             double b) {
+/// How two numbers stand to each other, a bit for each way.
+using Orders = std::uint8_t;
+inline constexpr Orders kLess = 1;
+inline constexpr Orders kEqual = 2;
+inline constexpr Orders kGreater = 4;
+
+/// In which orders a comparison holds.
+[[nodiscard]] constexpr Orders orders_of(Predicate relation) {
   switch (relation) {
     case predicates::less:
-      return a < b;
+      return kLess;
     case predicates::less_equal:
-      return a <= b;
+      return kLess | kEqual;
     case predicates::greater:
-      return a > b;
+      return kGreater;
     case predicates::greater_equal:
-      return a >= b;
+      return kGreater | kEqual;
     case predicates::equal:
-      return a == b;
+      return kEqual;
     default:
-      return a != b;
+      return kLess | kGreater;
   }
+}
+
+/// 0: one of them is not a number.
+[[nodiscard, gnu::always_inline]] inline Orders order_of(double a, double b) {
+  return static_cast<Orders>((a < b ? kLess : 0) | (a == b ? kEqual : 0) | (a > b ? kGreater : 0));
 }
 
 /// Whether both sides of a comparison are numbers over this frame; then `result` says whether it
@@ -31,9 +42,9 @@ namespace jaywalk {
   double a = 0;
   double b = 0;
   if (!find_number(goal.left, frame, a) || !find_number(goal.right, frame, b)) return false;
-  if (a != a || b != b) return false;
-  result = relation_holds(goal.predicate, a, b);
-  return true;
+  const Orders order = order_of(a, b);
+  result = (order & goal.orders) != 0;
+  return order != 0;
 }
 
 }  // namespace jaywalk

@@ -26,13 +26,9 @@ bool has_source(Value annots) {
 }
 
 void Unifier::forget(std::size_t mark, const Value* first, const Value* last) {
-  if (mark >= trail_.size()) return;
-  const auto is_among_them = [&](const Value* cell) {
+  trail_.erase_if(mark, [&](const Value* cell) {
     return !std::less<>{}(cell, first) && std::less<>{}(cell, last);
-  };
-  trail_.erase(std::remove_if(trail_.begin() + static_cast<std::ptrdiff_t>(mark), trail_.end(),
-                              is_among_them),
-               trail_.end());
+  });
 }
 
 bool Unifier::unify(Value a, Value b) {

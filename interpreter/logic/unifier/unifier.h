@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/support/containers/flat_stack.h"
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
 #include "interpreter/term/walk.h"
@@ -165,28 +166,20 @@ class Unifier {
 
   [[nodiscard]] std::size_t mark() const { return trail_.size(); }
   void undo(std::size_t mark) {
-    while (trail_.size() > mark) {
-      *trail_.back() = Value();
-      trail_.pop_back();
-    }
+    while (trail_.size() > mark) *trail_.take_back() = Value();
   }
   /// The bindings since a mark are kept for good.
-  void commit(std::size_t mark) {
-    trail_.erase(trail_.begin() + static_cast<std::ptrdiff_t>(mark), trail_.end());
-  }
+  void commit(std::size_t mark) { trail_.cut(mark); }
   /// Bindings of these cells since a mark are not undone: the cells are about to go.
   void forget(std::size_t mark, const Value* first, const Value* last);
   /// Forgets the bindings of a frame that is given up: nothing will ask for its slots again.
   void forget(std::size_t mark, std::span<Value> slots) {
-    const auto is_of_frame = [slots](const Value* cell) {
+    trail_.erase_if(mark, [slots](const Value* cell) {
       return cell >= slots.data() && cell < slots.data() + slots.size();
-    };
-    trail_.erase(std::remove_if(trail_.begin() + static_cast<std::ptrdiff_t>(mark), trail_.end(),
-                                is_of_frame),
-                 trail_.end());
+    });
   }
   [[nodiscard]] std::span<Value* const> bindings_since(std::size_t mark) const {
-    return std::span(trail_).subspan(mark);
+    return trail_.since(mark);
   }
 
   /// A variable of no namespace does not take literals of others.
@@ -218,7 +211,7 @@ class Unifier {
   Heap* heap_ = nullptr;
   SymbolTable& symbols_;
   FunctionCaller* functions_ = nullptr;
-  std::vector<Value*> trail_;
+  FlatStack<Value*> trail_;
   std::span<const Symbol> slot_names_;
   std::unordered_set<std::uint64_t> fresh_;  // only while fresh_copy runs
   TermWalk walk_;

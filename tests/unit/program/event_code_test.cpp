@@ -1,7 +1,9 @@
-// What is decoded of plans and formulas: constants, variables and simple sums.
+// What is decoded of plans and formulas: heads; constants, variables and simple sums.
 
 #include "interpreter/program/event_code.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,34 +14,58 @@ namespace {
 
 using test::CompiledProgram;
 
-/// The head of the plan with this trigger: a slot's number or a constant for each argument; "none".
+/// The steps of the head of the plan with this trigger, `first 0`, `constant a`, `pair`; "whole": the
+/// unifier matches it.
 std::string head(const std::string& trigger) {
   const CompiledProgram made(trigger + ".");
   const PlanHead& head = made.plan().head;
-  if (!head.is_decoded) return "none";
-  std::string all;
-  for (const HeadArgument& each : head.args) {
-    all +=
-        each.slot == Operand::kNoSlot ? made.text(each.constant) : "_" + std::to_string(each.slot);
-    all += ' ';
+  if (!head.is_decoded) return "whole";
+  std::vector<std::string> all;
+  for (const HeadStep& step : head.code.steps()) {
+    switch (step.kind) {
+      case HeadStep::Kind::first:
+        all.push_back(fmt::format("first {}", step.slot));
+        break;
+      case HeadStep::Kind::again:
+        all.push_back(fmt::format("again {}", step.slot));
+        break;
+      case HeadStep::Kind::constant:
+        all.push_back("constant " + made.text(step.term));
+        break;
+      default:
+        all.push_back(step.is_pair() ? "pair" : "term");
+        break;
+    }
   }
-  return all;
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
-TEST(PlanHead, HasArgumentsThatAreConstantsAndVariablesThatDiffer) {
-  EXPECT_EQ(head("+!g(1, a, X, Y)"), "1 a _0 _1 ");
+bool tells_goal(const std::string& trigger) {
+  return CompiledProgram(trigger + ".").plan().head.tells_goal;
+}
+
+TEST(PlanHead, IsMatchedStepByStep) {
+  EXPECT_EQ(head("+!g(1, a, X, Y)"), "constant 1, constant a, first 0, first 1");
   EXPECT_EQ(head("+!g"), "");
-  EXPECT_EQ(head("+!g(_, _)"), "_0 _1 ");
+  EXPECT_EQ(head("+!g(_, _)"), "first 0, first 1");
+  EXPECT_EQ(head("+!g(X, X)"), "first 0, again 0");
+  EXPECT_EQ(head("+!g([H|T], [])"), "pair, first 0, first 1, constant []");
+  EXPECT_EQ(head("+!g([1], f(X), \"t\", Y + 1)"), "term, term, term, term");
 }
 
-TEST(PlanHead, IsNotDecodedIfItNeedsUnification) {
-  EXPECT_EQ(head("+!g(X, X)"), "none");
-  EXPECT_EQ(head("+!g([1])"), "none");
-  EXPECT_EQ(head("+!g(f(X))"), "none");
-  EXPECT_EQ(head("+!g(\"t\")"), "none");
-  EXPECT_EQ(head("+!g(X + 1)"), "none");
-  EXPECT_EQ(head("+!g(X)[source(Y)]"), "none");
-  EXPECT_EQ(head("+!X"), "none");
+TEST(PlanHead, IsLeftToTheUnifierIfItHasAnnotationsOrIsAVariable) {
+  EXPECT_EQ(head("+!g(X)[source(Y)]"), "whole");
+  EXPECT_EQ(head("+!X"), "whole");
+}
+
+TEST(PlanHead, TellsItsGoalIfItLosesNothingOfIt) {
+  EXPECT_TRUE(tells_goal("+!g"));
+  EXPECT_TRUE(tells_goal("+!g(1, a, X, _, [H|T])"));
+  EXPECT_FALSE(tells_goal("+!g(X, X)"));
+  EXPECT_FALSE(tells_goal("+!g([a|T])"));
+  EXPECT_FALSE(tells_goal("+!g([H|T], [H|R])"));
+  EXPECT_FALSE(tells_goal("+!g(f(X))"));
+  EXPECT_FALSE(tells_goal("+!g(X)[source(Y)]"));
 }
 
 /// How many arguments of a formula's literal are decoded; -1: it is left to the unifier.
