@@ -15,7 +15,6 @@ jaywalk_add_library(engine
     logic/unifier/arithmetic.cpp
     logic/beliefs/belief_base.cpp
     logic/beliefs/belief_update.cpp
-    logic/beliefs/fact_index.cpp
     logic/beliefs/remains.cpp
     logic/formula_compiler.cpp
     logic/frame_stack.cpp
@@ -30,6 +29,7 @@ jaywalk_add_library(engine
     logic/code/operand.cpp
     logic/beliefs/row_index.cpp
     logic/beliefs/rule_table.cpp
+    logic/beliefs/shared_rows.cpp
     logic/unifier/unifier.cpp
     logic/unifier/unifier_apply.cpp
     logic/unifier/unifier_numbers.cpp
@@ -40,6 +40,7 @@ jaywalk_add_library(engine
     program/plan_compiler.cpp
     program/program.cpp
     program/solitary.cpp
+    compile/beginnings.cpp
     compile/compiler.cpp
     compile/goal_patterns.cpp
     compile/kqml_plans.cpp
@@ -118,7 +119,7 @@ set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/actions/standard_actions
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(hot
     term/compare.cpp term/heap.cpp term/transfer.cpp
-    logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/belief_update.cpp logic/beliefs/fact_index.cpp
+    logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/belief_update.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
     logic/machine_queries.cpp
     logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/remains.cpp logic/beliefs/row_index.cpp

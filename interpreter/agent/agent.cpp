@@ -74,8 +74,7 @@ Agent::~Agent() {
   pool.keep(circumstance_.intentions);
   QueueRemains queues;
   queues.use(circumstance_);
-  const auto rules = included().empty() ? Relation::Rules::kept : Relation::Rules::dropped;
-  pool.keep({program_, heap_.leave_remains(), beliefs_.leave_remains(rules), std::move(queues)});
+  pool.keep({program_, heap_.leave_remains(), beliefs_.leave_remains(), std::move(queues)});
 }
 
 void Agent::borrow_workspace() {
@@ -128,30 +127,48 @@ void Agent::end_first_cycles() {
               [this](Heap::Relocator& relocate) { visit_roots(relocate); });
 }
 
-void Agent::begin(const Program& program, std::span<const Predicate> replaced,
-                  std::span<const Value> given) {
-  const auto is_replaced = [&](Predicate predicate) {
-    return std::find(replaced.begin(), replaced.end(), predicate) != replaced.end();
-  };
-  for (const Value fact : given) (void)add_belief(fact, Place::front, nullptr);
-  // Rules that an agent before has left are this program's own: an observer may give others, and
-  // the agent's own functions may believe something between two of them.
-  const bool may_be_there =
-      &program == program_.get() && observer_ == nullptr && customisation_ == nullptr;
-  // From the last to the first: queries find them in source order, events come in reverse.
-  const auto& initial = program.beliefs();
-  for (std::size_t i = initial.size(); i > 0; --i) {
-    const Program::Belief& belief = initial[i - 1];
-    if (belief.rule != nullptr) {
-      if (predicate_of(belief.rule->head) == predicates::select_option) {
+// Whether nobody notices how it comes to its initial beliefs, as far as no plan hears of them: an
+// observer may give other rules, and the agent's own functions may believe something else.
+bool Agent::begins_like_others(const Program& program) const {
+  return &program == program_.get() && observer_ == nullptr && customisation_ == nullptr &&
+         settings_.unwanted == ReasoningSettings::Unwanted::discard;
+}
+
+void Agent::begin_with(const Program::Belief& belief, std::span<const Predicate> replaced) {
+  if (belief.rule != nullptr) {
+    if (belief.predicate == predicates::select_option) unusual_ |= kSelectsByRules;
+    const RuleCode& rule = observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule);
+    beliefs_.add_rule(rule, Place::front);
+  } else if (std::ranges::find(replaced, belief.predicate) == replaced.end()) {
+    (void)add_belief(belief.fact, Place::front, nullptr);
+  }
+}
+
+// What no plan hears of is shared with the program's other agents.
+void Agent::begin_with_shared(const Program& program, std::span<const Predicate> replaced) {
+  constexpr std::size_t kMore = 1;  // what it comes to believe
+  beliefs_.expect(program.beginnings().size() + kMore);
+  for (const Program::Beginning& each : program.beginnings()) {
+    const bool is_replaced = std::ranges::find(replaced, each.predicate) != replaced.end();
+    if (each.rows != nullptr && !is_replaced && beliefs_.share(each.predicate, *each.rows)) {
+      if (each.predicate == predicates::select_option && each.rows->rules() > 0) {
         unusual_ |= kSelectsByRules;
       }
-      const RuleCode& rule =
-          observer_ == nullptr ? *belief.rule : observer_->rule_for(*belief.rule);
-      may_be_there ? beliefs_.begin_with_rule(rule) : beliefs_.add_rule(rule, Place::front);
-    } else if (!is_replaced(belief.predicate)) {
-      (void)add_belief(belief.fact, Place::front, nullptr);
+      continue;
     }
+    for (const std::uint32_t belief : each.beliefs) begin_with(program.beliefs()[belief], replaced);
+  }
+}
+
+void Agent::begin(const Program& program, std::span<const Predicate> replaced,
+                  std::span<const Value> given) {
+  for (const Value fact : given) (void)add_belief(fact, Place::front, nullptr);
+  if (begins_like_others(program)) {
+    begin_with_shared(program, replaced);
+  } else {
+    // From the last to the first: queries find them in source order, events come in reverse.
+    const auto& initial = program.beliefs();
+    for (std::size_t i = initial.size(); i > 0; --i) begin_with(initial[i - 1], replaced);
   }
   for (const auto& [predicate, table] : program.rule_tables()) {
     beliefs_.share_rule_table(predicate, table);
@@ -201,8 +218,7 @@ Intention* Agent::executing() const {
 // Its literal outlives the query that asks for it.
 const Event* Agent::selected_event() {
   if (selected_event_ != nullptr && selected_event_->literal.is_unset()) {
-    (void)literal_of(*selected_event_);
-    heap_.protect();
+    keep_literal(*selected_event_);
   }
   return selected_event_;
 }

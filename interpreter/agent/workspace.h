@@ -124,9 +124,9 @@ struct QueueRemains {
 };
 
 /// What is left of an agent: memory for another one with the same program. Nothing that it believed
-/// or did is in it but the rules that it began with.
+/// or did is in it.
 struct AgentRemains {
-  std::weak_ptr<const Program> program;  // whose rules may be among the beliefs
+  std::weak_ptr<const Program> program;
   Heap::Remains heap;
   BeliefBase::Remains beliefs;
   QueueRemains queues;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/compile/beginnings.h"
 #include "interpreter/compile/goal_patterns.h"
 #include "interpreter/compile/kqml_plans.h"
 #include "interpreter/compile/translator.h"
@@ -50,6 +51,7 @@ class ProgramBuilder {
     for (const auto& plan : plans_) link(*plan, program_.library_);
     add_rule_tables();
     for (const auto& plan : plans_) unfold_context(*plan);
+    program_.beginnings_ = beginnings_of(program_, constants(), symbols_);
   }
 
  private:
@@ -218,6 +220,9 @@ class ProgramBuilder {
       plan.inherited.emplace_back(own, outer);
     }
     plan.slot_count = static_cast<std::uint32_t>(plan.slot_names.size());
+    std::vector<std::uint32_t> inherits;
+    for (const auto& [own, outer] : plan.inherited) inherits.push_back(own);
+    plan.head = decode_head(plan.trigger, plan.slot_names, inherits);
   }
 
   // Plans without a label get one. All have a source, which .remove_plan asks for, and those of the

@@ -10,6 +10,7 @@
 
 #include "interpreter/logic/action.h"
 #include "interpreter/logic/beliefs/rule_table.h"
+#include "interpreter/logic/beliefs/shared_rows.h"
 #include "interpreter/program/plan.h"
 #include "interpreter/support/diagnostics.h"
 
@@ -24,6 +25,14 @@ class Program {
     Predicate predicate{};
     SourceSpan where;
   };
+  /// What an agent begins to believe of a predicate.
+  struct Beginning {
+    Predicate predicate{};
+    /// Null: plans hear of it, so that each agent comes to believe it by itself.
+    std::unique_ptr<const SharedRows> rows;
+    /// The beliefs, by number, in the order in which they come to be: from the last to the first.
+    std::vector<std::uint32_t> beliefs;
+  };
   struct Goal {
     Value literal;  // a template; its slots are fresh variables of the goal
     std::uint32_t slot_count = 0;
@@ -35,6 +44,8 @@ class Program {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<Belief>& beliefs() const { return beliefs_; }
+  /// By predicate, in the order in which these come to be believed.
+  [[nodiscard]] const std::vector<Beginning>& beginnings() const { return beginnings_; }
   /// The rules of each predicate that has rules alone, if they are few.
   [[nodiscard]] const std::vector<std::pair<Predicate, RuleTable>>& rule_tables() const {
     return rule_tables_;
@@ -58,6 +69,7 @@ class Program {
   std::vector<Belief> beliefs_;
   std::vector<std::unique_ptr<RuleCode>> rules_;
   std::vector<std::pair<Predicate, RuleTable>> rule_tables_;
+  std::vector<Beginning> beginnings_;
   std::vector<Goal> goals_;
   PlanLibrary library_;
   std::vector<RuleFunction> functions_;

@@ -150,7 +150,18 @@ class Lexer {
 
   // A name whose dots each stand before a name character: `a.b`, `.print`.
   void skip_atom() {
-    while (is_name_character(peek()) || (peek() == '.' && is_name_character(peek(1)))) ++at_;
+    skip_name();
+    while (peek() == '.' && is_name_character(peek(1))) {
+      ++at_;
+      skip_name();
+    }
+  }
+
+  void skip_name() {
+    const char* next = text_.data() + at_;
+    const char* const end = text_.data() + text_.size();
+    while (next != end && is_name_character(*next)) ++next;
+    at_ = static_cast<std::size_t>(next - text_.data());
   }
 
   TokenKind read_word() {
@@ -166,12 +177,22 @@ class Lexer {
   }
 
   TokenKind read_variable() {
-    while (is_name_character(peek())) ++at_;
+    skip_name();
     return variable;
   }
 
   void skip_digits() {
-    while (is_digit(peek())) ++at_;
+    const char* next = text_.data() + at_;
+    const char* const end = text_.data() + text_.size();
+    while (next != end && is_digit(*next)) ++next;
+    at_ = static_cast<std::size_t>(next - text_.data());
+  }
+
+  void skip_plain_text() {
+    const char* next = text_.data() + at_;
+    const char* const end = text_.data() + text_.size();
+    while (next != end && is_plain_in_text(*next)) ++next;
+    at_ = static_cast<std::size_t>(next - text_.data());
   }
 
   // d+ | d*.d+([eE][+-]?d+)? | d+[eE][+-]?d+
@@ -207,11 +228,7 @@ class Lexer {
 
   TokenKind read_string() {
     const std::size_t begin = at_++;
-    while (peek() != '"') {
-      if (is_plain_in_text(peek())) {
-        ++at_;
-        continue;
-      }
+    for (skip_plain_text(); peek() != '"'; skip_plain_text()) {
       if (at_ >= text_.size() || peek() == '\n' || peek() == '\r') {
         error(begin, "this string is not closed on its line",
               "close it with \" and write line breaks as \\n");

@@ -9,11 +9,13 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
+
+#include "interpreter/support/containers/hash_index.h"
 
 namespace jaywalk {
 
@@ -96,7 +98,7 @@ class SymbolTable {
   Predicate predicate(std::string_view functor, std::uint16_t arity);
 
   /// Whether some name is this text.
-  [[nodiscard]] bool knows(std::string_view text) const { return find(text) != nullptr; }
+  [[nodiscard]] bool knows(std::string_view text) const;
   [[nodiscard]] std::string_view text(Symbol symbol) const;
   [[nodiscard]] const Signature& signature(Predicate predicate) const;
   [[nodiscard]] std::string_view functor(Predicate predicate) const;
@@ -106,12 +108,12 @@ class SymbolTable {
   }
 
  private:
-  struct SignatureHash {
-    std::size_t operator()(const Signature& signature) const;
-  };
-
-  const Symbol* find(std::string_view text) const;
-  const Predicate* find(const Signature& signature) const;
+  [[nodiscard]] std::optional<Symbol> find(std::string_view text, std::uint32_t hash) const;
+  [[nodiscard]] std::optional<Symbol> find_here(std::string_view text, std::uint32_t hash) const;
+  [[nodiscard]] std::optional<Predicate> find(const Signature& signature,
+                                              std::uint32_t hash) const;
+  [[nodiscard]] std::optional<Predicate> find_here(const Signature& signature,
+                                                   std::uint32_t hash) const;
   using ReadingLock = std::shared_lock<std::shared_mutex>;
   using WritingLock = std::unique_lock<std::shared_mutex>;
   template <class Lock>
@@ -128,10 +130,16 @@ class SymbolTable {
   };
 
   [[nodiscard]] const Name& name(Symbol symbol) const;
-  std::deque<Name> names_;  // a deque, since the map's keys point into it
-  std::deque<Signature> signatures_;
-  std::unordered_map<std::string_view, Symbol> symbols_;
-  std::unordered_map<Signature, Predicate, SignatureHash> predicates_;
+  struct Known {
+    Signature signature;
+    Predicate predicate{};
+  };
+
+  // Deques, since they are referred to.
+  std::deque<Name> names_;
+  std::deque<Known> signatures_;
+  HashIndex symbols_{0};     // by text
+  HashIndex predicates_{0};  // by signature
   bool has_threads_ = false;
   std::uint32_t times_cleared_ = 0;
   mutable std::shared_mutex mutex_;

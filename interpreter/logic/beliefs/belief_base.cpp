@@ -48,7 +48,7 @@ RowIndex::Bits telling_bits(Value value) {
 std::optional<std::size_t> Relation::count(std::size_t argument, Value value) {
   value = deref(value);
   const RowIndex::Bits bits = telling_bits(value);
-  if (rules_ > 0 || rows_.size() <= kUnindexedRows || bits == RowIndex::kVarious) {
+  if (rules_ > 0 || rows_->size() <= kUnindexedRows || bits == RowIndex::kVarious) {
     return std::nullopt;
   }
   const RowIndex& index = index_of(argument);
@@ -100,38 +100,67 @@ std::int64_t Relation::older(RowIndex& index, std::uint32_t key, std::int64_t se
   std::int64_t found = next;
   while (found >= first_seq_ && row(found).is_hole()) found = index.older(found);
   if (found < first_seq_) found = RowIndex::kNone;
-  if (found != next && next >= first_seq_) index.skip(key, seq, found);
+  // A walk that began when the rows were shared goes on in their index, which stays as it is.
+  const bool is_own = indexes_ != nullptr && indexes_->has(index);
+  if (found != next && next >= first_seq_ && is_own) index.skip(key, seq, found);
   return found;
 }
 
-FactIndex& Relation::facts() {
-  if (indexes_ == nullptr) indexes_ = std::make_unique<Indexes>();
-  if (indexes_->facts == nullptr) {
-    indexes_->facts = std::make_unique<FactIndex>(first_seq_);
-    for (std::int64_t seq = first_seq_; seq < end_seq(); ++seq) {
-      const Value fact = row(seq).fact;
-      if (!fact.is_unset()) indexes_->facts->add(hash_args(literal_parts(fact).args), seq);
+std::unique_ptr<HashIndex> make_fact_index(const Ring<Row>& rows, std::int64_t first) {
+  auto index = std::make_unique<HashIndex>(first);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Value fact = rows[i].fact;
+    if (fact.is_unset()) continue;
+    index->add(hash_args(literal_parts(fact).args), first + static_cast<std::int64_t>(i));
+  }
+  return index;
+}
+
+std::unique_ptr<RowIndex> make_row_index(const Ring<Row>& rows, std::int64_t first,
+                                         std::size_t argument) {
+  auto index = std::make_unique<RowIndex>(first);
+  for (const Row& row : rows) {
+    if (row.is_hole()) {
+      index->add_newest(RowIndex::kHoleKey);
+    } else {
+      const Value value = row.literal().structure()->arg(argument);
+      index->add_newest(argument_key(value), telling_bits(value));
     }
   }
+  return index;
+}
+
+HashIndex& Relation::facts() {
+  if (shared_ != nullptr) return shared_->facts();
+  if (indexes_ == nullptr) indexes_ = std::make_unique<Indexes>();
+  if (indexes_->facts == nullptr) indexes_->facts = make_fact_index(own_, first_seq_);
   return *indexes_->facts;
 }
 
 RowIndex& Relation::index_of(std::size_t argument) {
+  if (shared_ != nullptr) return shared_->index_of(argument);
   if (indexes_ == nullptr) indexes_ = std::make_unique<Indexes>();
   auto& arguments = indexes_->arguments;
   if (arguments.size() <= argument) arguments.resize(argument + 1);
   if (arguments[argument] == nullptr) {
-    arguments[argument] = std::make_unique<RowIndex>(first_seq_);
-    for (const Row& r : rows_) {
-      if (r.is_hole()) {
-        arguments[argument]->add_newest(RowIndex::kHoleKey);
-      } else {
-        const Value value = r.literal().structure()->arg(argument);
-        arguments[argument]->add_newest(argument_key(value), telling_bits(value));
-      }
-    }
+    arguments[argument] = make_row_index(own_, first_seq_, argument);
   }
   return *arguments[argument];
+}
+
+void Relation::share(const SharedRows& rows) {
+  shared_ = &rows;
+  rows_ = &rows.rows();
+  rules_ = rows.rules();
+  table_ = rows.rule_table();
+  first_seq_ = 0;
+}
+
+void Relation::own_rows() {
+  if (shared_ == nullptr) return;
+  for (const Row& row : shared_->rows()) own_.push_back(row);
+  rows_ = &own_;
+  shared_ = nullptr;
 }
 
 void Relation::insert_in_indexes(const Row& r, std::int64_t seq, End end, Hash hash) {
@@ -149,7 +178,7 @@ void Relation::insert_in_indexes(const Row& r, std::int64_t seq, End end, Hash h
 }
 
 const RuleTable* Relation::make_rule_table() {
-  if (rules_ != rows_.size() || rules_ > RuleTable::kMostRules) return nullptr;
+  if (rules_ != rows_->size() || rules_ > RuleTable::kMostRules) return nullptr;
   std::vector<RuleTable::Candidate> candidates;
   for (std::int64_t seq = end_seq() - 1; seq >= first_seq_; --seq) {
     const Row& r = row(seq);
@@ -162,7 +191,7 @@ const RuleTable* Relation::make_rule_table() {
 
 void Relation::share_rule_table(const RuleTable& table) {
   const std::span<const RuleTable::Candidate> candidates = table.candidates();
-  if (table_ == &table || candidates.size() != rows_.size()) return;
+  if (table_ == &table || candidates.size() != rows_->size()) return;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (row(end_seq() - 1 - static_cast<std::int64_t>(i)).rule != candidates[i].rule) return;
   }
@@ -174,7 +203,7 @@ std::int64_t Relation::add_front(Row added, Hash hash) {
   if (added.rule != nullptr) ++rules_;
   forget_rule_table();
   if (indexes_ != nullptr) insert_in_indexes(added, end_seq(), End::newest, hash);
-  rows_.push_back(added);
+  own_.push_back(added);
   return end_seq() - 1;
 }
 
@@ -182,13 +211,13 @@ std::int64_t Relation::add_back(Row added, Hash hash) {
   if (added.rule != nullptr) ++rules_;
   forget_rule_table();
   if (indexes_ != nullptr) insert_in_indexes(added, first_seq_ - 1, End::oldest, hash);
-  rows_.push_front(added);
+  own_.push_front(added);
   --first_seq_;
   return first_seq_;
 }
 
 void Relation::erase(std::int64_t seq) {
-  Row& r = row(seq);
+  Row& r = own_row(seq);
   if (indexes_ != nullptr) {
     indexes_->visit_arguments([seq](RowIndex& index) { index.erase(seq); });
     if (indexes_->facts != nullptr && !r.fact.is_unset()) {
@@ -202,8 +231,8 @@ void Relation::erase(std::int64_t seq) {
 }
 
 std::optional<std::int64_t> Relation::find(std::span<const Value> args, Hash& hash) {
-  if (rows_.empty()) return std::nullopt;
-  if (args.empty() || rows_.size() <= kUnindexedRows) {
+  if (rows_->empty()) return std::nullopt;
+  if (args.empty() || rows_->size() <= kUnindexedRows) {
     const std::uint32_t key = args.empty() ? 0 : argument_key(args[0]);
     for (std::int64_t seq = end_seq() - 1; seq >= first_seq_; --seq) {
       const Row& r = row(seq);
@@ -212,31 +241,31 @@ std::optional<std::int64_t> Relation::find(std::span<const Value> args, Hash& ha
     }
     return std::nullopt;
   }
-  FactIndex& index = facts();
+  HashIndex& index = facts();
   hash = hash_args(args);
   const std::int64_t seq = index.find(hash, [&](std::int64_t candidate) {
     return equal_args(args, literal_parts(row(candidate).fact).args);
   });
-  return seq == FactIndex::kNone ? std::nullopt : std::optional(seq);
+  return seq == HashIndex::kNone ? std::nullopt : std::optional(seq);
 }
 
 void Relation::compact() {
   // Rows of an index know the older ones by number, so there these must not be given to others.
-  while (indexes_ == nullptr && !rows_.empty() && rows_.front().is_hole()) {
-    rows_.pop_front();
+  while (indexes_ == nullptr && !rows_->empty() && own_.front().is_hole()) {
+    own_.pop_front();
     ++first_seq_;
     --holes_;
   }
-  while (!rows_.empty() && rows_.back().is_hole()) {
+  while (!rows_->empty() && own_.back().is_hole()) {
     if (indexes_ != nullptr) {
       indexes_->visit_arguments([](RowIndex& index) { index.drop_newest(); });
     }
-    rows_.pop_back();
+    own_.pop_back();
     --holes_;
   }
   // Indexes name rows by number: holes inside are worth closing only when they prevail.
-  if (holes_ * 2 <= rows_.size()) return;
-  erase_if(rows_, [](const Row& r) { return r.is_hole(); });
+  if (holes_ * 2 <= rows_->size()) return;
+  erase_if(own_, [](const Row& r) { return r.is_hole(); });
   holes_ = 0;
   indexes_.reset();
 }
@@ -251,10 +280,23 @@ Relation& BeliefBase::relation(Predicate predicate) {
   }
   Relation& relation = *known_[place];
   if (!relation.exists) {
-    if (relation.has_kept_rules()) relation.reset(Relation::Rules::dropped);
-    bring_into_being(relation);
+    relation.exists = true;
+    relations_.push_back(&relation);
   }
   return relation;
+}
+
+bool BeliefBase::share(Predicate predicate, const SharedRows& rows) {
+  if (find(predicate) != nullptr) return false;
+  relation(predicate).share(rows);
+  return true;
+}
+
+// Before something of its rows is changed.
+void BeliefBase::make_own(Relation& relation) {
+  if (!relation.is_shared()) return;
+  relation.own_rows();
+  heap_.note_beside(relation.size() * Relation::kRowBytes);
 }
 
 std::optional<Value> BeliefBase::add(Value literal, Place place) {
@@ -263,13 +305,13 @@ std::optional<Value> BeliefBase::add(Value literal, Place place) {
   Relation::Hash hash = 0;
   const std::optional<std::int64_t> known = rel.find(parts.args, hash);
   if (!known) {
+    make_own(rel);
     const Row row{.fact = literal, .key = parts.args.empty() ? 0 : argument_key(parts.args[0])};
     place == Place::front ? rel.add_front(row, hash) : rel.add_back(row, hash);
     heap_.protect();
     return literal;
   }
-  Row& row = rel.row(*known);
-  const Value old = literal_parts(row.fact).annots;
+  const Value old = literal_parts(rel.row(*known).fact).annots;
   std::vector<Value> news;
   for (Value rest = deref(parts.annots); rest.is_pair(); rest = deref(rest.pair()->tail)) {
     const Value annot = deref(rest.pair()->head);
@@ -281,6 +323,8 @@ std::optional<Value> BeliefBase::add(Value literal, Place place) {
   }
   if (news.empty()) return std::nullopt;
   const Value added = heap_.list(news);
+  make_own(rel);
+  Row& row = rel.own_row(*known);
   row.fact = with_annotations(heap_, row.fact, union_of(heap_, old, added, symbols_));
   heap_.protect();
   return with_annotations(heap_, literal, added);
@@ -289,6 +333,7 @@ std::optional<Value> BeliefBase::add(Value literal, Place place) {
 void BeliefBase::add_rule(const RuleCode& rule, Place place) {
   const LiteralParts head = literal_parts(rule.head);
   Relation& rel = relation(head.predicate);
+  make_own(rel);
   const Row row{
       .fact = Value(), .rule = &rule, .key = head.args.empty() ? 0 : argument_key(head.args[0])};
   place == Place::front ? rel.add_front(row) : rel.add_back(row);
@@ -301,18 +346,21 @@ void BeliefBase::add_rule(std::unique_ptr<RuleCode> rule, Place place) {
 }
 
 void BeliefBase::erase(Relation& rel, std::int64_t seq) {
-  no_percept_any_more(rel, rel.row(seq));
+  make_own(rel);
+  no_percept_any_more(rel, rel.own_row(seq));
   rel.erase(seq);
   with_holes_.push_back(&rel);
 }
 
 // Takes annotations away; the belief goes when no source is left.
 bool BeliefBase::remove_annotations(Relation& rel, std::int64_t seq, Value annots, bool exact) {
-  Row& row = rel.row(seq);
-  if (annots.same_as(source_self()) && annots.same_as(literal_parts(row.fact).annots)) {
+  if (annots.same_as(source_self()) &&
+      annots.same_as(literal_parts(rel.row(seq).fact).annots)) {
     erase(rel, seq);
     return true;
   }
+  make_own(rel);
+  Row& row = rel.own_row(seq);
   std::vector<Value> kept;
   std::size_t removed = 0;
   for (Value o = literal_parts(row.fact).annots; o.is_pair(); o = o.pair()->tail) {
@@ -389,7 +437,7 @@ std::size_t Relation::bytes() const {
     indexes = indexes_->facts == nullptr ? 0 : 1;
     indexes_->visit_arguments([&](const RowIndex&) { ++indexes; });
   }
-  return sizeof(Relation) + grown_bytes(rows_.size(), sizeof(Row) + indexes * kIndexedRowBytes) +
+  return sizeof(Relation) + grown_bytes(own_.size(), sizeof(Row) + indexes * kIndexedRowBytes) +
          rules_owned_.size() * kRuleBytes;
 }
 

@@ -8,10 +8,11 @@
 //
 // New beliefs are asked first, so a query walks the rows from the last to the first. Removed rows
 // leave holes, which are closed when no query runs (compact). Relations with more than a few rows
-// get hash indexes, each built when first needed: one over whole facts (fact_index.h, to add and
-// remove), one for each argument that is bound in some query (row_index.h).
+// get hash indexes, each built when first needed: one over whole facts (hash_index.h, to add and
+// remove), one for each argument that is bound in some query (row_index.h). What a program begins
+// with its agents share, rows and indexes, until they change something of it (shared_rows.h).
 
-#include <bit>
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,68 +20,41 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/logic/beliefs/fact_index.h"
+#include "interpreter/logic/beliefs/row.h"
 #include "interpreter/logic/beliefs/row_index.h"
 #include "interpreter/logic/beliefs/rule_table.h"
-#include "interpreter/logic/code/code.h"
+#include "interpreter/logic/beliefs/shared_rows.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/support/containers/flat_index.h"
+#include "interpreter/support/containers/hash_index.h"
 
 namespace jaywalk {
-
-/// A number that equal bound arguments share; 0 for arguments that can only be unified.
-[[nodiscard]] inline std::uint32_t argument_key(Value argument);
-
-/// Keys are odd, or 0; 3 and 5 are those of lists.
-[[nodiscard]] constexpr std::uint32_t mix_key(std::uint64_t word) {
-  word = (word ^ word >> 31U) * 0x9E3779B97F4A7C15U;
-  return static_cast<std::uint32_t>(word >> 32U) | 1U;
-}
-[[nodiscard]] std::uint32_t argument_key_of_cell(Value argument);  // a text, structure or object
-
-std::uint32_t argument_key(Value argument) {
-  argument = deref(argument);
-  if (argument.is_pair()) return 3;
-  if (argument.is_number()) {
-    return mix_key(std::bit_cast<std::uint64_t>(argument.as_number() + 0.0));
-  }
-  if (argument.is_atom()) return mix_key(static_cast<std::uint64_t>(argument.atom_id()) << 3U | 2U);
-  if (argument.is_variable() || argument.is_unset()) return 0;
-  if (argument.is_empty_list()) return 5;
-  return argument_key_of_cell(argument);
-}
-
-struct Row {
-  /// A literal with annotations; unset in rows of rules and holes.
-  Value fact;
-  const RuleCode* rule = nullptr;
-  /// argument_key of the first argument.
-  std::uint32_t key = 0;
-  /// The belief update that last saw this percept.
-  std::uint32_t percept_generation = 0;
-
-  [[nodiscard]] bool is_hole() const { return fact.is_unset() && rule == nullptr; }
-  /// What a query is unified with. REQUIRES: no hole.
-  [[nodiscard]] Value literal() const { return rule != nullptr ? rule->head : fact; }
-};
 
 class Relation {
  public:
   explicit Relation(Predicate predicate) : predicate_(predicate) {}
 
   [[nodiscard]] Predicate predicate() const { return predicate_; }
-  [[nodiscard]] std::size_t size() const { return rows_.size() - holes_; }
+  [[nodiscard]] std::size_t size() const { return rows_->size() - holes_; }
   [[nodiscard]] bool has_rules() const { return rules_ > 0; }
   [[nodiscard]] std::int64_t first_seq() const { return first_seq_; }
   [[nodiscard]] std::int64_t end_seq() const {
-    return first_seq_ + static_cast<std::int64_t>(rows_.size());
+    return first_seq_ + static_cast<std::int64_t>(rows_->size());
   }
   [[nodiscard]] const Row& row(std::int64_t seq) const {
-    return rows_[static_cast<std::size_t>(seq - first_seq_)];
+    return (*rows_)[static_cast<std::size_t>(seq - first_seq_)];
   }
-  [[nodiscard]] Row& row(std::int64_t seq) {
-    return rows_[static_cast<std::size_t>(seq - first_seq_)];
+  /// To be changed. REQUIRES: the rows are its own.
+  [[nodiscard]] Row& own_row(std::int64_t seq) {
+    return own_[static_cast<std::size_t>(seq - first_seq_)];
   }
+
+  /// Its rows are what the agents of a program begin with, and not its own.
+  [[nodiscard]] bool is_shared() const { return shared_ != nullptr; }
+  /// REQUIRES: it has no rows; the shared ones outlive it.
+  void share(const SharedRows& rows);
+  /// They become its own, to be changed, with the same numbers.
+  void own_rows();
 
   /// A walk over the rows that may match arguments, newest first. Rows added after its start are
   /// not seen; removed ones are skipped.
@@ -112,19 +86,17 @@ class Relation {
   }
 
   /// The only row, if it is a fact; else null.
-  [[nodiscard]] Row* lone_fact() {
-    return rows_.size() == 1 && holes_ == 0 && rules_ == 0 ? &rows_.front() : nullptr;
+  [[nodiscard]] const Row* lone_fact() const {
+    return rows_->size() == 1 && holes_ == 0 && rules_ == 0 ? &rows_->front() : nullptr;
   }
   [[nodiscard]] bool is_indexed() const { return indexes_ != nullptr; }
-  [[nodiscard]] bool has_few_facts() const { return rules_ == 0 && rows_.size() <= kUnindexedRows; }
+  [[nodiscard]] bool has_few_facts() const { return rules_ == 0 && rows_->size() <= kUnindexedRows; }
   /// All rows, newest first, if they are a few rules and nothing else; else null.
   [[nodiscard]] const RuleTable* rule_table() {
     return table_ != nullptr || rules_ == 0 ? table_ : make_rule_table();
   }
   /// The same table, made for the rules of a program. Taken if these are what the rows are.
   void share_rule_table(const RuleTable& table);
-  /// Its rows are still the rules of a program, from a belief base that had them.
-  [[nodiscard]] bool has_kept_rules() const { return has_kept_rules_; }
   /// A cursor whose next candidate is a rule.
   [[nodiscard]] static Cursor cursor_at(std::int64_t seq, std::uint32_t key) {
     Cursor cursor;
@@ -161,23 +133,25 @@ class Relation {
   /// What a row of many takes with its place in an index, old and new memory while they grow.
   static constexpr std::size_t kIndexedRowBytes = 24;
   static constexpr std::size_t kRowBytes = 2 * (sizeof(Row) + kIndexedRowBytes);
-  /// Whether rules of a program stay, where a relation has nothing else.
-  enum class Rules : std::uint8_t { dropped, kept };
-  /// Becomes as new but for memory for a few rows, and perhaps rules.
-  void reset(Rules rules);
+  /// Becomes as new but for memory for a few rows.
+  void reset();
 
   void own_rule(std::unique_ptr<RuleCode> rule) { rules_owned_.push_back(std::move(rule)); }
   template <class Visit>
   void visit_terms(Visit&& visit) {
-    for (Row& row : rows_) visit(row.fact);
+    for (Row& row : own_) visit(row.fact);
     for (auto& rule : rules_owned_) rule->visit_terms(visit);
   }
 
  private:
   static constexpr std::size_t kUnindexedRows = RuleTable::kMostRules;
   struct Indexes {
-    std::unique_ptr<FactIndex> facts;
+    std::unique_ptr<HashIndex> facts;
     std::vector<std::unique_ptr<RowIndex>> arguments;
+    [[nodiscard]] bool has(const RowIndex& index) const {
+      return std::any_of(arguments.begin(), arguments.end(),
+                         [&](const auto& each) { return each.get() == &index; });
+    }
     template <class Visit>
     void visit_arguments(Visit visit_index) {
       for (const auto& index : arguments) {
@@ -223,20 +197,20 @@ class Relation {
   void forget_rule_table() {
     table_ = nullptr;
     own_table_.reset();
-    has_kept_rules_ = false;
   }
-  [[nodiscard]] FactIndex& facts();
+  [[nodiscard]] HashIndex& facts();
   [[nodiscard]] RowIndex& index_of(std::size_t argument);
   enum class End { newest, oldest };
   void insert_in_indexes(const Row& row, std::int64_t seq, End end, Hash hash);
 
   Predicate predicate_;
   std::uint32_t rules_ = 0;
-  Ring<Row> rows_;
+  Ring<Row> own_;
+  const Ring<Row>* rows_ = &own_;
+  const SharedRows* shared_ = nullptr;  // null: the rows are its own
   std::int64_t first_seq_ = 0;
   std::size_t holes_ = 0;
   const RuleTable* table_ = nullptr;  // null: there is none, or it is not made yet
-  bool has_kept_rules_ = false;
   std::unique_ptr<RuleTable> own_table_;
   std::vector<std::unique_ptr<RuleCode>> rules_owned_;
   std::unique_ptr<Indexes> indexes_;
@@ -246,7 +220,7 @@ Relation::Cursor Relation::open(std::span<const Value> args) {
   Cursor cursor;
   if (!args.empty()) {
     cursor.key = argument_key(args[0]);
-    if (rows_.size() > kUnindexedRows) {
+    if (rows_->size() > kUnindexedRows) {
       open_indexed(cursor, args);
       if (cursor.index != nullptr) return cursor;
     }
@@ -268,8 +242,8 @@ class BeliefBase {
  public:
   BeliefBase(Heap& heap, SymbolTable& symbols) : heap_(heap), symbols_(symbols) {}
 
-  /// Memory of a destroyed belief base, for one that has not been used yet: relations that do not
-  /// exist until something is believed. They have no rows, or the rules of a program.
+  /// Memory of a destroyed belief base, for one that has not been used yet: relations without rows,
+  /// which do not exist until something is believed.
   class Remains {
     friend class BeliefBase;
     std::vector<std::unique_ptr<Relation>> known_;
@@ -277,9 +251,8 @@ class BeliefBase {
     std::vector<Relation*> relations_;  // these have room, and nothing in it
     std::vector<Relation*> perceived_;
   };
-  /// Ends the belief base's life. REQUIRES: if rules are kept, that whoever uses them has the same
-  /// program, and no rule table is of another.
-  [[nodiscard]] Remains leave_remains(Relation::Rules rules);
+  /// Ends the belief base's life.
+  [[nodiscard]] Remains leave_remains();
   void use(Remains remains) {
     known_ = std::move(remains.known_);
     by_predicate_ = std::move(remains.by_predicate_);
@@ -293,8 +266,14 @@ class BeliefBase {
   /// Rules are added without looking for an equal one. Static rules belong to a program.
   void add_rule(const RuleCode& rule, Place place);
   void add_rule(std::unique_ptr<RuleCode> rule, Place place);
-  /// The same in front for a rule of the program that the remains are of: it may be there already.
-  void begin_with_rule(const RuleCode& rule);
+  /// Room for so many predicates, of which something will be believed.
+  void expect(std::size_t predicates) {
+    known_.reserve(predicates);
+    relations_.reserve(predicates);
+  }
+  /// Believes what the agents of a program begin with, of a predicate of which nothing is believed;
+  /// false, and nothing: something is. The rows outlive the belief base.
+  [[nodiscard]] bool share(Predicate predicate, const SharedRows& rows);
   /// Rules that have been added are those of a table, which outlives them.
   void share_rule_table(Predicate predicate, const RuleTable& table) {
     if (Relation* const known = find(predicate)) known->share_rule_table(table);
@@ -360,7 +339,7 @@ class BeliefBase {
 
  private:
   Relation& relation(Predicate predicate);
-  void bring_into_being(Relation& relation);
+  void make_own(Relation& relation);
   bool remove_annotations(Relation& relation, std::int64_t seq, Value annots, bool exact);
   void no_percept_any_more(Relation& relation, Row& row);
   void remove_percept(Relation& relation, std::int64_t seq, std::vector<PerceptChange>& changes);

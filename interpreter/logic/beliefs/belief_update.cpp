@@ -43,9 +43,9 @@ Value BeliefBase::percept(Predicate predicate, std::span<const Value> args) {
 bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_args,
                                 std::span<const Value> args) {
   Relation* const rel = find(predicate);
-  Row* const row = rel == nullptr || rel->is_indexed() ? nullptr : rel->lone_fact();
-  if (row == nullptr || row->percept_generation == 0) return false;
-  const LiteralParts old = literal_parts(row->fact);
+  const Row* const lone = rel == nullptr || rel->is_indexed() ? nullptr : rel->lone_fact();
+  if (lone == nullptr || lone->percept_generation == 0) return false;
+  const LiteralParts old = literal_parts(lone->fact);
   const auto same = [](Value a, Value b) { return a.same_as(b); };
   const auto equal = [](Value a, Value b) { return equal_terms(a, b); };
   if (!old.annots.same_as(source_percept()) ||
@@ -53,17 +53,19 @@ bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_
       std::equal(old.args.begin(), old.args.end(), args.begin(), args.end(), equal)) {
     return false;
   }
-  row->fact = percept(predicate, args);
-  row->key = args.empty() ? 0 : argument_key(args[0]);
-  row->percept_generation = generation_;
+  Row& row = rel->own_row(rel->first_seq());  // what is perceived is its own
+  row.fact = percept(predicate, args);
+  row.key = args.empty() ? 0 : argument_key(args[0]);
+  row.percept_generation = generation_;
   return true;
 }
 
 bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
   Relation& rel = relation(predicate);
+  make_own(rel);
   Relation::Hash hash = 0;
   if (const auto known = rel.find(args, hash)) {
-    Row& row = rel.row(*known);
+    Row& row = rel.own_row(*known);
     if (row.percept_generation == generation_) knows_percepts_ = false;  // twice
     const bool perceived = row.percept_generation != 0;
     row.percept_generation = generation_;
@@ -142,7 +144,7 @@ void BeliefBase::end_missed(std::vector<PerceptChange>& changes) {
 // The row stays if the belief has other sources.
 void BeliefBase::remove_percept(Relation& rel, std::int64_t seq,
                                 std::vector<PerceptChange>& changes) {
-  Row& row = rel.row(seq);
+  Row& row = rel.own_row(seq);
   no_percept_any_more(rel, row);
   if (literal_parts(row.fact).annots.same_as(source_percept())) {
     changes.push_back({row.fact, false});

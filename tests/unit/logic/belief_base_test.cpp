@@ -172,47 +172,13 @@ TEST_F(BeliefBaseTest, AsksOpenFactsAmongTheIndexedOnesInTheirPlace) {
   EXPECT_EQ(terms.answers("p(99)", "yes").size(), 1U);
 }
 
-class Remains : public BeliefBaseTest {
- protected:
-  Remains() {
-    rule.head = terms.term("p(1)");
-    table = RuleTable({{.rule = &rule}});
-    terms.beliefs.add_rule(rule, Place::front);
-    terms.beliefs.share_rule_table(p, table);
-  }
-
-  /// Whether the rule is there before the next belief base begins with it.
-  bool has_kept(Relation::Rules rules) {
-    BeliefBase next(terms.heap, terms.symbols);
-    next.use(terms.beliefs.leave_remains(rules));
-    EXPECT_EQ(next.find(p), nullptr) << "nothing is believed yet";
-    next.begin_with_rule(rule);
-    EXPECT_EQ(next.find(p)->size(), 1U) << "the rule is there once";
-    return next.find(p)->has_kept_rules();
-  }
-
-  Predicate p = terms.symbols.predicate("p", 1);
-  RuleCode rule;
-  RuleTable table;
-};
-
-TEST_F(Remains, HaveTheRulesOfTheProgram) { EXPECT_TRUE(has_kept(Relation::Rules::kept)); }
-
-TEST_F(Remains, HaveNoRulesThatNobodyWants) { EXPECT_FALSE(has_kept(Relation::Rules::dropped)); }
-
-TEST_F(Remains, HaveNoRulesOfARelationThatWasChanged) {
+TEST_F(BeliefBaseTest, LeavesNothingThatWasBelieved) {
   add("p(2)");
-  EXPECT_TRUE(remove("p(2)"));
-  EXPECT_FALSE(has_kept(Relation::Rules::kept));
-}
-
-TEST_F(Remains, GiveWayToAFactThatComesFirst) {
   BeliefBase next(terms.heap, terms.symbols);
-  next.use(terms.beliefs.leave_remains(Relation::Rules::kept));
-  (void)next.add(terms.term("p(2)"));
-  EXPECT_EQ(next.find(p)->size(), 1U);
-  next.begin_with_rule(rule);
-  EXPECT_EQ(next.find(p)->size(), 2U);
+  next.use(terms.beliefs.leave_remains());
+  EXPECT_EQ(next.find(terms.symbols.predicate("p", 1)), nullptr);
+  (void)next.add(terms.term("p(3)"));
+  EXPECT_EQ(next.find(terms.symbols.predicate("p", 1))->size(), 1U);
 }
 
 class PerceptsTest : public BeliefBaseTest {

@@ -1,33 +1,35 @@
 #pragma once
 
-// Which fact of a relation has given arguments: a hash table of the facts' places in one block of
-// memory, eight bytes for a place. Entries that collide stand in the next free place; when one is
-// removed, those behind it move up, so that nothing is left behind by facts that come and go.
+// Where something stands that has a given hash, among others in a row: a hash table of places in one
+// block of memory, eight bytes for each. Entries that collide stand in the next free place; when one
+// is removed, those behind it move up, so that nothing is left behind by what comes and goes.
 
 #include <cstdint>
 #include <vector>
 
 namespace jaywalk {
 
-class FactIndex {
+class HashIndex {
  public:
   static constexpr std::int64_t kNone = INT64_MIN;
-  /// Rows are numbered from about here on.
-  explicit FactIndex(std::int64_t origin) : origin_(origin) {}
+  /// Places are numbered from about here on.
+  explicit HashIndex(std::int64_t origin) : origin_(origin) {}
 
-  /// REQUIRES: the hash is not 0.
-  void add(std::uint32_t hash, std::int64_t seq) {
+  /// REQUIRES: the hash is not 0; its first bits differ.
+  void add(std::uint32_t hash, std::int64_t place) {
     if (3 * (taken_ + 1) > 2 * table_.size()) grow();
-    put({hash, static_cast<std::int32_t>(seq - origin_)});
+    put({hash, static_cast<std::int32_t>(place - origin_)});
     ++taken_;
   }
-  void erase(std::uint32_t hash, std::int64_t seq);
-  /// The first row with a hash that is `wanted`; kNone if there is none.
+  void erase(std::uint32_t hash, std::int64_t place);
+  /// Everything goes but the memory.
+  void clear();
+  /// The first place with a hash that is `wanted`; kNone if there is none.
   template <class Wanted>
   [[nodiscard]] std::int64_t find(std::uint32_t hash, Wanted&& wanted) const {
     if (table_.empty()) return kNone;
     for (std::size_t i = home(hash); table_[i].hash != 0; i = after(i)) {
-      if (table_[i].hash == hash && wanted(origin_ + table_[i].row)) return origin_ + table_[i].row;
+      if (table_[i].hash == hash && wanted(origin_ + table_[i].place)) return origin_ + table_[i].place;
     }
     return kNone;
   }
@@ -35,7 +37,7 @@ class FactIndex {
  private:
   struct Entry {
     std::uint32_t hash = 0;  // 0: free
-    std::int32_t row = 0;    // counted from the origin
+    std::int32_t place = 0;  // counted from the origin
   };
   // The number of places is a power of two.
   [[nodiscard]] std::size_t home(std::uint32_t hash) const { return hash >> shift_; }

@@ -1,0 +1,67 @@
+#include "interpreter/compile/beginnings.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "interpreter/logic/beliefs/belief_base.h"
+#include "interpreter/program/plan_compiler.h"
+
+namespace jaywalk {
+namespace {
+
+bool is_heard_of(const Program& program, Predicate predicate, SymbolTable& symbols) {
+  const TriggerKey key =
+      trigger_key(TriggerOperator::add, TriggerKind::belief, predicate, symbols);
+  return !program.library().candidates(key).empty();
+}
+
+const RuleTable* table_of(const Program& program, Predicate predicate) {
+  const auto& tables = program.rule_tables();
+  const auto found = std::ranges::find(tables, predicate, [](const auto& each) { return each.first; });
+  return found == tables.end() ? nullptr : &found->second;
+}
+
+// The beliefs of one predicate as a relation has them.
+std::unique_ptr<const SharedRows> rows_of(const Program& program,
+                                          const Program::Beginning& beginning,
+                                          BeliefBase& beliefs) {
+  bool has_facts = false;
+  for (const std::uint32_t each : beginning.beliefs) {
+    const Program::Belief& belief = program.beliefs()[each];
+    has_facts = has_facts || belief.rule == nullptr;
+    if (belief.rule != nullptr) {
+      beliefs.add_rule(*belief.rule, Place::front);
+    } else {
+      (void)beliefs.add(belief.fact);
+    }
+  }
+  const Relation& relation = *beliefs.find(beginning.predicate);
+  Ring<Row> rows;
+  for (std::int64_t seq = relation.first_seq(); seq < relation.end_seq(); ++seq) {
+    rows.push_back(relation.row(seq));
+  }
+  return std::make_unique<const SharedRows>(
+      std::move(rows), has_facts ? nullptr : table_of(program, beginning.predicate));
+}
+
+}  // namespace
+
+std::vector<Program::Beginning> beginnings_of(const Program& program, Heap& constants,
+                                              SymbolTable& symbols) {
+  std::vector<Program::Beginning> made;
+  std::unordered_map<Predicate, std::size_t> places;
+  for (std::size_t i = program.beliefs().size(); i > 0; --i) {
+    const Predicate predicate = program.beliefs()[i - 1].predicate;
+    const auto [place, is_new] = places.try_emplace(predicate, made.size());
+    if (is_new) made.push_back({.predicate = predicate, .rows = nullptr, .beliefs = {}});
+    made[place->second].beliefs.push_back(static_cast<std::uint32_t>(i - 1));
+  }
+  BeliefBase beliefs(constants, symbols);
+  for (Program::Beginning& each : made) {
+    if (!is_heard_of(program, each.predicate, symbols)) each.rows = rows_of(program, each, beliefs);
+  }
+  return made;
+}
+
+}  // namespace jaywalk
