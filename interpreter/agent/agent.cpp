@@ -127,13 +127,6 @@ void Agent::end_first_cycles() {
               [this](Heap::Relocator& relocate) { visit_roots(relocate); });
 }
 
-// Whether nobody notices how it comes to its initial beliefs, as far as no plan hears of them: an
-// observer may give other rules, and the agent's own functions may believe something else.
-bool Agent::begins_like_others(const Program& program) const {
-  return &program == program_.get() && observer_ == nullptr && customisation_ == nullptr &&
-         settings_.unwanted == ReasoningSettings::Unwanted::discard;
-}
-
 void Agent::begin_with(const Program::Belief& belief, std::span<const Predicate> replaced) {
   if (belief.rule != nullptr) {
     if (belief.predicate == predicates::select_option) unusual_ |= kSelectsByRules;
@@ -163,7 +156,12 @@ void Agent::begin_with_shared(const Program& program, std::span<const Predicate>
 void Agent::begin(const Program& program, std::span<const Predicate> replaced,
                   std::span<const Value> given) {
   for (const Value fact : given) (void)add_belief(fact, Place::front, nullptr);
-  if (begins_like_others(program)) {
+  // An observer may give other rules, and hears of facts in their order; functions of the agent's
+  // own may believe something else.
+  const bool may_share = &program == program_.get() && observer_ == nullptr &&
+                         customisation_ == nullptr &&
+                         settings_.unwanted == ReasoningSettings::Unwanted::discard;
+  if (may_share) {
     begin_with_shared(program, replaced);
   } else {
     // From the last to the first: queries find them in source order, events come in reverse.

@@ -197,12 +197,11 @@ class Agent final : public MachineSurroundings, private AgentParts {
   bool take_selected_event(Event& event);
   Intention* take_selected_intention();
   [[nodiscard]] bool select_option(const std::vector<const Plan*>& plans, const Event& event,
-                                   const std::shared_ptr<Scope>& scope);
-  void find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
+                                   const ScopePtr& scope);
+  void find_options(const Plan& plan, const Event& event, const ScopePtr& scope,
                     std::vector<Option>& options);
   void intend(Option& option, const Event& event);
-  [[nodiscard]] bool try_learned(const PlanList& plans, const Event& event,
-                                 const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] bool try_learned(const PlanList& plans, const Event& event, const ScopePtr& scope);
   [[nodiscard]] bool choose_learned(std::vector<Option>& options, const Event& event);
   [[nodiscard]] bool observe_for(const Plan& plan, std::vector<double>& features,
                                  ActionError& error);
@@ -257,20 +256,16 @@ class Agent final : public MachineSurroundings, private AgentParts {
 
   // Rules RelPl, ApplPl and SelAppl (choose_plan.cpp, options.cpp).
   [[nodiscard]] TriggerKey key_of(const Event& event);
-  [[nodiscard]] EventArguments arguments_of(const Event& event) const;
   [[nodiscard]] Value literal_of(const Event& event);
-  [[nodiscard]] const EventCode* code_of(const Event& event) const;
   [[nodiscard]] const PlanList& plans_for(const Event& event, const EventCode* code);
   void keep_literal(const Event& event);
   [[nodiscard]] bool find_option(const Event& event);
-  [[nodiscard]] bool find_usual_option(const Event& event);
   void note_no_option(const Event& event);
   [[nodiscard]] bool were_relevant(const Event& event);
   [[nodiscard]] bool selects_by_rules();
   [[nodiscard]] bool select_by_rules(const Event& event);
   [[nodiscard]] bool is_selected(const Option& option, const Event& event);
-  [[nodiscard]] bool try_plans(const PlanList& plans, const Event& event,
-                               const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] bool try_plans(const PlanList& plans, const Event& event, const ScopePtr& scope);
   [[nodiscard]] const Plan* first_applicable(const PlanList& plans, const Event& event,
                                              std::span<const Value> enclosing);
   [[nodiscard]] const Plan* first_indexed(const PlanList& plans, const Event& event,
@@ -284,9 +279,8 @@ class Agent final : public MachineSurroundings, private AgentParts {
                                         const EventArguments& given,
                                         std::span<const Value> enclosing, Value* frame,
                                         std::size_t& matched);
-  [[nodiscard]] bool is_relevant(const Plan& plan, const Event& event,
-                                 const EventArguments& given, Value* frame);
-  [[nodiscard]] bool is_event_bound(const Event& event, std::size_t matched);
+  [[nodiscard]] bool is_relevant(const Plan& plan, const Event& event, const EventArguments& given,
+                                 Value* frame);
   [[nodiscard]] bool observed_context_holds(const Plan& plan, const Event& event, Value* frame);
   void leave_plan_at_limit(const Plan& plan, std::size_t trail, Heap::Mark unused);
   void leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused);
@@ -295,26 +289,24 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::vector<Value> closed_off(std::span<const Value> values);
 
   // Rule AddIM (add_means.cpp).
-  /// What the plan that has been chosen is to begin with.
   [[nodiscard]] std::span<const Value> frame_for(const Plan& plan) const;
-  void add_intended_means(const Plan& plan, const Event& event,
-                          const std::shared_ptr<Scope>& scope);
-  void add_means(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope);
+  void add_intended_means(const Plan& plan, const Event& event, const ScopePtr& scope);
+  void add_means(const Plan& plan, const Event& event, const ScopePtr& scope);
   void push_means(Intention& intention, const Plan& plan, const Event& event,
-                  const std::shared_ptr<Scope>& scope);
+                  const ScopePtr& scope);
   [[nodiscard]] bool replaces_caller(const Intention& intention, const Event& event);
   [[nodiscard]] bool is_last_call(const Intention& intention, const Event& event);
   void hand_over(const Intention& intention, const IntendedMeans& caller);
   void fill_means(Intention& intention, const Plan& plan, const Event& event,
-                  const std::shared_ptr<Scope>& scope);
-  void fill_rare(IntendedMeans& means, const std::shared_ptr<Scope>& scope);
+                  const ScopePtr& scope);
+  void fill_rare(IntendedMeans& means, const ScopePtr& scope);
   void announce_means(const Plan& plan, const Event& event, Intention& intention, bool replaces);
   [[nodiscard]] Value settled_literal(const Event& event);
 
   // Branches for sub-plans (branches.cpp).
   void start_branches(const Event& event);
   void start_branch(Intention& intention, const Plan& plan, const Event& event,
-                    const std::shared_ptr<Scope>& scope);
+                    const ScopePtr& scope);
   void take_over(Intention& branch);
 
   // Rule ClrInt (clear.cpp).
@@ -392,9 +384,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   // Failure (failure.cpp).
   void fail(Intention& intention, const ActionError& error);
   void fail_at_limit(Intention& intention, const ActionError& error);
-  void report_limit(const ActionError& error, std::string where) {
-    if (error.limit != ReachedLimit::none) host_.limit_reached(*this, error.limit, where);
-  }
+  void report_limit(const ActionError& error, std::string where);
   void fail_event(const Event& event, const ActionError& error);
   struct OpenGoal {
     TriggerKind kind = TriggerKind::achieve;
@@ -422,7 +412,6 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] Value as_template(Value term, std::vector<Symbol>& slot_names);
   void begin(const Program& program, std::span<const Predicate> replaced,
              std::span<const Value> given);
-  [[nodiscard]] bool begins_like_others(const Program& program) const;
   void begin_with(const Program::Belief& belief, std::span<const Predicate> replaced);
   void begin_with_shared(const Program& program, std::span<const Predicate> replaced);
   // Cloning (clone.cpp).

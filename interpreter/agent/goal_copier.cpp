@@ -141,9 +141,9 @@ std::shared_ptr<Fork> Agent::GoalCopier::copy_of(const std::shared_ptr<Fork>& fo
   return copy;
 }
 
-std::shared_ptr<Scope> Agent::GoalCopier::copy_of(const std::shared_ptr<Scope>& scope) {
+ScopePtr Agent::GoalCopier::copy_of(const ScopePtr& scope) {
   if (scope == nullptr) return nullptr;
-  std::shared_ptr<Scope>& copy = scopes_[scope.get()];
+  ScopePtr& copy = scopes_[scope.get()];
   if (copy != nullptr) return copy;
   copy = std::make_shared<Scope>(*scope);
   for (Value& value : copy->frame) value = transfer_.copy(value);

@@ -32,7 +32,7 @@ class Agent::GoalCopier {
   void copy_code(IntendedMeans& means);
   void copy_events();
   [[nodiscard]] std::shared_ptr<Fork> copy_of(const std::shared_ptr<Fork>& fork);
-  [[nodiscard]] std::shared_ptr<Scope> copy_of(const std::shared_ptr<Scope>& scope);
+  [[nodiscard]] ScopePtr copy_of(const ScopePtr& scope);
   [[nodiscard]] const Plan* copy_of(const Plan& plan) const;
   [[nodiscard]] std::uint32_t id_of_copy(std::uint32_t id) const;
 
@@ -44,7 +44,7 @@ class Agent::GoalCopier {
   std::map<std::uint32_t, Intention*> chosen_;
   std::map<std::uint32_t, Intention*> copies_;
   std::map<const Fork*, std::shared_ptr<Fork>> forks_;
-  std::map<const Scope*, std::shared_ptr<Scope>> scopes_;
+  std::map<const Scope*, ScopePtr> scopes_;
 };
 
 }  // namespace jaywalk

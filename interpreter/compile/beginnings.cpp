@@ -11,14 +11,14 @@ namespace jaywalk {
 namespace {
 
 bool is_heard_of(const Program& program, Predicate predicate, SymbolTable& symbols) {
-  const TriggerKey key =
-      trigger_key(TriggerOperator::add, TriggerKind::belief, predicate, symbols);
+  const TriggerKey key = trigger_key(TriggerOperator::add, TriggerKind::belief, predicate, symbols);
   return !program.library().candidates(key).empty();
 }
 
 const RuleTable* table_of(const Program& program, Predicate predicate) {
   const auto& tables = program.rule_tables();
-  const auto found = std::ranges::find(tables, predicate, [](const auto& each) { return each.first; });
+  const auto found =
+      std::ranges::find(tables, predicate, [](const auto& each) { return each.first; });
   return found == tables.end() ? nullptr : &found->second;
 }
 

@@ -1,10 +1,9 @@
-#include "interpreter/logic/machine_inline.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "interpreter/logic/formula_compiler.h"
+#include "interpreter/logic/machine_inline.h"
 
 namespace jaywalk {
 namespace {

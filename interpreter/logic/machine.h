@@ -110,9 +110,10 @@ class Machine : public FunctionCaller {
                                                        bool& holds) {
     holds = true;
     if (entry == nullptr) return true;
-    const bool is_decided = entry->next == nullptr ? decide(*entry, slots, holds)
-                                                   : entry->kind == Goal::Kind::probe &&
-                                                         decide_between_probes(*entry, slots, holds);
+    const bool is_decided =
+        entry->next == nullptr
+            ? decide(*entry, slots, holds)
+            : entry->kind == Goal::Kind::probe && decide_between_probes(*entry, slots, holds);
     if (is_decided) ++inferences_;
     return is_decided;
   }
@@ -149,6 +150,7 @@ class Machine : public FunctionCaller {
     return !is_in_frame(cell) && reinterpret_cast<const Variable*>(cell)->serial < first_young;
   }
   [[nodiscard]] Unifier& unifier() { return unifier_; }
+  [[nodiscard]] const Unifier& unifier() const { return unifier_; }
   [[nodiscard]] Heap& heap() { return *heap_; }
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
   [[nodiscard]] BeliefBase& beliefs() { return *beliefs_; }

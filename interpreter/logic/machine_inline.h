@@ -50,9 +50,7 @@ template <HeadStep::Kind kHead>
   using enum HeadStep::Kind;
   for (const HeadStep* step = code.begin();; ++step) {
     // Not before it is known that there is one.
-    const auto value = [&]() __attribute__((always_inline)) {
-      return deref(args[step->argument]);
-    };
+    const auto value = [&]() __attribute__((always_inline)) { return deref(args[step->argument]); };
     bool matches = false;
     switch (step->kind) {
       case any:
@@ -104,7 +102,7 @@ template <HeadStep::Kind kHead>
     } else if (step->kind != HeadStep::Kind::constant) {
       return HeadMatch::open;
     } else if (value.is_variable()) {
-      unifier_.bind(value.variable(), step->term);
+      (void)match_constant(code, *step, slots, value);
     } else if (!value.same_as(step->term)) {
       return value.is_number() || value.is_atom() ? HeadMatch::fails : HeadMatch::open;
     }

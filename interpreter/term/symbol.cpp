@@ -20,9 +20,7 @@ std::uint32_t spread(std::uint64_t key) {
   return static_cast<std::uint32_t>((key ^ key >> 29U) * 0x9E3779B97F4A7C15U >> 32U) | 1U;
 }
 
-std::uint32_t hash_of(std::string_view text) {
-  return spread(std::hash<std::string_view>{}(text));
-}
+std::uint32_t hash_of(std::string_view text) { return spread(std::hash<std::string_view>{}(text)); }
 
 std::uint32_t hash_of(const Signature& signature) {
   std::uint64_t key = static_cast<std::uint64_t>(signature.functor) << 32U |
@@ -63,7 +61,9 @@ void SymbolTable::clear_layer() {
   ++times_cleared_;
 }
 
-bool SymbolTable::knows(std::string_view text) const { return find(text, hash_of(text)).has_value(); }
+bool SymbolTable::knows(std::string_view text) const {
+  return find(text, hash_of(text)).has_value();
+}
 
 std::optional<Symbol> SymbolTable::find_here(std::string_view text, std::uint32_t hash) const {
   const std::int64_t place = symbols_.find(hash, [&](std::int64_t candidate) {

@@ -110,8 +110,7 @@ class SymbolTable {
  private:
   [[nodiscard]] std::optional<Symbol> find(std::string_view text, std::uint32_t hash) const;
   [[nodiscard]] std::optional<Symbol> find_here(std::string_view text, std::uint32_t hash) const;
-  [[nodiscard]] std::optional<Predicate> find(const Signature& signature,
-                                              std::uint32_t hash) const;
+  [[nodiscard]] std::optional<Predicate> find(const Signature& signature, std::uint32_t hash) const;
   [[nodiscard]] std::optional<Predicate> find_here(const Signature& signature,
                                                    std::uint32_t hash) const;
   using ReadingLock = std::shared_lock<std::shared_mutex>;

@@ -28,6 +28,7 @@ struct Scope {
   std::vector<Value> frame;
   std::shared_ptr<Scope> outer;
 };
+using ScopePtr = std::shared_ptr<Scope>;
 
 /// A loop in progress. Bindings made in a round are undone before the next and at the end.
 struct Loop {
@@ -50,7 +51,7 @@ struct MeansExtras {
   /// Bodies made at run time that the means has not left, each within the one before.
   std::vector<std::shared_ptr<BodyCode>> codes;
   std::vector<Loop> loops;
-  std::shared_ptr<Scope> scope;  // null: the agent's library alone
+  ScopePtr scope;  // null: the agent's library alone
 };
 
 struct IntendedMeans {
@@ -69,7 +70,7 @@ struct IntendedMeans {
   Boxed<MeansExtras> extras;
 
   [[nodiscard]] bool has_loops() const { return extras && !extras->loops.empty(); }
-  [[nodiscard]] std::shared_ptr<Scope> scope() const { return extras ? extras->scope : nullptr; }
+  [[nodiscard]] ScopePtr scope() const { return extras ? extras->scope : nullptr; }
   [[nodiscard]] bool is_finished() const { return current == nullptr; }
   /// REQUIRES: it is not finished.
   [[nodiscard]] const Step& step() const { return *current; }

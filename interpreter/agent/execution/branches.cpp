@@ -33,7 +33,7 @@ void Agent::start_branches(const Event& event) {
 }
 
 void Agent::start_branch(Intention& intention, const Plan& plan, const Event& event,
-                         const std::shared_ptr<Scope>& scope) {
+                         const ScopePtr& scope) {
   const std::vector<Value> values = work().frame;
   Intention& branch = copy_for_branch(intention);
   work().frame = values;

@@ -12,7 +12,6 @@
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/goals.h"
 #include "interpreter/agent/next_cycle.h"
-#include "interpreter/agent/plans/choose_plan_inline.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
@@ -352,7 +351,7 @@ inline bool Agent::is_alone() {
     end_cycle();
     ++cycles_;
     next.is_pending = false;
-    if (!find_usual_option(next.event)) (void)no_plan(next.event);
+    if (!find_option(next.event)) (void)no_plan(next.event);
     if (goal_conditions_ > 0 || !circumstance_.running.empty() || !(goes_on_ || next.is_pending)) {
       if (next.is_pending) queue_next_event(intention);
       release_held();

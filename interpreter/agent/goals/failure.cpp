@@ -83,6 +83,10 @@ void free_variables(Value term) {
 
 }  // namespace
 
+void Agent::report_limit(const ActionError& error, std::string where) {
+  if (error.limit != ReachedLimit::none) host_.limit_reached(*this, error.limit, std::move(where));
+}
+
 // What the body of a means has bound in its goal is free again for the goal's failure plan, whose
 // values are returned instead. What the head or the context has bound stays in the goal, but is not
 // returned.

@@ -47,7 +47,7 @@ void Agent::hand_over(const Intention& intention, const IntendedMeans& caller) {
 }
 
 // What means of few plans need.
-void Agent::fill_rare(IntendedMeans& means, const std::shared_ptr<Scope>& scope) {
+void Agent::fill_rare(IntendedMeans& means, const ScopePtr& scope) {
   const Plan& plan = *means.plan;
   if (scope != nullptr) means.extras.make().scope = scope;
   if (plan.subplans != nullptr) {

@@ -7,14 +7,44 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
-#include "interpreter/agent/plans/choose_plan_inline.h"
 #include "interpreter/agent/step_guard.h"
+#include "interpreter/logic/machine_inline.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/text.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
 namespace {
+
+constinit const ScopePtr kNoScope;  // of the library alone
+
+[[gnu::always_inline]] inline EventArguments arguments_of(const Event& event,
+                                                          const NextEvent& next) {
+  const Value literal = event.literal;
+  if (literal.is_unset()) {
+    return {true, next.is_open, next.predicate, {next.args.data(), next.arity}};
+  }
+  if (literal.is_atom()) return {true, false, literal.atom_id(), {}};
+  if (!is_literal(literal)) return {false, true, {}, {}};
+  const Structure& structure = *literal.structure();
+  return {true, !literal.is_closed(), structure.predicate(), structure.arg_span()};
+}
+
+// The formula that has made an event, if that is known.
+[[gnu::always_inline]] inline const EventCode* code_of(const Event& event, const NextEvent& next) {
+  return &event == &next.event ? next.code : nullptr;
+}
+
+// Of an open event: whether the context has bound something in it; what the head has bound, the
+// goal has from there (goal_of), unless its literal has been made.
+bool is_event_bound(const Event& event, std::size_t matched, const Workspace& workspace) {
+  if (!event.literal.is_unset()) return true;
+  const std::vector<Value>& frame = workspace.frame;
+  const auto bound = workspace.machine.unifier().bindings_since(matched);
+  return std::any_of(bound.begin(), bound.end(), [&](const Value* cell) {
+    return cell < frame.data() || cell >= frame.data() + frame.size();
+  });
+}
 
 // Whether the trigger of one of the plans unifies with the event's literal.
 bool has_relevant(const std::vector<const Plan*>& plans, const Scope* scope, Value literal,
@@ -43,6 +73,24 @@ TriggerKey Agent::key_of(const Event& event) {
   return trigger_key(event.op, event.kind, predicate, symbols_);
 }
 
+// The plans that an event may be for: mostly known from its formula.
+[[gnu::always_inline]] inline const PlanList& Agent::plans_for(const Event& event,
+                                                               const EventCode* code) {
+  const bool is_known = code != nullptr && code->library == library_;
+  return is_known ? *code->plans : library_->list(key_of(event));
+}
+
+// The frame of a plan before its trigger is matched.
+[[gnu::always_inline]] inline Value* Agent::empty_frame(const Plan& plan,
+                                                        std::uint32_t first_to_clear) {
+  std::vector<Value>& scratch = workspace_->frame;
+  if (scratch.size() < plan.slot_count) scratch.resize(plan.slot_count);
+  Value* const frame = scratch.data();
+  for (std::uint32_t i = first_to_clear; i < plan.slot_count; ++i) frame[i] = Value();
+  workspace_->machine.unifier().set_slot_names({plan.slot_names.data(), plan.slot_count});
+  return frame;
+}
+
 // The frame of a sub-plan, which has values of the enclosing plan.
 Value* Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing) {
   Value* const frame = empty_frame(plan, 0);
@@ -67,8 +115,8 @@ std::vector<Value> Agent::closed_off(std::span<const Value> values) {
   return copies;
 }
 
-// A limit has been met while the trigger was matched or the context was solved. REQUIRES: called from
-// a handler.
+// A limit has been met while the trigger was matched or the context was solved. REQUIRES: called
+// from a handler.
 void Agent::leave_plan_at_limit(const Plan& plan, std::size_t trail, Heap::Mark unused) {
   const ActionError error = error_of_limit();
   machine().unifier().undo(trail);  // before what is bound is given up
@@ -132,17 +180,6 @@ bool Agent::applies_in_general(const Plan& plan, const Event& event, const Event
   return applicable;
 }
 
-// Of an open event: whether the context has bound something in it; what the head has bound, the
-// goal has from there (goal_of), unless its literal has been made.
-bool Agent::is_event_bound(const Event& event, std::size_t matched) {
-  if (!event.literal.is_unset()) return true;
-  const std::vector<Value>& frame = workspace_->frame;
-  const auto bound = workspace_->machine.unifier().bindings_since(matched);
-  return std::any_of(bound.begin(), bound.end(), [&](const Value* cell) {
-    return cell < frame.data() || cell >= frame.data() + frame.size();
-  });
-}
-
 // Of an event that had candidates. Jason takes the rules one by one for atomic intentions and where
 // options are selected by rules, and RelPl looks at the triggers.
 bool Agent::were_relevant(const Event& event) {
@@ -152,26 +189,123 @@ bool Agent::were_relevant(const Event& event) {
   const Value literal = literal_of(event);
   Unifier& unifier = machine().unifier();
   if (has_relevant(library_->candidates(key), nullptr, literal, unifier)) return true;
-  std::shared_ptr<Scope> scope = is_atomic ? event.intention->top().scope() : nullptr;
+  ScopePtr scope = is_atomic ? event.intention->top().scope() : nullptr;
   for (; scope != nullptr; scope = scope->outer) {
     if (has_relevant(scope->library->candidates(key), scope.get(), literal, unifier)) return true;
   }
   return false;
 }
 
+// Rules RelPl and ApplPl for one plan, whose values are in the workspace's frame then.
+[[gnu::always_inline]] inline bool Agent::applies(const Plan& plan, const Event& event,
+                                                  const EventArguments& given,
+                                                  std::span<const Value> enclosing) {
+  Machine& machine = workspace_->machine;
+  Unifier& unifier = machine.unifier();
+  const std::size_t trail = unifier.mark();
+  std::size_t matched = trail;
+  Value* frame = nullptr;
+  if (plan.head.tells_goal && given.is_literal && enclosing.empty()) {
+    if (plan.head.predicate != given.predicate) return false;
+    frame = empty_frame(plan, plan.head.code.first_to_clear());
+    const HeadMatch match = machine.match_head_at_once(plan.head.code, frame, given.args.data());
+    matched = unifier.mark();
+    if (match != HeadMatch::holds) {
+      if (matched != trail) unifier.undo(trail);
+      if (match == HeadMatch::fails) return false;
+      frame = nullptr;
+    }
+  }
+  bool applicable = false;
+  if (frame == nullptr || (unusual_ & kObserved) != 0 ||
+      !machine.solve_at_once(plan.context, frame, applicable)) {
+    applicable = applies_in_general(plan, event, given, enclosing, frame, matched);
+  }
+  workspace_->binds_event = false;
+  if (unifier.mark() == trail) return applicable;
+  if (applicable) {
+    workspace_->binds_event = given.is_open && is_event_bound(event, matched, *workspace_);
+    unifier.commit(trail);
+  } else {
+    unifier.undo(trail);
+  }
+  return applicable;
+}
+
 bool Agent::is_applicable(const Plan& plan, const Event& event, std::span<const Value> enclosing) {
-  return applies(plan, event, arguments_of(event), enclosing);
+  return applies(plan, event, arguments_of(event, workspace_->next), enclosing);
 }
 
 const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
                                  std::span<const Value> enclosing) {
-  const EventArguments given = arguments_of(event);
+  const EventArguments given = arguments_of(event, workspace_->next);
   const std::uint64_t key = given.args.empty() ? 0 : argument_key(given.args.front());
   return plans.find(key, [&](const Plan& plan) { return is_applicable(plan, event, enclosing); });
 }
 
-bool Agent::try_plans(const PlanList& plans, const Event& event,
-                      const std::shared_ptr<Scope>& scope) {
+// Rules RelPl, ApplPl and SelAppl for plans in order: the first that is applicable, or null.
+[[gnu::always_inline]] inline const Plan* Agent::first_applicable(
+    const PlanList& plans, const Event& event, std::span<const Value> enclosing) {
+  if (!plans.is_short()) {
+    workspace_->had_candidates = true;
+    return first_indexed(plans, event, enclosing);
+  }
+  const EventArguments given = arguments_of(event, workspace_->next);
+  const Value first = given.args.empty() ? Value() : deref(given.args.front());
+  for (const Plan* const plan : plans.plans()) {
+    if (!evidently_differ(plan->first_argument, first) && applies(*plan, event, given, enclosing)) {
+      return plan;
+    }
+  }
+  if (!plans.plans().empty()) workspace_->had_candidates = true;
+  return nullptr;
+}
+
+// Rule AddIM. The values of the plan's slots are in the workspace's frame.
+[[gnu::always_inline]] inline std::span<const Value> Agent::frame_for(const Plan& plan) const {
+  return {workspace_->frame.data(), plan.slot_count};
+}
+
+[[gnu::always_inline]] inline bool Agent::replaces_caller(const Intention& intention,
+                                                          const Event& event) {
+  if ((unusual_ & kKeepsCallers) != 0) return false;
+  const EventCode* const code = code_of(event, workspace_->next);
+  const bool is_known = code != nullptr && code->last_call != EventCode::LastCall::unknown;
+  return is_known ? code->last_call == EventCode::LastCall::yes : is_last_call(intention, event);
+}
+
+[[gnu::always_inline]] inline void Agent::fill_means(Intention& intention, const Plan& plan,
+                                                     const Event& event, const ScopePtr& scope) {
+  IntendedMeans& means = intention.top();
+  means.op = event.op;
+  means.kind = event.kind;
+  means.trigger = workspace_->binds_event ? settled_literal(event) : event.literal;
+  means.keeps = event.keeps;
+  if (scope != nullptr || !plan.is_simple) fill_rare(means, scope);
+}
+
+[[gnu::always_inline]] inline void Agent::add_means(const Plan& plan, const Event& event,
+                                                    const ScopePtr& scope) {
+  Intention& intention = event.intention == nullptr ? new_intention() : *event.intention;
+  const bool replaces = event.intention != nullptr && replaces_caller(intention, event);
+  if ((unusual_ & (kObserved | kGoalStates)) != 0 || (replaces && intention.top().returns > 0)) {
+    announce_means(plan, event, intention, replaces);
+  }
+  if (replaces) {
+    intention.replace(plan, frame_for(plan));
+  } else {
+    heap_.note_beside(sizeof(IntendedMeans));
+    intention.push(plan, frame_for(plan));
+  }
+  fill_means(intention, plan, event, scope);
+  if ((unusual_ & kGoalStates) != 0 && event.op == TriggerOperator::add &&
+      event.kind == TriggerKind::achieve) {
+    signal_goal_state(event.kind, literal_of(event), "executing");
+  }
+  stay_ready(intention);
+}
+
+bool Agent::try_plans(const PlanList& plans, const Event& event, const ScopePtr& scope) {
   if (customisation_ != nullptr && customisation_->select_option) {
     return select_option(plans.plans(), event, scope);
   }
@@ -203,25 +337,41 @@ bool Agent::find_unusual_option(const Event& event) {
   if (by_rules) return select_by_rules(event);
   const Intention* const intention = event.intention;
   const bool is_below = intention != nullptr && !intention->is_finished();
-  std::shared_ptr<Scope> scope = is_below ? intention->top().scope() : nullptr;
+  ScopePtr scope = is_below ? intention->top().scope() : nullptr;
   for (; scope != nullptr; scope = scope->outer) {
     if (try_plans(scope->library->list(key_of(event)), event, scope)) return true;
   }
-  return try_plans(plans_for(event, code_of(event)), event, nullptr);
+  return try_plans(plans_for(event, code_of(event, workspace_->next)), event, nullptr);
 }
 
 void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
-                       const std::shared_ptr<Scope>& scope) {
+                       const ScopePtr& scope) {
   heap_.note_beside(sizeof(IntendedMeans));
   intention.push(plan, frame_for(plan));
   fill_means(intention, plan, event, scope);
 }
 
-void Agent::add_intended_means(const Plan& plan, const Event& event,
-                               const std::shared_ptr<Scope>& scope) {
+void Agent::add_intended_means(const Plan& plan, const Event& event, const ScopePtr& scope) {
   add_means(plan, event, scope);
 }
 
-bool Agent::find_option(const Event& event) { return find_usual_option(event); }
+// Whether a plan has been chosen and its means added, or the event has failed for another reason.
+bool Agent::find_option(const Event& event) {
+  constexpr std::uint32_t kUnusual =
+      kShowsEvents | kCustomised | kSelectsByRules | kSubplans | kLearned;
+  workspace_->had_candidates = false;
+  selected_event_ = &event;
+  bool found = false;
+  if ((unusual_ & kUnusual) != 0) {
+    found = find_unusual_option(event);
+  } else if (const Plan* const chosen =
+                 first_applicable(plans_for(event, code_of(event, workspace_->next)), event, {})) {
+    add_means(*chosen, event, kNoScope);
+    found = true;
+  }
+  selected_event_ = nullptr;
+  if (!found && (workspace_->had_candidates || observer_ != nullptr)) note_no_option(event);
+  return found;
+}
 
 }  // namespace jaywalk

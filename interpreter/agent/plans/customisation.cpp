@@ -47,7 +47,7 @@ Intention* Agent::take_selected_intention() {
 
 // Rules RelPl and ApplPl for all plans at once, then SelAppl with a function of the agent's own.
 bool Agent::select_option(const std::vector<const Plan*>& plans, const Event& event,
-                          const std::shared_ptr<Scope>& scope) {
+                          const ScopePtr& scope) {
   std::vector<Option> options;
   for (const Plan* const plan : plans) {
     work().had_candidates = true;
@@ -69,7 +69,7 @@ void Agent::intend(Option& option, const Event& event) {
 }
 
 // The options that one plan is, each with what it binds; the bindings themselves are undone.
-void Agent::find_options(const Plan& plan, const Event& event, const std::shared_ptr<Scope>& scope,
+void Agent::find_options(const Plan& plan, const Event& event, const ScopePtr& scope,
                          std::vector<Option>& options) {
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();

@@ -31,8 +31,7 @@ std::size_t draw_from(std::span<const double> probabilities, double number) {
 
 // The first plan that is applicable decides, as always. If it is an option of a policy, the other
 // applicable options of that policy are found, too.
-bool Agent::try_learned(const PlanList& plans, const Event& event,
-                        const std::shared_ptr<Scope>& scope) {
+bool Agent::try_learned(const PlanList& plans, const Event& event, const ScopePtr& scope) {
   work().had_candidates = work().had_candidates || !plans.plans().empty();
   (void)literal_of(event);
   std::vector<Option> options;

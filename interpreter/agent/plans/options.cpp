@@ -15,14 +15,14 @@ bool Agent::select_by_rules(const Event& event) {
   const TriggerKey key = key_of(event);
   work().had_candidates = false;
   std::vector<Option> options;
-  const auto add_all = [&](const PlanLibrary& library, const std::shared_ptr<Scope>& scope) {
+  const auto add_all = [&](const PlanLibrary& library, const ScopePtr& scope) {
     for (const Plan* const plan : library.candidates(key)) {
       work().had_candidates = true;
       find_options(*plan, event, scope, options);
     }
   };
   if (event.intention != nullptr && !event.intention->is_finished()) {
-    std::shared_ptr<Scope> scope = event.intention->top().scope();
+    ScopePtr scope = event.intention->top().scope();
     for (; scope != nullptr; scope = scope->outer) add_all(*scope->library, scope);
   }
   add_all(*library_, nullptr);

@@ -30,7 +30,7 @@ struct Option {
   std::vector<Value> values;
   /// What choosing it binds besides: variables of the event and their values.
   std::vector<std::pair<Value, Value>> bindings;
-  std::shared_ptr<Scope> scope;
+  ScopePtr scope;
 };
 
 /// A change of belief that an agent is about to make, for its belief revision function.

@@ -354,8 +354,7 @@ void BeliefBase::erase(Relation& rel, std::int64_t seq) {
 
 // Takes annotations away; the belief goes when no source is left.
 bool BeliefBase::remove_annotations(Relation& rel, std::int64_t seq, Value annots, bool exact) {
-  if (annots.same_as(source_self()) &&
-      annots.same_as(literal_parts(rel.row(seq).fact).annots)) {
+  if (annots.same_as(source_self()) && annots.same_as(literal_parts(rel.row(seq).fact).annots)) {
     erase(rel, seq);
     return true;
   }

@@ -90,7 +90,9 @@ class Relation {
     return rows_->size() == 1 && holes_ == 0 && rules_ == 0 ? &rows_->front() : nullptr;
   }
   [[nodiscard]] bool is_indexed() const { return indexes_ != nullptr; }
-  [[nodiscard]] bool has_few_facts() const { return rules_ == 0 && rows_->size() <= kUnindexedRows; }
+  [[nodiscard]] bool has_few_facts() const {
+    return rules_ == 0 && rows_->size() <= kUnindexedRows;
+  }
   /// All rows, newest first, if they are a few rules and nothing else; else null.
   [[nodiscard]] const RuleTable* rule_table() {
     return table_ != nullptr || rules_ == 0 ? table_ : make_rule_table();

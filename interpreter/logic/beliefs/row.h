@@ -50,11 +50,10 @@ struct Row {
   [[nodiscard]] Value literal() const { return rule != nullptr ? rule->head : fact; }
 };
 
-/// Indexes of rows, the first of which has this number: by an argument, which they have; of the facts
-/// by all arguments.
+/// Indexes of rows, the first of which has this number: by an argument, which they have; of the
+/// facts by all arguments.
 [[nodiscard]] std::unique_ptr<RowIndex> make_row_index(const Ring<Row>& rows, std::int64_t first,
                                                        std::size_t argument);
-[[nodiscard]] std::unique_ptr<HashIndex> make_fact_index(const Ring<Row>& rows,
-                                                         std::int64_t first);
+[[nodiscard]] std::unique_ptr<HashIndex> make_fact_index(const Ring<Row>& rows, std::int64_t first);
 
 }  // namespace jaywalk

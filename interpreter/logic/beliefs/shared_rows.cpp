@@ -16,8 +16,8 @@ std::size_t arity_of(const Ring<Row>& rows) {
 
 SharedRows::SharedRows(Ring<Row> rows, const RuleTable* table)
     : rows_(std::move(rows)), table_(table), made_(arity_of(rows_)), by_argument_(arity_of(rows_)) {
-  rules_ = static_cast<std::uint32_t>(
-      std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.rule != nullptr; }));
+  rules_ = static_cast<std::uint32_t>(std::count_if(
+      rows_.begin(), rows_.end(), [](const Row& row) { return row.rule != nullptr; }));
 }
 
 RowIndex& SharedRows::index_of(std::size_t argument) const {

@@ -1,7 +1,8 @@
 #pragma once
 
 // The head of a rule or a plan, compiled to steps. Matching a head with the arguments of a query or
-// an event is what a program does most, and what each place of the head asks for is known beforehand:
+// an event is what a program does most, and what each place of the head asks for is known
+// beforehand:
 //
 //   append([H|T], L, [H|R])      pair  0         argument 0 is a list; its two parts follow
 //                                  first H       the first place of H: the slot takes the value

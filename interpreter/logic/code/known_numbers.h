@@ -32,7 +32,9 @@ inline constexpr Orders kGreater = 4;
 
 /// 0: one of them is not a number.
 [[nodiscard, gnu::always_inline]] inline Orders order_of(double a, double b) {
-  return static_cast<Orders>((a < b ? kLess : 0) | (a == b ? kEqual : 0) | (a > b ? kGreater : 0));
+  if (a < b) return kLess;
+  if (a > b) return kGreater;
+  return a == b ? kEqual : 0;
 }
 
 /// Whether both sides of a comparison are numbers over this frame; then `result` says whether it

@@ -1,8 +1,8 @@
 #pragma once
 
 // A stack of small values in one block of memory, which doubles when it is full. How many there are
-// is a number of its own: it is asked for far more often than it changes. What the stack grows by is
-// not cleared before it is written.
+// is a number of its own: it is asked for far more often than it changes. What the stack grows by
+// is not cleared before it is written.
 
 #include <algorithm>
 #include <cstddef>
@@ -66,7 +66,8 @@ class FlatStack {
   /// Takes those out that have come since there were `from` and that `is_it` holds for.
   template <class IsIt>
   void erase_if(std::size_t from, IsIt is_it) {
-    if (from < size_) size_ = static_cast<std::size_t>(std::remove_if(begin() + from, end(), is_it) - begin());
+    if (from < size_)
+      size_ = static_cast<std::size_t>(std::remove_if(begin() + from, end(), is_it) - begin());
   }
   /// Gives the memory back, too.
   void release() { *this = FlatStack(); }

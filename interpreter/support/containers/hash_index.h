@@ -1,8 +1,9 @@
 #pragma once
 
-// Where something stands that has a given hash, among others in a row: a hash table of places in one
-// block of memory, eight bytes for each. Entries that collide stand in the next free place; when one
-// is removed, those behind it move up, so that nothing is left behind by what comes and goes.
+// Where something stands that has a given hash, among others in a row: a hash table of places in
+// one block of memory, eight bytes for each. Entries that collide stand in the next free place;
+// when one is removed, those behind it move up, so that nothing is left behind by what comes and
+// goes.
 
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,8 @@ class HashIndex {
   [[nodiscard]] std::int64_t find(std::uint32_t hash, Wanted&& wanted) const {
     if (table_.empty()) return kNone;
     for (std::size_t i = home(hash); table_[i].hash != 0; i = after(i)) {
-      if (table_[i].hash == hash && wanted(origin_ + table_[i].place)) return origin_ + table_[i].place;
+      if (table_[i].hash == hash && wanted(origin_ + table_[i].place))
+        return origin_ + table_[i].place;
     }
     return kNone;
   }

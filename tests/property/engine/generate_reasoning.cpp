@@ -166,7 +166,9 @@ class ReasoningWriter {
         add(choices_.one_of({"", "[atomic]", "[all_unifs]"})), add(" ");
       }
       add("+!" + name + "(X, Y, ");
-      add(choices_.one_of({"Z", "Z", "_", "f(Z,V)", "[Z|W]", "X", "2"})), add(") : X > 0 & Y < 9");
+      add(choices_.one_of(
+          {"Z", "Z", "_", "f(Z,V)", "[Z|W]", "X", "2", "a", "[a|W]", "[]", "[Z|Z]"}));
+      add(") : X > 0 & Y < 9");
       if (!choices_.once_in(3)) add(" & "), formula(2);
       add(" <- "), body(2, 5), add(".\n");
     }
@@ -198,7 +200,10 @@ class ReasoningWriter {
   void goal() {
     add(choices_.once_in(9) ? "!!" : "!"), goal_name(), add("(X-1, ");
     choices_.once_in(3) ? number(1) : add("Y");
-    add(", "), add(choices_.one_of({"Z", "W", "V", "_", "Z", "f(Z,W)", "X"})), add(")");
+    add(", "),
+        add(choices_.one_of(
+            {"Z", "W", "V", "_", "Z", "f(Z,W)", "X", "a", "a[k]", "[X|W]", "[a[k]|V]", "[Z,W]"})),
+        add(")");
   }
 
   void step(int depth) {

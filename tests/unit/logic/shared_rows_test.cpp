@@ -109,7 +109,8 @@ TEST_F(SharedFacts, StaySharedIfNothingIsNew) {
 TEST_F(SharedFacts, LetAWalkGoOnThatBeganBeforeTheyWereChanged) {
   Ring<Row> rows;
   for (int i = 0; i < 40; ++i) {
-    const Value fact = terms.term("p(a" + std::to_string(i % 2) + ")[n(" + std::to_string(i) + ")]");
+    const Value fact =
+        terms.term("p(a" + std::to_string(i % 2) + ")[n(" + std::to_string(i) + ")]");
     rows.push_back({.fact = fact, .key = argument_key(fact.structure()->arg(0))});
   }
   shared = std::make_unique<SharedRows>(std::move(rows), nullptr);

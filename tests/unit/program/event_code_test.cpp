@@ -14,8 +14,8 @@ namespace {
 
 using test::CompiledProgram;
 
-/// The steps of the head of the plan with this trigger, `first 0`, `constant a`, `pair`; "whole": the
-/// unifier matches it.
+/// The steps of the head of the plan with this trigger, `first 0`, `constant a`, `pair`; "whole":
+/// the unifier matches it.
 std::string head(const std::string& trigger) {
   const CompiledProgram made(trigger + ".");
   const PlanHead& head = made.plan().head;
