@@ -262,7 +262,7 @@ const Plan* Agent::first_indexed(const PlanList& plans, const Event& event,
 }
 
 // Rule AddIM. The values of the plan's slots are in the workspace's frame.
-[[gnu::always_inline]] inline std::span<const Value> Agent::frame_for(const Plan& plan) const {
+std::span<const Value> Agent::frame_for(const Plan& plan) const {
   return {workspace_->frame.data(), plan.slot_count};
 }
 
