@@ -2,7 +2,7 @@
 // fact's annotations is an answer; variables, which stand for any belief or for a formula.
 
 #include "interpreter/logic/formula_compiler.h"
-#include "interpreter/logic/machine.h"
+#include "interpreter/logic/machine_inline.h"
 
 namespace jaywalk {
 namespace {

@@ -1,6 +1,6 @@
 // Goals that hold or not, and leave no choice: comparison and unification; probes.
 
-#include "interpreter/logic/machine.h"
+#include "interpreter/logic/machine_inline.h"
 #include "interpreter/logic/unifier/univ.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/program_terms.h"
