@@ -13,8 +13,10 @@ class HeadCode::Compiler {
         is_set_(names.size(), false),
         in_templates_(names.size(), false) {}
 
-  // Counts the places of each slot in a template: text nests less deep than the stack.
+  // Counts the places of each slot in a template of a program's text, which nests less deep than
+  // the stack.
   void count(Value term) {
+    if (term.is_closed()) return;
     if (term.is_slot()) {
       ++uses_[term.slot_index()];
     } else if (term.is_pair()) {
@@ -75,18 +77,23 @@ class HeadCode::Compiler {
   // A slot that a template mentions before it has a step is left to templates altogether.
   [[nodiscard]] HeadStep::Kind kind_of(std::uint32_t slot) const {
     if (is_set_[slot]) return HeadStep::Kind::again;
-    if (in_templates_[slot]) return HeadStep::Kind::term;
+    if (has_unknown_template_ || in_templates_[slot]) return HeadStep::Kind::term;
     const bool is_alone = uses_[slot] == 1 && names_[slot] == names::unnamed;
     return is_alone ? HeadStep::Kind::any : HeadStep::Kind::first;
   }
 
   void add(const HeadStep& step) {
     if (step.kind == HeadStep::Kind::first) is_set_[step.slot] = true;
-    if (step.kind == HeadStep::Kind::term) note(step.term);
+    if (step.kind == HeadStep::Kind::term && !step.term.is_closed()) {
+      // Terms of run-time data may share their parts, so that to walk through them never ends.
+      step.term.is_slot() || step.term.is_static() ? note(step.term)
+                                                   : void(has_unknown_template_ = true);
+    }
     code_.steps_.push_back(step);
   }
 
   void note(Value term) {
+    if (term.is_closed()) return;
     if (term.is_slot()) {
       in_templates_[term.slot_index()] = true;
     } else if (term.is_pair()) {
@@ -101,8 +108,9 @@ class HeadCode::Compiler {
   HeadCode& code_;
   std::span<const Symbol> names_;
   std::vector<std::uint32_t> uses_;
-  std::vector<bool> is_set_;        // by a step `first`
-  std::vector<bool> in_templates_;  // mentioned by a step `term`
+  std::vector<bool> is_set_;           // by a step `first`
+  std::vector<bool> in_templates_;     // mentioned by a step `term`
+  bool has_unknown_template_ = false;  // it may mention any slot
 };
 
 HeadCode::HeadCode(Value head, const std::vector<Value>& body_terms,
@@ -110,8 +118,12 @@ HeadCode::HeadCode(Value head, const std::vector<Value>& body_terms,
     : HeadCode() {
   if (!head.is_structure()) return;
   Compiler compiler(*this, slot_names);
-  compiler.count(head);
-  for (const Value term : body_terms) compiler.count(term);
+  if (head.is_static()) {
+    compiler.count(head);
+    for (const Value term : body_terms) compiler.count(term);
+  } else {
+    compiler.keep_all();
+  }
   compiler.compile(*head.structure());
 }
 

@@ -61,6 +61,14 @@ TEST(PlanHeads, FreeWhatTheBodyHasBoundWhenTheGoalFails) {
       ElementsAre("[3]"));
 }
 
+TEST(PlanHeads, MayHaveTermsThatShareTheirParts) {
+  const std::string grow = "+!grow(0, T, T). +!grow(N, S, T) : N > 0 <- !grow(N-1, p(S, S), T).";
+  EXPECT_THAT(printed("grow(60, a, T); +{ +!g(T, Y) <- .print(Y) }; !g(T, 5)", grow),
+              ElementsAre("5"));
+  EXPECT_THAT(printed("grow(60, a, T); +{ r(T, Y) :- Y = 1 }; ?r(T, Y); .print(Y)", grow),
+              ElementsAre("1"));
+}
+
 TEST(PlanHeads, OfSubPlansKnowTheVariablesAroundThem) {
   EXPECT_THAT(printed("g(1)",
                       "+!g(X) <- !h(1, 5); !h(2, 6). {"
