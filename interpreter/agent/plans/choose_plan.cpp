@@ -139,8 +139,8 @@ bool Agent::observed_context_holds(const Plan& plan, const Event& event, Value* 
   return found;
 }
 
-// Rule RelPl for one plan: whether its trigger matches the event, whose variables get their values
-// in the frame. What the frame does not tell of the event, its literal has.
+// Rule RelPl for one plan: whether its trigger matches the event. Its variables get their values in
+// the frame. The event's literal is made if the frame loses something of it.
 bool Agent::is_relevant(const Plan& plan, const Event& event, const EventArguments& given,
                         Value* frame) {
   Machine& machine = workspace_->machine;

@@ -35,7 +35,6 @@ class FlatStack {
   ~FlatStack() = default;
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
   [[nodiscard]] T* data() { return values_.get(); }
   [[nodiscard]] const T* data() const { return values_.get(); }
@@ -59,18 +58,12 @@ class FlatStack {
   /// REQUIRES: there are as many.
   void cut(std::size_t size) { size_ = size; }
   void clear() { size_ = 0; }
-  /// Room for at least so many.
-  void reserve(std::size_t size) {
-    if (size > capacity_) grow(size);
-  }
   /// Takes those out that have come since there were `from` and that `is_it` holds for.
   template <class IsIt>
   void erase_if(std::size_t from, IsIt is_it) {
     if (from < size_)
       size_ = static_cast<std::size_t>(std::remove_if(begin() + from, end(), is_it) - begin());
   }
-  /// Gives the memory back, too.
-  void release() { *this = FlatStack(); }
 
  private:
   void swap(FlatStack& other) noexcept {

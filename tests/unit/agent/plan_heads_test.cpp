@@ -1,5 +1,5 @@
-// Triggers of plans, matched with the arguments of a goal: what the plan gets, and what is told of
-// the goal afterwards.
+// Triggers of plans are matched with the arguments of a goal. The goal can be told from the plan's
+// variables afterwards.
 
 #include <string>
 
