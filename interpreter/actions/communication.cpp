@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -64,72 +65,88 @@ bool asks(Symbol performative) {
          performative == names::ask_how_text;
 }
 
-}  // namespace
-
-Outcome send(ActionCall& call) {
-  const Symbol performative = performative_of(call.arg(1), call.symbols());
-  const Value lone = call.arg(0);
-  if (!lone.is_atom() && !lone.is_list() && !lone.is_text()) {
+/// Refuses arguments of `.send` in Jason's words; nothing: they can be sent.
+std::optional<Outcome> refuse(ActionCall& call, Symbol performative, bool waits) {
+  const Value to = call.arg(0);
+  if (!to.is_atom() && !to.is_list() && !to.is_text()) {
     return call.wrong_arguments(
         fmt::format("TO parameter ('{}') must be an atom, a string or a list of receivers!",
-                    brief_text(lone, call.symbols())));
+                    brief_text(to, call.symbols())));
   }
   if (performative == names::empty) {
     return call.wrong_arguments(fmt::format("illocutionary force parameter ('{}') must be an atom!",
                                             brief_text(call.arg(1), call.symbols())));
   }
-  const bool waits = asks(performative) && call.count() > 3;
-  double timeout_ms = -1;
-  if (waits && call.count() > 4) {
-    if (!call.arg(4).is_number()) {
-      return call.fail("internal_action",
-                       fmt::format("The 5th parameter of send must be a number (timeout) and not "
-                                   "'{}'!",
-                                   brief_text(call.arg(4), call.symbols())));
-    }
-    timeout_ms = std::max(0.0, call.arg(4).as_number());
+  if (waits && call.count() > 4 && !call.arg(4).is_number()) {
+    return call.fail("internal_action",
+                     fmt::format("The 5th parameter of send must be a number (timeout) and not "
+                                 "'{}'!",
+                                 brief_text(call.arg(4), call.symbols())));
   }
-  const std::vector<Value> listed = lone.is_list() ? elements(lone) : std::vector<Value>{};
-  const std::span<const Value> receivers = lone.is_list() ? listed : std::span(&lone, 1);
-  Agent& agent = *call.agent();
+  return std::nullopt;
+}
+
+OutgoingMessage message_of(ActionCall& call, Symbol performative, bool waits) {
   OutgoingMessage message;
   message.performative = performative;
   message.content = call.arg(2);
-  message.id = agent.new_message_id(waits ? MessageId::Kind::question : MessageId::Kind::message);
+  message.id =
+      call.agent()->new_message_id(waits ? MessageId::Kind::question : MessageId::Kind::message);
   if (!waits && call.count() > 3) {
     message.in_reply_to = question_named(text_of(call.arg(3), call.symbols()));
   }
+  return message;
+}
+
+/// Sends a message to one more receiver. Nothing: it is on its way.
+std::optional<Outcome> send_to(Value receiver, OutgoingMessage& message, ActionCall& call) {
+  if (!receiver.is_atom() && !receiver.is_text()) {
+    return call.fail("internal_action",
+                     fmt::format("The TO parameter ('{}') of the internal action 'send' is not an "
+                                 "atom!",
+                                 brief_text(receiver, call.symbols())));
+  }
+  std::string buffer;
+  message.receiver_atom.reset();
+  if (is_plain_atom(receiver)) {
+    message.receiver_atom = receiver.atom_id();
+  } else {
+    message.receiver = name_of(receiver, call.symbols(), buffer);
+  }
+  if (call.agent()->host().send(*call.agent(), message)) return std::nullopt;
+  return call.fail("receiver_not_found",
+                   "there is no agent " + std::string(name_of(receiver, call.symbols(), buffer)));
+}
+
+/// The intention waits for what so many receivers answer a question.
+Outcome await_answers(ActionCall& call, const OutgoingMessage& question, std::size_t receivers) {
+  PendingAsk ask;
+  ask.id = question.id;
+  ask.answer = call.arg(3);
+  ask.is_one = question.performative == names::ask_one_text;
+  ask.to_many = call.arg(0).is_list();
+  ask.awaited = receivers;
+  const double timeout_ms = call.count() > 4 ? std::max(0.0, call.arg(4).as_number()) : -1;
+  call.agent()->wait_for_answers(*call.intention(), std::move(ask), timeout_ms);
+  return Outcome::suspended;
+}
+
+}  // namespace
+
+Outcome send(ActionCall& call) {
+  const Symbol performative = performative_of(call.arg(1), call.symbols());
+  const bool waits = asks(performative) && call.count() > 3;
+  if (const auto refused = refuse(call, performative, waits)) return *refused;
+  const Value to = call.arg(0);
+  const std::vector<Value> listed = to.is_list() ? elements(to) : std::vector<Value>{};
+  const std::span<const Value> receivers = to.is_list() ? listed : std::span(&to, 1);
+  OutgoingMessage message = message_of(call, performative, waits);
   for (const Value receiver : receivers) {
-    if (!receiver.is_atom() && !receiver.is_text()) {
-      return call.fail(
-          "internal_action",
-          fmt::format("The TO parameter ('{}') of the internal action 'send' is not an "
-                      "atom!",
-                      brief_text(receiver, call.symbols())));
-    }
-    std::string buffer;
-    message.receiver_atom.reset();
-    if (is_plain_atom(receiver)) {
-      message.receiver_atom = receiver.atom_id();
-    } else {
-      message.receiver = name_of(receiver, call.symbols(), buffer);
-    }
-    if (!agent.host().send(agent, message)) {
-      return call.fail(
-          "receiver_not_found",
-          "there is no agent " + std::string(name_of(receiver, call.symbols(), buffer)));
-    }
+    if (const auto failed = send_to(receiver, message, call)) return *failed;
   }
   if (!waits) return Outcome::succeeded;
   if (receivers.empty()) return call.result(3, Value::empty_list());
-  PendingAsk ask;
-  ask.id = message.id;
-  ask.answer = call.arg(3);
-  ask.is_one = performative == names::ask_one_text;
-  ask.to_many = call.arg(0).is_list();
-  ask.awaited = receivers.size();
-  agent.wait_for_answers(*call.intention(), std::move(ask), timeout_ms);
-  return Outcome::suspended;
+  return await_answers(call, message, receivers.size());
 }
 
 Outcome broadcast(ActionCall& call) {
