@@ -87,6 +87,45 @@ CommandHelp help() {
   return help;
 }
 
+namespace {
+
+/// What the tests have come to.
+struct Findings {
+  const Collected& collected;
+  const ExperimentOutcome& outcome;
+  const Comparison& comparison;
+  const reporting::FactsTable& facts;
+};
+
+/// Writes and shows it, and looks at --fail-on.
+ExitCode conclude(const Request& request, const Arguments& arguments, const Findings& findings,
+                  Console& console) {
+  const auto& [collected, outcome, comparison, facts] = findings;
+  bool written = write_files(arguments, request, collected, comparison, facts, console);
+  if (request.coverage != nullptr) {
+    const std::string subject = coverage_subject(describe_experiment(request, arguments), {});
+    written = write_coverage(arguments, request.coverage->total(), subject, console) && written;
+  }
+  show_comparison(arguments, comparison, console);
+  if (arguments.has(option::kSituations)) {
+    console.print((prints_table(arguments) ? "\n" : "") +
+                  situations_of(request, comparison, collected.situations));
+  }
+  if (const std::string note = collected.notes.text(); !note.empty()) console.note(note);
+  warn_of_errored(comparison, console);
+  if (!comparison.complete) {
+    console.note(interruption(request, outcome, comparison));
+    return ExitCode::interrupted;
+  }
+  const bool failed = report_failures(request.conditions, comparison, console);
+  if (fails_strictly(arguments, comparison, console) || failed || !written) {
+    return ExitCode::failed;
+  }
+  return ExitCode::success;
+}
+
+}  // namespace
+
 ExitCode execute(const Arguments& arguments, Console& console) {
   const auto request = read_request(arguments, console);
   if (!request) return ExitCode::usage;
@@ -132,27 +171,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!interrupt.interrupted()) end.emplace(interrupt);
   const std::optional<Comparison> comparison = comparison_of(*request, collected, outcome, console);
   if (!comparison) return ExitCode::failed;
-  bool written = write_files(arguments, *request, collected, *comparison, facts, console);
-  if (request->coverage != nullptr) {
-    const std::string subject = coverage_subject(describe_experiment(*request, arguments), {});
-    written = write_coverage(arguments, request->coverage->total(), subject, console) && written;
-  }
-  show_comparison(arguments, *comparison, console);
-  if (arguments.has(option::kSituations)) {
-    console.print((prints_table(arguments) ? "\n" : "") +
-                  situations_of(*request, *comparison, collected.situations));
-  }
-  if (const std::string note = collected.notes.text(); !note.empty()) console.note(note);
-  warn_of_errored(*comparison, console);
-  if (!comparison->complete) {
-    console.note(interruption(*request, outcome, *comparison));
-    return ExitCode::interrupted;
-  }
-  const bool failed = report_failures(request->conditions, *comparison, console);
-  if (fails_strictly(arguments, *comparison, console) || failed || !written) {
-    return ExitCode::failed;
-  }
-  return ExitCode::success;
+  return conclude(*request, arguments, {collected, outcome, *comparison, facts}, console);
 }
 
 }  // namespace jaywalk::command::compare

@@ -188,103 +188,136 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Test
                                                                   : ExitCode::success;
 }
 
+/// The one test, with everything that listens to it while it runs.
+class ScenarioRun {
+ public:
+  ScenarioRun(const Request& request, const Arguments& arguments, Console& console)
+      : request_(request), arguments_(arguments), console_(console) {}
+
+  ExitCode run() {
+    if (const auto path = arguments_.text(option::kStore)) {
+      store_ = open_store(request_, arguments_, *path, console_);
+      if (!store_) return ExitCode::usage;
+    }
+    if (!open_trace(arguments_, trace_file_, console_)) return ExitCode::usage;
+    const TestRun result = run_listened();
+    if (!finish_trace(arguments_, trace_file_, console_)) return ExitCode::failed;
+    if (interrupt_.interrupted()) {
+      console_.note("interrupted");
+      return ExitCode::interrupted;
+    }
+    if (!result.completed) {
+      console_.error(result.message);
+      return ExitCode::failed;
+    }
+    if (!result.note.empty()) console_.note(result.note);
+    return report(result);
+  }
+
+ private:
+  [[nodiscard]] TestOptions options() {
+    TestOptions options{.max_cycles = request_.max_cycles, .max_ticks = request_.max_ticks};
+    options.log = [this](std::string_view line) { console_.log(LogLevel::warning, line); };
+    options.print = [this](std::string_view line) {
+      if (watch_) {
+        viewer_.add_line(line);
+      } else {
+        console_.print(fmt::format("{}\n", line));
+      }
+    };
+    options.observe = [this](const World& world, const Mas& mas) { see(world, mas); };
+    options.interrupted = [this] { return interrupt_.interrupted(); };
+    if (store_ || asks(request_.criteria)) options.record = &recording_;
+    return options;
+  }
+
+  void see(const World& world, const Mas& mas) {
+    if (trace_file_) trace_.tick(world, mas);
+    if (watch_ && !interrupt_.interrupted()) viewer_.show(world, mas);
+    if (world.finished()) outcome_ = world.describe_result();
+  }
+
+  [[nodiscard]] TestRun run_listened() {
+    TestOptions options = this->options();
+    std::optional<PlanCoverage::Borrowed> counting;  // returns what it has counted at the end
+    Observers observers;
+    if (arguments_.has(option::kCoverage)) {
+      const BehavioursRun run{{request_.setup.behaviour, request_.setup.agents}};
+      observers.add(*counting.emplace(coverage_.emplace(*request_.prepared, run)).get());
+    }
+    if (trace_file_) {
+      observers.add(trace_);
+      trace_.begin(request_.prepared->behaviours()[request_.setup.behaviour].name, request_.setup);
+    }
+    options.observer = observers.get();
+    // Where tests depend on each other those before this one run first, unseen.
+    const auto setup = in_its_chain(*request_.prepared, request_.setup, [this] {
+      return interrupt_.interrupted() ? Proceed::no : Proceed::yes;
+    });
+    TestRun result = setup ? run_test(*request_.prepared, *setup, options) : TestRun{};
+    if (trace_file_) {
+      trace_.end(result);
+      trace_file_->add(0, trace_.lines());
+    }
+    return result;
+  }
+
+  /// What came of a test that was completed, to the terminal and into the files.
+  ExitCode report(const TestRun& result) {
+    TestAssessment assessment;
+    std::string found;
+    if (asks(request_.criteria)) {
+      assessment =
+          assess(request_.criteria, recording_, request_.prepared->scenario().world->ground());
+      found = render_assessment(request_.criteria, assessment, recording_.actors());
+      if (found.ends_with('\n')) found.pop_back();
+    }
+    if (store_) {
+      store_test(request_, result, std::move(recording_), assessment, *store_);
+      if (!finish_store(*store_, *arguments_.text(option::kStore), console_)) {
+        return ExitCode::failed;
+      }
+    }
+    show(found);
+    if (coverage_) {
+      const std::string subject =
+          fmt::format("{}: {}", arguments_.operands().front(), title_of(request_));
+      if (!write_coverage(arguments_, coverage_->total(), subject, console_)) {
+        return ExitCode::failed;
+      }
+    }
+    return conclude(request_, arguments_, result, assessment, console_);
+  }
+
+  void show(const std::string& found) {
+    if (watch_) {
+      console_.print(fmt::format("{}\n{}{}", outcome_, found, found.empty() ? "" : "\n"));
+      return;
+    }
+    console_.note(fmt::format("{}: {}", title_of(request_), outcome_));
+    if (!found.empty()) console_.note(found);
+  }
+
+  const Request& request_;
+  const Arguments& arguments_;
+  Console& console_;
+  const InterruptGuard interrupt_;
+  const Deadline deadline_{request_.timeout_s};
+  const bool watch_ = arguments_.has(option::kWatch);
+  Viewer viewer_{title_of(request_), request_.speed, interrupt_, console_};
+  std::string outcome_;
+  std::unique_ptr<ResultsWriter> store_;
+  Recording recording_;
+  std::optional<PlanCoverage> coverage_;
+  std::optional<TraceFile> trace_file_;
+  TestTrace trace_;
+};
+
 }  // namespace
 
 ExitCode run_scenario_file(const std::string& path, const Arguments& arguments, Console& console) {
   const auto request = read_request(path, arguments, console);
-  if (!request) return ExitCode::usage;
-
-  const InterruptGuard interrupt;
-  const Deadline deadline(request->timeout_s);
-  Viewer viewer(title_of(*request), request->speed, interrupt, console);
-  const bool watch = arguments.has(option::kWatch);
-  TestOptions options{.max_cycles = request->max_cycles, .max_ticks = request->max_ticks};
-  options.log = [&](std::string_view line) { console.log(LogLevel::warning, line); };
-  options.print = [&](std::string_view line) {
-    if (watch) {
-      viewer.add_line(line);
-    } else {
-      console.print(fmt::format("{}\n", line));
-    }
-  };
-  std::string outcome;
-  options.observe = [&](const World& world, const Mas& mas) {
-    if (watch && !interrupt.interrupted()) viewer.show(world, mas);
-    if (world.finished()) outcome = world.describe_result();
-  };
-  const auto store_path = arguments.text(option::kStore);
-  std::unique_ptr<ResultsWriter> store;
-  Recording recording;
-  if (store_path) {
-    store = open_store(*request, arguments, *store_path, console);
-    if (!store) return ExitCode::usage;
-  }
-  if (store || asks(request->criteria)) options.record = &recording;
-  std::optional<PlanCoverage> coverage;
-  std::optional<PlanCoverage::Borrowed> observer;
-  Observers observers;
-  if (arguments.has(option::kCoverage)) {
-    const BehavioursRun run{{request->setup.behaviour, request->setup.agents}};
-    observers.add(*observer.emplace(coverage.emplace(*request->prepared, run)).get());
-  }
-  std::optional<TraceFile> trace_file;
-  if (!open_trace(arguments, trace_file, console)) return ExitCode::usage;
-  TestTrace trace;
-  if (trace_file) {
-    observers.add(trace);
-    options.observe = [&trace, show = options.observe](const World& world, const Mas& mas) {
-      trace.tick(world, mas);
-      show(world, mas);
-    };
-    trace.begin(request->prepared->behaviours()[request->setup.behaviour].name, request->setup);
-  }
-  options.observer = observers.get();
-  options.interrupted = [&] { return interrupt.interrupted(); };
-  // Where tests depend on each other those before this one run first, unseen.
-  const auto setup = in_its_chain(*request->prepared, request->setup, [&] {
-    return interrupt.interrupted() ? Proceed::no : Proceed::yes;
-  });
-  const TestRun result = setup ? run_test(*request->prepared, *setup, options) : TestRun{};
-  // Returns what was counted to `coverage`.
-  observer.reset();
-  if (trace_file) {
-    trace.end(result);
-    trace_file->add(0, trace.lines());
-  }
-  if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
-  if (interrupt.interrupted()) {
-    console.note("interrupted");
-    return ExitCode::interrupted;
-  }
-  if (!result.completed) {
-    console.error(result.message);
-    return ExitCode::failed;
-  }
-  if (!result.note.empty()) console.note(result.note);
-  TestAssessment assessment;
-  std::string found;
-  if (asks(request->criteria)) {
-    assessment =
-        assess(request->criteria, recording, request->prepared->scenario().world->ground());
-    found = render_assessment(request->criteria, assessment, recording.actors());
-    if (found.ends_with('\n')) found.pop_back();
-  }
-  if (store) {
-    store_test(*request, result, std::move(recording), assessment, *store);
-    if (!finish_store(*store, *store_path, console)) return ExitCode::failed;
-  }
-  if (watch) {
-    console.print(fmt::format("{}\n{}{}", outcome, found, found.empty() ? "" : "\n"));
-  } else {
-    console.note(fmt::format("{}: {}", title_of(*request), outcome));
-    if (!found.empty()) console.note(found);
-  }
-  if (coverage) {
-    const std::string subject =
-        fmt::format("{}: {}", arguments.operands().front(), title_of(*request));
-    if (!write_coverage(arguments, coverage->total(), subject, console)) return ExitCode::failed;
-  }
-  return conclude(*request, arguments, result, assessment, console);
+  return request ? ScenarioRun(*request, arguments, console).run() : ExitCode::usage;
 }
 
 }  // namespace jaywalk
