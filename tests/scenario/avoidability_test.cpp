@@ -34,7 +34,7 @@ struct Counts {
   int wrong = 0;
 };
 
-struct World {
+struct JudgedWorld {
   std::string scenario;
   std::string behaviour;
   std::uint32_t agents;
@@ -43,7 +43,7 @@ struct World {
 
 /// Judges the collisions of an AV, and holds them against those of the healthy driver in the same
 /// tests.
-Counts judge_collisions(const World& world, const std::vector<std::string>& vehicle,
+Counts judge_collisions(const JudgedWorld& world, const std::vector<std::string>& vehicle,
                         std::uint64_t seed, std::uint64_t tests) {
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), world.sets.begin(), world.sets.end());
@@ -101,7 +101,7 @@ TEST(Avoidability, AgreesWithTheHealthyDriverInTheSameTests) {
   // Nobody in these worlds moves otherwise because the vehicle does, once it is a risk.
   const std::string at_random =
       "behaviours.proximity.program=" + project_file("agents/crossing/random_behaviour.asl");
-  const std::vector<World> worlds = {
+  const std::vector<JudgedWorld> worlds = {
       {"rules_of_the_road", "near", 1, {near + "20"}},
       {"rules_of_the_road", "near", 1, {near + "20", "world.tick=0.25"}},
       {"rules_of_the_road", "near", 1, {near + "22", "world.tick=1"}},
@@ -113,7 +113,7 @@ TEST(Avoidability, AgreesWithTheHealthyDriverInTheSameTests) {
       {"traffic", "proximity", 5, {at_random}},
       {"paper", "random_behaviour", 5, {"world.until=road_end"}},
       {"paper", "random_action", 5, {"world.until=road_end", "world.tick=0.5"}}};
-  for (const World& world : worlds) {
+  for (const JudgedWorld& world : worlds) {
     Counts sum;
     for (const auto& vehicle : vehicles()) {
       for (const std::uint64_t seed : {0U, 1U}) {
