@@ -5,6 +5,7 @@ option(JAYWALK_UNIT_TESTS "Build the unit and property tests with them" ON)
 option(JAYWALK_WERROR "Treat warnings as errors" OFF)
 option(JAYWALK_UNITY "Compile up to eight files at a time: a clean build takes half as long" ON)
 set(JAYWALK_SANITIZERS "" CACHE STRING "Sanitizers to build with, as in -fsanitize= (address,undefined)")
+set(JAYWALK_UNCHECKED "" CACHE STRING "Of these what all but the interpreter is built without")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenarios.h"
+#include "tests/scenario/scenarios.h"
 
 namespace jaywalk::testing_scenario {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "exact.h"
-#include "scenarios.h"
+#include "tests/scenario/exact.h"
+#include "tests/scenario/scenarios.h"
 
 namespace jaywalk {
 namespace {
