@@ -98,9 +98,10 @@ std::string between(const std::string& text, const std::string& open, const std:
 TEST(Documents, NameScenariosAndTestsThatExistForEachRequirement) {
   const std::string readme = text_of("scenarios/README.md");
   std::string tests;
-  for (const auto& file : std::filesystem::directory_iterator(project_file("tests/scenario"))) {
-    if (file.path().extension() == ".cpp") {
-      tests += text_of("tests/scenario/" + file.path().filename().string());
+  for (const std::string folder : {"tests/scenario/", "tests/figures/"}) {
+    for (const auto& file : std::filesystem::directory_iterator(project_file(folder))) {
+      if (file.path().extension() != ".cpp") continue;
+      tests += text_of(folder + file.path().filename().string());
     }
   }
   std::set<std::string> found;
