@@ -15,6 +15,7 @@ jaywalk_add_library(engine
     logic/unifier/arithmetic.cpp
     logic/beliefs/belief_base.cpp
     logic/beliefs/belief_update.cpp
+    logic/beliefs/relation.cpp
     logic/beliefs/remains.cpp
     logic/formula_compiler.cpp
     logic/frame_stack.cpp
@@ -119,7 +120,7 @@ set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/actions/standard_actions
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(hot
     term/compare.cpp term/heap.cpp term/transfer.cpp
-    logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/belief_update.cpp
+    logic/action.cpp logic/beliefs/belief_base.cpp logic/beliefs/relation.cpp logic/beliefs/belief_update.cpp
     logic/frame_stack.cpp logic/machine.cpp logic/machine_annotated.cpp logic/machine_calls.cpp
     logic/machine_queries.cpp
     logic/machine_rules.cpp logic/machine_tests.cpp logic/beliefs/remains.cpp logic/beliefs/row_index.cpp

@@ -21,6 +21,16 @@
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {
+namespace {
+
+// Whether it has no percept any more, and so is not among the relations that have some.
+bool leave_perceived(Relation& relation) {
+  Relation::Percepts& percepts = relation.percepts();
+  if (percepts.rows == 0) percepts.since = 0;
+  return percepts.rows == 0;
+}
+
+}  // namespace
 
 void BeliefBase::begin_percepts() {
   ++generation_;
@@ -86,10 +96,10 @@ bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, Perc
                   hash);
     change = {literal, true};
   }
-  ++rel.percepts;
-  if (!rel.has_percepts) {
-    rel.has_percepts = true;
-    rel.perceived_since = ++last_perceived_;
+  Relation::Percepts& percepts = rel.percepts();
+  ++percepts.rows;
+  if (percepts.since == 0) {
+    percepts.since = ++last_perceived_;
     perceived_.push_back(&rel);
   }
   return true;
@@ -102,8 +112,7 @@ void BeliefBase::end_percepts(std::vector<PerceptChange>& changes) {
       const std::uint32_t generation = rel->row(seq).percept_generation;
       if (generation != 0 && generation != generation_) remove_percept(*rel, seq, changes);
     }
-    rel->has_percepts = rel->percepts > 0;
-    return !rel->has_percepts;
+    return leave_perceived(*rel);
   });
   knows_percepts_ = knows_percepts;
 }
@@ -122,21 +131,18 @@ void BeliefBase::miss(Predicate predicate, std::span<const Value> args) {
 void BeliefBase::end_missed(std::vector<PerceptChange>& changes) {
   const bool knows_percepts = knows_percepts_ && seen_again_ == 0;
   const auto place = [](const auto& missed) {
-    return std::tuple(missed.first->perceived_since, missed.second);
+    return std::tuple(missed.first->percepts().since, missed.second);
   };
   std::sort(missed_.begin(), missed_.end(),
             [&](const auto& a, const auto& b) { return place(a) < place(b); });
   bool is_some_empty = false;
   for (const auto& [rel, seq] : missed_) {
     remove_percept(*rel, seq, changes);
-    is_some_empty = is_some_empty || rel->percepts == 0;
+    is_some_empty = is_some_empty || rel->percepts().rows == 0;
   }
   missed_.clear();
   if (is_some_empty) {
-    std::erase_if(perceived_, [](Relation* rel) {
-      rel->has_percepts = rel->percepts > 0;
-      return !rel->has_percepts;
-    });
+    std::erase_if(perceived_, [](Relation* rel) { return leave_perceived(*rel); });
   }
   knows_percepts_ = knows_percepts;
 }
@@ -158,7 +164,7 @@ void BeliefBase::remove_percept(Relation& rel, std::int64_t seq,
 void BeliefBase::no_percept_any_more(Relation& rel, Row& row) {
   if (row.percept_generation == 0) return;
   row.percept_generation = 0;
-  --rel.percepts;
+  --rel.percepts().rows;
   knows_percepts_ = false;
 }
 

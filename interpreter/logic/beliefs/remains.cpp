@@ -6,23 +6,24 @@ namespace jaywalk {
 
 void Relation::reset() {
   exists = false;
-  constexpr std::size_t kMostRowsKept = 16;
-  if (own_.capacity() <= kMostRowsKept) {
-    own_.clear();
-  } else {
-    own_ = {};
-  }
-  rows_ = &own_;
+  rows_ = &kNoRows;
   shared_ = nullptr;
   rules_ = 0;
   first_seq_ = 0;
   holes_ = 0;
-  forget_rule_table();
-  rules_owned_.clear();
-  indexes_.reset();
-  percepts = 0;
-  has_percepts = false;
-  perceived_since = 0;
+  table_ = nullptr;
+  if (own_ == nullptr) return;
+  constexpr std::size_t kMostRowsKept = 16;
+  if (own_->rows.capacity() <= kMostRowsKept) {
+    own_->rows.clear();
+  } else {
+    own_->rows = {};
+  }
+  own_->indexes.reset();
+  own_->table.reset();
+  own_->rules.clear();
+  own_->percepts = {};
+  rows_ = &own_->rows;
 }
 
 BeliefBase::Remains BeliefBase::leave_remains() {
