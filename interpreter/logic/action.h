@@ -12,6 +12,7 @@
 
 #include "interpreter/logic/action_registry.h"
 #include "interpreter/logic/code/code.h"
+#include "interpreter/logic/counted_numbers.h"
 #include "interpreter/logic/unifier/unifier.h"
 
 namespace jaywalk {
@@ -28,6 +29,9 @@ class Solutions {
  public:
   virtual ~Solutions() = default;
   virtual bool next(ActionCall& call) = 0;
+  /// What is left, if that is nothing but a variable, the first argument, being each of some
+  /// numbers; else null.
+  [[nodiscard]] virtual const CountedNumbers* numbers() const { return nullptr; }
 };
 
 /// What ends a query or a step before it is done.

@@ -55,6 +55,13 @@ bool Machine::next_solution() {
   return true;
 }
 
+const CountedNumbers* Machine::numbers_left(const Goal& entry) const {
+  const bool is_waiting = entry.next == nullptr && !choices_.empty() &&
+                          choices_.back().kind == ChoicePoint::Kind::solutions &&
+                          choices_.back().goal == &entry;
+  return is_waiting ? choices_.back().call->solutions->numbers() : nullptr;
+}
+
 Outcome Machine::call(const Goal& goal, Value* slots, Intention* intention,
                       std::unique_ptr<ActionError>& error) {
   const auto give_up = [&error](std::string id, std::string message) {

@@ -117,6 +117,18 @@ void sort_terms(std::vector<Value>& all, ActionCall& call) {
   });
 }
 
+class NumbersInTurn : public Solutions {
+ public:
+  explicit NumbersInTurn(CountedNumbers range) : range_(range) {}
+  bool next(ActionCall& call) override {
+    return !range_.is_done() && call.unify(0, Value::number(range_.take()));
+  }
+  [[nodiscard]] const CountedNumbers* numbers() const override { return &range_; }
+
+ private:
+  CountedNumbers range_;
+};
+
 }  // namespace
 
 void check_interruption(ActionCall& call) {
@@ -301,11 +313,7 @@ Outcome range(ActionCall& call) {
     return when(number >= first && number <= last);
   }
   if (step == 0) return call.fail("internal_action", "range: the step makes no progress");
-  return each(call, [next = first, last, step](ActionCall& inner) mutable {
-    if (step > 0 ? next > last : next < last) return false;
-    const std::int64_t number = std::exchange(next, next + step);
-    return inner.unify(0, Value::number(static_cast<double>(number)));
-  });
+  return call.many(std::make_unique<NumbersInTurn>(CountedNumbers{first, last, step}));
 }
 
 }  // namespace jaywalk::actions

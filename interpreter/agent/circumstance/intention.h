@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/logic/counted_numbers.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/program/plan.h"
 #include "interpreter/support/containers/boxed.h"
@@ -42,6 +43,20 @@ struct Loop {
     std::vector<std::size_t> ends;
     std::size_t next = 0;
     bool has_more = false;  // there may be others that have not been asked for
+    /// Further ones are the last one with each of these numbers in place of its last value. They
+    /// are not put aside: nothing that a round does changes them.
+    CountedNumbers numbers{.next = 1, .last = 0};
+
+    /// Goes on to the next solution. False: there is none among those that have been asked for.
+    [[nodiscard]] bool advance() {
+      if (next < ends.size()) {
+        ++next;
+        return true;
+      }
+      if (numbers.is_done()) return false;
+      solutions.back() = Value::number(numbers.take());
+      return true;
+    }
   };
   std::vector<Level> levels;
 };

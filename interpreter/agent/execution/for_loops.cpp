@@ -132,6 +132,11 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
     }
     level.ends.push_back(level.solutions.size());
     constexpr std::size_t kBetweenChecks = 1024;
+    if (const CountedNumbers* const numbers = machine().numbers_left(*condition);
+        numbers != nullptr && level.solutions.size() == before.size() + 2) {
+      level.numbers = *numbers;
+      return false;
+    }
     if (level.ends.size() % kBetweenChecks == 0) machine().check_memory(bytes_of(level));
     return true;
   });
@@ -182,15 +187,16 @@ void Agent::extend_level(Intention& intention, Loop& loop) {
 bool Agent::begin_round(Intention& intention, Loop& loop) {
   while (!loop.levels.empty()) {
     undo_round(intention, loop);
-    if (loop.levels.back().next == loop.levels.back().ends.size() && loop.levels.back().has_more) {
-      extend_level(intention, loop);
-    }
     Level& level = loop.levels.back();
-    if (level.next == level.ends.size()) {
-      if (!level.has_more) loop.levels.pop_back();
+    if (!level.advance()) {
+      if (level.has_more) {
+        extend_level(intention, loop);
+      } else {
+        loop.levels.pop_back();
+      }
       continue;
     }
-    bind_solution(intention, loop, solution(level, level.next++));
+    bind_solution(intention, loop, solution(level, level.next - 1));
     if (loop.levels.size() == loop.step->conjuncts.size()) return true;
     open_level(intention, loop);
   }

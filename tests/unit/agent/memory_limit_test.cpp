@@ -12,6 +12,7 @@ namespace jaywalk {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr std::uint64_t kSmall = 1U << 20U;
@@ -59,6 +60,14 @@ TEST(MemoryLimit, HoldsForAllThatAnAgentOwns) {
     EXPECT_EQ(run.errors.size(), 0U) << each.what;
     EXPECT_EQ(run.outcome.limit, RunLimit::memory) << each.what << ": " << run.outcome.message;
   }
+}
+
+/// Numbers that a loop is still to go through are none of it.
+TEST(MemoryLimit, LetsLoopsGoThroughManyNumbers) {
+  const test::AgentRun run = test::run_agents(
+      {{"agent", "!go. +!go <- for (.range(X, 1, 100000)) { Y = X }; .print(done)."}},
+      small(1'000'000));
+  EXPECT_THAT(run.printed_by("agent"), ElementsAre("done"));
 }
 
 TEST(MemoryLimit, FailsTheStepThatAsksForMore) {
