@@ -59,7 +59,7 @@ const Goal* FormulaCompiler::compile_structure(Value formula, const Goal* next) 
       const auto kind = s.is_annotated() ? Goal::Kind::slow_query : Goal::Kind::query;
       Goal& goal = add(kind, formula, next);
       goal.predicate = s.predicate();
-      goal.is_plain = is_plain(s.arg_span());
+      goal.is_plain = kind == Goal::Kind::query && is_plain(s.arg_span());
       return unfolded(goal);
     }
     case Form::function:

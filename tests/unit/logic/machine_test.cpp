@@ -277,14 +277,17 @@ TEST(Machine, FindsInAContextWhatItFindsElsewhere) {
 TEST(Machine, CountsFactsAsItFindsThem) {
   const std::vector<std::string> values = {"0",    "-0",    "1",   "1.5",  "a", "b",
                                            "a[k]", "\"a\"", "[1]", "s(1)", "W", "100000000000"};
-  const std::vector<std::string> queries = {"f(_,_)", "f(1,_)", "f(a,_)", "f(_,0)", "f(_,b)"};
+  const std::vector<std::string> queries = {
+      "f(_,_)", "f(1,_)", "f(a,_)", "f(_,0)", "f(_,b)", "f(_,_)[source(ann)]", "f(1,_)[k]"};
+  const std::vector<std::string> annotations = {"source(self)", "source(ann)", "k,source(self)"};
   test::Choices choices(7);
   for (int round = 0; round < 40; ++round) {
     test::Terms terms;
     const std::size_t kinds = 1 + choices.below(values.size());
     for (int i = 0; i < 40; ++i) {
       (void)terms.beliefs.add(terms.term("f(" + values[choices.below(kinds)] + "," +
-                                         values[choices.below(values.size())] + ")[source(self)]"),
+                                         values[choices.below(values.size())] + ")[" +
+                                         annotations[choices.below(annotations.size())] + "]"),
                               Place::front);
       Relation& relation = *terms.beliefs.relations().front();
       const std::int64_t place =
