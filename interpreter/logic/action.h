@@ -29,8 +29,8 @@ class Solutions {
  public:
   virtual ~Solutions() = default;
   virtual bool next(ActionCall& call) = 0;
-  /// What is left, if that is nothing but a variable, the first argument, being each of some
-  /// numbers; else null.
+  /// The numbers that the call's first argument, a variable, is bound to by the later solutions, if
+  /// they bind nothing else; else null.
   [[nodiscard]] virtual const CountedNumbers* numbers() const { return nullptr; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whole numbers in turn: what `.range` goes through.
+// The whole numbers from a first to a last by steps, one after another: what `.range` counts.
 
 #include <cstdint>
 #include <utility>

@@ -130,8 +130,8 @@ class Machine : public FunctionCaller {
   }
   /// Every solution in turn; `solution` returns false to stop. No binding stays.
   void solve_all(const Goal* entry, Value* slots, const std::function<bool()>& solution);
-  /// While solve_all tells of a solution: all others, if they come from an action that goes through
-  /// numbers and is the whole formula; else null.
+  /// REQUIRES: called by the `solution` of solve_all. The numbers that make up all later solutions,
+  /// if the whole formula is an action that counts (Solutions::numbers); else null.
   [[nodiscard]] const CountedNumbers* numbers_left(const Goal& entry) const;
   /// The number of solutions; what facts alone answer is counted without a look at each of them.
   [[nodiscard]] std::size_t count_all(const Goal* entry, Value* slots);

@@ -43,8 +43,8 @@ struct Loop {
     std::vector<std::size_t> ends;
     std::size_t next = 0;
     bool has_more = false;  // there may be others that have not been asked for
-    /// Further ones are the last one with each of these numbers in place of its last value. They
-    /// are not put aside: nothing that a round does changes them.
+    /// Later solutions repeat the last one with each of these numbers as its last value. They are
+    /// not stored: nothing that a round does can change them.
     CountedNumbers numbers{.next = 1, .last = 0};
 
     /// Goes on to the next solution. False: there is none among those that have been asked for.

@@ -131,12 +131,12 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
       level.solutions.push_back(held.is_closed() ? held : unifier.instantiate(held, first));
     }
     level.ends.push_back(level.solutions.size());
-    constexpr std::size_t kBetweenChecks = 1024;
     if (const CountedNumbers* const numbers = machine().numbers_left(*condition);
         numbers != nullptr && level.solutions.size() == before.size() + 2) {
       level.numbers = *numbers;
       return false;
     }
+    constexpr std::size_t kBetweenChecks = 1024;
     if (level.ends.size() % kBetweenChecks == 0) machine().check_memory(bytes_of(level));
     return true;
   });

@@ -136,7 +136,7 @@ class BeliefBase {
   FlatIndex<std::uint32_t> by_predicate_;  // into known_
   std::vector<Relation*> relations_;       // those that exist
   std::vector<Relation*> with_holes_;
-  std::vector<Relation*> perceived_;  // in the order of perceived_since
+  std::vector<Relation*> perceived_;  // in the order of Relation::Percepts::since
   std::uint64_t last_perceived_ = 0;
   std::uint32_t generation_ = 0;
   bool knows_percepts_ = true;

@@ -125,8 +125,8 @@ class Relation {
   /// Kept by belief update (belief_update.cpp).
   struct Percepts {
     std::uint32_t rows = 0;  // that are percepts
-    /// Since when the relation is among those that have some, in the order of becoming so. 0: it is
-    /// not.
+    /// When the relation last went from no percepts to some, counted over all relations; 0: it is
+    /// not in BeliefBase::perceived_.
     std::uint64_t since = 0;
   };
   /// REQUIRES: it has had rows of its own.
@@ -167,7 +167,7 @@ class Relation {
     }
   };
 
-  // What it needs as soon as it has something that it does not share.
+  // Allocated with the first row, rule or index that the relation does not share.
   struct Own {
     Ring<Row> rows;
     std::unique_ptr<Indexes> indexes;

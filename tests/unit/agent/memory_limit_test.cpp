@@ -62,7 +62,7 @@ TEST(MemoryLimit, HoldsForAllThatAnAgentOwns) {
   }
 }
 
-/// Numbers that a loop is still to go through are none of it.
+/// The numbers of later rounds are not stored.
 TEST(MemoryLimit, LetsLoopsGoThroughManyNumbers) {
   const test::AgentRun run = test::run_agents(
       {{"agent", "!go. +!go <- for (.range(X, 1, 100000)) { Y = X }; .print(done)."}},
