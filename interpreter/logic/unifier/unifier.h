@@ -118,13 +118,13 @@ class Unifier {
 
   /// Whether a term is a number, or plain arithmetic on numbers: the usual case, which has no
   /// effect and needs no more than a look. False: it may still be one.
-  [[nodiscard]] static bool is_number(Value term, const Value* slots, double& result) {
+  [[nodiscard]] bool is_number(Value term, const Value* slots, double& result, int depth = 0) {
     if (term.is_slot()) term = deref(slots[term.slot_index()]);
     if (term.is_number()) {
       result = term.as_number();
       return true;
     }
-    return term.is_structure() && is_sum(*term.structure(), slots, result, 0);
+    return term.is_structure() && is_sum(*term.structure(), slots, result, depth);
   }
 
   void bind(Variable* variable, Value value) {
@@ -192,11 +192,11 @@ class Unifier {
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
 
  private:
-  static bool is_sum(const Structure& expression, const Value* slots, double& result, int depth);
+  bool is_sum(const Structure& expression, const Value* slots, double& result, int depth);
   void rename_arguments(std::span<Value> args, std::vector<std::pair<Value, Value>>* renamed);
   [[nodiscard]] bool is_open(Value term, const Value* slots) const;
   bool evaluate_term(Value term, Value* slots, double& result);
-  bool evaluate_function(const Structure& function, const Value* slots, double& result);
+  bool evaluate_function(const Structure& function, const Value* slots, double& result, int depth);
   Value instantiate_structure(const Structure& structure, Value* slots);
   Value keep_expression(const Structure& structure, Value* slots);
   Value instantiate_decorated(const Structure& structure, Value* slots);

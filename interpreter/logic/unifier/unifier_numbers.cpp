@@ -9,10 +9,13 @@
 
 namespace jaywalk {
 
-// Expressions of numbers; deeper terms are left to evaluate(), and so is a division by zero.
+// Expressions of numbers, and functions of them that are no queries; deeper terms are left to
+// evaluate(), and so is a division by zero.
 bool Unifier::is_sum(const Structure& s, const Value* slots, double& result, int depth) {
   constexpr int kDeep = 16;
-  if (s.form() != Form::expression || s.arity != 2 || depth > kDeep) return false;
+  if (depth > kDeep) return false;
+  if (s.form() == Form::function) return evaluate_function(s, slots, result, depth);
+  if (s.form() != Form::expression || s.arity != 2) return false;
   double operands[2];
   for (std::size_t i = 0; i < 2; ++i) {
     Value operand = s.arg(i);
@@ -32,12 +35,13 @@ bool Unifier::is_sum(const Structure& s, const Value* slots, double& result, int
 }
 
 // A function of numbers, as most are.
-bool Unifier::evaluate_function(const Structure& function, const Value* slots, double& result) {
+bool Unifier::evaluate_function(const Structure& function, const Value* slots, double& result,
+                                int depth) {
   std::array<Value, 2> args;
-  if (keep_slots_ || function.arity > args.size()) return false;
+  if (keep_slots_ || functions_ == nullptr || function.arity > args.size()) return false;
   for (std::size_t i = 0; i < function.arity; ++i) {
     double number = 0;
-    if (!is_number(function.arg(i), slots, number)) return false;
+    if (!is_number(function.arg(i), slots, number, depth + 1)) return false;
     args[i] = Value::number(number);
   }
   Value value;
@@ -68,7 +72,7 @@ bool Unifier::evaluate_term(Value term, Value* slots, double& result) {
   }
   if (term.is_variable() || term.is_unset() || term.is_slot()) return false;
   if (is_form(term, Form::function) && functions_ != nullptr) {
-    if (evaluate_function(*term.structure(), slots, result)) return true;
+    if (evaluate_function(*term.structure(), slots, result, 0)) return true;
     const Value value = instantiate(term, slots);
     if (is_form(value, Form::function)) return false;
     return evaluate(value, slots, result);
