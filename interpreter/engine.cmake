@@ -15,6 +15,7 @@ jaywalk_add_library(engine
     logic/unifier/arithmetic.cpp
     logic/beliefs/belief_base.cpp
     logic/beliefs/belief_update.cpp
+    logic/beliefs/constant_percepts.cpp
     logic/beliefs/relation.cpp
     logic/beliefs/remains.cpp
     logic/formula_compiler.cpp
@@ -40,6 +41,7 @@ jaywalk_add_library(engine
     program/plan.cpp
     program/plan_compiler.cpp
     program/program.cpp
+    program/rule_folder.cpp
     program/solitary.cpp
     compile/beginnings.cpp
     compile/compiler.cpp
@@ -95,6 +97,7 @@ jaywalk_add_library(engine
     explain/near_misses.cpp
     explain/text.cpp
     mas/ahead.cpp
+    mas/constants.cpp
     mas/workers.cpp
     mas/mail.cpp
     mas/mas.cpp

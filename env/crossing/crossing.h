@@ -65,6 +65,7 @@ class Crossing final : public World {
            std::vector<Position> start, int head_start = 0);
 
   void perceive(AgentId agent, Percepts& percepts) const override;
+  void constants(Percepts& percepts) const override;
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;
   void advance() override;
   [[nodiscard]] bool finished() const override { return end_reason().has_value(); }

@@ -18,9 +18,23 @@ class Crossing::Perceiver {
     if (gives(road_user)) road_users();
     if (gives(ground_here) && !self().gone) features();
     if (percepts_.keep_rest(vocabulary().percept(id), world_.rest_number_)) return;
-    oneself();
+    add(id, static_cast<double>(agent_ + 1));
+    number_of_pedestrians();
+    add(walking_speed, self().speed);
     road();
-    vehicle_and_zone();
+    vehicle();
+    add(av_speed, world_.av_.speed());
+    zone();
+    add(CrossingPercept::zone_ahead, world_.zone_ahead_.first, world_.zone_ahead_.last);
+    end_of_road();
+  }
+  // What of that everybody perceives, whatever happens.
+  void perceive_constants() {
+    number_of_pedestrians();
+    road();
+    vehicle();
+    zone();
+    end_of_road();
   }
 
  private:
@@ -109,11 +123,7 @@ class Crossing::Perceiver {
     }
   }
 
-  void oneself() {
-    add(id, static_cast<double>(agent_ + 1));
-    add(pedestrians, static_cast<double>(world_.pedestrians_));
-    add(walking_speed, self().speed);
-  }
+  void number_of_pedestrians() { add(pedestrians, static_cast<double>(world_.pedestrians_)); }
 
   void road() {
     const CrossingParameters& parameters = world_.parameters_;
@@ -135,15 +145,15 @@ class Crossing::Perceiver {
     add(cell_length, parameters.cell_m);
   }
 
-  void vehicle_and_zone() {
-    const CrossingParameters& parameters = world_.parameters_;
-    add(av_rows, parameters.av.rows.first, parameters.av.rows.last);
-    add(av_length, parameters.av.length);
-    add(av_speed, world_.av_.speed());
-    add(CrossingPercept::zone_rows, world_.zone_rows_.first, world_.zone_rows_.last);
-    add(CrossingPercept::zone_ahead, world_.zone_ahead_.first, world_.zone_ahead_.last);
-    add(road_end, parameters.road_end);
+  void vehicle() {
+    const AvParameters& vehicle = world_.parameters_.av;
+    add(av_rows, vehicle.rows.first, vehicle.rows.last);
+    add(av_length, vehicle.length);
   }
+
+  void zone() { add(CrossingPercept::zone_rows, world_.zone_rows_.first, world_.zone_rows_.last); }
+
+  void end_of_road() { add(road_end, world_.parameters_.road_end); }
 
   const Crossing& world_;
   std::size_t agent_;
@@ -154,6 +164,10 @@ void Crossing::perceive(AgentId agent, Percepts& percepts) const {
   const auto index = static_cast<std::size_t>(agent);
   assert(index < bodies_.size() && "every agent has a body");
   Perceiver(*this, index, percepts).perceive();
+}
+
+void Crossing::constants(Percepts& percepts) const {
+  Perceiver(*this, 0, percepts).perceive_constants();
 }
 
 }  // namespace jaywalk

@@ -75,6 +75,14 @@ void Motorway::perceive(AgentId agent, Percepts& percepts) const {
     if (vehicles_[i].crashed && seen) add(crashed, i + 1);
   }
   add(id, index + 1);
+  constants(percepts);
+}
+
+void Motorway::constants(Percepts& percepts) const {
+  using enum MotorwayPercept;
+  const auto add = [&](MotorwayPercept percept, double number) {
+    percepts.add(vocabulary_.percept(percept), {Value::number(number)});
+  };
   add(lanes, parameters_.lanes);
   add(road_length, parameters_.length_m);
   add(vehicle_length, size_of(ActorKind::vehicle).length_m);

@@ -51,6 +51,7 @@ class Motorway final : public World {
            std::vector<MotorwayVehicle> vehicles);
 
   void perceive(AgentId agent, Percepts& percepts) const override;
+  void constants(Percepts& percepts) const override;
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;
   void advance() override;
   [[nodiscard]] bool finished() const override { return !result_.end.empty(); }

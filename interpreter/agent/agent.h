@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "interpreter/agent/agent_parts.h"
+#include "interpreter/agent/known_to_all.h"
 #include "interpreter/agent/surroundings/observer.h"
-#include "interpreter/environment/environment.h"
 
 namespace jaywalk {
 
@@ -51,7 +51,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
 
   /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not
   /// (perception.cpp). With `nrcbp` it waits for the cycle that looks.
-  void update_percepts(const Percepts& percepts);
+  void update_percepts(const Percepts& percepts, const KnownToAll& known = {});
   /// Looks now at what the environment has shown, whatever `nrcbp` says (`.perceive`).
   void perceive_now();
   /// Reasons for at least one cycle and `most` at most, as long as it has something to do and has

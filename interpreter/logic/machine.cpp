@@ -317,6 +317,8 @@ bool Machine::retry() {
       pop();
       return try_annotated(query, goal);
     }
+    case ChoicePoint::Kind::answers:
+      return retry_answers();
     case ChoicePoint::Kind::alternative:
       goal_ = choice.goal->other;
       pop();

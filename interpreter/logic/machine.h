@@ -6,9 +6,9 @@
 //   environment   the frame of a rule (its slots), the goal to go on with afterwards and whose
 //                 frame that goal uses; frames lie on a stack and go with the last goal of a rule,
 //                 unless a choice point may need them again
-//   choice point  where to go on when a goal fails: another row, the other side of a disjunction,
-//                 the next solution of an internal action; it remembers how long the trail, the
-//                 frame stack and the heap were
+//   choice point  where to go on when a goal fails: another row or known answer, the other side of a
+//                 disjunction, the next solution of an internal action; it remembers how long the
+//                 trail, the frame stack and the heap were
 //
 // A row that is the last that can match leaves no choice point (head_code.h looks ahead), so loops
 // run in constant space. What is bound is written on the trail only as far as some choice point, or
@@ -17,7 +17,7 @@
 //
 //   machine.cpp            the loop, choice points
 //   machine_inline.h       what is in line there: queries, heads, frames
-//   machine_queries.cpp    queries over facts
+//   machine_queries.cpp    queries over facts and known answers
 //   machine_rules.cpp      which rule, its head
 //   machine_annotated.cpp  queries with annotations, and variables as queries
 //   machine_tests.cpp      comparison and unification
@@ -34,6 +34,7 @@
 
 #include "interpreter/logic/action.h"
 #include "interpreter/logic/beliefs/belief_base.h"
+#include "interpreter/logic/beliefs/folded_rules.h"
 #include "interpreter/logic/code/code.h"
 #include "interpreter/logic/code/known_numbers.h"
 #include "interpreter/logic/frame_stack.h"
@@ -203,17 +204,21 @@ class Machine : public FunctionCaller {
     Value literal;
   };
   struct ChoicePoint {
-    enum class Kind : std::uint8_t { rows, annotated, alternative, negation, solutions };
+    enum class Kind : std::uint8_t { rows, annotated, answers, alternative, negation, solutions };
     Kind kind;
-    std::uint32_t young;  // the first variable that is newer
+    std::uint16_t answer;  // answers: the next
+    std::uint32_t young;   // the first variable that is newer
     const Goal* goal;
     Environment* environment;
     std::size_t trail;
     FrameStack::Mark frames;
     Heap::Mark heap;
+    union {
+      const Relation* relation;  // rows
+      const Answers* answers;    // answers
+    };
     // Rows; null: the arguments are those of the goal, else they begin where the frames do without
     // them.
-    const Relation* relation;
     Value* args;
     Relation::Cursor cursor;
     std::unique_ptr<AnnotatedQuery> annotated;
@@ -285,6 +290,10 @@ class Machine : public FunctionCaller {
   const Value* make_arguments(const Goal& goal);
   const Value* look_at_arguments(const Goal& goal);
   bool query_few(Relation& relation, const Goal& goal);
+  [[nodiscard]] bool asks_for_all(const Goal& goal) const;
+  bool query_answers(const Answers& answers, const Goal& goal);
+  bool retry_answers();
+  bool take_answer(std::span<const Value> answer, const Goal& goal);
   bool try_rows(Relation& relation, const Goal& goal, const Value* args);
   void push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
                  const Value* args);
@@ -332,6 +341,14 @@ class Machine : public FunctionCaller {
   bool next_solution();
   void count_inference() {
     if (++inferences_ >= next_check_) check_limits();
+  }
+  // What need not be done. A limit is met as if it had been.
+  void count(const Answers::Effort& effort) {
+    heap().skip_variables(effort.variables);
+    inferences_ += effort.inferences;
+    if (inferences_ < next_check_) return;
+    inferences_ = std::min(inferences_, query_start_ + max_inferences_ + 1);
+    check_limits();
   }
   // How many inferences come between two looks at the limits.
   static constexpr std::uint64_t kChecked = 4096;

@@ -76,6 +76,64 @@ bool Machine::query_few(Relation& relation, const Goal& goal) {
                     [terms, slots](std::size_t i) { return value_of(terms[i], slots); });
 }
 
+// Whether each argument takes any value.
+bool Machine::asks_for_all(const Goal& goal) const {
+  if (!goal.is_plain) return false;
+  const std::span<const Value> terms = goal.args();
+  const Value* const slots = environment_->slots;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const Value value = value_of(terms[i], slots);
+    if (value.is_unset()) continue;
+    if (!value.is_variable()) return false;
+    const auto is_same = [&](Value other) { return value_of(other, slots).same_as(value); };
+    if (std::ranges::any_of(terms.first(i), is_same)) return false;
+  }
+  return true;
+}
+
+// Of rules that need not be asked.
+bool Machine::query_answers(const Answers& answers, const Goal& goal) {
+  Value* const slots = environment_->slots;
+  for (const Value term : goal.args()) {
+    const std::uint32_t slot = term.slot_index();
+    if (slots[slot].is_unset()) (void)unifier_.make_variable(slots, slot);
+  }
+  count(answers.efforts[0]);
+  if (answers.size() == 0) return false;
+  if (answers.may_go_on_after(0)) {
+    ChoicePoint& choice = push(ChoicePoint::Kind::answers, goal);
+    choice.answers = &answers;
+    choice.answer = 1;
+  }
+  return take_answer(answers.answer(0), goal);
+}
+
+// To go back is an inference that has been counted.
+bool Machine::retry_answers() {
+  --inferences_;
+  ChoicePoint& choice = choices_.back();
+  const Answers& answers = *choice.answers;
+  const Goal& goal = *choice.goal;
+  const std::size_t index = choice.answer;
+  count(answers.efforts[index]);
+  if (answers.may_go_on_after(index)) {
+    choice.answer = static_cast<std::uint16_t>(index + 1);
+  } else {
+    pop();
+  }
+  return index < answers.size() && take_answer(answers.answer(index), goal);
+}
+
+bool Machine::take_answer(std::span<const Value> answer, const Goal& goal) {
+  const std::span<const Value> terms = goal.args();
+  Value* const slots = environment_->slots;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    unifier_.bind_young(deref(slots[terms[i].slot_index()]).variable(), answer[i]);
+  }
+  goal_ = goal.next;
+  return true;
+}
+
 // The last candidate needs no choice point: if it fails, so does the query.
 [[gnu::noinline]] bool Machine::try_rows(Relation& relation, const Goal& goal, const Value* args) {
   Relation::Cursor cursor = relation.open({args, goal.args().size()});

@@ -265,6 +265,7 @@ void Mas::Implementation::tick() {
 }
 
 void Mas::Implementation::look() {
+  if (outcome_.ticks == 0) stock_->constants.learn(*environment_);
   for (Resident& resident : residents_.all()) {
     if (!resident.has_body() || resident.is_leaving) continue;
     resident.percepts->begin_look();
@@ -273,13 +274,19 @@ void Mas::Implementation::look() {
   }
 }
 
+// At an agent's first look; then it knows that.
+KnownToAll Mas::Implementation::known_to_all(const Resident& resident) {
+  if (resident.percepts->looks() != 1) return {};
+  return stock_->constants.known_to_agents_of(resident.program, symbols_);
+}
+
 void Mas::Implementation::update_percepts() {
   for (Resident& resident : residents_.all()) {
     if (!resident.has_body() || resident.is_leaving) continue;
     Agent& agent = *resident.agent;
     ActionError error;
     const bool perceived = guarded(error, [&] {
-      agent.update_percepts(*resident.percepts);
+      agent.update_percepts(*resident.percepts, known_to_all(resident));
       return true;
     });
     if (!perceived) {

@@ -15,6 +15,7 @@
 
 #include "interpreter/agent/surroundings/host.h"
 #include "interpreter/agent/surroundings/services.h"
+#include "interpreter/mas/constants.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/mas/outbox.h"
 #include "interpreter/mas/reach.h"
@@ -27,11 +28,13 @@ namespace jaywalk {
 /// What a system is made of that the next one can be made of, too: names above those of the
 /// programs, and memory. It does not depend on what the previous system did.
 struct SystemStock {
-  explicit SystemStock(std::shared_ptr<const SymbolTable> base) : symbols(std::move(base)) {}
+  explicit SystemStock(const std::shared_ptr<const SymbolTable>& base)
+      : symbols(base), constants(base->predicate_count()) {}
 
   SymbolTable symbols;
   WorkspacePool workspaces{symbols};
   std::vector<std::unique_ptr<Percepts>> percepts;
+  Constants constants;
 };
 
 class Mas::Implementation : public AgentHost, public Society {
@@ -120,6 +123,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void reason_alone(Resident& first);
   void pass_busy_ms();
   void look();
+  [[nodiscard]] KnownToAll known_to_all(const Resident& resident);
   void update_percepts();
   void reason_until_quiet();
   void execute_actions();

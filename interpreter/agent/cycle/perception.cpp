@@ -7,8 +7,9 @@
 
 namespace jaywalk {
 
-void Agent::update_percepts(const Percepts& percepts) {
+void Agent::update_percepts(const Percepts& percepts, const KnownToAll& known) {
   start_if_due();
+  if (known.percepts != nullptr) beliefs_.share_constants(*known.percepts);
   const bool by_changes = percepts.looks() == seen_looks_ + 1 && beliefs_.knows_percepts();
   seen_looks_ = percepts.looks();
   if (settings_.cycles_per_look > 1) {
@@ -24,6 +25,7 @@ void Agent::update_percepts(const Percepts& percepts) {
   } else {
     believe_percepts(percepts);
   }
+  for (const auto& rules : known.rules) beliefs_.fold(*rules);
 }
 
 void Agent::perceive_now() {

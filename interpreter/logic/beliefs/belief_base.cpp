@@ -42,8 +42,28 @@ bool BeliefBase::share(Predicate predicate, const SharedRows& rows) {
 // Before something of its rows is changed.
 void BeliefBase::make_own(Relation& relation) {
   if (!relation.is_shared()) return;
+  if (relation.is_folded_in) unfold_rules();
+  const bool are_percepts = relation.shared()->are_percepts();
   relation.own_rows();
+  if (are_percepts) note_percepts(relation, static_cast<std::uint32_t>(relation.size()));
   heap_.note_beside(relation.size() * Relation::kRowBytes);
+}
+
+void BeliefBase::fold(const FoldedRules& rules) {
+  for (const auto& [predicate, rows] : rules.needs) {
+    const Relation* const needed = find(predicate);
+    if (needed == nullptr || needed->shared() != rows) return;
+  }
+  for (const auto& need : rules.needs) find(need.predicate)->is_folded_in = true;
+  find(rules.predicate)->fold(rules.table);
+}
+
+// What folded rules are of changes: that is rare enough to have all of them asked again.
+void BeliefBase::unfold_rules() {
+  for (Relation* const each : relations_) {
+    if (each->is_folded()) each->unfold();
+    each->is_folded_in = false;
+  }
 }
 
 std::optional<Value> BeliefBase::add(Value literal, Place place) {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/logic/beliefs/constant_percepts.h"
+#include "interpreter/logic/beliefs/folded_rules.h"
 #include "interpreter/logic/beliefs/relation.h"
 #include "interpreter/support/containers/flat_index.h"
 
@@ -64,6 +66,11 @@ class BeliefBase {
     if (Relation* const known = find(predicate)) known->share_rule_table(table);
   }
 
+  /// Rules whose answers are known give these from now on, until a change to what they are of; if
+  /// the agent believes something else there already, nothing happens. They outlive the belief
+  /// base.
+  void fold(const FoldedRules& rules);
+
   /// Jason's deletion. True: something changed. If the literal was not ground, `unifier` has the
   /// bindings of the belief that was found.
   bool remove(Value literal, Unifier& unifier);
@@ -89,6 +96,9 @@ class BeliefBase {
     bool added = false;
   };
   void begin_percepts();
+  /// In the first update, percepts that are constant are shared. They outlive the belief base.
+  /// REQUIRES: nothing has been perceived.
+  void share_constants(const ConstantPercepts& constants) { constants_ = &constants; }
   /// A percept of the last update that has got other arguments, if it is the only belief of its
   /// predicate. False: nothing has been done.
   [[nodiscard]] bool change_percept(Predicate predicate, std::span<const Value> old_args,
@@ -125,6 +135,10 @@ class BeliefBase {
  private:
   Relation& relation(Predicate predicate);
   void make_own(Relation& relation);
+  void unfold_rules();
+  [[nodiscard]] bool perceive_constant(Relation& relation, std::span<const Value> args,
+                                       PerceptChange& change);
+  void note_percepts(Relation& relation, std::uint32_t rows);
   bool remove_annotations(Relation& relation, std::int64_t seq, Value annots, bool exact);
   void no_percept_any_more(Relation& relation, Row& row);
   void remove_percept(Relation& relation, std::int64_t seq, std::vector<PerceptChange>& changes);
@@ -141,7 +155,8 @@ class BeliefBase {
   std::uint32_t generation_ = 0;
   bool knows_percepts_ = true;
   std::vector<std::pair<Relation*, std::int64_t>> missed_;
-  std::size_t seen_again_ = 0;  // in this update, what had been perceived before
+  const ConstantPercepts* constants_ = nullptr;  // of the first update
+  std::size_t seen_again_ = 0;                   // in this update, what had been perceived before
   std::vector<NamespaceProperty> namespace_properties_;
 };
 

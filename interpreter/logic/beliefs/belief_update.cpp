@@ -11,6 +11,10 @@
 // two places could lose it in one of them. Each literal that is perceived again must thus be missed
 // as well, or it stands somewhere else, too, and the next update is one by all percepts.
 //
+// Constant percepts are shared in the first update, with events as for any, and then are neither
+// looked up nor missed. Where an agent changes something of them, or they are perceived anew after
+// all, their relation becomes the agent's own and is as any other.
+//
 // Both ways make the same changes in the same order: what goes, by relation in the order in which
 // they came to have percepts, and by row; then what comes, in the order of perception.
 
@@ -33,6 +37,7 @@ bool leave_perceived(Relation& relation) {
 }  // namespace
 
 void BeliefBase::begin_percepts() {
+  if (generation_ != 0) constants_ = nullptr;
   ++generation_;
   knows_percepts_ = true;
   seen_again_ = 0;
@@ -53,25 +58,44 @@ Value BeliefBase::percept(Predicate predicate, std::span<const Value> args) {
 bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_args,
                                 std::span<const Value> args) {
   Relation* const rel = find(predicate);
-  const Row* const lone = rel == nullptr || rel->is_indexed() ? nullptr : rel->lone_fact();
+  if (rel == nullptr || rel->is_shared() || rel->is_indexed()) return false;
+  const Row* const lone = rel->lone_fact();
   if (lone == nullptr || lone->percept_generation == 0) return false;
   const LiteralParts old = literal_parts(lone->fact);
   const auto same = [](Value a, Value b) { return a.same_as(b); };
-  const auto equal = [](Value a, Value b) { return equal_terms(a, b); };
+  const auto equal = [](Value a, Value b) {
+    return a.is_number() && b.is_number() ? a.as_number() == b.as_number() : equal_terms(a, b);
+  };
   if (!old.annots.same_as(source_percept()) ||
       !std::equal(old.args.begin(), old.args.end(), old_args.begin(), old_args.end(), same) ||
       std::equal(old.args.begin(), old.args.end(), args.begin(), args.end(), equal)) {
     return false;
   }
-  Row& row = rel->own_row(rel->first_seq());  // what is perceived is its own
+  Row& row = rel->own_row(rel->first_seq());
   row.fact = percept(predicate, args);
   row.key = args.empty() ? 0 : argument_key(args[0]);
   row.percept_generation = generation_;
   return true;
 }
 
+// One that the environment says is constant, unless something is believed of its predicate.
+bool BeliefBase::perceive_constant(Relation& rel, std::span<const Value> args,
+                                   PerceptChange& change) {
+  if (!rel.is_shared() && rel.size() == 0) {
+    const SharedRows* const rows = constants_->find(rel.predicate());
+    if (rows == nullptr) return false;
+    rel.share(*rows);
+  }
+  if (!rel.is_shared() || !rel.shared()->are_percepts()) return false;
+  const auto known = rel.find(args);
+  if (!known) return false;
+  change = {rel.row(*known).fact, true};
+  return true;
+}
+
 bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
   Relation& rel = relation(predicate);
+  if (constants_ != nullptr && perceive_constant(rel, args, change)) return true;
   make_own(rel);
   Relation::Hash hash = 0;
   if (const auto known = rel.find(args, hash)) {
@@ -96,13 +120,17 @@ bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, Perc
                   hash);
     change = {literal, true};
   }
-  Relation::Percepts& percepts = rel.percepts();
-  ++percepts.rows;
-  if (percepts.since == 0) {
-    percepts.since = ++last_perceived_;
-    perceived_.push_back(&rel);
-  }
+  note_percepts(rel, 1);
   return true;
+}
+
+// So many more rows of it are percepts.
+void BeliefBase::note_percepts(Relation& rel, std::uint32_t rows) {
+  Relation::Percepts& percepts = rel.percepts();
+  percepts.rows += rows;
+  if (percepts.since != 0) return;
+  percepts.since = ++last_perceived_;
+  perceived_.push_back(&rel);
 }
 
 void BeliefBase::end_percepts(std::vector<PerceptChange>& changes) {
@@ -119,7 +147,9 @@ void BeliefBase::end_percepts(std::vector<PerceptChange>& changes) {
 
 void BeliefBase::miss(Predicate predicate, std::span<const Value> args) {
   Relation* const rel = find(predicate);
-  const auto known = rel == nullptr ? std::nullopt : rel->find(args);
+  if (rel == nullptr) return;
+  make_own(*rel);
+  const auto known = rel->find(args);
   if (!known) return;
   if (rel->row(*known).percept_generation == generation_) {
     --seen_again_;

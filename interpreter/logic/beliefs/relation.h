@@ -49,8 +49,9 @@ class Relation {
     return own_->rows[static_cast<std::size_t>(seq - first_seq_)];
   }
 
-  /// Its rows are what the agents of a program begin with, and not its own.
+  /// Its rows are not its own, but the agents' of a program or system.
   [[nodiscard]] bool is_shared() const { return shared_ != nullptr; }
+  [[nodiscard]] const SharedRows* shared() const { return shared_; }
   /// REQUIRES: it has no rows; the shared ones outlive it.
   void share(const SharedRows& rows);
   /// They become its own, to be changed, with the same numbers.
@@ -99,6 +100,11 @@ class Relation {
   }
   /// The same table, made for the rules of a program. Taken if these are what the rows are.
   void share_rule_table(const RuleTable& table);
+  /// Takes the table of its rules with their answers, or again the one without.
+  /// REQUIRES: the rows are shared.
+  void fold(const RuleTable& table) { table_ = &table; }
+  void unfold() { table_ = shared_->rule_table(); }
+  [[nodiscard]] bool is_folded() const { return table_ != nullptr && table_->answers() != nullptr; }
   /// A cursor whose next candidate is a rule.
   [[nodiscard]] static Cursor cursor_at(std::int64_t seq, std::uint32_t key) {
     Cursor cursor;
@@ -134,6 +140,8 @@ class Relation {
 
   /// It is among the belief base's relations; otherwise it only keeps its memory.
   bool exists = false;
+  /// Answers of rules hold only as long as its rows are the shared ones.
+  bool is_folded_in = false;
   /// Memory without terms, roughly.
   [[nodiscard]] std::size_t bytes() const;
   /// What a row of many takes with its place in an index, old and new memory while they grow.

@@ -8,7 +8,8 @@
 //                                      variable    → several: they are looked at one by one
 //
 // So a query needs one look into a table by the kind of its first argument, and no choice point. A
-// table does not change; that of a program's rules is shared by all agents that run it.
+// table does not change; that of a program's rules is shared by all agents that run it. Where the
+// answers of the rules are known (folded_rules.h) an agent has another table, which names them.
 
 #include <array>
 #include <cstdint>
@@ -18,6 +19,8 @@
 #include "interpreter/logic/code/code.h"
 
 namespace jaywalk {
+
+struct Answers;
 
 class RuleTable {
  public:
@@ -39,6 +42,10 @@ class RuleTable {
   RuleTable() = default;
   /// In the order in which they are asked. REQUIRES: heads of one predicate, at least one.
   explicit RuleTable(std::vector<Candidate> candidates);
+  /// The same rules with their answers, which outlive it.
+  RuleTable(const RuleTable& rules, const Answers& answers) : RuleTable(rules) {
+    answers_ = &answers;
+  }
 
   [[nodiscard]] std::span<const Candidate> candidates() const { return candidates_; }
   /// The only rule that may match a first argument of this kind (any kind, if there are no
@@ -46,12 +53,15 @@ class RuleTable {
   [[nodiscard]] const RuleCode* only(Value first_argument) const {
     return only_[static_cast<std::size_t>(first_argument.kind())];
   }
+  /// Null: they have to be asked.
+  [[nodiscard]] const Answers* answers() const { return answers_; }
 
  private:
   static constexpr std::size_t kKinds = 8;
 
   std::vector<Candidate> candidates_;
   std::array<const RuleCode*, kKinds> only_{};
+  const Answers* answers_ = nullptr;
 };
 
 }  // namespace jaywalk

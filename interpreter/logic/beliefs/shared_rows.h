@@ -1,8 +1,9 @@
 #pragma once
 
-// What the agents of a program believe of a predicate when they begin. Agents share the rows until
-// they change something of them (Relation::own_rows), on any thread: the rows do not change, and
-// their indexes are made when one of the agents first needs them.
+// What the agents of a program believe of a predicate when they begin, or what all agents of a
+// system always perceive of one (constant_percepts.h). Agents share the rows until they change
+// something of them (Relation::own_rows), on any thread: the rows do not change, and their indexes
+// are made when one of the agents first needs them.
 
 #include <atomic>
 #include <cstdint>
@@ -26,6 +27,12 @@ class SharedRows {
 
   [[nodiscard]] const Ring<Row>& rows() const { return rows_; }
   [[nodiscard]] std::uint32_t rules() const { return rules_; }
+  /// They are percepts, which belief update need not see again.
+  [[nodiscard]] bool are_percepts() const {
+    return !rows_.empty() && rows_.front().percept_generation == kAlwaysSeen;
+  }
+  /// The percept_generation of such rows.
+  static constexpr std::uint32_t kAlwaysSeen = 0xFFFF'FFFFU;
   [[nodiscard]] const RuleTable* rule_table() const { return table_; }
   /// Of all rows by an argument, which they have.
   [[nodiscard]] RowIndex& index_of(std::size_t argument) const;

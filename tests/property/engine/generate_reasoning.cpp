@@ -6,11 +6,13 @@ namespace {
 /// X and Y are bound to numbers wherever a formula stands; Z, W and V may be open.
 class ReasoningWriter {
  public:
-  explicit ReasoningWriter(Choices& choices) : choices_(choices) {}
+  ReasoningWriter(Choices& choices, Senses senses)
+      : choices_(choices), perceives_(senses == Senses::some) {}
 
   std::string write() {
     beliefs();
     rules();
+    if (perceives_) rules_of_percepts();
     for (int goal = 0; goal < kGoals; ++goal) plans_for(goal);
     event_plans();
     for (int i = 0; i < 3; ++i) {
@@ -65,6 +67,62 @@ class ReasoningWriter {
     }
   }
 
+  // The percepts are c(1), c(3), w(1,2), w(2,3) and w(4,1), which are constant, and tick(T).
+  void rules_of_percepts() {
+    static constexpr std::string_view kRules[] = {
+        "k(X,Y) :- w(X,Y) & c(Z) & X < Z.\n",
+        "k(X,2) :- c(X).\n",
+        "k(X,Y) :- limit(X) & k2(X,Y).\n",
+        "k2(X,Y) :- c(Y) & X > Y.\n",
+        "m(S) :- w(X,Y) & S = X+Y.\n",
+        "m(S) :- k(S,_) & limit(L) & L > 2.\n",
+        "m(X) :- c(X) & X > 1 & w(X,_).\n",
+        "e :- c(X) & w(_,X).\n",
+        "f(X,T) :- c(X) & tick(T).\n",
+        "h(X) :- c(X) & X / (X-3) < 5.\n",
+        "up(X,Z) :- w(X,Y) & up(Y,Z).\nup(X,Y) :- w(X,Y).\n"};
+    for (const std::string_view rule : kRules) {
+      if (choices_.once_in(2)) add(rule);
+    }
+    add(choices_.one_of({"limit(3). limit(1).\n", "limit(1).\n", "limit(a). limit(2).\n", ""}));
+    if (choices_.once_in(8)) add("c(2).\n");
+    if (choices_.once_in(4)) add("+c(X) <- .print(sees, X).\n");
+    if (choices_.once_in(4)) add("+w(X,Y)[source(S)] : k(Z,W) <- .print(sees, X, Y, S, Z, W).\n");
+    if (choices_.once_in(3)) add("-c(X) <- .print(misses, X).\n");
+    if (choices_.once_in(3)) add("+tick(T) <- !g1(T,T,_).\n");
+  }
+
+  void query_of_percepts() {
+    add(choices_.one_of({"k(Z,W)",
+                         "k(Z,W)",
+                         "k(X,Z)",
+                         "k(Z,Z)",
+                         "k(Z,X)",
+                         "m(Z)",
+                         "m(Z)",
+                         "m(X)",
+                         "e",
+                         "f(Z,W)",
+                         "h(Z)",
+                         "up(Z,W)",
+                         "up(X,Z)",
+                         "c(Z)",
+                         "w(Z,V)",
+                         "c(Z)[source(V)]",
+                         "k(X-1,Z)",
+                         "w(X,Z)",
+                         ".findall(Q,m(Q),W)",
+                         ".count(k(_,_),Z)",
+                         "not k(Z,W)",
+                         "limit(Z)"}));
+  }
+
+  void change_of_percepts() {
+    add(choices_.one_of({"+c(X)", "-c(Z)", "-c(3)[source(percept)]", "-+limit(Y)", "+limit(X)",
+                         "-limit(Z)", ".abolish(w(_,_))", "-w(2,3)[source(percept)]", "+w(X,Y)",
+                         "+c(1)[k]", ".perceive", "+w(1,2)", "-c(X)[source(percept)]"}));
+  }
+
   void number(int depth) {
     if (depth > 0 && choices_.once_in(3)) {
       add("("), number(depth - 1);
@@ -97,6 +155,10 @@ class ReasoningWriter {
   }
 
   void query() {
+    if (perceives_ && choices_.once_in(2)) {
+      query_of_percepts();
+      return;
+    }
     add(choices_.one_of({"n(X)",
                          "n(Z)",
                          "n(Z)[k]",
@@ -207,6 +269,10 @@ class ReasoningWriter {
   }
 
   void step(int depth) {
+    if (perceives_ && choices_.once_in(8)) {
+      change_of_percepts();
+      return;
+    }
     switch (choices_.below(depth > 0 ? 16 : 11)) {
       case 0:
       case 1:
@@ -257,12 +323,15 @@ class ReasoningWriter {
   }
 
   Choices& choices_;
+  bool perceives_;
   std::string text_;
   int labels_ = 0;
 };
 
 }  // namespace
 
-std::string random_reasoning(Choices& choices) { return ReasoningWriter(choices).write(); }
+std::string random_reasoning(Choices& choices, Senses senses) {
+  return ReasoningWriter(choices, senses).write();
+}
 
 }  // namespace jaywalk::test

@@ -1,6 +1,7 @@
 // jaywalk_oracle FIRST COUNT: random programs run alike however they are run: observed or not,
-// cycle by cycle, on 1, 2 or 8 threads. What is printed and logged, the cycles and the beliefs in
-// the end are the same.
+// cycle by cycle, on 1, 2 or 8 threads, in a world that says which percepts are constant or in one
+// that does not. What is printed and logged, the cycles, the inferences and the beliefs in the end
+// are the same.
 //
 // jaywalk_oracle FIRST COUNT --write FOLDER: writes the programs, for `compare_engines`.
 
@@ -24,17 +25,59 @@ namespace {
 
 constexpr std::size_t kAgents = 3;
 
-// Every fourth program is of the wilder kind, most of which fails.
+// Every fourth program is of the wilder kind, most of which fails, and every fourth perceives.
+bool perceives(std::uint64_t seed) { return seed % 4 == 1; }
+
 std::string program_of(std::uint64_t seed) {
   test::Choices choices(seed);
-  return seed % 4 == 3 ? test::random_program(choices) : test::random_reasoning(choices);
+  if (seed % 4 == 3) return test::random_program(choices);
+  return test::random_reasoning(choices, perceives(seed) ? test::Senses::some : test::Senses::none);
 }
+
+/// Some percepts change, the others are constant, whether the world says so or not.
+class World : public Environment {
+ public:
+  World(SymbolTable& symbols, bool says_what_is_constant)
+      : tick_(symbols.predicate("tick", 1)),
+        c_(symbols.predicate("c", 1)),
+        w_(symbols.predicate("w", 2)),
+        says_what_is_constant_(says_what_is_constant) {}
+
+  void perceive(AgentId agent, Percepts& percepts) const override {
+    percepts.add(tick_, {Value::number(now_)});
+    if ((now_ + static_cast<int>(agent)) % 2 == 0) percepts.add(tick_, {Value::number(9)});
+    add_constants(percepts);
+  }
+  void constants(Percepts& percepts) const override {
+    if (says_what_is_constant_) add_constants(percepts);
+  }
+  void execute(std::span<const ActionRequest>, std::span<ActionResult>) override {}
+  void advance() override { ++now_; }
+  [[nodiscard]] bool finished() const override { return now_ > 4; }
+  [[nodiscard]] double tick_ms() const override { return 100; }
+
+ private:
+  void add_constants(Percepts& percepts) const {
+    percepts.add(c_, {Value::number(1)});
+    percepts.add(w_, {Value::number(1), Value::number(2)});
+    percepts.add(w_, {Value::number(2), Value::number(3)});
+    percepts.add(c_, {Value::number(3)});
+    percepts.add(w_, {Value::number(4), Value::number(1)});
+  }
+
+  Predicate tick_;
+  Predicate c_;
+  Predicate w_;
+  bool says_what_is_constant_;
+  int now_ = 1;
+};
 
 struct Way {
   std::string name;
   bool is_observed = false;
   std::size_t threads = 1;
-  bool by_cycles = false;  // one for each agent at a time, so that none goes on alone
+  bool by_cycles = false;          // one for each agent at a time, so that none goes on alone
+  bool without_constants = false;  // of which the world says that they are
 };
 
 // A run as text; empty if the program does not compile.
@@ -57,7 +100,8 @@ std::string text_of_run(const std::string& program, std::uint64_t seed, const Wa
   if (way.is_observed) options.observer = &observer;
   options.print = [&](std::string_view line) { text += fmt::format("{}\n", line); };
   options.log = [&](std::string_view line) { text += fmt::format("log: {}\n", line); };
-  Mas mas(symbols, options, nullptr);
+  World world(*symbols, !way.without_constants);
+  Mas mas(symbols, options, perceives(seed) ? &world : nullptr);
   for (std::size_t i = 0; i < kAgents; ++i) {
     mas.add_agent({.name = fmt::format("a{}", i), .program = compiled});
   }
@@ -67,7 +111,8 @@ std::string text_of_run(const std::string& program, std::uint64_t seed, const Wa
   text += fmt::format("end {}, {} cycles {}\n", static_cast<int>(outcome.end), outcome.cycles,
                       outcome.message);
   // Where a limit ends the run, agents on other threads may have come further than they would have.
-  if (outcome.end != RunEnd::idle) return text;
+  if (outcome.end != RunEnd::idle && outcome.end != RunEnd::finished) return text;
+  text += fmt::format("{} inferences\n", outcome.inferences);
   for (std::uint32_t i = 0; i < mas.agent_count(); ++i) {
     const auto id = static_cast<AgentId>(i);
     if (!mas.is_alive(id)) continue;
@@ -90,7 +135,9 @@ int check(std::uint64_t first, std::uint64_t count) {
   const std::vector<Way> ways{{"observed", true, 1},
                               {"2 threads", false, 2},
                               {"8 threads", false, 8},
-                              {"cycle by cycle", false, 1, true}};
+                              {"cycle by cycle", false, 1, true},
+                              {"without constants", false, 1, false, true},
+                              {"observed without", true, 1, false, true}};
   std::uint64_t busy = 0;
   int wrong = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {

@@ -1,6 +1,7 @@
 // Each percept of percepts.def: what it says and when. The rows of the case study are 0 and 1
 // pavement, 2 to 5 the AV's lane, 6 to 9 the other one, 10 and 11 pavement.
 
+#include "tests/helpers/constants.h"
 #include "tests/unit/env_crossing/agents.h"
 
 namespace jaywalk {
@@ -191,6 +192,25 @@ TEST_F(PerceptsOfTheCrossing, HaveTheirUnits) {
   EXPECT_EQ(seen(crossing, 0, "cell_length"), "cell_length(0.75)");
   EXPECT_EQ(seen(crossing, 0, "road_end"), "road_end(65)");
   EXPECT_EQ(seen(crossing, 0, "av_length"), "av_length(3)");
+}
+
+// With an AV that brakes, so that its speed and the zone change.
+TEST_F(PerceptsOfTheCrossing, AreConstantWhereTheWorldSaysSo) {
+  parameters_.pedestrians.sight = 50;
+  parameters_.pedestrians.features = true;
+  parameters_.av.vehicle.model = "braking";
+  parameters_.obstacles = {{{1, 1}, {20, 22}}, {{10, 11}, {40, 40}}};
+  parameters_.actors = {{.name = "rider", .kind = ActorKind::cyclist, .start = {7, 40}, .speed = 3}};
+  Crossing crossing = world({{1, 30}, {10, 12}});
+  const std::vector<std::string> said = test::constant_texts(crossing, symbols_);
+  EXPECT_GE(said.size(), 14U);
+  while (!crossing.finished()) {
+    EXPECT_EQ(test::constant_texts(crossing, symbols_), said);
+    for (std::size_t agent = 0; agent < 3; ++agent) {
+      EXPECT_EQ(test::perceived_constants(crossing, agent, symbols_), said) << agent;
+    }
+    tick(crossing, {move(0, Direction::right), move(1, Direction::left)});
+  }
 }
 
 }  // namespace

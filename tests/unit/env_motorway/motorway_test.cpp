@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "env/motorway/world.h"
+#include "tests/helpers/constants.h"
 #include "tests/unit/env_motorway/motorway.h"
 
 namespace jaywalk::motorway {
@@ -233,6 +234,18 @@ TEST_F(MotorwayStarts, AreNotWhereTheAvIsOnARoadOfOneLane) {
   parameters_.lanes = 1;
   parameters_.av.lane = 1;
   expect_room(3);
+}
+
+TEST_F(MotorwayTest, IsConstantWhereItSaysSo) {
+  Motorway motorway = with({vehicle(1, 90), vehicle(3, 120, 25)});
+  const std::vector<std::string> said = test::constant_texts(motorway, symbols_);
+  EXPECT_EQ(said.size(), 6U);
+  for (int ticks = 0; ticks < 20; ++ticks) {
+    EXPECT_EQ(test::constant_texts(motorway, symbols_), said);
+    EXPECT_EQ(test::perceived_constants(motorway, 0, symbols_), said);
+    EXPECT_EQ(test::perceived_constants(motorway, 1, symbols_), said);
+    act(motorway, MotorwayAction::brake, {Value::number(4)});
+  }
 }
 
 }  // namespace

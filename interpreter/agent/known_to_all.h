@@ -1,0 +1,19 @@
+#pragma once
+
+// What agents of one program share of what they perceive.
+
+#include <memory>
+#include <span>
+
+#include "interpreter/logic/beliefs/constant_percepts.h"
+#include "interpreter/logic/beliefs/folded_rules.h"
+
+namespace jaywalk {
+
+/// Outlives the agent's beliefs.
+struct KnownToAll {
+  const ConstantPercepts* percepts = nullptr;  // null: nothing, or the agent knows it already
+  std::span<const std::unique_ptr<const FoldedRules>> rules;
+};
+
+}  // namespace jaywalk

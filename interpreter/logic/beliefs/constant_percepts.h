@@ -1,0 +1,37 @@
+#pragma once
+
+// The percepts of which the environment says that every agent has them, always and alike
+// (Environment::constants): how large the road is, how long a tick takes. Agents do not come to
+// believe them one by one and each for itself, but share their rows (shared_rows.h), in this run
+// and in the next ones, as long as the environment says the same.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "interpreter/environment/percepts.h"
+#include "interpreter/logic/beliefs/shared_rows.h"
+#include "interpreter/support/containers/flat_index.h"
+
+namespace jaywalk {
+
+class ConstantPercepts {
+ public:
+  /// `names`: predicates and atoms from this number on may mean something else in the next run.
+  /// What bears such names, and what is said twice, is left out.
+  ConstantPercepts(const Percepts& said, std::uint32_t names);
+
+  /// The rows of a predicate, in the order of perception; null: not all of them are constant.
+  [[nodiscard]] const SharedRows* find(Predicate predicate) const {
+    const std::uint32_t place = by_predicate_.find(static_cast<std::uint32_t>(predicate));
+    return place == FlatIndex<std::uint32_t>::kNone ? nullptr : rows_[place].get();
+  }
+  [[nodiscard]] bool is_empty() const { return rows_.empty(); }
+
+ private:
+  Heap heap_{Heap::Owner::program};
+  std::vector<std::unique_ptr<const SharedRows>> rows_;
+  FlatIndex<std::uint32_t> by_predicate_;  // into rows_
+};
+
+}  // namespace jaywalk

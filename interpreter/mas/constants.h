@@ -1,0 +1,40 @@
+#pragma once
+
+// What the environment says is the same for all agents as long as the run lasts, and what follows
+// from it for their programs. Kept from run to run, as long as the environment says the same.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "interpreter/agent/known_to_all.h"
+#include "interpreter/environment/environment.h"
+#include "interpreter/program/program.h"
+
+namespace jaywalk {
+
+class Constants {
+ public:
+  /// Names from this number on are of one run alone.
+  explicit Constants(std::size_t names) : names_(static_cast<std::uint32_t>(names)) {}
+
+  /// Asks the environment, at the begin of a run.
+  void learn(const Environment& environment);
+  /// REQUIRES: the environment has been asked. Good until it is asked again, when no agent is left.
+  [[nodiscard]] KnownToAll known_to_agents_of(const std::shared_ptr<const Program>& program,
+                                              SymbolTable& symbols);
+
+ private:
+  struct Followed {
+    std::shared_ptr<const Program> program;
+    std::vector<std::unique_ptr<const FoldedRules>> rules;
+  };
+  std::uint32_t names_;
+  Percepts said_;
+  std::unique_ptr<ConstantPercepts> percepts_;
+  std::vector<Followed> followed_;
+};
+
+}  // namespace jaywalk
