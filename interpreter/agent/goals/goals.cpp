@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/waits.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
@@ -346,6 +347,14 @@ void Goals::resume(Value goal) {
   }
 }
 
+// A goal whose condition cannot be decided fails. Otherwise it would be tried in every cycle, in
+// silence and for as long as it takes to meet the limit.
+void Goals::fail_at_limit(Intention& intention, std::size_t depth, const ActionError& error) {
+  const MemoryReserve reserve(agent_.heap_);
+  agent_.report_limit(error, formula_place(intention));
+  end_means(intention, depth, End::fail, Value(), &error);
+}
+
 void Goals::check_conditions() {
   std::vector<Intention*> intentions = all_intentions();
   for (Intention* const intention : intentions) {
@@ -359,6 +368,10 @@ void Goals::check_conditions() {
         return agent_.machine().solve(means.plan->goal_condition, intention->frame(means));
       });
       agent_.machine().unifier().commit(trail);
+      if (error != nullptr && error->limit != ReachedLimit::none) {
+        fail_at_limit(*intention, i, *error);
+        break;
+      }
       if (!holds) continue;
       end_means(*intention, i, End::succeed);
       break;

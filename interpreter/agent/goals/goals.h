@@ -45,13 +45,15 @@ class Goals {
   [[nodiscard]] Value watch_deadline(Value goal);
   void end_late(Value goal);
   [[nodiscard]] bool is_pursued(Value goal) const;
-  /// Rule ClrSatInt: goals whose condition has come true are achieved.
+  /// Rule ClrSatInt: goals whose condition has come true are achieved. Those whose condition meets
+  /// a limit fail.
   void check_conditions();
 
  private:
   [[nodiscard]] bool is_it(const Intention& intention, const IntendedMeans& means, Value goal);
   void stop_waiting(Intention& intention);
   void fail_top(Intention& intention, Value failed, const ActionError* reason);
+  void fail_at_limit(Intention& intention, std::size_t depth, const ActionError& error);
   [[nodiscard]] std::vector<Intention*> intentions_to_suspend();
   template <class Queue>
   [[nodiscard]] std::vector<Event> take_events_of(Queue& queue, Value goal);
