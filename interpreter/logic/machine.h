@@ -6,8 +6,8 @@
 //   environment   the frame of a rule (its slots), the goal to go on with afterwards and whose
 //                 frame that goal uses; frames lie on a stack and go with the last goal of a rule,
 //                 unless a choice point may need them again
-//   choice point  where to go on when a goal fails: another row or known answer, the other side of a
-//                 disjunction, the next solution of an internal action; it remembers how long the
+//   choice point  where to go on when a goal fails: another row or known answer, the other side of
+//                 a disjunction, the next solution of an internal action; it remembers how long the
 //                 trail, the frame stack and the heap were
 //
 // A row that is the last that can match leaves no choice point (head_code.h looks ahead), so loops

@@ -200,7 +200,8 @@ TEST_F(PerceptsOfTheCrossing, AreConstantWhereTheWorldSaysSo) {
   parameters_.pedestrians.features = true;
   parameters_.av.vehicle.model = "braking";
   parameters_.obstacles = {{{1, 1}, {20, 22}}, {{10, 11}, {40, 40}}};
-  parameters_.actors = {{.name = "rider", .kind = ActorKind::cyclist, .start = {7, 40}, .speed = 3}};
+  parameters_.actors = {
+      {.name = "rider", .kind = ActorKind::cyclist, .start = {7, 40}, .speed = 3}};
   Crossing crossing = world({{1, 30}, {10, 12}});
   const std::vector<std::string> said = test::constant_texts(crossing, symbols_);
   EXPECT_GE(said.size(), 14U);
