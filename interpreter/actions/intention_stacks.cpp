@@ -39,7 +39,7 @@ Value trigger_term(Agent& agent, TriggerOperator op, TriggerKind kind, Value lit
 // [map(X,1), ...]: the slots that have values.
 Value bindings_term(Agent& agent, Intention& intention, const IntendedMeans& means) {
   std::vector<Value> maps;
-  for (std::uint32_t i = 0; i < means.plan->slot_count; ++i) {
+  for (std::uint32_t i = 0; i < means.plan->own_slots; ++i) {
     const Value value = deref(intention.frame(means)[i]);
     const bool is_named = means.plan->slot_names[i] != names::unnamed;
     if (!is_named || value.is_unset() || value.is_variable()) continue;

@@ -220,6 +220,7 @@ class ProgramBuilder {
       plan.inherited.emplace_back(own, outer);
     }
     plan.slot_count = static_cast<std::uint32_t>(plan.slot_names.size());
+    plan.own_slots = plan.slot_count;
     std::vector<std::uint32_t> inherits;
     for (const auto& [own, outer] : plan.inherited) inherits.push_back(own);
     plan.head = decode_head(plan.trigger, plan.slot_names, inherits);

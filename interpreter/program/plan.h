@@ -107,6 +107,9 @@ struct Plan {
   bool is_simple = false;
   BodyCode code;
   std::uint32_t slot_count = 0;
+  /// So many first ones are of variables that the plan has in its text, the others of rules that
+  /// are unfolded in its context.
+  std::uint32_t own_slots = 0;
   std::vector<Symbol> slot_names;
   bool atomic = false;
   bool all_unifs = false;

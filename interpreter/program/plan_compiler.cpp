@@ -324,6 +324,7 @@ std::shared_ptr<Plan> compile_plan(Value term, std::vector<Symbol> slot_names,
   plan->code.link(nullptr);
   plan->is_simple = !plan->atomic && !plan->has_goal_condition;
   plan->slot_count = static_cast<std::uint32_t>(slot_names.size());
+  plan->own_slots = plan->slot_count;
   plan->slot_names = std::move(slot_names);
   find_last_calls(*plan);
   return plan;

@@ -28,7 +28,7 @@ std::string texts_from(Unifier& unifier, const Plan& plan, const Step* step) {
 
 std::string values_of(Unifier& unifier, const Plan& plan, const Value* frame) {
   std::string text;
-  for (std::size_t i = 0; i < plan.slot_names.size(); ++i) {
+  for (std::size_t i = 0; i < plan.own_slots; ++i) {
     const Value value = deref(frame[i]);
     if (plan.slot_names[i] == names::unnamed || value.is_unset() || value.is_variable()) continue;
     if (!text.empty()) text += ", ";

@@ -46,7 +46,7 @@ bool Agent::is_selected(const Option& option, const Event& event) {
       heap_.structure(symbols_.predicate(trigger_operator(event.op, event.kind), 1),
                       std::span(&literal, 1), Value::empty_list(), Form::trigger);
   std::vector<Value> maps;
-  for (std::uint32_t i = 0; i < option.plan->slot_count; ++i) {
+  for (std::uint32_t i = 0; i < option.plan->own_slots; ++i) {
     const Value value = deref(option.values[i]);
     if (value.is_unset() || value.is_variable()) continue;
     const std::array<Value, 2> args{heap_.variable(option.plan->slot_names[i]), value};
