@@ -5,12 +5,15 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/goal_stack.h"
 #include "interpreter/agent/goals/waits.h"
 #include "interpreter/agent/step_guard.h"
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/print.h"
 
 namespace jaywalk {
 
@@ -352,6 +355,9 @@ void Goals::resume(Value goal) {
 void Goals::fail_at_limit(Intention& intention, std::size_t depth, const ActionError& error) {
   const MemoryReserve reserve(agent_.heap_);
   agent_.report_limit(error, formula_place(intention));
+  const Value goal = agent_.goal_of(intention, intention.stack[depth]);
+  agent_.log(fmt::format("the goal {} fails, since its condition cannot be decided: {}",
+                         brief_text(goal, agent_.symbols_), error.message));
   end_means(intention, depth, End::fail, Value(), &error);
 }
 

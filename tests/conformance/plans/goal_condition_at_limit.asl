@@ -7,3 +7,4 @@ endless(X) :- endless(X).
 -!wait_for_it[error(E), error_msg(M)] <- .print(E, ": ", M).
 // expect: limit: a query took more than 1000 inferences
 // expect: goes on
+// expect log: the goal wait_for_it[source(self)] fails, since its condition cannot be decided: a query took more than 1000 inferences
