@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "interpreter/environment/percepts.h"
 #include "interpreter/logic/beliefs/constant_percepts.h"
 #include "interpreter/logic/beliefs/folded_rules.h"
 

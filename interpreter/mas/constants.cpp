@@ -14,7 +14,11 @@ void Constants::learn(const Environment& environment) {
   said_.end_look();
   if (percepts_ != nullptr && said_.news().empty() && said_.gone_size() == 0) return;
   followed_.clear();
-  percepts_ = std::make_unique<ConstantPercepts>(said_, names_);
+  std::vector<ConstantPercepts::Percept> percepts;
+  for (std::size_t i = 0; i < said_.size(); ++i) {
+    percepts.push_back({said_.predicate(i), said_.args(i)});
+  }
+  percepts_ = std::make_unique<ConstantPercepts>(percepts, names_);
 }
 
 KnownToAll Constants::known_to_agents_of(const std::shared_ptr<const Program>& program,

@@ -1,7 +1,6 @@
 #include "interpreter/logic/beliefs/constant_percepts.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "interpreter/term/compare.h"
@@ -34,11 +33,12 @@ Row row_of(Heap& heap, Predicate predicate, std::span<const Value> args) {
 }
 
 // What is said of a predicate; nothing, if not all of that may be shared.
-Ring<Row> rows_of(Heap& heap, Predicate predicate, const Percepts& said, std::uint32_t names) {
+Ring<Row> rows_of(Heap& heap, Predicate predicate, std::span<const ConstantPercepts::Percept> said,
+                  std::uint32_t names) {
   Ring<Row> rows;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    if (said.predicate(i) != predicate) continue;
-    const std::span<const Value> args = said.args(i);
+  for (const ConstantPercepts::Percept& each : said) {
+    if (each.predicate != predicate) continue;
+    const std::span<const Value> args = each.args;
     const bool lasts = std::ranges::all_of(args, [&](Value arg) { return is_lasting(arg, names); });
     if (!lasts || has_fact(rows, args)) return {};
     rows.push_back(row_of(heap, predicate, args));
@@ -48,10 +48,9 @@ Ring<Row> rows_of(Heap& heap, Predicate predicate, const Percepts& said, std::ui
 
 }  // namespace
 
-ConstantPercepts::ConstantPercepts(const Percepts& said, std::uint32_t names) {
+ConstantPercepts::ConstantPercepts(std::span<const Percept> said, std::uint32_t names) {
   std::vector<Predicate> predicates;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    const Predicate predicate = said.predicate(i);
+  for (const auto& [predicate, args] : said) {
     if (static_cast<std::uint32_t>(predicate) >= names) continue;
     if (std::ranges::find(predicates, predicate) != predicates.end()) continue;
     predicates.push_back(predicate);

@@ -7,9 +7,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "interpreter/environment/percepts.h"
 #include "interpreter/logic/beliefs/shared_rows.h"
 #include "interpreter/support/containers/flat_index.h"
 
@@ -17,9 +17,13 @@ namespace jaywalk {
 
 class ConstantPercepts {
  public:
-  /// `names`: predicates and atoms from this number on may mean something else in the next run.
-  /// What bears such names, and what is said twice, is left out.
-  ConstantPercepts(const Percepts& said, std::uint32_t names);
+  struct Percept {
+    Predicate predicate{};
+    std::span<const Value> args;
+  };
+  /// In the order of perception. `names`: predicates and atoms from this number on may mean
+  /// something else in the next run. What bears such names, and what is said twice, is left out.
+  ConstantPercepts(std::span<const Percept> said, std::uint32_t names);
 
   /// The rows of a predicate, in the order of perception; null: not all of them are constant.
   [[nodiscard]] const SharedRows* find(Predicate predicate) const {
