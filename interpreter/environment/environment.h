@@ -36,9 +36,9 @@ class Environment {
   /// Adds all that `agent` perceives now. Agents perceive one after another, the world between two
   /// ticks being the same for all of them.
   virtual void perceive(AgentId agent, Percepts& percepts) const = 0;
-  /// Adds those percepts that every agent has in every look of the run, all agents the same, which
-  /// `perceive` reports as well. They cost an agent next to nothing, nor do rules that ask nothing
-  /// else. Where a predicate has one of them, all its percepts are among them.
+  /// Adds the percepts that every agent has in every look of the run, all agents the same, which
+  /// `perceive` adds as well. Agents share them, and rules that ask nothing else are asked once for
+  /// all agents. A predicate that has such a percept has no others.
   virtual void constants(Percepts& /*percepts*/) const {}
   /// The actions of one tick, at most one for each agent, in the agents' order. All take effect at
   /// once. `results` has the same length, prefilled with success.

@@ -342,10 +342,9 @@ class Machine : public FunctionCaller {
   void count_inference() {
     if (++inferences_ >= next_check_) check_limits();
   }
-  // What need not be done. A limit is met as if it had been.
-  void count(const Answers::Effort& effort) {
-    heap().skip_variables(effort.variables);
-    inferences_ += effort.inferences;
+  // Those that need not be done. A limit is met as if they had been.
+  void count_inferences(std::uint64_t more) {
+    inferences_ += more;
     if (inferences_ < next_check_) return;
     inferences_ = std::min(inferences_, query_start_ + max_inferences_ + 1);
     check_limits();

@@ -93,12 +93,7 @@ bool Machine::asks_for_all(const Goal& goal) const {
 
 // Of rules that need not be asked.
 bool Machine::query_answers(const Answers& answers, const Goal& goal) {
-  Value* const slots = environment_->slots;
-  for (const Value term : goal.args()) {
-    const std::uint32_t slot = term.slot_index();
-    if (slots[slot].is_unset()) (void)unifier_.make_variable(slots, slot);
-  }
-  count(answers.efforts[0]);
+  count_inferences(answers.inferences[0]);
   if (answers.size() == 0) return false;
   if (answers.may_go_on_after(0)) {
     ChoicePoint& choice = push(ChoicePoint::Kind::answers, goal);
@@ -115,7 +110,7 @@ bool Machine::retry_answers() {
   const Answers& answers = *choice.answers;
   const Goal& goal = *choice.goal;
   const std::size_t index = choice.answer;
-  count(answers.efforts[index]);
+  count_inferences(answers.inferences[index]);
   if (answers.may_go_on_after(index)) {
     choice.answer = static_cast<std::uint16_t>(index + 1);
   } else {
@@ -126,9 +121,8 @@ bool Machine::retry_answers() {
 
 bool Machine::take_answer(std::span<const Value> answer, const Goal& goal) {
   const std::span<const Value> terms = goal.args();
-  Value* const slots = environment_->slots;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    unifier_.bind_young(deref(slots[terms[i].slot_index()]).variable(), answer[i]);
+    if (!match_argument(answer[i], value_of(terms[i], environment_->slots), terms[i])) return false;
   }
   goal_ = goal.next;
   return true;

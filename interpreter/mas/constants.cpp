@@ -6,7 +6,7 @@
 
 namespace jaywalk {
 
-void Constants::learn(const Environment& environment) {
+void Constants::learn(const Environment& environment, SymbolTable& symbols) {
   constexpr std::size_t kMostPrograms = 64;  // more are not likely to be run again
   if (followed_.size() > kMostPrograms) followed_.clear();
   said_.begin_look();
@@ -18,7 +18,7 @@ void Constants::learn(const Environment& environment) {
   for (std::size_t i = 0; i < said_.size(); ++i) {
     percepts.push_back({said_.predicate(i), said_.args(i)});
   }
-  percepts_ = std::make_unique<ConstantPercepts>(percepts, names_);
+  percepts_ = std::make_unique<ConstantPercepts>(percepts, names_, symbols);
 }
 
 KnownToAll Constants::known_to_agents_of(const std::shared_ptr<const Program>& program,

@@ -20,8 +20,8 @@ class Constants {
   /// Names from this number on are of one run alone.
   explicit Constants(std::size_t names) : names_(static_cast<std::uint32_t>(names)) {}
 
-  /// Asks the environment, at the begin of a run.
-  void learn(const Environment& environment);
+  /// Asks the environment, when a run begins.
+  void learn(const Environment& environment, SymbolTable& symbols);
   /// REQUIRES: the environment has been asked. Good until it is asked again, when no agent is left.
   [[nodiscard]] KnownToAll known_to_agents_of(const std::shared_ptr<const Program>& program,
                                               SymbolTable& symbols);

@@ -265,7 +265,7 @@ void Mas::Implementation::tick() {
 }
 
 void Mas::Implementation::look() {
-  if (outcome_.ticks == 0) stock_->constants.learn(*environment_);
+  if (outcome_.ticks == 0) stock_->constants.learn(*environment_, symbols_);
   for (Resident& resident : residents_.all()) {
     if (!resident.has_body() || resident.is_leaving) continue;
     resident.percepts->begin_look();

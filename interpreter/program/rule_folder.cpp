@@ -37,7 +37,7 @@ std::span<const Value> args_of(Value literal) {
   return literal.is_structure() ? literal.structure()->arg_span() : std::span<const Value>();
 }
 
-/// What the answers of a predicate are of.
+/// What the answers to queries of a predicate depend on.
 class Dependencies {
  public:
   Dependencies(const Program& program, const ConstantPercepts& constants)
@@ -142,13 +142,13 @@ class UnchangedBeliefs {
 
   /// None: there are too many, or not all is as usual.
   std::optional<Answers> ask(Predicate predicate, std::size_t arity) {
-    Answers answers{.arity = arity, .values = {}, .efforts = {}};
+    Answers answers{.arity = arity, .values = {}, .inferences = {}};
     const Goal query = query_for(predicate, arity);
     std::vector<Value> slots(arity);
     const std::vector<Symbol> names(arity);
     machine_.unifier().set_slot_names(names);
     is_usual_ = true;
-    last_ = {machine_.inferences() + 1, heap_.next_number() + arity};  // with the query's own
+    counted_ = machine_.inferences() + 1;  // with the query's own
     try {
       machine_.solve_all(&query, slots.data(), [&] {
         add(slots, answers);
@@ -161,7 +161,7 @@ class UnchangedBeliefs {
     } catch (const TermTooDeep&) {
       return std::nullopt;
     }
-    note_effort(answers);
+    count_inferences(answers);
     if (!is_usual_) return std::nullopt;
     return answers;
   }
@@ -178,13 +178,13 @@ class UnchangedBeliefs {
     query.note_args();
     return query;
   }
-  void note_effort(Answers& answers) {
-    const Answers::Effort now{machine_.inferences(), heap_.next_number()};
-    answers.efforts.push_back({now.inferences - last_.inferences, now.variables - last_.variables});
-    last_ = now;
+  // Those since the last answer.
+  void count_inferences(Answers& answers) {
+    answers.inferences.push_back(machine_.inferences() - counted_);
+    counted_ = machine_.inferences();
   }
   void add(std::span<const Value> slots, Answers& answers) {
-    note_effort(answers);
+    count_inferences(answers);
     if (answers.size() == kMostAnswers) is_usual_ = false;
     for (const Value slot : slots) {
       const Value value = deref(slot);
@@ -196,7 +196,7 @@ class UnchangedBeliefs {
   Heap heap_;
   BeliefBase beliefs_;
   Machine machine_;
-  Answers::Effort last_;  // what there was with the last answer
+  std::uint64_t counted_ = 0;  // inferences, with the last answer
   bool is_usual_ = true;
 };
 

@@ -211,7 +211,6 @@ class Heap {
   }
   /// Skips one variable number.
   void skip_variable() { ++next_serial_; }
-  void skip_variables(std::uint64_t count) { next_serial_ += count; }
   [[nodiscard]] std::uint64_t next_number() const { return next_serial_; }
   /// The next variable gets this number again. REQUIRES: those made since are gone.
   void number_from(std::uint64_t number) { next_serial_ = number; }

@@ -1,5 +1,6 @@
 #include "interpreter/logic/beliefs/belief_base.h"
 
+#include "interpreter/logic/beliefs/folded_rules.h"
 #include "interpreter/support/grown_bytes.h"
 #include "interpreter/term/compare.h"
 

@@ -9,12 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/logic/beliefs/constant_percepts.h"
-#include "interpreter/logic/beliefs/folded_rules.h"
 #include "interpreter/logic/beliefs/relation.h"
 #include "interpreter/support/containers/flat_index.h"
 
 namespace jaywalk {
+
+class ConstantPercepts;
+struct FoldedRules;
 
 enum class Place { front, back };
 

@@ -22,6 +22,7 @@
 #include <tuple>
 
 #include "interpreter/logic/beliefs/belief_base.h"
+#include "interpreter/logic/beliefs/constant_percepts.h"
 #include "interpreter/term/compare.h"
 
 namespace jaywalk {

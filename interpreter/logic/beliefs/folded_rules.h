@@ -1,15 +1,14 @@
 #pragma once
 
-// Rules whose answers do not change during a run, since they are of nothing but constant percepts
-// and what a program begins with (program/rule_folder.h finds them):
+// Rules whose answers do not change during a run, since they ask nothing but constant percepts and
+// facts that the program begins with (program/rule_folder.h finds them):
 //
 //   av_lane(First, Last) :- av_rows(Row, _) & lane(First, Last, _) & First <= Row & Row <= Last.
 //
-// has the one answer av_lane(2, 5) on every road with its lanes there. A query for all answers gets
-// these, as long as the agent believes of all that the rules are of what it shares with the other
-// agents; then it asks the rules (BeliefBase::fold). Nobody can tell that they are not asked: the
-// inferences that asking them takes count, so that limits are met in the same places, and so do the
-// variables that are made for it, whose numbers can be printed.
+// has the one answer av_lane(2, 5) on every road with its lanes there. A query that leaves all
+// arguments open takes the answers, and the rules are not asked, as long as the agent has changed
+// nothing that they ask; after that they are asked as ever (BeliefBase::fold). The inferences that
+// asking them would take are counted, so that limits are met in the same places.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,27 +26,23 @@ struct Answers {
   std::size_t arity = 0;
   /// Numbers and atoms, an answer's after the other's.
   std::vector<Value> values;
-  /// Without those of the query itself.
-  struct Effort {
-    std::uint64_t inferences = 0;
-    std::uint64_t variables = 0;
-  };
-  /// Until the first answer, from each to the next, and until there is no more; no inferences where
-  /// that is known with the last answer, and otherwise at least one to go back.
-  std::vector<Effort> efforts;
+  /// Until the first answer, from each to the next, and until there is no more; without the one of
+  /// the query itself. The last is 0 if there is known to be no more with the last answer;
+  /// otherwise to go back for another takes at least one.
+  std::vector<std::uint64_t> inferences;
 
-  [[nodiscard]] std::size_t size() const { return efforts.size() - 1; }
+  [[nodiscard]] std::size_t size() const { return inferences.size() - 1; }
   [[nodiscard]] std::span<const Value> answer(std::size_t index) const {
     return std::span(values).subspan(index * arity, arity);
   }
   /// Whether a query that has got this answer may go back for another.
   [[nodiscard]] bool may_go_on_after(std::size_t index) const {
-    return index < size() && efforts[index + 1].inferences > 0;
+    return index < size() && inferences[index + 1] > 0;
   }
 };
 
 struct FoldedRules {
-  /// Rows that the answers are of.
+  /// Rows that the rules ask.
   struct Need {
     Predicate predicate{};
     const SharedRows* rows = nullptr;

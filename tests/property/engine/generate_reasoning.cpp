@@ -1,5 +1,8 @@
 #include "tests/property/engine/generate_reasoning.h"
 
+#include <span>
+#include <string_view>
+
 namespace jaywalk::test {
 namespace {
 
@@ -26,6 +29,11 @@ class ReasoningWriter {
   static constexpr int kGoals = 4;
 
   void add(std::string_view text) { text_ += text; }
+  void add_some(std::span<const std::string_view> texts) {
+    for (const std::string_view text : texts) {
+      if (choices_.once_in(2)) add(text);
+    }
+  }
   std::string small() { return std::to_string(choices_.below(6)); }
   void goal_name() { add("g" + std::to_string(choices_.below(kGoals))); }
 
@@ -62,9 +70,7 @@ class ReasoningWriter {
         "n(7) :- at(1,_).\n",
         "at(X,9)[k] :- n(X) & X < 2.\n",
         "pair(f(X,Y),Y,X).\n"};
-    for (const std::string_view rule : kRules) {
-      if (choices_.once_in(2)) add(rule);
-    }
+    add_some(kRules);
   }
 
   // The percepts are c(1), c(3), w(1,2), w(2,3) and w(4,1), which are constant, and tick(T).
@@ -81,9 +87,7 @@ class ReasoningWriter {
         "f(X,T) :- c(X) & tick(T).\n",
         "h(X) :- c(X) & X / (X-3) < 5.\n",
         "up(X,Z) :- w(X,Y) & up(Y,Z).\nup(X,Y) :- w(X,Y).\n"};
-    for (const std::string_view rule : kRules) {
-      if (choices_.once_in(2)) add(rule);
-    }
+    add_some(kRules);
     add(choices_.one_of({"limit(3). limit(1).\n", "limit(1).\n", "limit(a). limit(2).\n", ""}));
     if (choices_.once_in(8)) add("c(2).\n");
     if (choices_.once_in(4)) add("+c(X) <- .print(sees, X).\n");
