@@ -193,11 +193,11 @@ template <HeadStep::Kind kHead>
   Relation* const relation = beliefs_->find(goal.predicate);
   if (relation == nullptr) return false;
   if (goal.is_plain && relation->has_few_facts()) return query_few(*relation, goal);
-  const RuleTable* const table = relation->rule_table();
-  if (table != nullptr && table->answers() != nullptr && asks_for_all(goal)) {
-    return query_answers(*table->answers(), goal);
+  if (relation->is_folded() && asks_for_all(goal)) {
+    return query_answers(*relation->rule_table()->answers(), goal);
   }
   const Value* const args = make_arguments(goal);
+  const RuleTable* const table = relation->rule_table();
   if (table == nullptr) return try_rows(*relation, goal, args);
   const RuleCode* const rule = table->only(goal.args().empty() ? Value() : deref(args[0]));
   if (rule == nullptr) return choose_rule(*relation, *table, goal, args);

@@ -102,9 +102,16 @@ class Relation {
   void share_rule_table(const RuleTable& table);
   /// Takes the table of its rules with their answers, or again the one without.
   /// REQUIRES: the rows are shared.
-  void fold(const RuleTable& table) { table_ = &table; }
-  void unfold() { table_ = shared_->rule_table(); }
-  [[nodiscard]] bool is_folded() const { return table_ != nullptr && table_->answers() != nullptr; }
+  void fold(const RuleTable& table) {
+    table_ = &table;
+    is_folded_ = true;
+  }
+  void unfold() {
+    table_ = shared_->rule_table();
+    is_folded_ = false;
+  }
+  /// The table has answers.
+  [[nodiscard]] bool is_folded() const { return is_folded_; }
   /// A cursor whose next candidate is a rule.
   [[nodiscard]] static Cursor cursor_at(std::int64_t seq, std::uint32_t key) {
     Cursor cursor;
@@ -231,6 +238,7 @@ class Relation {
   enum class End { newest, oldest };
   void insert_in_indexes(const Row& row, std::int64_t seq, End end, Hash hash);
 
+  bool is_folded_ = false;  // asked in each query, which need not look into the table
   Predicate predicate_;
   std::uint32_t rules_ = 0;
   std::uint32_t holes_ = 0;

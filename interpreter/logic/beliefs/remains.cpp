@@ -7,6 +7,7 @@ namespace jaywalk {
 void Relation::reset() {
   exists = false;
   is_folded_in = false;
+  is_folded_ = false;
   rows_ = &kNoRows;
   shared_ = nullptr;
   rules_ = 0;
