@@ -123,8 +123,6 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
   /// The same for the goal on top of an intention, if there is one.
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
-  /// Asks for waiting formulas and goal conditions to be looked at again.
-  void something_changed() { changed_ = true; }
   /// The intention whose formula is executed, or for whose event a plan is looked for; null: none.
   [[nodiscard]] Intention* executing() const;
   /// The event for which a plan is being looked for, or null.

@@ -180,13 +180,6 @@ class Heap {
     const bool closed = head.is_closed() && tail.is_closed();
     return Value::reference(Value::Kind::pair, made, (closed ? Value::kClosed : 0) | static_flag_);
   }
-  /// A pair one of whose parts is not closed.
-  [[nodiscard]] [[gnu::always_inline]] Value open_pair(Value head, Value tail) {
-    auto* const made = reinterpret_cast<Pair*>(allocate(2));
-    made->head = head;
-    made->tail = tail;
-    return Value::reference(Value::Kind::pair, made, static_flag_);
-  }
   /// A pair whose tail is a fresh variable, which `tail` receives.
   [[nodiscard]] [[gnu::always_inline]] Value pair_before(Value& tail, Value head, Symbol name) {
     std::uint64_t* const words = allocate(4);
@@ -209,11 +202,6 @@ class Heap {
     made->serial = static_cast<std::uint32_t>(next_serial_++);
     return Value::reference(Value::Kind::variable, made, 0);
   }
-  /// Skips one variable number.
-  void skip_variable() { ++next_serial_; }
-  [[nodiscard]] std::uint64_t next_number() const { return next_serial_; }
-  /// The next variable gets this number again. REQUIRES: those made since are gone.
-  void number_from(std::uint64_t number) { next_serial_ = number; }
   [[nodiscard]] Value object(std::unique_ptr<Object> object);
   /// Variables with this serial or a greater one are made from now on; after four thousand million
   /// variables none is known to be.
@@ -237,9 +225,6 @@ class Heap {
   }
   /// Nothing allocated until now is released any more, whatever the mark.
   void protect() { floor_ = mark(); }
-
-  /// Some collection (a map, a queue, ...) has been made here and is not known to be gone.
-  [[nodiscard]] bool has_objects() const { return !objects_.empty(); }
 
   [[nodiscard]] std::size_t bytes() const { return full_bytes_ + used_in_current(); }
   /// Of all collections, without the terms in them.

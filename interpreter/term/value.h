@@ -95,7 +95,6 @@ class Value {
     return Value(tag(kind) | (reinterpret_cast<std::uintptr_t>(cell) & kAddress) | flags);
   }
   [[nodiscard]] constexpr std::uint64_t bits() const { return bits_; }
-  [[nodiscard]] static constexpr Value from_bits(std::uint64_t bits) { return Value(bits); }
   [[nodiscard]] constexpr std::uint64_t flags() const { return bits_ & (kClosed | kStatic); }
 
   /// The same immediate or the same cell; not equality of terms (see compare.h).

@@ -17,27 +17,6 @@ void Agent::pop_means(Intention& intention) {
   intention.pop();
 }
 
-namespace {
-
-// A call gives numbers first to the variables of slots, which are not made yet, then to the copies.
-std::uint32_t number_of_first_slot(const Value* pairs, std::size_t count) {
-  std::uint32_t slots = 0;
-  for (std::size_t i = 0; i + 1 < count; i += 2) slots += pairs[i].is_slot() ? 1U : 0U;
-  // A copied agent has values in the place of variables.
-  return slots == 0 || !pairs[1].is_variable() ? 0 : pairs[1].variable()->serial - slots;
-}
-
-// The variable of a slot with the number that it was given at the call. In a heap a variable is
-// two words, as a pair is: its value, its name and number.
-Value late_variable(Heap& heap, Symbol name, std::uint32_t number) {
-  const Value made = heap.pair(Value(), Value());
-  auto* const variable = reinterpret_cast<Variable*>(made.pair());
-  *variable = {Value(), static_cast<std::uint32_t>(name), number};
-  return Value::reference(Value::Kind::variable, variable, 0);
-}
-
-}  // namespace
-
 // The usual case: all that comes back is closed and goes into slots without a value. False:
 // something is of another kind, and all of it is still to be returned.
 [[gnu::always_inline]] inline bool Agent::return_closed_values(Intention& intention) {
@@ -62,8 +41,6 @@ void Agent::return_values(Intention& intention) {
   const std::size_t trail = unifier.mark();
   Value* const frame = intention.frame(caller);
   Value* const pairs = frame + caller.plan->slot_count;
-  std::size_t slots_met = 0;
-  const std::uint32_t first_number = number_of_first_slot(pairs, caller.returns);
   for (std::size_t i = 0; i + 1 < caller.returns; i += 2) {
     const Value returned = deref(pairs[i + 1]);
     if (pairs[i].is_slot()) {
@@ -71,14 +48,11 @@ void Agent::return_values(Intention& intention) {
       Value& slot = frame[pairs[i].slot_index()];
       if (slot.is_unset() && returned.is_closed() && !Unifier::is_of_other_namespace(returned)) {
         unifier.set_slot(&slot, returned);
-        ++slots_met;
         continue;
       }
       if (slot.is_unset()) {
-        slot = late_variable(heap_, caller.plan->slot_names[pairs[i].slot_index()],
-                             first_number + static_cast<std::uint32_t>(slots_met));
+        slot = heap_.variable(caller.plan->slot_names[pairs[i].slot_index()]);
       }
-      ++slots_met;
       pairs[i] = slot;
     }
     if (returned.is_variable()) {

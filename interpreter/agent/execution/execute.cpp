@@ -95,7 +95,6 @@ void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
 [[gnu::always_inline]] inline void Agent::rename_slot(Intention& intention, Value& slot) {
   IntendedMeans& means = intention.top();
   const Symbol name = means.plan->slot_names[slot.slot_index()];
-  heap_.skip_variable();
   intention.values.cut(means.frame + means.plan->slot_count);
   Value* const pair = intention.values.extend(2);
   pair[0] = slot;

@@ -4,8 +4,6 @@
 
 #include "interpreter/agent/execution/goal_arguments.h"
 
-#include <algorithm>
-
 #include "interpreter/agent/agent.h"
 #include "interpreter/term/compare.h"
 
@@ -13,7 +11,7 @@ namespace jaywalk {
 
 // Variables give way to copies, and the pairs are noted behind the frame. The variable of a slot
 // without a value is not made: the slot itself stands in the pair, and gets the value that the copy
-// has in the end. (It counts as made: variables show their numbers.)
+// has in the end.
 void Agent::rename_in_goal(Intention& intention) {
   NextEvent& next = work().next;
   IntendedMeans& means = intention.top();
@@ -21,10 +19,6 @@ void Agent::rename_in_goal(Intention& intention) {
   const std::size_t first = means.frame + plan.slot_count;
   intention.values.cut(first);
   const std::span<Value> args = std::span(next.args).first(next.arity);
-  for (auto arg = args.begin(); arg != args.end(); ++arg) {
-    const auto is_it = [&](Value other) { return other.same_as(*arg); };
-    if (arg->is_slot() && std::none_of(args.begin(), arg, is_it)) heap_.skip_variable();
-  }
   for (Value& arg : args) {
     if (!arg.is_variable() && !arg.is_slot()) continue;
     const Value* pair = intention.values.data() + first;

@@ -53,21 +53,6 @@ class Unifier {
   /// Each of `a` in order with a distinct one of `b`; tails collect the rest.
   [[nodiscard]] bool unify_annotations(Value a, Value b);
 
-  /// The same as match with `value_first`, the usual cases in line.
-  [[nodiscard]] bool match_value(Value pattern, Value* slots, Value value) {
-    value = deref(value);
-    if (pattern.is_slot()) {
-      Value* const slot = slots + pattern.slot_index();
-      if (slot->is_unset() && !is_of_other_namespace(value)) {
-        set_slot(slot, value);
-        return true;
-      }
-    } else if (pattern.same_as(value)) {
-      return true;
-    }
-    return match(pattern, slots, value, Direction::value_first);
-  }
-
   enum class Direction { template_first, value_first };
   /// Unifies a template, whose slots are in `slots`, with a value, building as little as possible.
   [[nodiscard]] bool match(Value pattern, Value* slots, Value value, Direction direction);
