@@ -20,8 +20,8 @@
 namespace jaywalk {
 namespace {
 
-/// As many actors' states as may wait to be written; about 30 MB.
-constexpr std::size_t kMaxWaiting = 1'000'000;
+/// As many actors' states as may wait to be written: some thousand small tests, 2 MB.
+constexpr std::size_t kMaxWaiting = 30'000;
 /// A transaction for each test would be ten times as slow; what came in within this time shares
 /// one.
 constexpr auto kGather = std::chrono::milliseconds(30);
