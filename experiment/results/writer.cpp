@@ -20,7 +20,7 @@
 namespace jaywalk {
 namespace {
 
-/// As many actors' states as may wait to be written: some thousand small tests, 2 MB.
+/// How many states of actors may wait to be written: those of about a thousand small tests.
 constexpr std::size_t kMaxWaiting = 30'000;
 /// A transaction for each test would be ten times as slow; what came in within this time shares
 /// one.

@@ -342,7 +342,7 @@ class Machine : public FunctionCaller {
   void count_inference() {
     if (++inferences_ >= next_check_) check_limits();
   }
-  // Those that need not be done. A limit is met as if they had been.
+  // Counts inferences that known answers save, so that limits are reached in the same places.
   void count_inferences(std::uint64_t more) {
     inferences_ += more;
     if (inferences_ < next_check_) return;

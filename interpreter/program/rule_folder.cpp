@@ -196,7 +196,7 @@ class UnchangedBeliefs {
   Heap heap_;
   BeliefBase beliefs_;
   Machine machine_;
-  std::uint64_t counted_ = 0;  // inferences, with the last answer
+  std::uint64_t counted_ = 0;  // the machine's inferences at the last answer
   bool is_usual_ = true;
 };
 

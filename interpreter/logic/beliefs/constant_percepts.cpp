@@ -26,7 +26,7 @@ Ring<Row> always_seen(const Relation& perceived) {
 
 }  // namespace
 
-// What comes from believing them as an agent does that believes nothing else.
+// The rows are those of an agent that perceives them and believes nothing else.
 ConstantPercepts::ConstantPercepts(std::span<const Percept> said, std::uint32_t names,
                                    SymbolTable& symbols) {
   BeliefBase beliefs(heap_, symbols);

@@ -24,11 +24,11 @@ namespace jaywalk {
 /// The answers of rules, in the order in which these find them.
 struct Answers {
   std::size_t arity = 0;
-  /// Numbers and atoms, an answer's after the other's.
+  /// Numbers and atoms: the arguments of the first answer, then those of the second, and so on.
   std::vector<Value> values;
-  /// Until the first answer, from each to the next, and until there is no more; without the one of
-  /// the query itself. The last is 0 if there is known to be no more with the last answer;
-  /// otherwise to go back for another takes at least one.
+  /// How many inferences the rules take to find each answer, and, as the last entry, to find that
+  /// there are no more: 0 if the last answer leaves no choice point. The query's own inference is
+  /// not counted.
   std::vector<std::uint64_t> inferences;
 
   [[nodiscard]] std::size_t size() const { return inferences.size() - 1; }

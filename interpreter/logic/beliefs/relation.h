@@ -238,7 +238,7 @@ class Relation {
   enum class End { newest, oldest };
   void insert_in_indexes(const Row& row, std::int64_t seq, End end, Hash hash);
 
-  bool is_folded_ = false;  // asked in each query, which need not look into the table
+  bool is_folded_ = false;  // whether table_ has answers; each query reads it
   Predicate predicate_;
   std::uint32_t rules_ = 0;
   std::uint32_t holes_ = 0;

@@ -112,7 +112,7 @@ std::string text_of_run(const std::string& program, std::uint64_t seed, const Wa
                       outcome.message);
   // Where a limit ends the run, agents on other threads may have come further than they would have.
   if (outcome.end != RunEnd::idle && outcome.end != RunEnd::finished) return text;
-  // Other programs have queries without end (3794, 7186), which meet the limit of memory some
+  // Among the other programs are infinite queries (3794, 7186), which reach the memory limit some
   // inferences earlier if they are observed.
   if (perceives(seed)) text += fmt::format("{} inferences\n", outcome.inferences);
   for (std::uint32_t i = 0; i < mas.agent_count(); ++i) {
