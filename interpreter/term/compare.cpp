@@ -428,8 +428,8 @@ Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols) {
 Value union_of(Heap& heap, Value a, Value b, const SymbolTable& symbols) {
   a = deref(a);
   b = deref(b);
-  if (!a.is_pair() || a.same_as(b)) return b.is_pair() || !a.is_variable() ? b : a;
-  if (!b.is_pair()) return a;
+  if (a.same_as(b) || (!b.is_pair() && !b.is_variable())) return a;
+  if (!a.is_pair() && !a.is_variable()) return b;
   const bool is_one = b.is_closed() && b.pair()->tail.is_empty_list();
   if (is_one && is_small_set(a, symbols)) return set_with(heap, a, b.pair()->head, symbols);
   std::vector<Value> elements;
