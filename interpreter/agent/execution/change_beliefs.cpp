@@ -25,15 +25,16 @@ bool Agent::forget_one(Predicate predicate) {
   return true;
 }
 
-// Removes a belief that is to be replaced.
+// Removes the belief that the literal replaces. Binds no variable of the literal.
 void Agent::forget_for(Value literal) {
   const LiteralParts parts = literal_parts(literal);
   if (parts.annots.same_as(source_self()) && forget_one(parts.predicate)) return;
   std::vector<Value> args(parts.args.size());
   for (Value& arg : args) arg = heap_.variable();
-  const std::size_t trail = machine().unifier().mark();
+  Unifier& unifier = machine().unifier();
+  const std::size_t trail = unifier.mark();
   (void)remove_belief(heap_.structure(parts.predicate, args, parts.annots), nullptr);
-  machine().unifier().commit(trail);
+  unifier.undo(trail);
 }
 
 // `+b`, `-b` and `-+b` with a ground b that has no other source than the agent itself, without
@@ -105,8 +106,8 @@ void Agent::change_belief(Intention& intention, Value literal, Step::Kind kind) 
   const std::size_t trail = machine().unifier().mark();
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
   const bool changed = removes ? remove_belief(literal, focus) : add_belief(literal, place, focus);
-  // What is deleted gives its values to the intention if it handles the event.
-  if (removes && (!changed || focus == nullptr)) machine().unifier().undo(trail);
+  // Only an intention that handles the event of the deletion keeps its bindings.
+  if (removes && focus == nullptr) machine().unifier().undo(trail);
   record_bindings(intention, trail);
   if (!changed || new_focus) go_on(intention);
 }

@@ -122,15 +122,14 @@ void BeliefBase::erase(Relation& rel, std::int64_t seq) {
 
 // Takes annotations away; the belief goes when no source is left.
 bool BeliefBase::remove_annotations(Relation& rel, std::int64_t seq, Value annots, bool exact) {
-  if (annots.same_as(source_self()) && annots.same_as(literal_parts(rel.row(seq).fact).annots)) {
+  const Value known = literal_parts(rel.row(seq).fact).annots;
+  if (annots.same_as(source_self()) && annots.same_as(known)) {
     erase(rel, seq);
     return true;
   }
-  make_own(rel);
-  Row& row = rel.own_row(seq);
   std::vector<Value> kept;
   std::size_t removed = 0;
-  for (Value o = literal_parts(row.fact).annots; o.is_pair(); o = o.pair()->tail) {
+  for (Value o = known; o.is_pair(); o = o.pair()->tail) {
     bool goes = false;
     for (Value a = deref(annots); a.is_pair() && !goes; a = deref(a.pair()->tail)) {
       goes = equal_terms(a.pair()->head, o.pair()->head);
@@ -147,24 +146,26 @@ bool BeliefBase::remove_annotations(Relation& rel, std::int64_t seq, Value annot
     if (removed < wanted) return false;
   }
   const Value rest = heap_.list(kept);
-  if (has_source(rest)) {
-    if (!has_percept_source(rest)) no_percept_any_more(rel, row);
-    row.fact = with_annotations(heap_, row.fact, rest);
-    heap_.protect();
-    return exact && removed > 0;
+  if (!has_source(rest)) {
+    erase(rel, seq);
+    return true;
   }
-  erase(rel, seq);
-  return true;
+  make_own(rel);
+  Row& row = rel.own_row(seq);
+  if (!has_percept_source(rest)) no_percept_any_more(rel, row);
+  row.fact = with_annotations(heap_, row.fact, rest);
+  heap_.protect();
+  return exact && removed > 0;
 }
 
 bool BeliefBase::remove(Value literal, Unifier& unifier) {
   const LiteralParts parts = literal_parts(literal);
   Relation* const rel = find(parts.predicate);
   if (rel == nullptr) return false;
-  if (const auto known = rel->find(parts.args)) {
-    return remove_annotations(*rel, *known, parts.annots, true);
-  }
+  const auto known = rel->find(parts.args);
+  if (known && remove_annotations(*rel, *known, parts.annots, true)) return true;
   if (is_ground(literal)) return false;
+  const std::size_t trail = unifier.mark();
   Relation::Cursor cursor = rel->open(parts.args);
   std::int64_t seq = 0;
   while (const Row* row = rel->advance(cursor, seq, parts.args.data())) {
@@ -175,9 +176,10 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
       erase(*rel, seq);
       return true;
     }
-    if (unifier.unify(literal, row->fact)) {
-      return remove_annotations(*rel, seq, unifier.apply(literal_parts(literal).annots), false);
-    }
+    if (!unifier.unify(literal, row->fact)) continue;
+    if (remove_annotations(*rel, seq, unifier.apply(parts.annots), false)) return true;
+    unifier.undo(trail);
+    return false;
   }
   return false;
 }

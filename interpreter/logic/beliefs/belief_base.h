@@ -72,8 +72,9 @@ class BeliefBase {
   /// base.
   void fold(const FoldedRules& rules);
 
-  /// Jason's deletion. True: something changed. If the literal was not ground, `unifier` has the
-  /// bindings of the belief that was found.
+  /// Jason's deletion: first tries the fact with exactly these arguments and all annotations, then,
+  /// unless the literal is ground, the first belief that unifies. True: the deletion is an event,
+  /// and `unifier` has the bindings. False: nothing is bound.
   bool remove(Value literal, Unifier& unifier);
   /// Removes a row whatever its sources.
   void erase(Relation& relation, std::int64_t seq);
