@@ -6,9 +6,10 @@
 
 namespace jaywalk {
 
-/// What the agents of a program begin to believe, predicate by predicate; rows are shared of those
-/// that no plan hears of. REQUIRES: its beliefs, rule tables and plans are complete; `constants` is
-/// its heap.
+/// The initial beliefs of a program, grouped by predicate. Agents share the rows of predicates that
+/// no plan hears of. A predicate that plans hear of may form several groups, so that its events
+/// come in the order of the facts. REQUIRES: its beliefs, rule tables and plans are complete;
+/// `constants` is its heap.
 [[nodiscard]] std::vector<Program::Beginning> beginnings_of(const Program& program, Heap& constants,
                                                             SymbolTable& symbols);
 

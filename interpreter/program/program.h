@@ -44,7 +44,7 @@ class Program {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<Belief>& beliefs() const { return beliefs_; }
-  /// By predicate, in the order in which these come to be believed.
+  /// In the order of addition. A predicate that plans hear of may occur several times.
   [[nodiscard]] const std::vector<Beginning>& beginnings() const { return beginnings_; }
   /// The rules of each predicate that has rules alone, if they are few.
   [[nodiscard]] const std::vector<std::pair<Predicate, RuleTable>>& rule_tables() const {
