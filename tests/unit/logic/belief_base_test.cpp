@@ -101,6 +101,21 @@ TEST_F(BeliefBaseTest, RemovesOneBeliefThatUnifiesAndBindsIt) {
   EXPECT_THAT(facts("p", 2), ElementsAre("p(1,a)[source(self)]"));
 }
 
+TEST_F(BeliefBaseTest, RemovesAGroundFactByAnnotationsWithVariables) {
+  add("p(1)[source(bob),t(5)]");
+  EXPECT_TRUE(remove("p(1)[source(X),t(Y)]"));
+  EXPECT_EQ(terms.text("X"), "bob");
+  EXPECT_EQ(terms.text("Y"), "5");
+  EXPECT_THAT(facts("p", 1), IsEmpty());
+}
+
+TEST_F(BeliefBaseTest, LeavesNoBindingWhenTheBeliefStays) {
+  add("p(1)[source(ann),source(bob)]");
+  EXPECT_FALSE(remove("p(1)[source(X)]"));
+  EXPECT_EQ(terms.text("X"), "X");
+  EXPECT_THAT(facts("p", 1), ElementsAre("p(1)[source(bob)]"));
+}
+
 TEST_F(BeliefBaseTest, LeavesNoBindingWhenNothingUnifies) {
   add("p(1,a)[source(self)]");
   EXPECT_FALSE(remove("p(X,b)[source(self)]"));
