@@ -221,9 +221,10 @@ std::string to_html(const SearchExperiment& experiment, const Generators& genera
               "from 0, as in stores and exported files; a dot marks where the car was "
               "farthest out of its lane.",
               experiment, generators, failing_roads)},
-      reporting::PageSection{"generated", "What the generators make",
-                             roads_of_all("The last tests of repetition 0 with their fitness.",
-                                          experiment, generators, last_roads)},
+      reporting::PageSection{
+          "generated", "What the generators make",
+          roads_of_all("The last tests of repetition 0 with their fitness; dots as above.",
+                       experiment, generators, last_roads)},
       reporting::PageSection{"clusters", "Clusters of failures", clusters(experiment, generators)},
       reporting::PageSection{"reproduce", "How to reproduce", reproduce_html(experiment)},
   };

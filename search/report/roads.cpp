@@ -54,7 +54,7 @@ void RoadPictures::add(const TestRow& row, std::string_view caption) {
   }
   if (const auto place = road ? worst_place(row.test, model_) : std::nullopt) {
     drawn += fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" class=\"spot\"><title>farthest out of the "
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" class=\"dot\"><title>farthest out of the "
         "lane</title></circle>",
         x(*place), y(*place));
   }

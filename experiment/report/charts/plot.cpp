@@ -97,7 +97,7 @@ std::string curve(const PlotSeries& series, const PlotAxes& axes, const Axis& x,
     marks += fmt::format(
         "<g>{}<title>{}</title></g>\n",
         series.published
-            ? fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" class=\"spot\"/>",
+            ? fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" class=\"target\"/>",
                           x.at(point.x), y.at(point.y))
             : marker(series.number, x.at(point.x), y.at(point.y)),
         escaped(tip));
