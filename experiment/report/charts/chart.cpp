@@ -43,6 +43,7 @@ struct Series {
 
 struct Panel {
   std::string_view title;
+  std::string_view explanation;
   const Measure* measure;
   double left = 0;
   double max_x = 1;
@@ -78,13 +79,19 @@ std::vector<Series> series_of(const Comparison& comparison, const Measure& measu
   return all;
 }
 
+void fit(Panel& panel, double x, double y) {
+  panel.max_x = std::max(panel.max_x, x);
+  panel.min_y = std::min(panel.min_y, y);
+  panel.max_y = std::max(panel.max_y, y);
+}
+
+/// Makes the panel show all points, and the intervals of ours.
 void fit(Panel& panel, const std::vector<Series>& all) {
   for (const Series& series : all) {
-    for (const auto* points : {&series.ours, &series.paper}) {
-      for (const ChartPoint& point : *points) {
-        panel.max_x = std::max(panel.max_x, point.x);
-        panel.min_y = std::min(panel.min_y, *point.y.value);
-        panel.max_y = std::max(panel.max_y, *point.y.value);
+    for (const ChartPoint& point : series.paper) fit(panel, point.x, *point.y.value);
+    for (const ChartPoint& point : series.ours) {
+      for (const auto& y : {point.y.low, point.y.value, point.y.high}) {
+        if (y) fit(panel, point.x, *y);
       }
     }
   }
@@ -111,7 +118,8 @@ std::string text(double x, double y, std::string_view anchor, std::string_view c
 
 std::string axes(const Panel& panel) {
   std::string svg = fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"title\">{}</text>\n",
-                                panel.left, kTop - 18, escaped(panel.title));
+                                panel.left, kTop - 34, escaped(panel.title));
+  svg += text(panel.left, kTop - 16, "start", panel.explanation);
   const double y_step = mark_distance(panel.max_y - panel.min_y, 6);
   const auto first_y = static_cast<int>(std::ceil(panel.min_y / y_step));
   const auto last_y = static_cast<int>(std::floor(panel.max_y / y_step));
@@ -146,8 +154,8 @@ std::string curves(const Panel& panel, const Series& series) {
   svg += polyline(panel, series.ours, "stroke-width=\"2\"");
   for (const ChartPoint& point : series.ours) {
     if (point.y.low && point.y.high) {
-      svg += line(panel.x(point.x), panel.y(std::max(*point.y.low, panel.min_y)), panel.x(point.x),
-                  panel.y(std::min(*point.y.high, panel.max_y)), "stroke-width=\"1\"");
+      svg += line(panel.x(point.x), panel.y(*point.y.low), panel.x(point.x), panel.y(*point.y.high),
+                  "stroke-width=\"1\"");
     }
     svg +=
         fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\" stroke=\"none\"/>\n",
@@ -185,11 +193,13 @@ std::string legend(const std::vector<Series>& all, const PublishedRows& publishe
 
 std::string render_svg(const Comparison& comparison) {
   std::array panels = {
-      Panel{.title = "Accuracy: % of tests that reach the precondition",
+      Panel{.title = "Accuracy, %",
+            .explanation = "tests that reach the precondition",
             .measure = find_measure("accuracy"),
             .left = kLeft,
             .max_y = 100},
-      Panel{.title = "combined_normalised: (score × accuracy / 1000 + 0.45) / 4.71",
+      Panel{.title = "combined_normalised",
+            .explanation = "(score × accuracy / 1000 + 0.45) / 4.71",
             .measure = find_measure("combined_normalised"),
             .left = kLeft + kPanelDistance},
   };

@@ -24,6 +24,11 @@ bool is_shown(double value, Scale scale) {
   return std::isfinite(value) && (scale == Scale::linear || value > 0);
 }
 
+/// Whether the point's interval is drawn.
+bool has_bar(const PlotSeries& series, const PlotPoint& point) {
+  return point.low && point.high && !series.published;
+}
+
 /// The range of everything that is shown, with the ends that the axes ask for.
 Axis vertical_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series) {
   double least = axes.least.value_or(std::numeric_limits<double>::infinity());
@@ -34,7 +39,12 @@ Axis vertical_axis(const PlotAxes& axes, const std::vector<PlotSeries>& series) 
     most = std::max(most, *value);
   };
   for (const PlotSeries& each : series) {
-    for (const PlotPoint& point : each.points) reach(point.y);
+    for (const PlotPoint& point : each.points) {
+      reach(point.y);
+      if (!has_bar(each, point)) continue;
+      reach(point.low);
+      reach(point.high);
+    }
   }
   if (!(least <= most)) {
     least = axes.scale == Scale::linear ? 0 : 1;
@@ -90,7 +100,7 @@ std::string curve(const PlotSeries& series, const PlotAxes& axes, const Axis& x,
     std::string tip =
         fmt::format("{}{}, {:.0f}: {}", series.name, series.published ? " (published)" : "",
                     point.x, compact(point.y));
-    if (point.low && point.high && !series.published) {
+    if (has_bar(series, point)) {
       marks += svg_line(x.at(point.x), y.at(*point.low), x.at(point.x), y.at(*point.high));
       tip += fmt::format(" ({} to {})", compact(*point.low), compact(*point.high));
     }

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -171,6 +172,22 @@ TEST(Curves, DrawPublishedOnesBehindWithoutIntervals) {
   const std::string picture = curves({}, {series({{.x = 1, .y = 1}, {.x = 2, .y = 1}}), published});
   EXPECT_THAT(picture, HasSubstr("<title>mine (published), 1: 2</title>"));
   EXPECT_LT(picture.find("class=\"published\""), picture.find("class=\"curve\""));
+}
+
+TEST(Curves, ShowIntervalsWhole) {
+  // From 0 to 100 would end at the value; with 3 % of room above the interval it ends at 144.2.
+  const std::string picture = curves(
+      {.least = 0}, {series({{.x = 1, .y = 100, .low = 60, .high = 140}, {.x = 2, .y = 50}})});
+  EXPECT_THAT(picture, HasSubstr(fmt::format("L56.0 {:.1f}\"", 26 + 198 * 4.2 / 144.2)));
+  EXPECT_THAT(picture, Not(HasSubstr("L56.0 26.0\""))) << "cut off at the upper end";
+  EXPECT_THAT(curves({}, {series({{.x = 1, .y = 1, .low = -9, .high = 3}})}),
+              HasSubstr(">-5</text>"));
+}
+
+TEST(Curves, LeaveIntervalsOfPublishedValuesOutOfTheirRange) {
+  PlotSeries published = series({{.x = 1, .y = 2, .low = -900, .high = 900}});
+  published.published = true;
+  EXPECT_THAT(curves({}, {published}), Not(HasSubstr("500")));
 }
 
 TEST(Curves, GoAsHighAsTheyAreAskedTo) {

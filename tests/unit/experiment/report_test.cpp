@@ -86,6 +86,35 @@ TEST(Chart, DrawsACurveForEachBehaviourAndForEachPublishedOne) {
   EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }
 
+/// The text of an attribute of the SVG element that begins at `begin`.
+std::string attribute(const std::string& svg, std::size_t begin, const std::string& name) {
+  const std::size_t at = svg.find(' ' + name + "=\"", begin);
+  if (at > svg.find('>', begin)) return {};
+  const std::size_t from = at + name.size() + 3;
+  return svg.substr(from, svg.find('"', from) - from);
+}
+
+TEST(Chart, HasRoomForItsTextsInAWideFont) {
+  const std::string svg = render_svg(two_behaviours());
+  const double width = std::stod(attribute(svg, 0, "width"));
+  std::size_t texts = 0;
+  for (std::size_t at = svg.find("<text"); at != std::string::npos;
+       at = svg.find("<text", at + 1)) {
+    const std::size_t begin = svg.find('>', at) + 1;
+    const std::string text = svg.substr(begin, svg.find('<', begin) - begin);
+    // A letter of DejaVu Sans takes 0.61 of its size on average, a bold one 0.69.
+    const double letter = attribute(svg, at, "class") == "title" ? 14 * 0.69 : 12 * 0.61;
+    const double x = std::stod(attribute(svg, at, "x"));
+    const std::string anchor = attribute(svg, at, "text-anchor");
+    const double length = letter * static_cast<double>(text.size());
+    const double left = x - (anchor == "middle" ? length / 2 : anchor == "end" ? length : 0);
+    EXPECT_GE(left, 0) << text;
+    EXPECT_LE(left + length, width) << text;
+    ++texts;
+  }
+  EXPECT_GT(texts, 10U);
+}
+
 TEST(Chart, HasNoPublishedCurvesOfAnotherWorld) {
   Comparison comparison = two_behaviours();
   comparison.published = {};
