@@ -46,6 +46,14 @@ const Summary* find_summary(const Comparison& comparison, std::string_view behav
   return found == comparison.summaries.end() ? nullptr : &*found;
 }
 
+const ReplayLink* find_replay(const ReportData& data, const TestKey& test) {
+  const auto found = std::ranges::find_if(data.replays, [&](const ReplayLink& link) {
+    return link.test.behaviour == test.behaviour && link.test.agents == test.agents &&
+           link.test.number == test.number;
+  });
+  return found == data.replays.end() ? nullptr : &*found;
+}
+
 std::string render_report(const ReportData& data) {
   std::vector<PageSection> written;
   for (const Section& section : sections()) {

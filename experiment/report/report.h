@@ -64,6 +64,9 @@ struct ReportData {
 [[nodiscard]] const Summary* find_summary(const Comparison& comparison, std::string_view behaviour,
                                           std::uint32_t agents);
 
+/// The test's entry in `data.replays`; null if it has none.
+[[nodiscard]] const ReplayLink* find_replay(const ReportData& data, const TestKey& test);
+
 struct Section {
   /// Of the section's anchor in the page.
   std::string_view name;

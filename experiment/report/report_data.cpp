@@ -111,11 +111,7 @@ class DataReader {
   }
 
   void add_replay(const StoredTest& stored, std::string reason) {
-    const auto same = [&](const ReplayLink& link) {
-      return link.test.behaviour == stored.test.behaviour &&
-             link.test.agents == stored.test.agents && link.test.number == stored.test.number;
-    };
-    if (std::ranges::any_of(data_.replays, same)) return;
+    if (find_replay(data_, stored.test) != nullptr) return;
     ReplayLink link{.test = stored.test, .reason = std::move(reason)};
     if (stored.scenes > 0) take(store_.recording(stored.id), link.recording);
     data_.replays.push_back(std::move(link));

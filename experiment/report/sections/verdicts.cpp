@@ -87,6 +87,16 @@ std::string verdict_numbers(const Comparison& comparison, std::size_t assertion)
   return table.html();
 }
 
+/// The test's number, as a link to the violation's tick on the page that replays the test, if that
+/// page was written.
+std::string test_cell(const ReportData& data, const Violation& violation) {
+  std::string number = std::to_string(violation.test.number);
+  const ReplayLink* replay = find_replay(data, violation.test);
+  if (replay == nullptr || replay->page.empty()) return number;
+  const std::string tick = violation.tick ? fmt::format("#tick={}", *violation.tick) : "";
+  return fmt::format("<a href=\"{}{}\">{}</a>", escaped(replay->page), tick, number);
+}
+
 std::string violations(const ReportData& data) {
   if (data.violations.empty()) return {};
   Table table;
@@ -101,7 +111,7 @@ std::string violations(const ReportData& data) {
     if (last == nullptr || *last != violation.assertion) table.heading(violation.assertion);
     last = &violation.assertion;
     table.row({escaped(data.description.behaviours[violation.test.behaviour].name),
-               std::to_string(violation.test.agents), std::to_string(violation.test.number),
+               std::to_string(violation.test.agents), test_cell(data, violation),
                decimal(violation.robustness, 3),
                violation.tick ? std::to_string(*violation.tick) : "–",
                violation.witness.empty() ? "–" : escaped(violation.witness)});

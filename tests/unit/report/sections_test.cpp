@@ -159,6 +159,22 @@ TEST(VerdictsSection, ListsEachBehavioursWorstViolation) {
                         "<td>4</td><td class=\"l\">p2</td>"));
 }
 
+TEST(VerdictsSection, LinksAViolationWithTheMomentOnItsPage) {
+  ReportData data = judged();
+  const TestKey test{.behaviour = 1, .agents = 3, .number = 17};
+  data.violations = {{.assertion = "away", .test = test, .robustness = -0.25, .tick = 4},
+                     {.assertion = "away", .test = {.behaviour = 0, .agents = 3, .number = 17}}};
+  data.replays = {{.test = test}};
+  EXPECT_THAT(section::verdicts(data), HasSubstr("<td>17</td>")) << "no page was written";
+  data.replays[0].page = "r-replays/a&b.html";
+  const std::string html = section::verdicts(data);
+  EXPECT_THAT(html,
+              HasSubstr("<td>3</td><td><a href=\"r-replays/a&amp;b.html#tick=4\">17</a></td>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"l\">walk</td><td>3</td><td>17</td>"));
+  data.violations[0].tick.reset();
+  EXPECT_THAT(section::verdicts(data), HasSubstr("<a href=\"r-replays/a&amp;b.html\">17</a>"));
+}
+
 TEST(MetricsSection, SaysHowToMeasureWhereNothingWas) {
   EXPECT_THAT(section::metrics(data_of_two()), HasSubstr("<code>--metrics</code>"));
 }
