@@ -17,29 +17,36 @@ constexpr std::string_view kHead = R"page(<!doctype html>
 <title>Coverage of {0}</title>
 <style>
 :root {{ color-scheme: light dark; --text: #1b1f24; --paper: #fff; --quiet: #667; --line: #d5d9e0;
-  --full: #d9f2dd; --part: #fff0c2; --none: #ffd9d6; --bar: #2f9e44; }}
+  --full: #d9f2dd; --part: #fff0c2; --none: #ffd9d6; --bar: #2f9e44; --shade: rgb(27 31 36 / .4); }}
 @media (prefers-color-scheme: dark) {{ :root {{ --text: #e4e7eb; --paper: #14171b; --quiet: #99a;
-  --line: #333a44; --full: #16351e; --part: #453a10; --none: #4d1f1c; --bar: #51cf66; }} }}
+  --line: #333a44; --full: #16351e; --part: #453a10; --none: #4d1f1c; --bar: #51cf66;
+  --shade: rgb(228 231 235 / .4); }} }}
 body {{ margin: 1.5rem auto; max-width: 76rem; padding: 0 1rem; background: var(--paper);
   color: var(--text); font: 15px/1.5 system-ui, sans-serif;
   /* The colours are the message: browsers leave backgrounds out of print unless told otherwise. */
   -webkit-print-color-adjust: exact; print-color-adjust: exact; }}
 .subject {{ font-weight: 600; overflow-wrap: anywhere; }}
 h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.1rem; margin-top: 2.5rem; overflow-wrap: anywhere; }}
-.wide {{ overflow-x: auto; }}
+/* A shade at each side where the table goes on; strips of the page's colour that scroll with the table
+   cover the shades at its ends. */
+.wide {{ overflow-x: auto; background:
+  linear-gradient(to right, var(--paper) 50%, transparent) left / 3rem 100% local,
+  linear-gradient(to left, var(--paper) 50%, transparent) right / 3rem 100% local,
+  linear-gradient(to right, var(--shade), transparent) left / 1.2rem 100%,
+  linear-gradient(to left, var(--shade), transparent) right / 1.2rem 100%; background-repeat: no-repeat; }}
 table {{ border-collapse: collapse; }}
 .files td, .files th {{ padding: .25rem .8rem .25rem 0; border-bottom: 1px solid var(--line);
   text-align: right; white-space: nowrap; }}
 .files td:first-child, .files th:first-child {{ text-align: left; }}
 meter {{ width: 6rem; }}
 .source {{ width: 100%; font: 13px/1.45 ui-monospace, monospace; }}
-.source td {{ padding: 0 .6rem; vertical-align: top; white-space: pre; }}
-.source td.n {{ color: var(--quiet); text-align: right; width: 1%; user-select: none; }}
+.source td {{ padding: 0 .6rem; vertical-align: top; white-space: pre-wrap; overflow-wrap: anywhere; }}
+.source td.n {{ color: var(--quiet); text-align: right; width: 1%; white-space: pre; user-select: none; }}
 .source td.gap {{ white-space: normal; color: var(--quiet); }}
 tr.full td {{ background: var(--full); }} tr.part td {{ background: var(--part); }}
 tr.none td {{ background: var(--none); }}
 .key span {{ padding: 0 .5rem; margin-right: .5rem; }}
-@media print {{ tr {{ break-inside: avoid; }} .source {{ font-size: 9px; }} }}
+@media print {{ .wide {{ background: none; }} tr {{ break-inside: avoid; }} .source {{ font-size: 9px; }} }}
 </style></head><body>
 <h1>Coverage of agents' programs</h1>
 <p class="subject">{0}</p>
