@@ -5,8 +5,8 @@
 #   include/jaywalk/            the public headers, under the same names as in the project
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
-#   share/jaywalk/              agents and scenarios
-#   share/doc/jaywalk/          the language's reference, how to embed it, the changes, the licence
+#   share/jaywalk/              agents and scenarios, with their documents
+#   share/doc/jaywalk/          the other documents, in the project's folders, and the licence
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(JAYWALK_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/jaywalk)
@@ -32,20 +32,13 @@ install(FILES ${PROJECT_BINARY_DIR}/jaywalk-config.cmake
         DESTINATION ${JAYWALK_PACKAGE_DIR})
 
 install(CODE "set(JAYWALK_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
-              set(JAYWALK_INCLUDE_DIR \"${JAYWALK_INCLUDE_DIR}\")")
+              set(JAYWALK_BINARY_DIR \"${PROJECT_BINARY_DIR}\")
+              set(JAYWALK_INCLUDE_DIR \"${JAYWALK_INCLUDE_DIR}\")
+              set(JAYWALK_DATA_DIR \"${JAYWALK_DATA_DIR}\")
+              set(JAYWALK_DOC_DIR \"${CMAKE_INSTALL_DOCDIR}\")")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios
-        DESTINATION ${JAYWALK_DATA_DIR}
-        FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.md")
-file(GLOB changelogs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG*.md)
-install(FILES ${changelogs} ${PROJECT_SOURCE_DIR}/LICENSE
-              ${PROJECT_SOURCE_DIR}/SECURITY.md
-              ${PROJECT_SOURCE_DIR}/interpreter/CHECKS.md
-              ${PROJECT_SOURCE_DIR}/interpreter/COVERAGE.md
-              ${PROJECT_SOURCE_DIR}/interpreter/EMBEDDING.md
-              ${PROJECT_SOURCE_DIR}/interpreter/LANGUAGE.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/interpreter/language DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/interpreter/embed/CUSTOMISATION.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR}/embed)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${JAYWALK_DATA_DIR}
+        FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.csv"
+        PATTERN "*.json" PATTERN "*.svg" PATTERN "*.xml" PATTERN "__pycache__" EXCLUDE)
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_documents.cmake)
