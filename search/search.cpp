@@ -201,8 +201,8 @@ class Search {
     const std::size_t number = run_.tests.size();
     const bool known = shared_.log != nullptr && number < shared_.log->finished(index_).size();
     if (shared_.log != nullptr && !known) {
-      if (std::string why = shared_.log->add(index_, number, row); !why.empty()) {
-        shared_.trouble(subject(), std::move(why));
+      if (shared_.log->add(index_, number, row) == Continue::no) {
+        shared_.stop = true;
         return false;
       }
     }

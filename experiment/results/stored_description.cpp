@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/results/store/geopackage.h"
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
 
@@ -105,10 +106,11 @@ bool sensible(const ExperimentDescription& description) {
 }  // namespace
 
 void write_description(Database& database, const ExperimentDescription& description) {
-  Statement version(database, "INSERT INTO versions (subject, version) VALUES (?, ?)");
-  version.run("store", fmt::format("{}", kStoreVersion));
-  version.run("jaywalk", description.version);
-  if (!description.simulator.empty()) version.run("simulator", description.simulator);
+  write_versions(database, kStoreVersion, description.version);
+  if (!description.simulator.empty()) {
+    Statement(database, "INSERT INTO versions (subject, version) VALUES ('simulator', ?)")
+        .run(description.simulator);
+  }
   const auto anchored = [&]<class T>(T Anchor::*field) -> std::optional<T> {
     if (!description.anchor) return std::nullopt;
     return *description.anchor.*field;
@@ -129,6 +131,8 @@ void write_judging(Database& database, const ExperimentDescription& before,
   write_judging(database, now);
   write_inputs(database, std::span(now.inputs).subspan(before.inputs.size()));
 }
+
+namespace {
 
 Result<ExperimentDescription> read_description(Database& database, const std::string& path) {
   ExperimentDescription description;
@@ -169,6 +173,15 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
   }
   if (auto why = damage_of(description.inputs)) return store_error(path, std::move(*why));
   return description;
+}
+
+}  // namespace
+
+Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened, const std::string& path) {
+  if (!opened) return std::move(opened.diagnostics());
+  auto description = read_description(*opened.value(), path);
+  if (!description) return std::move(description.diagnostics());
+  return ResultsStore{std::move(opened).value(), std::move(description).value()};
 }
 
 }  // namespace jaywalk

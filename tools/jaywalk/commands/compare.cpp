@@ -160,7 +160,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       });
   line.clear();
   const bool traced = finish_trace(arguments, trace, console);
-  const bool kept = !store || finish_store(*store, request->store->path, console);
+  const bool kept = !store || is_kept(store->finish(), request->store->path, console);
   if (outcome.failed_test && !interrupt.interrupted()) {
     console.report(outcome.failure);
     return ExitCode::failed;

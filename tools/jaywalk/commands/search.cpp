@@ -24,6 +24,7 @@
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/options/store_options.h"
 #include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::search {
@@ -105,9 +106,8 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
 enum class Keep { tests, counts };
 
 js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, Console& console,
-                      bool& interrupted, js::SearchKills* kills, Keep keep) {
+                      const InterruptGuard& interrupt, js::SearchKills* kills, Keep keep) {
   constexpr int kShownErrors = 20;
-  const InterruptGuard interrupt;
   ProgressLine line(console);
   int errors = 0;
   js::SearchObserver observer;
@@ -127,9 +127,7 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
     kills->add(search, finished);
     if (keep == Keep::counts) finished.tests = {};
   };
-  js::SearchResults results = js::run_searches(experiment.plan, log, observer);
-  interrupted = interrupt.interrupted();
-  return results;
+  return js::run_searches(experiment.plan, log, observer);
 }
 
 }  // namespace
@@ -192,9 +190,11 @@ namespace {
 /// Null if no store is asked for; nothing if it cannot be opened.
 std::optional<std::unique_ptr<js::SearchStore>> open_store(const Arguments& arguments,
                                                            const js::SearchExperiment& experiment,
+                                                           const InterruptGuard& interrupt,
                                                            Console& console) {
   const auto path = arguments.text(option::kStore);
   if (!path) return std::unique_ptr<js::SearchStore>();
+  const PromptEnd end(interrupt);
   const auto mode = arguments.has(option::kResume) ? js::SearchStore::Mode::resume
                                                    : js::SearchStore::Mode::create;
   auto store = js::SearchStore::open(*path, mode, experiment);
@@ -262,28 +262,30 @@ bool have_results(const KillMatrix& matrix, const js::SearchResults& results, Co
 ExitCode execute(const Arguments& arguments, Console& console) {
   const std::optional<js::SearchExperiment> experiment = read_request(arguments, console);
   if (!experiment) return ExitCode::usage;
-  const auto store = open_store(arguments, *experiment, console);
+  // From here on an interrupt keeps all finished tests in the store.
+  const InterruptGuard interrupt;
+  const auto store = open_store(arguments, *experiment, interrupt, console);
   if (!store) return ExitCode::usage;
-  bool interrupted = false;
   std::optional<js::SearchKills> kills;
   if (!experiment->defects.empty()) kills.emplace(*experiment);
   const bool needs_tests = !kills || arguments.has(option::kCsv) || arguments.has(option::kJson);
   const js::SearchResults results =
-      run(*experiment, store->get(), console, interrupted, kills ? &*kills : nullptr,
+      run(*experiment, store->get(), console, interrupt, kills ? &*kills : nullptr,
           needs_tests ? Keep::tests : Keep::counts);
+  const auto unkept = *store ? (*store)->finish(results) : std::nullopt;
+  std::optional<PromptEnd> end;  // what takes long from here on is not asked
+  if (!interrupt.interrupted()) end.emplace(interrupt);
   std::vector<js::GeneratorResults> generators;
   if (needs_tests) generators = js::group(*experiment, results);
   const KillMatrix matrix = kills ? kills->matrix() : KillMatrix{};
   bool well = !results.trouble.has_errors();
-  if (!well) console.report(results.trouble);
-  const auto check = [&](std::string_view what, const std::string& why) {
-    if (why.empty()) return;
-    console.error(fmt::format("cannot write {}: {}", what, why));
-    well = false;
-  };
-  if (*store) check("the store", (*store)->finish(results));
+  console.report(results.trouble);
+  if (!is_kept(unkept, arguments.text(option::kStore).value_or(""), console)) well = false;
   if (const auto folder = arguments.text(option::kExport)) {
-    check("the failing roads", js::export_failures(*folder, *experiment, results).value_or(""));
+    if (const auto why = js::export_failures(*folder, *experiment, results)) {
+      console.error(fmt::format("cannot write the failing roads: {}", *why));
+      well = false;
+    }
   }
   const std::array outputs = {
       OutputFile{option::kCsv, [&] { return js::to_csv(generators); }},
@@ -299,7 +301,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!(kills ? have_results(matrix, results, console) : have_results(results, console)))
     well = false;
   if (!well) return ExitCode::failed;
-  if (results.complete || !interrupted) return ExitCode::success;
+  if (results.complete || !interrupt.interrupted()) return ExitCode::success;
   console.note(arguments.has(option::kStore)
                    ? "interrupted; the table has the finished searches. The same command with "
                      "--resume goes on"

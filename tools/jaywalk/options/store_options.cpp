@@ -71,8 +71,7 @@ std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
   return nullptr;
 }
 
-bool finish_store(ResultsWriter& store, const std::string& path, Console& console) {
-  const auto failure = store.finish();
+bool is_kept(const std::optional<std::string>& failure, const std::string& path, Console& console) {
   if (!failure) return true;
   console.error(
       fmt::format("cannot write '{}': {}", path, *failure),

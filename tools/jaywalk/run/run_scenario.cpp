@@ -274,7 +274,7 @@ class ScenarioRun {
     }
     if (store_) {
       store_test(request_, result, std::move(recording_), assessment, *store_);
-      if (!finish_store(*store_, *arguments_.text(option::kStore), console_)) {
+      if (!is_kept(store_->finish(), *arguments_.text(option::kStore), console_)) {
         return ExitCode::failed;
       }
     }
