@@ -56,9 +56,11 @@ std::string first_of(const Diagnostics& diagnostics) {
   return diagnostics.empty() ? "the test cannot be run" : diagnostics.items().front().message;
 }
 
-/// The robustness of what the AV is to blame for: nothing that was unavoidable counts.
+/// How near the AV came to a failure: a test that cannot fail, since no driver could have kept the
+/// requirement, is not near one.
 double margin(const Judgement& judgement) {
-  if (!judgement.robustness || judgement.verdict == Verdict::unavoidable) return kNone;
+  const bool can_fail = judgement.verdict == Verdict::fail || !judgement.excused;
+  if (!judgement.robustness || !can_fail) return kNone;
   return bounded(*judgement.robustness);
 }
 
