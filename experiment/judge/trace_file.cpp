@@ -54,6 +54,10 @@ constexpr std::array<ColumnName, kColumnCount> kColumns{{
 /// Times are evenly spaced if each step is as long as the first but for this share of it.
 constexpr double kUneven = 0.01;
 
+/// How exact speeds are that follow from places and times, in m/s: places of UTM coordinates are
+/// exact to a nanometre, times to a microsecond.
+constexpr double kSpeedTolerance = 1e-6;
+
 /// The fields of a line, without blanks around them.
 std::vector<CsvField> fields_of(std::string_view line) {
   std::vector<CsvField> fields = csv_fields(line);
@@ -331,6 +335,7 @@ class TraceParser {
     for (const Row& row : rows_) scenes[row.scene][place[row.actor]] = row.state;
     complete(scenes);
     Recording result(step_s(), std::move(actors));
+    if (!columns_[kSpeed]) result.set_tolerance(kSpeedTolerance);
     for (const auto& scene : scenes) result.add(scene);
     for (const Row& row : rows_) add_events(row, place[row.actor], result);
     return result;

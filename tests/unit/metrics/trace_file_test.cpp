@@ -59,6 +59,7 @@ TEST(Trace, TakesSpeedsAndHeadingsFromThePlaces) {
   EXPECT_DOUBLE_EQ(recording.scene(0)[0].speed_mps, 10) << "of the step that leads on";
   EXPECT_NEAR(recording.scene(1)[0].heading_rad, kPi / 2, 1e-12);
   EXPECT_DOUBLE_EQ(recording.scene(1)[1].speed_mps, 2);
+  EXPECT_GT(recording.tolerance(), 0) << "since places and times are rounded";
   EXPECT_NEAR(recording.scene(1)[1].heading_rad, kPi, 1e-12);
 }
 
