@@ -75,6 +75,12 @@ std::string Av::failure() const {
   return controller_ ? controller_->failure() : "";
 }
 
+Actor Av::actor() const {
+  const double cell = parameters_.cell_m;
+  return {"av", ActorKind::vehicle, parameters_.av.length * cell,
+          parameters_.av.rows.size() * cell};
+}
+
 ActorState Av::state() const {
   if (simulated_ && begun_) return simulated_->av().state;
   const AvParameters& av = parameters_.av;

@@ -43,6 +43,7 @@ class Av {
   /// Why its controller or simulator can go on no longer; empty while all is well.
   [[nodiscard]] std::string failure() const;
 
+  [[nodiscard]] Actor actor() const;
   /// Where it is now.
   [[nodiscard]] ActorState state() const;
   /// Who moves it, with other traffic, in place of a controller; null if nobody does.

@@ -68,10 +68,12 @@ double front_y(const ActorState& state, double length_m) {
 }  // namespace
 
 SimulatedSite simulated_site(const CrossingParameters& parameters) {
-  const Interval rows = parameters.av.rows;
+  const Av av(parameters, 0);
   return {.road = road_of(parameters),
-          .av_left_m = rows.first * parameters.cell_m,
-          .av_right_m = (rows.last + 1) * parameters.cell_m};
+          .av = av.actor(),
+          .av_start = av.state(),
+          .vehicle = parameters.av.vehicle,
+          .tick_s = parameters.tick_s};
 }
 
 SimulatedDrive::SimulatedDrive(const CrossingParameters& parameters)

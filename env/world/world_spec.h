@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,8 @@
 #include "interpreter/term/symbol.h"
 
 namespace jaywalk {
+
+struct SimulatedSite;
 
 /// What a world is given to begin a test with.
 struct WorldStart {
@@ -61,6 +64,8 @@ class WorldSpec {
   [[nodiscard]] virtual VehicleParameters healthy_vehicle() const = 0;
   /// Who moves the vehicles in the world's place; its name is empty if nobody does.
   [[nodiscard]] virtual const SimulatorParameters& simulator() const;
+  /// Where simulated tests take place; nothing of a world that no simulator can take part in.
+  [[nodiscard]] virtual std::optional<SimulatedSite> site() const;
   /// The same world with another AV.
   [[nodiscard]] virtual std::shared_ptr<const WorldSpec> with(
       VehicleParameters vehicle, SimulatorParameters simulator) const = 0;

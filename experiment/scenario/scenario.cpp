@@ -202,13 +202,13 @@ class ScenarioBuilder {
   }
 
   [[nodiscard]] ValueOrigin origin_of(std::string path) const {
-    return jaywalk::origin_of(draft_.origins, std::move(path), source_->name());
+    return jaywalk::origin_of(draft_.scenario.origins, std::move(path), source_->name());
   }
 
   void finish() {
     Scenario& scenario = draft_.scenario;
     const std::string folder;
-    const SectionContext context{folder, options_.files, draft_.origins, diagnostics_};
+    const SectionContext context{folder, options_.files, draft_.scenario.origins, diagnostics_};
     draft_.world->check(scenario.name, context);
     check_avs();
     check_behaviours();

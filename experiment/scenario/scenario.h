@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "env/config/parameter_settings.h"
+#include "env/config/section_reader.h"
 #include "env/environments.h"
 #include "env/world/world_spec.h"
 #include "experiment/judge/assertions/assertion.h"
@@ -116,6 +117,8 @@ struct Scenario {
   std::vector<SourcePtr> sources;
   SourceFiles files;
   IncludeFolders include;
+  /// Where each key was given, for what is found to be wrong with its value later.
+  ValueOrigins origins;
   /// Copies of the AV's external controller and its twin that their commands name; null if there
   /// are none.
   std::shared_ptr<const ProgramCopies> programs;

@@ -59,7 +59,7 @@ class LayerReader : LayerPart {
   // A list says which behaviours there are; a map changes those that have been listed.
   void read_behaviours(const ConfigNode& node, const std::string& path) {
     std::vector<BehaviourSpec>& behaviours = draft_.scenario.behaviours;
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     if (node.kind == ConfigNode::Kind::list) {
       behaviours.clear();
       for (const ConfigNode& item : node.items) read_behaviour_item(item, path);
@@ -175,7 +175,7 @@ class LayerReader : LayerPart {
 
   void read_assertions_file(const ConfigNode& node, const std::string&) {
     if (const auto file = reader_.text(node, "the path of a file of assertions")) {
-      draft_.origins["assertions"] = node.origin;
+      draft_.scenario.origins["assertions"] = node.origin;
       draft_.assertions_file = path_in(folder_, *file);
     }
   }
@@ -226,17 +226,17 @@ class LayerReader : LayerPart {
   }
 
   void read_defects(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     draft_.scenario.experiment.defects = read_defect_list(node, reader_);
   }
 
   void read_avs(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     draft_.scenario.experiment.avs = read_av_list(node, reader_);
   }
 
   void read_agent_numbers(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     std::string text = node.text;
     if (node.kind == ConfigNode::Kind::list) {
       for (const ConfigNode& item : node.items) {
