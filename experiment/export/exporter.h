@@ -35,6 +35,8 @@ struct Exported {
   std::vector<std::string> files;
   /// What of the tests could not be said in them.
   Diagnostics warnings;
+  /// What the programs that read them need to be told; usually nothing.
+  std::string note = {};
 };
 
 /// Errors: the store cannot be read, a file cannot be written.

@@ -91,6 +91,7 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
   }
   console.report(files.value().warnings);
   console.note(fmt::format("{} tests exported", request.tests.size()));
+  if (!files.value().note.empty()) console.note(files.value().note);
   for (const std::string& file : files.value().files) console.print(file + '\n');
   Diagnostics invalid;
   if (const auto schemas = arguments.text(option::kValidate))
@@ -105,7 +106,9 @@ CommandHelp help() {
   return {.usage = "STORE [OPTIONS]",
           .description =
               "Writes the tests of a store as files for other programs: those that met the\n"
-              "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
+              "precondition, unless --all or --test says otherwise. Prints the files' names.\n"
+              "esmini plays OpenSCENARIO files as the tests were recorded with --traj_filter 0:\n"
+              "its filter moves actors by up to a quarter of a metre.\n",
           .options =
               {
                   {option::kFormat, "NAME",
