@@ -251,6 +251,7 @@ class ReasoningWriter {
     if (choices_.once_in(2)) add("+seen(X) : Y = X+1 & n(Z) <- .print(seen, X, Z).\n");
     if (choices_.once_in(2)) add("-seen(X) <- .print(unseen, X).\n");
     if (choices_.once_in(3)) add("+n(X) : Y = 2 <- "), body(1, 2), add(".\n");
+    if (choices_.once_in(3)) add("+at(X,Z)[source(A)] <- .print(at, X, Z, A).\n");
     if (choices_.once_in(3)) add("+?seen(Z) : Y = 1 & X = 2 <- Z = 3; "), body(0, 2), add(".\n");
     if (choices_.once_in(3)) add("+got(X)[source(A)] : Y = 0 <- .print(got, X, A).\n");
   }
