@@ -16,13 +16,6 @@ struct Av::Surroundings {
 
 namespace {
 
-Rectangle box_of(const RoadUser& body, double cell_m) {
-  const BoxSize half = half_extent(body);
-  const double x = (body.place.x + 0.5) * cell_m;
-  const double y = (body.place.y + 0.5) * cell_m;
-  return {x - half.width_m, x + half.width_m, y - half.length_m, y + half.length_m};
-}
-
 std::vector<SeenLane> lanes_of(const CrossingParameters& parameters) {
   std::vector<SeenLane> lanes;
   // A drawn ground has no bands from which lanes could be read.

@@ -14,12 +14,13 @@
 +!step(Way)  <- move(Way).
 
 +!cross_to(Row) : at(X, _) & walking_speed(W) & math.abs(X - Row) <= W / 2.
-+!cross_to(Row) : at(X, _) & X < Row <- move(right); !cross_to(Row).
-+!cross_to(Row)                      <- move(left); !cross_to(Row).
++!cross_to(Row) : at(X, _) & X < Row & across(right, Step) <- move(Step); !cross_to(Row).
++!cross_to(Row) : at(X, _) & X > Row & across(left, Step)  <- move(Step); !cross_to(Row).
++!cross_to(_).
 
 +!go_on(across).
-+!go_on(standing) <- stay.
-+!go_on(along)    <- move(forward).
++!go_on(along) : free(forward) <- move(forward).
++!go_on(_)                     <- stay.
 
 // Meetings that can still be brought about.
 possible(meeting(Row, Ahead, How)) :-

@@ -358,7 +358,7 @@ TEST_F(CrossingTest, GivesThePerceptsThatTheirNeedsSay) {
   CrossingParameters signalled = bare;
   signalled.crosswalks = {{CrosswalkKind::signalled, {30, 32}}};
   CrossingParameters parked = bare;
-  parked.obstacles = {{.rows = {2, 2}, .cells = {50, 53}}};
+  parked.obstacles = {{.rows = {2, 2}, .cells = {13, 16}}};
   CrossingParameters sight = bare;
   sight.pedestrians.sight = 50;
   CrossingParameters features = bare;

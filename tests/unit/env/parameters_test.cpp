@@ -125,5 +125,21 @@ TEST(CrossingParameters, SayWhatDoesNotFitTogether) {
   EXPECT_EQ(problems(parameters)[0].path, "world.road_end");
 }
 
+TEST(CrossingParameters, LetNoActorBeginInAnObstacle) {
+  CrossingParameters parameters;
+  parameters.obstacles = {{{7, 7}, {40, 43}}};
+  const auto problem = [&](Position start) {
+    parameters.actors = {
+        {.name = "van", .kind = ActorKind::vehicle, .start = start, .way = Direction::back}};
+    const std::vector<ParameterProblem> found = problems(parameters);
+    return found.empty() ? "" : found.front().message;
+  };
+  EXPECT_EQ(problem({7, 43}),
+            "'van' cannot start in row 7, cell 43: that is blocked or not on the grid");
+  EXPECT_EQ(problem({7, 44}),
+            "'van' cannot start in row 7, cell 44: its body reaches into a blocked cell");
+  EXPECT_EQ(problem({7, 45}), "") << "its front touches the obstacle";
+}
+
 }  // namespace
 }  // namespace jaywalk
