@@ -14,7 +14,7 @@
 #include "interpreter/support/input/missing_file.h"
 #include "interpreter/support/input/read_pipe.h"
 #include "interpreter/support/read_program.h"
-#include "interpreter/support/silenced.h"
+#include "interpreter/support/remarks.h"
 
 namespace jaywalk {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "interpreter/check/check.h"
 
@@ -25,5 +27,13 @@ struct Row {
 /// The warnings of one code as `line:column message`.
 [[nodiscard]] std::string warnings_of(std::string_view code, const std::string& text,
                                       const Vocabulary& vocabulary = nothing_known());
+
+/// Names and texts of files that a program includes.
+using Included = std::vector<std::pair<std::string, std::string>>;
+
+/// Like warnings_of(text), but for a program that includes other files. Warnings in these begin
+/// with the file's name.
+[[nodiscard]] std::string warnings_with(const Included& included, const std::string& text,
+                                        const Vocabulary& vocabulary = nothing_known());
 
 }  // namespace jaywalk
