@@ -89,5 +89,19 @@ TEST(ReplInput, ReadsClausesThatStandAroundBlocks) {
   EXPECT_EQ(kinds, (std::vector{Kind::add, Kind::program, Kind::add, Kind::program, Kind::goal}));
 }
 
+TEST(ReplInput, HasCommandsAmidOthersOnALineOfTheirOwn) {
+  for (const auto& [line, word] :
+       {std::pair{":quit", "quit"}, std::pair{" :help ", "help"}, std::pair{"help", "help"},
+        std::pair{"quit", "quit"}, std::pair{"exit", "quit"}, std::pair{":beliefs", "beliefs"}}) {
+    const auto command = command_alone(line);
+    ASSERT_TRUE(command) << line;
+    EXPECT_EQ(command->word, word);
+  }
+  for (const char* line :
+       {": p(X)", ":beliefs p", "help.", "quit(1)", "beliefs", "", ":", ":halp"}) {
+    EXPECT_FALSE(command_alone(line)) << line;
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk

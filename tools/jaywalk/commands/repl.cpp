@@ -2,9 +2,10 @@
 
 #include <csignal>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/include_path.h"
@@ -12,6 +13,7 @@
 #include "tools/jaywalk/repl/line_editor.h"
 #include "tools/jaywalk/repl/repl_completion.h"
 #include "tools/jaywalk/repl/repl_history.h"
+#include "tools/jaywalk/repl/repl_input.h"
 #include "tools/jaywalk/repl/repl_session.h"
 
 namespace jaywalk::command::repl {
@@ -20,28 +22,45 @@ namespace {
 /// An input is given up when it has more text than this without an end.
 constexpr std::size_t kLongestInput = std::size_t{1} << 20U;
 
-/// The lines of one input; nothing at the end.
-std::optional<std::string> read_whole(LineReader& reader) {
-  std::string text;
-  while (true) {
-    const auto line = reader.read(text.empty() ? "> " : "| ");
-    if (!line) return text.empty() ? std::nullopt : std::optional(text);
-    if (line->cancelled) return std::string();
-    text += line->text;
-    if (is_whole_input(text) || text.size() > kLongestInput) return text;
-    text += '\n';
+/// False: the conversation is over.
+bool carry_out(const std::vector<ReplInput>& inputs, ReplSession& session, Console& console) {
+  for (const ReplInput& input : inputs) {
+    const bool goes_on = session.carry_out(input);
+    console.flush();
+    if (!goes_on || !Console::can_print()) return false;
   }
+  return true;
 }
 
-void converse(ReplSession& session, LineReader& reader, Console& console) {
-  while (const auto text = read_whole(reader)) {
-    if (!text->empty()) reader.remember(*text);
-    for (const ReplInput& input : read_inputs(*text)) {
-      const bool goes_on = session.carry_out(input);
+enum class Talk { explains, is_silent };
+
+void converse(ReplSession& session, LineReader& reader, Talk talk, Console& console) {
+  std::string text;  // the lines of an input that has not ended yet
+  while (true) {
+    const auto line = reader.read(text.empty() ? "> " : "| ");
+    if (!line) break;
+    if (line->cancelled) {
+      text.clear();
+      continue;
+    }
+    if (const auto command = command_alone(line->text)) {
+      reader.remember(line->text);
+      if (!carry_out({*command}, session, console)) return;
+      continue;
+    }
+    text += line->text;
+    if (is_whole_input(text) || text.size() > kLongestInput) {
+      if (!text.empty()) reader.remember(text);
+      if (!carry_out(read_inputs(std::exchange(text, {})), session, console)) return;
+      continue;
+    }
+    text += '\n';
+    if (std::exchange(talk, Talk::is_silent) == Talk::explains) {
+      console.print("(an input ends with a full stop '.'; Ctrl-C drops it)\n");
       console.flush();
-      if (!goes_on || !Console::can_print()) return;
     }
   }
+  (void)carry_out(read_inputs(text), session, console);
 }
 
 }  // namespace
@@ -86,7 +105,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.print("':help' says what can be typed, Tab completes it; Ctrl-D ends.\n");
   }
   console.flush();
-  converse(session, *reader, console);
+  converse(session, *reader, in_terminal ? Talk::explains : Talk::is_silent, console);
   return !in_terminal && session.had_mistakes() ? ExitCode::usage : ExitCode::success;
 }
 
