@@ -298,7 +298,7 @@ void ExplainingObserver::add_beliefs(Agent& agent) {
         const Row& row = relation->row(seq);
         if (row.fact.is_unset() || ++shown > kMostBeliefs) continue;
         deliberation.beliefs.push_back(
-            {short_text(row.fact, agent.symbols()), origin_of(agent, row.fact)});
+            {rounded_text(row.fact, agent.symbols(), kMostText), origin_of(agent, row.fact)});
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "interpreter/term/print.h"
 
 #include <algorithm>
+#include <charconv>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,18 +12,26 @@
 namespace jaywalk {
 namespace {
 
+double rounded(double number) {
+  const std::string text = fmt::format("{:.12g}", number);
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
 class Printer {
  public:
   enum class Strings { as_they_are, escaped };
+  enum class Numbers { exact, rounded };
   Printer(std::string& out, const SymbolTable& symbols, Strings strings = Strings::as_they_are,
-          std::size_t most = kMaxTextBytes)
-      : out_(out), symbols_(symbols), strings_(strings), most_(most) {}
+          std::size_t most = kMaxTextBytes, Numbers numbers = Numbers::exact)
+      : out_(out), symbols_(symbols), strings_(strings), most_(most), numbers_(numbers) {}
 
   void term(Value value) {
     value = deref(value);
     switch (value.kind()) {
       case Value::Kind::number:
-        append_number(out_, value.as_number());
+        append_number(out_,
+                      numbers_ == Numbers::exact ? value.as_number() : rounded(value.as_number()));
         return;
       case Value::Kind::atom:
         name(value.atom_id());
@@ -336,6 +345,7 @@ class Printer {
   const SymbolTable& symbols_;
   Strings strings_;
   std::size_t most_;
+  Numbers numbers_;
   bool is_cut_ = false;
   TermWalk walk_;
   std::vector<const Variable*> unnamed_;
@@ -362,14 +372,27 @@ std::string term_text(Value term, const SymbolTable& symbols) {
   return out;
 }
 
-std::string brief_text(Value term, const SymbolTable& symbols, std::size_t most) {
+namespace {
+
+std::string beginning(Value term, const SymbolTable& symbols, std::size_t most,
+                      Printer::Numbers numbers) {
   std::string out;
   try {
-    Printer(out, symbols, Printer::Strings::as_they_are, most).term(term);
+    Printer(out, symbols, Printer::Strings::as_they_are, most, numbers).term(term);
   } catch (const HeapExhausted&) {
     return out + "...";  // a walk that is too long, not a text
   }
   return shortened(out, most);
+}
+
+}  // namespace
+
+std::string brief_text(Value term, const SymbolTable& symbols, std::size_t most) {
+  return beginning(term, symbols, most, Printer::Numbers::exact);
+}
+
+std::string rounded_text(Value term, const SymbolTable& symbols, std::size_t most) {
+  return beginning(term, symbols, most, Printer::Numbers::rounded);
 }
 
 std::string source_text(Value term, const SymbolTable& symbols) {
