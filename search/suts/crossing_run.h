@@ -21,6 +21,8 @@ namespace jaywalk::search {
 
 struct CrossingSettings {
   SourcePtr scenario;
+  /// That, with what is the same in all tests.
+  std::shared_ptr<const Scenario> parsed_scenario;
   /// The texts of all files that tests are made from, the scenario's among them; without those of
   /// its programs if no test is run.
   std::vector<SourcePtr> inputs;

@@ -81,6 +81,7 @@ ExitCode execute(const Command& command, const Arguments& arguments, const Comma
     console.report(diagnostics);
   } else if (can_write_outputs(arguments, options, console)) {
     code = command.execute(arguments, console);
+    if (!arguments.has(option::kQuiet)) console.tell_written();
   }
   if (!console.finish() && code == ExitCode::success) code = ExitCode::failed;
   return code;

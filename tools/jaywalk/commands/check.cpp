@@ -20,6 +20,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/embed/project_agents.h"
 #include "interpreter/program/code_text.h"
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/load.h"
 #include "search/search_experiment.h"
 #include "tools/jaywalk/commands/command.h"
@@ -123,7 +124,11 @@ class Checker {
     auto experiment = jaywalk::search::parse_search(
         source,
         {.files = include_path_.files, .include = {include_path_.folders, include_path_.mapped}});
-    if (!experiment) diagnostics_.append(std::move(experiment.diagnostics()));
+    if (!experiment) {
+      diagnostics_.append(std::move(experiment.diagnostics()));
+    } else if (const Scenario* const scenario = experiment.value().plan.model->scenario()) {
+      check_programs(*scenario, checked_, diagnostics_);
+    }
   }
 
   void check_scenario(const std::string& path) {
@@ -146,10 +151,6 @@ class Checker {
   Checked checked_;
   Diagnostics diagnostics_;
 };
-
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// The compiled code of programs, instead of what is wrong with them.
 ExitCode dump_code(std::span<const std::string> files, const IncludePath& include_path,

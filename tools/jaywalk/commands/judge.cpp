@@ -170,6 +170,7 @@ bool write_assessments(const std::string& path, const Criteria& criteria, Assess
     console.error(fmt::format("cannot write '{}': {}", path, *why));
     return false;
   }
+  console.wrote(path);
   return true;
 }
 

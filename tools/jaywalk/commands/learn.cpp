@@ -8,6 +8,7 @@
 #include "experiment/learning/training.h"
 #include "experiment/scenario/files/write_file.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/progress_line.h"
@@ -111,6 +112,7 @@ std::shared_ptr<Policy> policy_for(const Request& request, Console& console) {
 bool keep(const Request& request, const Policy& policy, Console& console) {
   const auto problem = write_file(request.file, policy.text());
   if (problem) console.error(fmt::format("cannot write {}: {}", request.file, *problem));
+  if (!problem) console.wrote(request.file);
   return !problem;
 }
 
@@ -161,9 +163,9 @@ ExitCode train(const Request& request, Training& training, Console& console) {
     if (end == Training::End::interrupted) {
       line.clear();
       console.note(
-          fmt::format("interrupted after {} tests, which {} has; the same command with "
+          fmt::format("interrupted after {}, which {} has; the same command with "
                       "--resume goes on",
-                      done, request.file));
+                      counted(done, "test"), request.file));
       return ExitCode::interrupted;
     }
     if (end == Training::End::failed) {

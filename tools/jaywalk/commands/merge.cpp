@@ -81,6 +81,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.report(outcome.diagnostics());
     return ExitCode::usage;
   }
+  console.wrote(path);
   if (outcome.value().tests < outcome.value().planned) {
     console.note(fmt::format("{} of {} tests are missing; compare --store '{}' --resume runs them",
                              outcome.value().planned - outcome.value().tests,

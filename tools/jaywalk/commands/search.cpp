@@ -11,6 +11,7 @@
 
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/report/tables/kill_table.h"
+#include "interpreter/support/text.h"
 #include "search/export/exports.h"
 #include "search/kills.h"
 #include "search/report/page.h"
@@ -26,6 +27,7 @@
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/store_options.h"
 #include "tools/jaywalk/options/usual_options.h"
+#include "tools/jaywalk/programs/program_check.h"
 
 namespace jaywalk::command::search {
 namespace {
@@ -95,6 +97,13 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
     return std::nullopt;
   }
   if (!outputs_make_sense(arguments, experiment.value(), console)) return std::nullopt;
+  const Scenario* const scenario = experiment.value().plan.model->scenario();
+  if (scenario != nullptr && !arguments.has(option::kNoCheck)) {
+    Diagnostics warnings;
+    Checked checked;
+    check_programs(*scenario, checked, warnings);
+    console.report(warnings);
+  }
   js::SearchPlan& plan = experiment.value().plan;
   if (seed) plan.seed = *seed;
   if (repetitions) plan.repetitions = static_cast<std::uint32_t>(*repetitions);
@@ -172,6 +181,7 @@ CommandHelp help() {
                Written::folder},
               {option::kQuiet, "", "print no table"},
               kPolicyOption,
+              kNoCheckOption,
           },
       .examples =
           "  jaywalk search scenarios/search/lane-keeping.yaml\n"
@@ -222,7 +232,8 @@ bool have_results(const js::SearchResults& results, Console& console) {
   bool all_have = true;
   for (const auto& [generator, counts] : tests) {
     if (counts.second > 0) continue;
-    console.error(fmt::format("{}: none of {} tests has a result", generator, counts.first));
+    console.error(
+        fmt::format("{}: none of {} has a result", generator, counted(counts.first, "test")));
     all_have = false;
   }
   return all_have;
@@ -285,6 +296,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     if (const auto why = js::export_failures(*folder, *experiment, results)) {
       console.error(fmt::format("cannot write the failing roads: {}", *why));
       well = false;
+    } else {
+      console.wrote(*folder);
     }
   }
   const std::array outputs = {

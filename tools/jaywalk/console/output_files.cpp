@@ -87,6 +87,7 @@ bool write_output(const std::string& path, const TextSource& source, Console& co
   console.flush();
   const auto why = write_file(path, source);
   if (why && !why->empty()) console.error(fmt::format("cannot write '{}': {}", path, *why));
+  if (!why) console.wrote(path);
   return !why;
 }
 

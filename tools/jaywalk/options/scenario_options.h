@@ -18,13 +18,16 @@
 
 namespace jaywalk {
 
+inline constexpr OptionSpec kNoCheckOption{option::kNoCheck, "",
+                                           "leave out the warnings of `jaywalk check`"};
+
 inline constexpr std::array kScenarioOptions = {
     OptionSpec{option::kSet, "KEY=VALUE",
                "another value for a key of the scenario, as a dotted path\n"
                "(world.length=80); repeatable"},
     OptionSpec{option::kPreset, "NAME", "begin with these values instead of the scenario's preset"},
     OptionSpec{option::kSeed, "N", "the seed from which all chance derives"},
-    OptionSpec{option::kNoCheck, "", "leave out the warnings of `jaywalk check`"},
+    kNoCheckOption,
 };
 
 /// What agents choose by whose plans are learned(P): the scenario's `policy`.

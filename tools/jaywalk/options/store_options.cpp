@@ -72,7 +72,10 @@ std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
 }
 
 bool is_kept(const std::optional<std::string>& failure, const std::string& path, Console& console) {
-  if (!failure) return true;
+  if (!failure) {
+    if (!path.empty()) console.wrote(path);
+    return true;
+  }
   console.error(
       fmt::format("cannot write '{}': {}", path, *failure),
       "the tests written before are kept; the same command with --resume runs the others");

@@ -66,7 +66,7 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
     if (flush) console.flush();
   };
   limits.mas.write = [&console](std::string_view text) { console.print(text); };
-  limits.mas.log = [&console](std::string_view line) { console.log(LogLevel::warning, line); };
+  limits.mas.log = [&console](std::string_view line) { console.warn_of_agent(line); };
   return limits;
 }
 
@@ -220,6 +220,7 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
   agents = {};
   const End end = run_to_end(mas, limits, interrupt, console);
+  console.tell_counted();
   if (trace) {
     trace->end(end.how, mas.outcome().message, mas.now_ms() / 1000, static_cast<int>(end.code));
   }

@@ -18,6 +18,7 @@
 #include "experiment/test_run/plan_coverage.h"
 #include "experiment/test_run/simulator_version.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/interrupt.h"
@@ -113,10 +114,9 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
 }
 
 std::string title_of(const Request& request) {
-  return fmt::format("{}, {} agent{}, seed {}, test {}",
-                     request.prepared->behaviours()[request.setup.behaviour].name,
-                     request.setup.agents, request.setup.agents == 1 ? "" : "s", request.setup.seed,
-                     request.setup.test);
+  return fmt::format(
+      "{}, {}, seed {}, test {}", request.prepared->behaviours()[request.setup.behaviour].name,
+      counted(request.setup.agents, "agent"), request.setup.seed, request.setup.test);
 }
 
 /// The store for this one test, with everything that is seen of it.
@@ -201,6 +201,7 @@ class ScenarioRun {
     }
     if (!open_trace(arguments_, trace_file_, console_)) return ExitCode::usage;
     const TestRun result = run_listened();
+    console_.tell_counted();
     if (!finish_trace(arguments_, trace_file_, console_)) return ExitCode::failed;
     if (interrupt_.interrupted()) {
       console_.note("interrupted");
@@ -217,7 +218,7 @@ class ScenarioRun {
  private:
   [[nodiscard]] TestOptions options() {
     TestOptions options{.max_cycles = request_.max_cycles, .max_ticks = request_.max_ticks};
-    options.log = [this](std::string_view line) { console_.log(LogLevel::warning, line); };
+    options.log = [this](std::string_view line) { console_.warn_of_agent(line); };
     options.print = [this](std::string_view line) {
       if (watch_) {
         viewer_.add_line(line);
