@@ -8,6 +8,7 @@
 
 #include "experiment/compare/experiment.h"
 #include "experiment/scenario/files/sha256.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -75,7 +76,8 @@ std::string why_not_the_same(const TrainingPlan& plan, const Policy& policy) {
   if (now.behaviour != then.behaviour) return fmt::format("it is of {}", then.behaviour);
   if (now.program_sha256 != then.program_sha256) return "the program has been changed since";
   if (now.scenario_sha256 != then.scenario_sha256) return "the scenario is another one";
-  if (now.agents != then.agents) return fmt::format("it learned with {} agents", then.agents);
+  if (now.agents != then.agents)
+    return fmt::format("it learned with {}", counted(then.agents, "agent"));
   if (now.seed != then.seed) return fmt::format("it learned with seed {}", then.seed);
   if (now.spec != then.spec) return "it learned with other settings";
   return {};
@@ -207,7 +209,8 @@ Training::End Training::run_generation(std::uint64_t most, std::string& problem)
   std::vector<Lesson> lessons = run_tests(count, problem);
   if (!problem.empty()) return End::interrupted;
   if (std::ranges::all_of(lessons, &Lesson::errored)) {
-    problem = fmt::format("none of {} tests came to its end: {}", count, lessons.front().message);
+    problem = fmt::format("none of {} came to its end: {}", counted(count, "test"),
+                          lessons.front().message);
     return End::failed;
   }
   problem = learn(lessons);

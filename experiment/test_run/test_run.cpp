@@ -169,7 +169,7 @@ void record_events(const World& world, const TestSetup& setup, const TestRun& re
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
                                 .actor = static_cast<std::uint32_t>(each.body + 1),
                                 .kind = "collision",
-                                .text = fmt::format("impact at {:.3f} m/s", each.impact_mps)});
+                                .text = fmt::format("impact at {:.1f} m/s", each.impact_mps)});
   }
   if (!result.completed) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(recording.scenes() - 1),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,11 @@ inline constexpr std::string_view kBlanks = " \t\r\n";
   if (text.size() <= most) return std::string(text);
   while (most > 0 && !begins_character(text[most])) --most;
   return std::string(text.substr(0, most)) + "...";
+}
+
+/// "1 agent", "2 agents"
+[[nodiscard]] inline std::string counted(std::uint64_t count, std::string_view noun) {
+  return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
 }
 
 /// Without their line breaks; a break at the end begins no further line.

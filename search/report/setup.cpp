@@ -9,7 +9,7 @@
 namespace jaywalk::search {
 namespace {
 
-using reporting::grouped;
+using reporting::plural;
 using reporting::term;
 
 std::string sut_terms(const SutModel& model) {
@@ -41,9 +41,9 @@ std::string budget_text(const Budget& budget) {
                     "of overhead and what generating it costs",
                     budget.virtual_s, budget.overhead_s));
   }
-  if (budget.tests > 0) parts.push_back(fmt::format("{} tests", grouped(budget.tests)));
+  if (budget.tests > 0) parts.push_back(plural(budget.tests, "test"));
   if (budget.failures > 0) {
-    parts.push_back(fmt::format("{} failing tests", grouped(budget.failures)));
+    parts.push_back(plural(budget.failures, "failing test"));
   }
   return fmt::format("{} for each search", fmt::join(parts, ", or "));
 }

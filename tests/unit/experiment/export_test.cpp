@@ -75,6 +75,8 @@ TEST(Json, HasTheFieldsOfTheCsvAndThePublishedOnes) {
   const auto& row = document["results"].at(0);
   EXPECT_EQ(row["agents"], 3);
   EXPECT_EQ(row["accuracy_pct"], 50.0);
+  EXPECT_TRUE(row["code_lines"].is_number_unsigned());
+  EXPECT_TRUE(row["errored"].is_number_unsigned());
   EXPECT_EQ(row["score_mean"], 30.25);
   EXPECT_TRUE(row["published"]["accuracy_pct"].is_number());
 }

@@ -80,7 +80,7 @@ TEST(Training, GoesOnOnlyWithWhatItLearnedLikewise) {
   EXPECT_EQ(why_not_the_same(plan, *policy), "");
   TrainingPlan other = plan;
   other.agents = 2;
-  EXPECT_EQ(why_not_the_same(other, *policy), "it learned with 1 agents");
+  EXPECT_EQ(why_not_the_same(other, *policy), "it learned with 1 agent");
   other = plan;
   other.seed = 4;
   EXPECT_EQ(why_not_the_same(other, *policy), "it learned with seed 3");

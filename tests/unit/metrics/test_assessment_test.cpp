@@ -114,7 +114,7 @@ TEST(TestAssessment, BecomeRowsOfAStore) {
 TEST(TestAssessment, BecomeJUnitCases) {
   const std::string xml = to_junit(compared({1.75, 3.25, 9.25}));
   EXPECT_THAT(xml, HasSubstr("<testsuite name=\"away\" tests=\"1\" failures=\"1\""));
-  EXPECT_THAT(xml, HasSubstr("name=\"a&lt;b, 1 agents\""));
+  EXPECT_THAT(xml, HasSubstr("name=\"a&lt;b, 1 agent\""));
   EXPECT_THAT(xml, HasSubstr("1 of 3 tests violate it"));
   EXPECT_THAT(to_junit(compared({9.25})), HasSubstr("no test exercised it"));
 }

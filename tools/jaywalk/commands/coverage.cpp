@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "experiment/report/stored_coverage.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
@@ -34,7 +35,7 @@ std::optional<Options> read_options(const Arguments& arguments, const ResultsRea
     const auto& known = store.description().agents;
     if (std::ranges::find(known, *agents) == known.end()) {
       diagnostics.error(option::kAgents.dashed(),
-                        fmt::format("the store has no tests with {} agents", *agents));
+                        fmt::format("the store has no tests with {}", counted(*agents, "agent")));
     }
     options.wanted.agents = static_cast<std::uint32_t>(*agents);
   }

@@ -8,6 +8,7 @@
 
 #include "experiment/export/exporter.h"
 #include "experiment/export/openscenario/validate.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
@@ -90,7 +91,7 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
     return is_about_input(files.diagnostics(), store) ? ExitCode::usage : ExitCode::failed;
   }
   console.report(files.value().warnings);
-  console.note(fmt::format("{} tests exported", request.tests.size()));
+  console.note(fmt::format("{} exported", counted(request.tests.size(), "test")));
   if (!files.value().note.empty()) console.note(files.value().note);
   for (const std::string& file : files.value().files) console.print(file + '\n');
   Diagnostics invalid;

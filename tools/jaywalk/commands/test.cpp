@@ -19,6 +19,7 @@
 #include <fmt/ranges.h>
 
 #include "interpreter/support/start_threads.h"
+#include "interpreter/support/text.h"
 #include "interpreter/unit_test/unit_tests.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
@@ -173,10 +174,6 @@ std::optional<std::vector<UnitTestReport>> run_tests(const std::vector<UnitTest>
   auto reports = work.reports();
   if (interrupt.interrupted()) return std::nullopt;
   return reports;
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string_view word_for(UnitTestVerdict verdict) {

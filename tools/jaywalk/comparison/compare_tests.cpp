@@ -9,6 +9,7 @@
 
 #include "experiment/results/reader.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/run/test_trace.h"
 
@@ -17,8 +18,9 @@ namespace {
 
 Diagnostics not_run(const TestKey& test, std::string_view behaviour, std::string why) {
   Diagnostics diagnostics;
-  diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
-                    std::move(why));
+  diagnostics.error(
+      fmt::format("{}, {}, test {}", behaviour, counted(test.agents, "agent"), test.number),
+      std::move(why));
   return diagnostics;
 }
 
@@ -175,7 +177,7 @@ void ControllerNotes::add(std::uint64_t place, const std::string& note) {
 
 std::string ControllerNotes::text() const {
   if (tests_ == 0) return {};
-  return fmt::format("{} (in {} test{})", note_, tests_, tests_ == 1 ? "" : "s");
+  return fmt::format("{} (in {})", note_, counted(tests_, "test"));
 }
 
 Selection::Selection(const Request& request, const ResultsWriter* store)

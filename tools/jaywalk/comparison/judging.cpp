@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
@@ -63,8 +64,8 @@ bool report_failures(const std::vector<FailureCondition>& conditions, const Comp
       if (!fails(condition, comparison, row)) continue;
       any = true;
       const Summary& summary = comparison.summaries[row];
-      console.note(fmt::format("failed: {} with {} agents: {} is {:.6g} ({})", summary.behaviour,
-                               summary.agents, subject_of(condition),
+      console.note(fmt::format("failed: {} with {}: {} is {:.6g} ({})", summary.behaviour,
+                               counted(summary.agents, "agent"), subject_of(condition),
                                *value_of(condition, comparison, row), condition.text));
     }
   }
