@@ -8,6 +8,7 @@
 #include "env/config/reader.h"
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_yaml.h"
+#include "interpreter/support/markup.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {
@@ -261,7 +262,13 @@ class ExperimentReader {
         {"generator", [](const ConfigNode&, const std::string&) {}},
         {"name",
          [&](const ConfigNode& value, const std::string&) {
-           if (auto name = reader_.text(value, "a name")) spec.name = std::move(*name);
+           const auto name = reader_.text(value, "a name");
+           if (name && !is_identifier(*name)) {
+             reader_.error(value.origin,
+                           fmt::format("'{}' cannot be the name of a generator", *name),
+                           std::string(kIdentifierHint));
+           }
+           spec.name = name.value_or(spec.name);
          }},
         {"generation_s",
          [&](const ConfigNode& value, const std::string&) {

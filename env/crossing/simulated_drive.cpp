@@ -8,6 +8,7 @@
 
 #include "env/crossing/av.h"
 #include "env/crossing/crossing_ground.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -114,6 +115,7 @@ std::string SimulatedDrive::wrong_start(const SimulatedStart& start) const {
   for (const Actor& each : actors_) names.insert(each.name);
   for (const Actor& each : start.traffic) {
     if (each.name.empty()) return "a vehicle of its traffic has no name";
+    if (!is_label(each.name)) return fmt::format("'{}' cannot be the name of an actor", each.name);
     if (!names.insert(each.name).second) return fmt::format("a second actor '{}'", each.name);
     if (each.kind == ActorKind::signal) return fmt::format("'{}' is a signal", each.name);
     if (!(each.length_m > 0 && each.width_m > 0 && each.length_m < 100 && each.width_m < 100)) {

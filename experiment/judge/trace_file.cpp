@@ -13,6 +13,7 @@
 
 #include "env/scene.h"
 #include "experiment/judge/csv_line.h"
+#include "interpreter/support/markup.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
@@ -66,6 +67,18 @@ std::vector<CsvField> fields_of(std::string_view line) {
     field.text = trimmed(field.text);
   }
   return fields;
+}
+
+/// The kinds of events in a field, which a `;` separates.
+std::vector<std::string_view> kinds_in(std::string_view events) {
+  std::vector<std::string_view> kinds;
+  while (!events.empty()) {
+    const std::size_t end = std::min(events.find(';'), events.size());
+    const std::string_view kind = trimmed(events.substr(0, end));
+    if (!kind.empty()) kinds.push_back(kind);
+    events.remove_prefix(std::min(end + 1, events.size()));
+  }
+  return kinds;
 }
 
 std::optional<ActorKind> find_kind(std::string_view text) {
@@ -214,7 +227,14 @@ class TraceParser {
     const auto actor = read_actor(fields);
     if (!good || !actor) return;
     row.actor = *actor;
-    if (const CsvField* const events = field(fields, kEvent)) row.events = events->text;
+    if (const CsvField* const events = field(fields, kEvent)) {
+      row.events = events->text;
+      for (const std::string_view kind : kinds_in(row.events)) {
+        if (is_label(kind)) continue;
+        error(events->where, fmt::format("'{}' cannot be the name of an event", kind),
+              std::string(kLabelHint));
+      }
+    }
     if (!add_time(fields[*columns_[kTime]].where, time)) return;
     row.scene = times_.size() - 1;
     if (!seen_.insert({row.scene, row.actor}).second) {
@@ -236,14 +256,20 @@ class TraceParser {
   std::optional<std::size_t> read_actor(const std::vector<CsvField>& fields) {
     const auto& [called_where, called] = fields[*columns_[kActor]];
     const auto& [kind_where, kind_text] = fields[*columns_[kKind]];
-    if (called.empty()) error(called_where, "an actor without a name");
+    const bool is_named = is_label(called);
+    if (called.empty()) {
+      error(called_where, "an actor without a name");
+    } else if (!is_named) {
+      error(called_where, fmt::format("'{}' cannot be the name of an actor", called),
+            std::string(kLabelHint));
+    }
     const auto kind = find_kind(kind_text);
     if (!kind) {
       error(kind_where,
             fmt::format("unknown kind '{}', expected vehicle, pedestrian, cyclist or signal",
                         kind_text));
     }
-    if (called.empty() || !kind) return std::nullopt;
+    if (!is_named || !kind) return std::nullopt;
     const BoxSize usual = size_of(*kind);
     Actor actor{called, *kind, usual.length_m, usual.width_m};
     if (!read_size(fields, kLength, actor.length_m) || !read_size(fields, kWidth, actor.width_m)) {
@@ -373,11 +399,7 @@ class TraceParser {
   }
 
   static void add_events(const Row& row, std::size_t actor, Recording& recording) {
-    for (std::string_view rest = row.events; !rest.empty();) {
-      const std::size_t end = std::min(rest.find(';'), rest.size());
-      const std::string_view kind = trimmed(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-      if (kind.empty()) continue;
+    for (const std::string_view kind : kinds_in(row.events)) {
       recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(row.scene),
                                   .actor = static_cast<std::uint32_t>(actor),
                                   .kind = std::string(kind),

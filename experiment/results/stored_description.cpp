@@ -69,13 +69,13 @@ void read_plan(Database& database, ExperimentDescription& description) {
   Statement behaviour(database, "SELECT name, code_lines FROM behaviours ORDER BY id");
   while (behaviour.step()) {
     description.behaviours.push_back(
-        {.name = behaviour.text(0), .code_lines = behaviour.integer<std::uint64_t>(1)});
+        {.name = behaviour.identifier(0), .code_lines = behaviour.integer<std::uint64_t>(1)});
   }
   Statement parameter(database, "SELECT behaviour, name, value FROM parameters ORDER BY id");
   while (parameter.step()) {
     for (StoredBehaviour& each : description.behaviours) {
       if (each.name == parameter.text(0)) {
-        each.parameters.emplace_back(parameter.text(1), parameter.text(2));
+        each.parameters.emplace_back(parameter.label(1), parameter.text(2));
       }
     }
   }
@@ -83,7 +83,7 @@ void read_plan(Database& database, ExperimentDescription& description) {
   while (agents.step()) description.agents.push_back(agents.integer<std::uint32_t>(0));
   Statement vehicle(database, "SELECT name FROM vehicles ORDER BY id");
   description.vehicles.clear();
-  while (vehicle.step()) description.vehicles.push_back(vehicle.text(0));
+  while (vehicle.step()) description.vehicles.push_back(vehicle.label(0));
 }
 
 // More than any scenario can ask for; nothing that is counted with them wraps.

@@ -1,7 +1,6 @@
 #include "experiment/scenario/scenario.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -14,15 +13,10 @@
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/scenario/scenario_yaml.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
-
-bool is_behaviour_name(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-';
-  });
-}
 
 ConfigNode map_of(std::string key, ConfigNode value) {
   ConfigNode map;
@@ -383,10 +377,10 @@ class ScenarioBuilder {
     }
     std::set<std::string_view> names;
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
-      if (!is_behaviour_name(behaviour.name)) {
+      if (!is_identifier(behaviour.name)) {
         report(diagnostics_, behaviour.origin,
                fmt::format("'{}' cannot be the name of a behaviour", behaviour.name),
-               "names consist of letters, digits, _ and -; give another one as 'name'");
+               fmt::format("{}; give another one as 'name'", kIdentifierHint));
       } else if (!names.insert(behaviour.name).second) {
         report(diagnostics_, behaviour.origin,
                fmt::format("a second behaviour with the name '{}'", behaviour.name),

@@ -15,6 +15,7 @@
 #include "interpreter/support/input/read_pipe.h"
 #include "interpreter/support/read_program.h"
 #include "interpreter/support/remarks.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -58,19 +59,6 @@ bool is_ascii_word(std::string_view text, std::size_t at) {
   std::uint64_t word = kHighBits;
   if (text.size() - at >= sizeof(word)) std::memcpy(&word, text.data() + at, sizeof(word));
   return (word & kHighBits) == 0;
-}
-
-std::optional<std::size_t> first_bad_byte(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    if (is_ascii_word(text, at)) {
-      at += sizeof(std::uint64_t);
-      continue;
-    }
-    const std::size_t length = character_length(text, at);
-    if (length == 0) return at;
-    at += length;
-  }
-  return std::nullopt;
 }
 
 // The text with U+FFFD for each byte that is not part of a character.
@@ -132,6 +120,19 @@ SourcePtr as_source(const std::string& path, std::string text) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> first_bad_byte(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    if (is_ascii_word(text, at)) {
+      at += sizeof(std::uint64_t);
+      continue;
+    }
+    const std::size_t length = character_length(text, at);
+    if (length == 0) return at;
+    at += length;
+  }
+  return std::nullopt;
+}
 
 Result<SourcePtr> read_source(const std::string& path, std::size_t max_bytes) {
   Result<std::string> text = read_bytes(path, max_bytes);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ namespace jaywalk {
 [[nodiscard]] inline std::size_t character_count(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
+
+/// Where the text stops being UTF-8 (RFC 3629); nothing if all of it is.
+[[nodiscard]] std::optional<std::size_t> first_bad_byte(std::string_view text);
 
 inline constexpr std::string_view kBlanks = " \t\r\n";
 

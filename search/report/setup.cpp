@@ -57,12 +57,11 @@ std::string fitness_text(const SearchExperiment& experiment) {
 }
 
 std::string command(const SearchExperiment& experiment) {
-  std::string text = "jaywalk search " + reporting::shell_quoted(experiment.name);
+  std::string text = "jaywalk search " + shell_quoted(experiment.name);
   const SearchOptions& options = experiment.options;
-  for (const std::string& set : options.sets) text += " --set " + reporting::shell_quoted(set);
+  for (const std::string& set : options.sets) text += " --set " + shell_quoted(set);
   if (!options.generators.empty()) {
-    text += " --generators " +
-            reporting::shell_quoted(fmt::format("{}", fmt::join(options.generators, ",")));
+    text += " --generators " + shell_quoted(fmt::format("{}", fmt::join(options.generators, ",")));
   }
   return text + fmt::format(" --repetitions {} --seed {}", experiment.plan.repetitions,
                             experiment.plan.seed);

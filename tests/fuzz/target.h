@@ -24,6 +24,9 @@ struct Case {
   std::vector<std::vector<std::string>> commands;
   /// The commands' standard input.
   std::string input;
+  /// The beginnings of names in the folder under which the commands may write. It does harm if they
+  /// make another file there, or one beside the folder; empty: files are not looked at.
+  std::vector<std::string> outputs = {};
 };
 
 struct Target {

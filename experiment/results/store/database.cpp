@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/store/descriptor_vfs.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -224,6 +225,19 @@ std::string Statement::text(int column) const {
   const void* const bytes = sqlite3_column_blob(statement_.get(), column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   return bytes == nullptr ? std::string() : std::string(static_cast<const char*>(bytes), size);
+}
+
+std::string Statement::identifier(int column) const {
+  std::string name = text(column);
+  if (!is_identifier(name)) damaged(column, fmt::format("'{}', which is no name", name));
+  return name;
+}
+
+std::string Statement::label(int column) const {
+  std::string name = text(column);
+  if (!name.empty() && !is_label(name))
+    damaged(column, fmt::format("'{}', which is no name", name));
+  return name;
 }
 
 void Statement::set(int index, std::int64_t value) {

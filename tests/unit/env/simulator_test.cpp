@@ -161,6 +161,13 @@ TEST_F(SimulatedCrossing, RefusesTrafficWithTheNameOfAnActor) {
   EXPECT_THAT(crossing_->failure(), HasSubstr("a second actor 'p1'"));
 }
 
+TEST_F(SimulatedCrossing, RefusesTrafficWhoseNameIsAFormula) {
+  begin({scene(0, 0, -0.75,
+               R"(,"traffic":[{"kind":"vehicle","length":4,"width":2,"name":"=1+1","x":0,"y":0,)"
+               R"("heading":0,"speed":0}])")});
+  EXPECT_THAT(crossing_->failure(), HasSubstr("'=1+1' cannot be the name of an actor"));
+}
+
 TEST_F(SimulatedCrossing, ToleratesSinglePrecision) {
   begin({scene(0, 0, -0.75), scene(1, 1, 8.2499999)});
   crossing_->advance();

@@ -120,10 +120,37 @@ TEST_F(WriteFile, ReplacesTheFileAndLeavesNothingElse) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+TEST_F(WriteFile, FollowsALinkThatTheUserNamedAndReplacesOthers) {
+  EXPECT_EQ(write_file(path("target"), "mine"), std::nullopt);
+  fs::create_symlink("target", path("link"));
+  EXPECT_EQ(write_file(path("link"), "theirs", Links::replaced), std::nullopt);
+  EXPECT_EQ(content(path("target")), "mine");
+  EXPECT_EQ(content(path("link")), "theirs");
+  EXPECT_FALSE(fs::is_symlink(path("link")));
+  fs::create_symlink("target", path("named"));
+  EXPECT_EQ(write_file(path("named"), "new"), std::nullopt);
+  EXPECT_EQ(content(path("target")), "new");
+  fs::create_directory_symlink(".", path("folder"));
+  EXPECT_EQ(write_file(path("folder"), "a file", Links::replaced), std::nullopt);
+  EXPECT_EQ(content(path("folder")), "a file");
+}
+
+TEST(PathIn, StaysInTheFolderWhateverTheNameIs) {
+  using namespace std::string_literals;
+  EXPECT_EQ(path_in("out", "proximity_25-10-test-7.xosc"), "out/proximity_25-10-test-7.xosc");
+  EXPECT_EQ(path_in("out", "../x.json"), "out/_._x.json");
+  EXPECT_EQ(path_in("out", "/etc/passwd"), "out/_etc_passwd");
+  EXPECT_EQ(path_in("out", ".."), "out/_.");
+  EXPECT_EQ(path_in("out", ".bashrc"), "out/_bashrc");
+  EXPECT_EQ(path_in("out", ""), "out/_");
+  EXPECT_EQ(path_in("out", "a\0b\x1b[2J=\xC3\xA4"s), "out/a_b__2J___");
+}
+
 TEST_F(WriteFile, SaysWhyItCannot) {
   EXPECT_EQ(write_file(path("missing/a.csv"), "x"), "No such file or directory");
   EXPECT_EQ(write_file(folder_.string(), "x"), "it is a folder");
   EXPECT_EQ(write_file("/dev/full", "x"), "No space left on device");
+  EXPECT_EQ(write_file(path("a") + std::string(1, '\0'), "x"), "Invalid argument");
 }
 
 }  // namespace

@@ -182,6 +182,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "folder/test.yaml:1:21: error: a second behaviour with the name 'a'"},
         Mistake{"behaviours: [a b.asl]\n",
                 "folder/test.yaml:1:14: error: 'a b' cannot be the name of a behaviour"},
+        Mistake{"behaviours: [{name: -a, program: a.asl}]\n",
+                "folder/test.yaml:1:14: error: '-a' cannot be the name of a behaviour"},
         Mistake{"behaviours: [{name: a}]\n",
                 "folder/test.yaml:1:14: error: a behaviour without 'program', the path of its "
                 ".asl file"},

@@ -55,6 +55,18 @@ TEST_F(ScenarioTextTest, PutsTheReferencePointOfAPedestrianInItsMiddle) {
   EXPECT_THAT(document, HasSubstr("<Center x=\"0.0000\" y=\"0\" z=\"0.900\"/>"));
 }
 
+TEST_F(ScenarioTextTest, EscapesTheNamesOfActors) {
+  Recording named(
+      1, {{"av", ActorKind::vehicle, 4, 2}, {"p<1> & \"2\"", ActorKind::pedestrian, 0.5, 0.5}});
+  for (std::size_t tick = 0; tick < recording_.scenes(); ++tick) named.add(recording_.scene(tick));
+  recording_ = named;
+  for (const std::string& document : {text().trajectories("t", timed_courses(recording_)),
+                                      text().reactive("t", reactive_courses(recording_))}) {
+    EXPECT_THAT(document, HasSubstr("entityRef=\"p&lt;1&gt; &amp; &quot;2&quot;\""));
+    EXPECT_THAT(document, Not(HasSubstr("p<1>")));
+  }
+}
+
 TEST_F(ScenarioTextTest, GivesNothingNoSign) {
   recording_ = drive(1, {steps({-1e-9, 0}, {0, 10}, 4), steps({-1e-9, 60}, {0, 1}, 4)});
   const std::string document = text().trajectories("t", timed_courses(recording_));

@@ -77,7 +77,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                     arguments.has(option::kReplays) ? ReplayPages::beside : ReplayPages::none,
                     commands_of(arguments), console);
   if (!page) return ExitCode::usage;
-  if (!write_output(html, *page, console)) return ExitCode::failed;
+  const Links links = arguments.has(option::kHtml) ? Links::followed : Links::replaced;
+  if (!write_output(html, *page, console, links)) return ExitCode::failed;
   if (!arguments.has(option::kHtml)) console.print(html + '\n');
   return ExitCode::success;
 }
