@@ -40,6 +40,9 @@ Colour colour_for(ColourChoice choice, bool is_terminal) {
   return is_terminal && !unwanted ? Colour::on : Colour::off;
 }
 
+/// To standard error. Text that cannot be written there is lost; fmt::print() would throw.
+void print_error(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 constexpr spdlog::level::level_enum spdlog_level(LogLevel level) {
   constexpr std::array kLevels = {spdlog::level::debug, spdlog::level::info, spdlog::level::warn,
                                   spdlog::level::err};
@@ -84,22 +87,20 @@ void Console::set_command_line(CommandLine line) { command_line_ = std::move(lin
 
 void Console::report(const Diagnostics& diagnostics) {
   flush();
-  const std::string text = command_line_.render(diagnostics, error_colour_);
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  print_error(command_line_.render(diagnostics, error_colour_));
 }
 
 void Console::error(std::string_view message, std::string_view hint) {
   const bool colour = error_colour_ == Colour::on;
   flush();
-  fmt::print(stderr, "{}error:{} {}\n", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "",
-             visible(message, LineBreaks::kept));
+  print_error(fmt::format("{}error:{} {}\n", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "",
+                          visible(message, LineBreaks::kept)));
   if (!hint.empty()) note(fmt::format("  hint: {}", hint));
 }
 
 void Console::note(std::string_view line) {
   flush();
-  const std::string text = visible(line, LineBreaks::kept) + '\n';
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  print_error(visible(line, LineBreaks::kept) + '\n');
 }
 
 void Console::wrote(const std::string& path) {
