@@ -194,7 +194,8 @@ void give_policies(const Scenario& scenario, const SymbolTable& symbols,
     errors.error(source->name(), "the policy is for none of the behaviours",
                  why.empty() ? "none of them has plans that are labelled learned(P)" : why);
   }
-  for (std::size_t i = 0; i < behaviours.size() && !scenario.policies.empty(); ++i) {
+  if (errors.has_errors() || scenario.policies.empty()) return;
+  for (std::size_t i = 0; i < behaviours.size(); ++i) {
     if (plans[i].empty() || behaviours[i].policy != nullptr) continue;
     warnings.warning(SourceSpan{}, "",
                      fmt::format("{} has no policy and chooses by chance", behaviours[i].name));

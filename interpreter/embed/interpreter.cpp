@@ -107,15 +107,16 @@ Interpreter::Interpreter(MasOptions options, const EnvironmentMaker& make_enviro
   if (make_environment) environment_ = make_environment(*symbols);
   if (!options.load_program) {
     options.load_program = [this](const ProgramRequest& request, SymbolTable&,
-                                  std::string& error) -> std::shared_ptr<const Program> {
-      error = why_denied("read", request.file);
-      if (!error.empty()) return nullptr;
+                                  LoadProblem& problem) -> std::shared_ptr<const Program> {
+      problem.text = why_denied("read", request.file);
+      problem.is_refused = !problem.text.empty();
+      if (problem.is_refused) return nullptr;
       Diagnostics diagnostics;
       const SourceTree tree = load_agent(request.file, include_path_, diagnostics);
       auto program = compiled(tree, std::move(diagnostics),
                               {.ns = request.ns, .fresh_labels = request.included});
       if (program) return program.value();
-      error = program.diagnostics().items().front().message;
+      problem.text = program.diagnostics().items().front().message;
       return nullptr;
     };
   }

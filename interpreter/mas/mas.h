@@ -38,6 +38,7 @@ class OptionPolicies;
 class Program;
 class ReasoningObserver;
 struct Customisation;
+struct LoadProblem;
 struct ProgramRequest;
 
 /// A belief given from outside: it takes the place of the program's initial beliefs of that name
@@ -86,10 +87,10 @@ struct MasOptions {
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
   /// Loads a program during the run (of an agent that is created, or for `.include`) into the run's
-  /// own symbols; null after setting `error`. With a program, `error` is what was left out of it.
+  /// own symbols; null after setting `problem`, which with a program is what was left out of it.
   /// Not set: that is not possible.
   std::function<std::shared_ptr<const Program>(const ProgramRequest& request, SymbolTable& symbols,
-                                               std::string& error)>
+                                               LoadProblem& problem)>
       load_program;
   /// Writes a file for `.save_agent`; false after setting `error`. Not set: nothing can be written.
   std::function<bool(const std::string& file, const std::string& text, std::string& error)>

@@ -76,7 +76,7 @@ class Mas::Implementation : public AgentHost, public Society {
   // Society
   [[nodiscard]] std::vector<std::string> names() const override;
   [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
-                                                    std::string& error) override;
+                                                    LoadProblem& problem) override;
   [[nodiscard]] bool save(const std::string& file, const std::string& text,
                           std::string& error) override;
   [[nodiscard]] std::string why_not_list(const std::string& folder) override;

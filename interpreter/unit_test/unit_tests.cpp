@@ -234,8 +234,8 @@ class TestRun {
     const fs::path folder = fs::path(test_.file).parent_path();
     options.load_program =
         [loader = std::make_shared<ProgramLoader>(folder.string(), include_path_)](
-            const ProgramRequest& request, SymbolTable& symbols, std::string& error) {
-          return loader->load(request, symbols, error);
+            const ProgramRequest& request, SymbolTable& symbols, LoadProblem& problem) {
+          return loader->load(request, symbols, problem);
         };
     return options;
   }

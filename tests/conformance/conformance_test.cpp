@@ -52,11 +52,11 @@ std::string end_text(RunEnd end) {
 /// Files are read from, and written to, the test's own.
 void keep_files_in_memory(ProgramFile& file) {
   file.options.load_program = [&file](const ProgramRequest& request, SymbolTable& symbols,
-                                      std::string& error) -> std::shared_ptr<const Program> {
+                                      LoadProblem& problem) -> std::shared_ptr<const Program> {
     file.files.try_emplace("");  // an agent may be created without a program
     const auto found = file.files.find(request.file);
     if (found == file.files.end()) {
-      error = request.file + ": no such file";
+      problem.text = request.file + ": no such file";
       return nullptr;
     }
     Diagnostics diagnostics;
@@ -64,7 +64,7 @@ void keep_files_in_memory(ProgramFile& file) {
     const SourceTree tree = load_agent(source, {}, diagnostics);
     auto program =
         compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
-    if (program == nullptr) error = diagnostics.render();
+    if (program == nullptr) problem.text = diagnostics.render();
     return program;
   };
   file.options.why_not_list = [](const std::string&) { return std::string(); };

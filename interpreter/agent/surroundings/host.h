@@ -45,6 +45,14 @@ struct ProgramRequest {
   std::string ns;
 };
 
+/// Why a program was not loaded, or what was left out of it.
+struct LoadProblem {
+  std::string text;  // empty: there is none
+  /// The agents may not read the file, so that `.include` fails; one that is missing or wrong it
+  /// leaves out.
+  bool is_refused = false;
+};
+
 /// The agents that live together: who there is, who comes and goes.
 class Society {
  public:
@@ -58,10 +66,10 @@ class Society {
 
   /// The agents' names, in the order of their creation.
   [[nodiscard]] virtual std::vector<std::string> names() const = 0;
-  /// The program in a file, for agents of this run; null after setting `error`. It lives as long as
-  /// the run.
+  /// The program in a file, for agents of this run; null after setting `problem`. It lives as long
+  /// as the run.
   [[nodiscard]] virtual std::shared_ptr<const Program> load(const ProgramRequest& request,
-                                                            std::string& error) = 0;
+                                                            LoadProblem& problem) = 0;
   /// Writes a program to a file; false after setting `error`.
   [[nodiscard]] virtual bool save(const std::string& file, const std::string& text,
                                   std::string& error) = 0;

@@ -158,18 +158,25 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
   return agents;
 }
 
-/// Where programs may write: in the working folder, and where the user says.
-AllowedFolders writable_folders(const Arguments& arguments) {
+/// Where programs may write: in the working folder, and where the user says. Nothing after
+/// reporting a folder that does not exist.
+std::optional<AllowedFolders> writable_folders(const Arguments& arguments, Console& console) {
   AllowedFolders writable(option::kAllowWrite.dashed());
   writable.add(".");
-  for (const std::string& folder : arguments.texts(option::kAllowWrite)) writable.add(folder);
-  return writable;
+  Diagnostics diagnostics;
+  for (const std::string& folder : arguments.texts(option::kAllowWrite)) {
+    if (is_folder(option::kAllowWrite, folder, diagnostics)) writable.add(folder);
+  }
+  console.report(diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : std::optional(writable);
 }
 
 /// `folder` is the one of the program or project.
 ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
                      ProgramCheck check, const Limits& limits, const Arguments& arguments,
                      Console& console) {
+  const std::optional<AllowedFolders> writable = writable_folders(arguments, console);
+  if (!writable) return ExitCode::usage;
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
   std::vector<AgentSpec> agents = compile_all(
@@ -181,16 +188,16 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   sources = {};  // which has a name for each of perhaps very many agents, as the agents have
   options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path)](
                              const ProgramRequest& request, SymbolTable& run_symbols,
-                             std::string& error) {
-    return loader->load(request, run_symbols, error);
+                             LoadProblem& problem) {
+    return loader->load(request, run_symbols, problem);
   };
   options.why_not_list = [readable =
                               include_path.readable_from(folder)](const std::string& listed) {
     const auto denial = readable.denial(listed);
     return denial ? fmt::format("cannot list {}: {}", listed, denial->text()) : std::string();
   };
-  options.save_program = [writable = writable_folders(arguments)](
-                             const std::string& file, const std::string& text, std::string& error) {
+  options.save_program = [writable = *writable](const std::string& file, const std::string& text,
+                                                std::string& error) {
     if (const auto denial = writable.denial(file)) {
       error = fmt::format("cannot write {}: {}", file, denial->text());
     } else {
