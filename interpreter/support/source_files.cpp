@@ -28,12 +28,28 @@ bool stays_below(std::string_view path) {
   return !normal.empty() && !normal.is_absolute() && *normal.begin() != "..";
 }
 
-/// Unit tests lie in a folder `tests` below the programs that they test.
-std::optional<std::string> tested_folder(const std::string& folder) {
+constexpr int kHighest = 4;
+
+fs::path absolute_folder(const std::string& folder) {
   std::error_code error;
   fs::path own = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
-  if (error) return std::nullopt;
   if (!own.has_filename()) own = own.parent_path();  // of `folder/`
+  return own;
+}
+
+/// The folder `agents` that a folder lies in or is: programs of one collection share what lies in
+/// it, whoever's copy of it they are in.
+std::optional<std::string> collection_of(const std::string& folder) {
+  fs::path above = absolute_folder(folder);
+  for (int i = 0; i < kHighest; ++i, above = above.parent_path()) {
+    if (above.filename() == "agents") return above.string();
+  }
+  return std::nullopt;
+}
+
+/// Unit tests lie in a folder `tests` below the programs that they test.
+std::optional<std::string> tested_folder(const std::string& folder) {
+  const fs::path own = absolute_folder(folder);
   if (own.filename() != "tests") return std::nullopt;
   return own.parent_path().string();
 }
@@ -56,6 +72,7 @@ AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
   readable.add(own);
   if (const auto project = find_project_folder(own)) readable.add(*project);
   if (const auto tested = tested_folder(own)) readable.add(*tested);
+  if (const auto collection = collection_of(own)) readable.add(*collection);
   if (!library_.empty()) readable.add(library_);
   return readable;
 }
@@ -112,10 +129,8 @@ std::vector<std::string> SourceFiles::installed_in(std::string_view folder) cons
 }
 
 std::optional<std::string> find_project_folder(const std::string& folder) {
-  constexpr int kHighest = 4;
   std::error_code error;
-  fs::path above = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
-  if (!above.has_filename()) above = above.parent_path();  // of `folder/`
+  fs::path above = absolute_folder(folder);
   for (int i = 0; i < kHighest && !error; ++i, above = above.parent_path()) {
     for (fs::directory_iterator entry(above, error), end; !error && entry != end;
          entry.increment(error)) {

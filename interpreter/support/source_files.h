@@ -32,7 +32,8 @@ class SourceFiles {
   /// Programs may read what lies in this folder, besides their own (`--allow-read`).
   void allow_reading(const std::string& folder) { readable_.add(folder); }
   /// What a program in `folder` may read of the disk: what lies there, in the project that the
-  /// folder belongs to, among the installed programs and where allow_reading() says.
+  /// folder belongs to, in a folder `agents` that it lies in, among the installed programs and
+  /// where allow_reading() says.
   [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
   /// Whether that matters: copies may be read by everybody.
   [[nodiscard]] bool are_on_disk() const { return !copies_; }
