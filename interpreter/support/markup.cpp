@@ -68,6 +68,20 @@ std::string escaped_xml(std::string_view text) {
   return result;
 }
 
+std::string escaped_uri(std::string_view path) {
+  std::string result;
+  for (const char c : path) {
+    const bool stays = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (stays) {
+      result += c;
+    } else {
+      result += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+  }
+  return result;
+}
+
 std::string in_script(std::string_view json) {
   std::string result;
   for (const char c : json) {

@@ -17,6 +17,10 @@ namespace jaywalk {
 /// `?`.
 [[nodiscard]] std::string escaped_xml(std::string_view text);
 
+/// A path within a URI: bytes other than ASCII letters and digits and `-._~/` become `%23`. Without
+/// that `#` and `?` would end the path.
+[[nodiscard]] std::string escaped_uri(std::string_view path);
+
 /// JSON as it may stand in an element `script`: nothing in it ends the element or begins a comment.
 [[nodiscard]] std::string in_script(std::string_view json);
 

@@ -1,6 +1,5 @@
 #include "experiment/results/store/database.h"
 
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -57,17 +56,8 @@ int flags_of(Database::Mode mode) {
 
 std::string file_uri(const std::string& path, std::string_view query) {
   std::error_code error;
-  std::string uri = "file:";
-  for (const char c : std::filesystem::absolute(path, error).generic_string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    // Everything else is escaped: `?` and `#` would begin another part of the URI.
-    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
-      uri += c;
-    } else {
-      uri += fmt::format("%{:02X}", byte);
-    }
-  }
-  return fmt::format("{}?{}", uri, query);
+  const std::string absolute = std::filesystem::absolute(path, error).generic_string();
+  return fmt::format("file:{}?{}", escaped_uri(absolute), query);
 }
 
 void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(connection); }

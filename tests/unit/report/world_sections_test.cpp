@@ -136,7 +136,7 @@ TEST(ReplaysSection, SaysWhichTestAndWhy) {
 TEST(ReplaysSection, LinksThePageThatPlaysTheTest) {
   const std::string html = section::replays(data_with(
       {.test = {.behaviour = 0, .agents = 1, .number = 0}, .page = "r-replays/a&b.html"}));
-  EXPECT_THAT(html, HasSubstr("<a href=\"r-replays/a&amp;b.html\">walk, 1 agent, test 0</a>"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"r-replays/a%26b.html\">walk, 1 agent, test 0</a>"));
 }
 
 TEST(ReplaysSection, HasACommandThatAShellTakesAsItIsMeant) {

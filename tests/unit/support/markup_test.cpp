@@ -37,6 +37,11 @@ TEST(Markup, LeavesNothingInAScriptThatEndsIt) {
             R"(["\u003c/script>","\u003c!--\u003cscript>","a\u003cb"])");
 }
 
+TEST(Markup, KeepsPathsWholeInUris) {
+  EXPECT_EQ(escaped_uri("/a-b/c_d.e~1"), "/a-b/c_d.e~1");
+  EXPECT_EQ(escaped_uri("a #1?%\xC3\xA4"), "a%20%231%3F%25%C3%A4");
+}
+
 TEST(Markup, ShowsControlCharacters) {
   EXPECT_EQ(visible("a\x1b[2Jb\r\x7f\tc\n"), "a\\x1b[2Jb\\x0d\\x7f\tc\\n");
   EXPECT_EQ(visible("two\nlines", LineBreaks::kept), "two\nlines");
