@@ -58,9 +58,9 @@ void Av::end(const DriveEnd& end) {
   if (controller_) controller_->end(end);
 }
 
-std::string Av::note() const {
-  if (simulated_) return simulated_->note();
-  return controller_ ? controller_->note() : "";
+std::vector<std::string> Av::take_notes() {
+  if (simulated_) return simulated_->take_notes();
+  return controller_ ? controller_->take_notes() : std::vector<std::string>();
 }
 
 std::string Av::failure() const {

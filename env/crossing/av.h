@@ -39,7 +39,7 @@ class Av {
   /// `actors` and `scene` are the world's, the AV is the first of them.
   void begin(DriveBriefing briefing, const std::vector<Actor>& actors, const Scene& scene);
   void end(const DriveEnd& end);
-  [[nodiscard]] std::string note() const;
+  [[nodiscard]] std::vector<std::string> take_notes();
   /// Why its controller or simulator can go on no longer; empty while all is well.
   [[nodiscard]] std::string failure() const;
 

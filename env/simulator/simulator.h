@@ -153,8 +153,8 @@ class Simulator {
                                             std::vector<SimulatedScene>& scenes) = 0;
   /// The test is over. Why something is wrong even so, if it is.
   [[nodiscard]] virtual std::string end(const DriveEnd& /*end*/) { return {}; }
-  /// What the scenario's author should know though all went on; usually empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Remarks on the test for the scenario's author, each once; usually none.
+  [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
 /// Where a body is after this share of the tick, from 0 to 1.

@@ -32,6 +32,9 @@ class ControllerProcess {
   [[nodiscard]] std::string decide(const VehicleView& view, std::uint64_t test,
                                    double& acceleration_mps2);
   [[nodiscard]] std::string end(nlohmann::json end);
+  /// As those of LineProcess.
+  void finish() { process_.finish(); }
+  [[nodiscard]] std::string take_errors() { return process_.take_errors(); }
 
  private:
   [[nodiscard]] std::string say_reset();

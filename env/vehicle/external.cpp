@@ -98,12 +98,20 @@ class External final : public VehicleController {
   }
 
   [[nodiscard]] std::string failure() const override { return failure_; }
-  [[nodiscard]] std::string note() const override {
-    if (excess_mps2_ == 0) return {};
-    return fmt::format(
-        "the controller '{}' asked for {:g} m/s2; a vehicle does {:.4g} to {:g}, to which its "
-        "answers are limited",
-        title_of(command_), excess_mps2_, -kHardestBrakingMps2, kHardestAccelerationMps2);
+  [[nodiscard]] std::vector<std::string> take_notes() override {
+    std::vector<std::string> notes;
+    if (excess_mps2_ != 0) {
+      notes.push_back(fmt::format(
+          "the controller '{}' asked for {:g} m/s2; a vehicle does {:.4g} to {:g}, to which its "
+          "answers are limited",
+          title_of(command_), excess_mps2_, -kHardestBrakingMps2, kHardestAccelerationMps2));
+    }
+    if (own_) own_->finish();
+    if (std::string errors = process().take_errors(); !errors.empty()) {
+      notes.push_back(fmt::format("the controller '{}' wrote to standard error:\n{}",
+                                  title_of(command_), errors));
+    }
+    return notes;
   }
 
  private:

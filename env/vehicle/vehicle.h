@@ -169,8 +169,8 @@ class VehicleController {
   }
   /// Why it can go on no longer (an external process died, say); empty while all is well.
   [[nodiscard]] virtual std::string failure() const { return {}; }
-  /// What its author should know though all went on; usually empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Remarks on the test for its author, each once; usually none.
+  [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
 /// What no vehicle on a dry road exceeds: answers of external controllers are limited to that.

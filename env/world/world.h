@@ -80,8 +80,8 @@ class World : public Environment {
   virtual void begin(DriveBriefing briefing) = 0;
   /// Reports to the AV's controller how the test ended. REQUIRES: it is finished.
   virtual void end() = 0;
-  /// What the author of the AV's controller should know; usually empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Remarks on the test for the author of the AV's controller, each once; usually none.
+  [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
   /// Why the test cannot go on (a controller or simulator died, say); empty while all is well.
   [[nodiscard]] virtual std::string failure() const { return {}; }
   /// The same during the whole test, and where they are now.

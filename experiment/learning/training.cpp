@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiment/compare/experiment.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/files/sha256.h"
 #include "interpreter/support/text.h"
 
@@ -40,7 +41,7 @@ PolicyOrigin origin_of(const TrainingPlan& plan) {
   for (const std::string& set : plan.sets) texts += '\n' + set;
   return {.behaviour = behaviour_of(plan).name,
           .program_sha256 = texts_hash(behaviour_of(plan).sources),
-          .scenario = scenario.name,
+          .scenario = PortableNames({scenario.name}, scenario.files).in(scenario.name),
           .scenario_sha256 = sha256(texts),
           .agents = plan.agents,
           .seed = plan.seed,
@@ -107,6 +108,7 @@ void Training::run_test(std::uint64_t number, Lesson& lesson) {
                             .policies = &*lesson.episodes,
                             .interrupted = plan_.interrupted};
   TestRun result = runners_.run(setup, options);
+  notes_.add(number, result.notes);
   lesson.errored = !result.completed;
   lesson.interrupted = result.interrupted;
   lesson.message = std::move(result.message);

@@ -13,6 +13,7 @@
 
 #include "experiment/learning/rewards.h"
 #include "experiment/policy/policy.h"
+#include "experiment/test_run/controller_notes.h"
 #include "experiment/test_run/prepared_scenario.h"
 #include "experiment/test_run/test_run.h"
 
@@ -50,6 +51,8 @@ class Training {
   [[nodiscard]] End run_generation(std::uint64_t most, std::string& problem);
 
   [[nodiscard]] const Policy& policy() const { return *policy_; }
+  /// Remarks on its tests for the author of the AV's controller.
+  [[nodiscard]] const ControllerNotes& notes() const { return notes_; }
 
  private:
   struct Lesson;
@@ -61,6 +64,7 @@ class Training {
   TrainingPlan plan_;
   std::shared_ptr<Policy> policy_;
   TestRunners runners_;
+  ControllerNotes notes_;
   Ground ground_;
   double discount_;  // of a tick
   std::set<std::string> covered_;

@@ -18,6 +18,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/excerpt.h"
+#include "interpreter/support/input/missing_file.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
@@ -92,8 +93,10 @@ class Preparation {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
     // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
     if (!include_path_.files.has(path)) {
+      std::string hint = similar_behaviour(path, installed_behaviours(world_, include_path_.files));
+      if (hint.empty() && include_path_.files.are_on_disk()) hint = hint_for_missing(path);
       report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path),
-             similar_behaviour(path, installed_behaviours(world_, include_path_.files)));
+             std::move(hint));
       return nullptr;
     }
     const SourceTree tree = load_agent(path, include_path_, diagnostics_);

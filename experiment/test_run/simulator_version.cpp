@@ -33,7 +33,9 @@ Result<std::string> simulator_version(const Scenario& scenario) {
   SimulatorIdentity identity;
   std::vector<SettingProblem> problems;
   if (const std::string why = simulator.identify(identity); !why.empty()) {
-    problems.push_back({{}, fmt::format("the simulator '{}': {}", parameters.name, why)});
+    std::string message = fmt::format("the simulator '{}': {}", parameters.name, why);
+    for (const std::string& note : simulator.take_notes()) message += '\n' + note;
+    problems.push_back({{}, std::move(message)});
   } else if (const auto site = scenario.world->site()) {
     problems = simulator.survey(*site);
   }

@@ -193,6 +193,14 @@ TestTroubles troubles_of(const Mas& mas, const WorldResult& outcome) {
   return troubles;
 }
 
+void shorten_paths(TestTroubles& troubles, const PortableNames& names) {
+  for (AgentDrop& drop : troubles.drops) {
+    for (std::string* const text : {&drop.cause.file, &drop.cause.message, &drop.cause.goals}) {
+      *text = names.in(std::move(*text));
+    }
+  }
+}
+
 void give_up(std::string why, TestRun& result) {
   result.completed = false;
   result.message = std::move(why);
@@ -219,19 +227,6 @@ void run_to_the_end(Mas& mas, const World& world, const TestOptions& options,
   }
 }
 
-/// Of a test that ended in the middle of anything.
-TestRun without_memory(const TestOptions& options) {
-  TestRun failed;
-  give_up("the machine has no memory left for the test", failed);
-  failed.troubles.error = failed.message;
-  if (options.record != nullptr) {
-    *options.record = Recording();
-    options.record->add(RecordedEvent{
-        .tick = 0, .actor = {}, .kind = std::string(kErrored), .text = failed.message});
-  }
-  return failed;
-}
-
 /// What the controller makes of the end may be wrong, too.
 void end_drive(World& world, TestRun& result) {
   world.end();
@@ -241,6 +236,18 @@ void end_drive(World& world, TestRun& result) {
 }
 
 }  // namespace
+
+TestRun errored_test(std::string why, const TestOptions& options) {
+  TestRun failed;
+  give_up(std::move(why), failed);
+  failed.troubles.error = failed.message;
+  if (options.record != nullptr) {
+    *options.record = Recording();
+    options.record->add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = std::string(kErrored), .text = failed.message});
+  }
+  return failed;
+}
 
 WorldStart start_of(const TestSetup& setup) {
   return {.agents = setup.agents,
@@ -352,13 +359,15 @@ TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
   // Asked again, since the run may have ended by a limit of its own just before.
   result.interrupted = !result.completed && options.interrupted && options.interrupted();
   if (result.completed) end_drive(*world, result);
-  result.note = world->note();
+  result.notes = world->take_notes();
+  if (options.names != nullptr) result.message = options.names->in(std::move(result.message));
   if (options.record != nullptr) record_events(*world, setup, result, *options.record);
   result.outcome = world->result();
   // A chain goes on as if a new one began.
   result.left_over = result.completed ? world->left_over() : 0;
   result.cycles = mas_->outcome().cycles;
   result.troubles = troubles_of(*mas_, result.outcome);
+  if (options.names != nullptr) shorten_paths(result.troubles, *options.names);
   if (!result.completed) result.troubles.error = result.message;
   result.cpu_s = mas_->reasoning_cpu_s();
   return result;
@@ -388,7 +397,7 @@ TestRun TestRunners::run(const TestSetup& setup, const TestOptions& options) {
     result = runner->run(setup, options);
   } catch (const std::bad_alloc&) {
     // Of the runner nothing is used again.
-    return without_memory(options);
+    return errored_test("the machine has no memory left for the test", options);
   }
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(runner));

@@ -17,6 +17,7 @@
 #include "env/world/world_spec.h"
 #include "experiment/judge/recording.h"
 #include "experiment/policy/policy.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/scenario.h"
 #include "experiment/test_run/covered_bins.h"
 #include "experiment/test_run/prepared_scenario.h"
@@ -64,6 +65,8 @@ struct TestOptions {
   ReasoningObserver* observer = nullptr;
   /// Whom agents ask that learn, in place of the behaviour's policy; null: that.
   OptionPolicies* policies = nullptr;
+  /// Shortens paths in what is kept of errors; null: they stay as they are.
+  const PortableNames* names = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the test is given up.
@@ -92,14 +95,17 @@ struct TestRun {
   std::string message;
   std::uint64_t cycles = 0;
   TestTroubles troubles;
-  /// What the author of the AV's controller should know; usually empty.
-  std::string note;
+  /// Remarks for the author of the AV's controller; usually none.
+  std::vector<std::string> notes;
   /// CPU time that the agents spent reasoning, if measured.
   double cpu_s = 0;
 };
 
 /// Its line in a table of single tests.
 [[nodiscard]] TestOutcome outcome_of(const TestRun& run);
+
+/// A test that is errored for that reason without having been run.
+[[nodiscard]] TestRun errored_test(std::string why, const TestOptions& options);
 
 /// Runs tests one after another, each as if it were the only one: what it has built for one is
 /// used again for the next, which with the same behaviour and number of agents costs little.

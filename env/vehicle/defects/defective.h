@@ -37,7 +37,7 @@ class Defective : public VehicleController {
   }
   void begin(const DriveBriefing& briefing) override { inner_->begin(briefing); }
   void end(const DriveEnd& end) override { inner_->end(end); }
-  [[nodiscard]] std::string note() const override { return inner_->note(); }
+  [[nodiscard]] std::vector<std::string> take_notes() override { return inner_->take_notes(); }
   [[nodiscard]] double longest_period_s() const override { return inner_->longest_period_s(); }
   [[nodiscard]] std::string failure() const override { return inner_->failure(); }
 
