@@ -138,6 +138,21 @@ void check_vehicle(const VehicleParameters& vehicle, const std::optional<Vehicle
   if (twin) check_command(*twin, "world.av.twin", scenario, context);
 }
 
+void warn_of_speed(double mps, const std::string& path, std::string unit,
+                   const SectionContext& context) {
+  constexpr double kFastMps = 60;
+  constexpr double kKmhInMps = 3.6;
+  const auto given = context.origins.find(path);
+  if (mps <= kFastMps || given == context.origins.end()) return;
+  context.diagnostics.add(
+      {.severity = Severity::warning,
+       .message = fmt::format("the AV drives at {:.4g} m/s ({:.4g} km/h)", mps, mps * kKmhInMps),
+       .where = given->second.where,
+       .hint = std::move(unit),
+       .code = {},
+       .subject = given->second.option});
+}
+
 void check_defects(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,
                    std::vector<ParameterProblem>& found) {
   if (!vehicle.defects.empty() && vehicle.model == "constant") {
