@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "env/config/reader.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_yaml.h"
 #include "interpreter/support/markup.h"
@@ -96,6 +97,7 @@ class ExperimentReader {
     for (const GeneratorSpec& spec : experiment_.plan.generators) {
       keep_inputs(experiment_.plan.model_of(spec));
     }
+    if (options_.files.are_on_disk()) make_portable();
     return std::move(experiment_);
   }
 
@@ -146,6 +148,21 @@ class ExperimentReader {
       const auto same = [&](const SourcePtr& each) { return each->name() == input->name(); };
       if (std::ranges::none_of(experiment_.inputs, same)) experiment_.inputs.push_back(input);
     }
+  }
+
+  /// Stores and pages are made from it now, and nothing is read any more.
+  void make_portable() {
+    std::vector<std::string> names{experiment_.name};
+    for (const SourcePtr& input : experiment_.inputs) names.push_back(input->name());
+    const PortableNames portable(names, options_.files);
+    experiment_.name = portable.in(experiment_.name);
+    for (SourcePtr& input : experiment_.inputs) {
+      input =
+          std::make_shared<const Source>(portable.in(input->name()), std::string(input->text()));
+    }
+    for (std::string& set : experiment_.options.sets) set = portable.in(std::move(set));
+    const std::string options = experiment_.origin.substr(experiment_.text.size());
+    experiment_.origin = experiment_.text + portable.in(options);
   }
 
   void read_sut(const ConfigNode& node, const std::string& path) {

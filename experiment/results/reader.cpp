@@ -202,6 +202,10 @@ Result<Recording> ResultsReader::recording(std::int64_t id) const {
   return recording;
 }
 
+Result<std::string> ResultsReader::error(std::int64_t id) const {
+  return impl_->checked(read_event(impl_->database(), id, kErrored));
+}
+
 Result<std::shared_ptr<const PreparedScenario>> ResultsReader::prepared() const {
   return impl_->prepare();
 }

@@ -61,9 +61,27 @@ SourceFiles::SourceFiles(std::span<const SourcePtr> copies) : copies_(std::in_pl
 }
 
 std::string SourceFiles::place(const std::string& path) const {
-  if (library_.empty() || !path.starts_with(kLibraryPrefix)) return path;
-  const std::string below = path.substr(kLibraryPrefix.size());
-  return stays_below(below) ? (fs::path(library_) / below).string() : path;
+  const bool is_list = !assertions_.empty() && path.starts_with(kAssertionsPrefix);
+  const std::string& folder = is_list ? assertions_ : library_;
+  const std::string_view prefix = is_list ? kAssertionsPrefix : kLibraryPrefix;
+  if (folder.empty() || !path.starts_with(prefix)) return path;
+  const std::string below = path.substr(prefix.size());
+  return stays_below(below) ? (fs::path(folder) / below).string() : path;
+}
+
+std::string SourceFiles::installed_folder() const {
+  return library_.empty() ? std::string() : (fs::path(library_).parent_path() / "").string();
+}
+
+SourcePtr SourceFiles::find_copy(const std::string& path) const {
+  const bool is_absolute = fs::path(path).is_absolute();
+  for (std::size_t begin = 0; begin != std::string::npos;) {
+    const auto copy = copies_->find(path.substr(begin));
+    if (copy != copies_->end()) return copy->second;
+    const std::size_t slash = is_absolute ? path.find('/', begin) : std::string::npos;
+    begin = slash == std::string::npos ? slash : slash + 1;
+  }
+  return nullptr;
 }
 
 AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
@@ -78,7 +96,7 @@ AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
 }
 
 bool SourceFiles::has(const std::string& path) const {
-  if (copies_) return copies_->contains(path);
+  if (copies_) return find_copy(path) != nullptr;
   std::error_code error;
   return fs::is_regular_file(place(path), error);
 }
@@ -90,8 +108,7 @@ Result<SourcePtr> SourceFiles::read(const std::string& path, std::size_t max_byt
     if (!source || file == path) return source;
     return std::make_shared<const Source>(path, std::string(source.value()->text()));
   }
-  const auto found = copies_->find(path);
-  if (found != copies_->end()) return found->second;
+  if (SourcePtr copy = find_copy(path)) return copy;
   Diagnostics diagnostics;
   diagnostics.error(path, "no copy of this file was kept");
   return diagnostics;

@@ -1,9 +1,10 @@
 #pragma once
 
 // Where the texts of files are read from: the disk, or copies that were kept of them, so that what
-// was once read can be read again wherever the files are now. Programs that are installed with
-// Jaywalk have names of their own, `$jaywalk/crossing/proximity.asl`, which are the same wherever
-// it is installed; that is how copies of them are named, too.
+// was once read can be read again wherever the files are now. Programs and lists of assertions that
+// are installed with Jaywalk have names of their own, `$jaywalk/crossing/proximity.asl` and
+// `$jaywalk/assertions/crossing.yaml`, which are the same wherever it is installed; that is how
+// copies of them are named, too.
 
 #include <map>
 #include <optional>
@@ -19,13 +20,15 @@ namespace jaywalk {
 
 /// How the names of installed programs begin; a folder for each world follows.
 inline constexpr std::string_view kLibraryPrefix = "$jaywalk/";
+inline constexpr std::string_view kAssertionsPrefix = "$jaywalk/assertions/";
 
 class SourceFiles {
  public:
   /// The disk, without installed programs.
   SourceFiles() = default;
-  /// The disk; the installed programs are in the folder `library`.
-  explicit SourceFiles(std::string library) : library_(std::move(library)) {}
+  /// The disk; the installed programs are in the folder `library`, lists of assertions in another.
+  explicit SourceFiles(std::string library, std::string assertions = {})
+      : library_(std::move(library)), assertions_(std::move(assertions)) {}
   /// These, by their names, and no others.
   explicit SourceFiles(std::span<const SourcePtr> copies);
 
@@ -45,6 +48,9 @@ class SourceFiles {
                                        std::size_t max_bytes = std::size_t{64} << 20U) const;
   /// The file on the disk that a name means. REQUIRES: there are no copies.
   [[nodiscard]] std::string place(const std::string& path) const;
+  /// The folder of all that is installed with Jaywalk, with a slash at its end; empty: there is
+  /// none.
+  [[nodiscard]] std::string installed_folder() const;
 
   /// The name of the installed program of that path below the folder of some world:
   /// `$jaywalk/crossing/shared/steps.asl` for `shared/steps.asl`.
@@ -53,8 +59,13 @@ class SourceFiles {
   [[nodiscard]] std::vector<std::string> installed_in(std::string_view folder) const;
 
  private:
+  /// The copy of that name. An absolute path, as a text may have it, means the copy whose name it
+  /// ends with (PortableNames). Null: there is none.
+  [[nodiscard]] SourcePtr find_copy(const std::string& path) const;
+
   std::optional<std::map<std::string, SourcePtr>> copies_;
-  std::string library_;  // empty: none
+  std::string library_;     // empty: none
+  std::string assertions_;  // empty: none
   AllowedFolders readable_;
 };
 
