@@ -67,8 +67,15 @@ class FileReader {
 
  private:
   void list(const ConfigNode& node) {
-    if (node.kind != ConfigNode::Kind::list || node.items.empty() ||
-        node.items.size() > kMaxAssertions) {
+    if (node.kind == ConfigNode::Kind::list && node.items.size() > kMaxAssertions) {
+      reader_.error(node.origin,
+                    fmt::format("expected at most {} assertions, found {}", kMaxAssertions,
+                                node.items.size()),
+                    "each test is judged by each of them, and the limit bounds what a file costs; "
+                    "--assertions takes several files");
+      return;
+    }
+    if (node.kind != ConfigNode::Kind::list || node.items.empty()) {
       reader_.unexpected(node, fmt::format("a list of 1 to {} assertions", kMaxAssertions));
       return;
     }

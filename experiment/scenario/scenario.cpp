@@ -13,6 +13,7 @@
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/scenario/scenario_yaml.h"
+#include "interpreter/support/input/missing_file.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk {
@@ -45,6 +46,7 @@ class ScenarioBuilder {
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
     finish();
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    draft_.scenario.warnings = std::move(diagnostics_);
     return std::move(draft_.scenario);
   }
 
@@ -188,6 +190,7 @@ class ScenarioBuilder {
       names.push_back(behaviour_name(installed));
     }
     std::string hint = did_you_mean(wanted, names);
+    if (hint.empty() && options_.files.are_on_disk()) hint = hint_for_missing(wanted);
     if (hint.empty()) hint = "`jaywalk list behaviours` names the installed ones";
     diagnostics_.error(option,
                        "neither a behaviour of the scenario, an installed one nor an .asl file",
@@ -300,7 +303,8 @@ class ScenarioBuilder {
     Result<SourcePtr> source = options_.files.read(*draft_.assertions_file, kMaxScenarioBytes);
     if (!source.ok()) {
       report(diagnostics_, origin_of("assertions"),
-             fmt::format("no assertions are at '{}'", *draft_.assertions_file));
+             fmt::format("no assertions are at '{}'", *draft_.assertions_file),
+             hint_for_missing(*draft_.assertions_file));
       return;
     }
     draft_.scenario.sources.push_back(source.value());

@@ -15,10 +15,9 @@ namespace {
 // What a scenario may ask for; generous, but safe to multiply.
 constexpr IntegerRange kTests{1, 1'000'000'000};
 constexpr IntegerRange kGenerations{0, 1'000'000'000};
-constexpr IntegerRange kLimits{0, 1'000'000'000'000'000};
-constexpr IntegerRange kMegabytes{0, 1'000'000'000};
+constexpr IntegerRange kLimits{0, TestLimits::kMost};
+constexpr IntegerRange kMegabytes{0, TestLimits::kMostMegabytes};
 constexpr IntegerRange kSeeds{0, INT64_MAX};
-constexpr std::uint32_t kMaxAgents = 10'000;
 
 class LayerReader : LayerPart {
  public:
@@ -246,13 +245,7 @@ class LayerReader : LayerPart {
       reader_.unexpected(node, "numbers of agents, 1..10,15,20");
       return;
     }
-    std::vector<std::uint32_t> numbers;
-    if (!read_numbers(text, node.origin, numbers)) return;
-    if (*std::max_element(numbers.begin(), numbers.end()) > kMaxAgents) {
-      reader_.error(node.origin, fmt::format("more than {} agents", kMaxAgents));
-      return;
-    }
-    draft_.scenario.experiment.agents = std::move(numbers);
+    (void)read_numbers(text, node.origin, draft_.scenario.experiment.agents);
   }
 
   bool read_numbers(std::string_view text, const ValueOrigin& origin,

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 
 void ControllerNotes::add(std::uint64_t place, std::span<const std::string> notes) {
@@ -28,8 +30,7 @@ std::vector<std::string> ControllerNotes::texts() const {
   std::vector<std::string> texts;
   for (const auto& [place, hash] : shown_) {
     const Entry& entry = entries_.at(hash);
-    texts.push_back(
-        fmt::format("in {} test{}, {}", entry.tests, entry.tests == 1 ? "" : "s", entry.text));
+    texts.push_back(fmt::format("in {}, {}", counted(entry.tests, "test"), entry.text));
   }
   if (entries_.size() > shown_.size()) {
     texts.push_back(

@@ -171,6 +171,10 @@ TEST(AssertionFile, RefusesWhatCannotBeMeant) {
   EXPECT_THAT(errors_of(""), HasSubstr("the file is empty"));
   EXPECT_THAT(errors_of("rules: []"), HasSubstr("unknown key 'rules'"));
   EXPECT_THAT(errors_of("assertions: []"), HasSubstr("a list of 1 to 200 assertions"));
+  std::string many = "assertions:\n";
+  for (int i = 0; i < 300; ++i) many += "  - {}\n";
+  EXPECT_THAT(errors_of(many), HasSubstr("expected at most 200 assertions, found 300"));
+  EXPECT_THAT(errors_of(many), HasSubstr("--assertions takes several files"));
   EXPECT_THAT(errors_of("assertions:\n  - id: a\n"), HasSubstr("an assertion without 'source'"));
   const std::string one = "  - {id: a, source: s, precondition: true, requirement: true}\n";
   EXPECT_THAT(errors_of("assertions:\n" + one + one),

@@ -50,8 +50,13 @@ Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
     return Proceed::yes;
   });
   if (failure) return std::move(*failure);
-  if (!chosen.empty() || !number) return chosen;
-  diagnostics.error(option::kTest.dashed(), fmt::format("the store has no test {}", *number));
+  if (!chosen.empty()) return chosen;
+  if (number) {
+    diagnostics.error(option::kTest.dashed(), fmt::format("the store has no test {}", *number));
+  } else {
+    diagnostics.error(store.path(), "no test of the store met the precondition",
+                      filter.succeeded ? "--all exports the others" : "");
+  }
   return diagnostics;
 }
 
@@ -143,12 +148,6 @@ CommandHelp help() {
 
 ExitCode execute(const Arguments& arguments, Console& console) {
   if (arguments.has(option::kList)) return list_exporters(console);
-  const auto& operands = arguments.operands();
-  if (operands.size() != 1) {
-    console.error(fmt::format("expected one store, found {}", operands.size()),
-                  "jaywalk export --help shows how to write it");
-    return ExitCode::usage;
-  }
   const std::array<std::string, 2> dialects{"standard", "carla"};
   Diagnostics diagnostics;
   const auto dialect =
@@ -159,12 +158,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const Exporter* exporter = wanted_exporter(arguments, console);
   if (exporter == nullptr) return ExitCode::usage;
-  const auto store = ResultsReader::open(operands[0], commands_of(arguments));
-  if (!store.ok()) {
-    console.report(store.diagnostics());
-    return ExitCode::usage;
-  }
-  return run(*exporter, *store.value(), dialect, arguments, console);
+  const auto store = open_results(arguments, "export", console);
+  if (!store) return ExitCode::usage;
+  return run(*exporter, *store, dialect, arguments, console);
 }
 
 }  // namespace jaywalk::command::export_

@@ -9,7 +9,7 @@
 
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/include_path.h"
-#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/repl/line_editor.h"
 #include "tools/jaywalk/repl/repl_completion.h"
 #include "tools/jaywalk/repl/repl_history.h"
@@ -94,9 +94,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const bool in_terminal = ::isatty(STDIN_FILENO) == 1 && console.output_is_terminal();
   const auto reader = in_terminal ? terminal_reader(repl_history_file()) : stream_reader(std::cin);
   ReplSession session(*include_path, console, in_terminal ? reader.get() : nullptr);
-  const std::string path =
-      arguments.operands().empty() ? std::string() : located(arguments.operands().front());
-  if (!session.load(path)) return ExitCode::usage;
+  Diagnostics wrong;
+  const auto files = input_files(arguments.operands(), kPrograms, wrong);
+  console.report(wrong);
+  if (wrong.has_errors()) return ExitCode::usage;
+  if (!session.load(files.empty() ? std::string() : files.front())) return ExitCode::usage;
   // A Ctrl-C that comes when a query has just ended must not end the conversation.
   if (in_terminal) std::signal(SIGINT, SIG_IGN);
   reader->complete_with(

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,9 +23,9 @@
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/store_options.h"
 #include "tools/jaywalk/options/usual_options.h"
 #include "tools/jaywalk/programs/program_check.h"
@@ -57,13 +58,10 @@ bool outputs_make_sense(const Arguments& arguments, const js::SearchExperiment& 
 
 std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  if (arguments.operands().size() != 1) {
-    diagnostics.error("search",
-                      fmt::format("expected one experiment, found {}", arguments.operands().size()),
-                      "jaywalk search --help shows how to write it");
-  }
+  const auto file =
+      only_input(arguments, "search", "experiment", std::array{InputKind::search}, diagnostics);
   const auto seed = arguments.number(option::kSeed, 0, diagnostics);
-  const auto repetitions = arguments.number(option::kRepetitions, 1, diagnostics);
+  const auto repetitions = arguments.number(option::kRepetitions, 1, diagnostics, 100'000);
   const unsigned threads = read_threads(arguments, diagnostics);
   std::vector<std::string> sets = arguments.texts(option::kSet);
   std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
@@ -72,12 +70,9 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
     for (std::string& file : policies) file = std::filesystem::absolute(file).string();
     sets.push_back(fmt::format("sut.policy={}", nlohmann::json(policies).dump()));
   }
+  report_repeated_keys(sets, diagnostics);
   if (arguments.has(option::kResume) && !arguments.has(option::kStore)) {
     diagnostics.error(option::kResume.dashed(), "there is no --store to go on with");
-  }
-  if (repetitions && *repetitions > 100'000) {
-    diagnostics.error(option::kRepetitions.dashed(),
-                      fmt::format("at most 100000, found {}", *repetitions));
   }
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
@@ -86,12 +81,11 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   auto include_path = read_include_path(arguments, console);
   if (!include_path) return std::nullopt;
   Result<js::SearchExperiment> experiment = js::read_search(
-      located(arguments.operands().front()),
-      {.sets = std::move(sets),
-       .defects = arguments.text(option::kDefects),
-       .generators = listed(arguments, option::kGenerators),
-       .files = std::move(include_path->files),
-       .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
+      *file, {.sets = std::move(sets),
+              .defects = arguments.text(option::kDefects),
+              .generators = listed(arguments, option::kGenerators),
+              .files = std::move(include_path->files),
+              .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
   if (!experiment.ok()) {
     console.report(experiment.diagnostics());
     return std::nullopt;
@@ -99,7 +93,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   if (!outputs_make_sense(arguments, experiment.value(), console)) return std::nullopt;
   const Scenario* const scenario = experiment.value().plan.model->scenario();
   if (scenario != nullptr && !arguments.has(option::kNoCheck)) {
-    Diagnostics warnings;
+    Diagnostics warnings = scenario->warnings;
     Checked checked;
     check_programs(*scenario, checked, warnings);
     console.report(warnings);
@@ -116,9 +110,10 @@ enum class Keep { tests, counts };
 
 js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, Console& console,
                       const InterruptGuard& interrupt, js::SearchKills* kills, Keep keep) {
-  constexpr int kShownErrors = 20;
+  constexpr std::size_t kShownErrors = 20;
   ProgressLine line(console);
-  int errors = 0;
+  std::uint64_t errored = 0;
+  std::set<std::string> errors;
   js::SearchObserver observer;
   observer.progress = [&](const js::SearchProgress& now) {
     line.show(now);
@@ -126,17 +121,21 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
   };
   observer.error = [&](const std::string& generator, std::uint32_t repetition,
                        const std::string& error) {
-    if (++errors > kShownErrors) return;
+    ++errored;
+    if (errors.size() == kShownErrors || !errors.insert(error).second) return;
     line.clear();
     console.note(fmt::format("{}, repetition {}: no result: {}", generator, repetition, error));
-    if (errors == kShownErrors) console.note("further tests without a result are only counted");
+    if (errors.size() == kShownErrors) console.note("other errors are only counted");
   };
   observer.finished = [&](std::size_t search, js::SearchRun& finished) {
     if (kills == nullptr) return;
     kills->add(search, finished);
     if (keep == Keep::counts) finished.tests = {};
   };
-  return js::run_searches(experiment.plan, log, observer);
+  js::SearchResults results = js::run_searches(experiment.plan, log, observer);
+  line.clear();
+  if (errored > errors.size()) console.note(fmt::format("{} tests had no result", errored));
+  return results;
 }
 
 }  // namespace

@@ -9,6 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kAssertions = "scenarios/assertions";
+
 /// The data's folder is found from the command's own, so that both may be moved together; where
 /// that is unknown it is the one that was configured.
 fs::path data_folder() {
@@ -30,6 +32,18 @@ std::string located(const std::string& path) {
   return fs::exists(shipped, error) ? shipped.string() : path;
 }
 
-SourceFiles files_on_disk() { return SourceFiles((data_folder() / "agents").string()); }
+std::string shipped_folder() { return data_folder().string(); }
+
+SourceFiles files_on_disk() {
+  const fs::path data = data_folder();
+  return SourceFiles((data / "agents").string(), (data / kAssertions).string());
+}
+
+std::string portable_assertions(const std::string& path) {
+  const fs::path folder = data_folder() / kAssertions;
+  const fs::path below = fs::path(path).lexically_relative(folder);
+  if (below.empty() || *below.begin() == "..") return path;
+  return std::string(kAssertionsPrefix) + below.generic_string();
+}
 
 }  // namespace jaywalk

@@ -32,7 +32,6 @@ namespace {
 constexpr std::uint64_t kStepsBetweenLooks = 4;
 
 constexpr std::uint64_t kMostThreads = 256;
-constexpr std::uint64_t kMostMegabytes = 1'000'000'000;
 
 struct Limits {
   MasOptions mas;
@@ -47,13 +46,13 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   limits.mas.max_run_inferences =
       arguments.number(option::kMaxInferences, 1, diagnostics).value_or(0);
   limits.mas.max_ticks = arguments.number(option::kMaxTicks, 1, diagnostics).value_or(0);
-  if (const auto megabytes = arguments.number(option::kMaxMemory, 1, diagnostics)) {
-    limits.mas.max_agent_bytes = std::min(*megabytes, kMostMegabytes) << 20U;
+  if (const auto megabytes =
+          arguments.number(option::kMaxMemory, 1, diagnostics, TestLimits::kMostMegabytes)) {
+    limits.mas.max_agent_bytes = *megabytes << 20U;
     limits.mas.max_system_bytes = limits.mas.max_agent_bytes;
   }
   limits.mas.realtime = arguments.has(option::kRealtime);
-  limits.mas.threads = static_cast<std::size_t>(
-      std::min(arguments.number(option::kThreads, 1, diagnostics).value_or(1), kMostThreads));
+  limits.mas.threads = arguments.number(option::kThreads, 1, diagnostics, kMostThreads).value_or(1);
   limits.timeout_s = arguments.positive(option::kTimeout, diagnostics);
   check_coverage_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
