@@ -8,6 +8,7 @@
 
 #include "experiment/results/reader.h"
 #include "experiment/test_run/test_run.h"
+#include "experiment/test_run/tested_vehicles.h"
 #include "interpreter/support/text.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/run/test_trace.h"

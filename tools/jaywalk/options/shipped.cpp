@@ -42,7 +42,7 @@ SourceFiles files_on_disk() {
 std::string portable_assertions(const std::string& path) {
   const fs::path folder = data_folder() / kAssertions;
   const fs::path below = fs::path(path).lexically_relative(folder);
-  if (below.empty() || *below.begin() == "..") return path;
+  if (folder.is_relative() || below.empty() || *below.begin() == "..") return path;
   return std::string(kAssertionsPrefix) + below.generic_string();
 }
 
