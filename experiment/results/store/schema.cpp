@@ -10,7 +10,7 @@
 namespace jaywalk {
 namespace {
 
-constexpr std::string_view kTables = R"sql(
+constexpr std::string_view kResultsTables = R"sql(
 CREATE TABLE experiment (
   id INTEGER PRIMARY KEY NOT NULL, scenario TEXT NOT NULL, seed INTEGER NOT NULL,
   first_test INTEGER NOT NULL, tests INTEGER NOT NULL, tick_s DOUBLE NOT NULL,
@@ -55,7 +55,7 @@ CREATE TABLE assessments (
   verdict TEXT NOT NULL, value DOUBLE, tick INTEGER, actor INTEGER, robustness DOUBLE);
 )sql";
 
-constexpr std::array kListed = {
+constexpr std::array kListedResults = {
     ListedTable{"observations", "where each actor was at each tick", "POINT"},
     ListedTable{"events", "what happened to an actor, and where", "POINT"},
     ListedTable{"experiment", "which scenario, seed and tests"},
@@ -81,9 +81,9 @@ void register_reference_system(Database& database, const Placement& placement) {
 
 void create_tables(Database& database, const Placement& placement) {
   create_geopackage(database, "metres: x to the right of the AV, y ahead");
-  database.execute(std::string(kTables));
+  database.execute(std::string(kResultsTables));
   if (placement.srs_id() > 0) register_reference_system(database, placement);
-  list_tables(database, kListed, placement.srs_id());
+  list_tables(database, kListedResults, placement.srs_id());
 }
 
 StoreKind results_store() {
@@ -112,7 +112,7 @@ std::string time_text(double seconds) {
 }
 
 void note_extents(Database& database, const Placement& placement) {
-  for (const ListedTable& layer : kListed) {
+  for (const ListedTable& layer : kListedResults) {
     if (layer.geometry.empty()) continue;
     database.execute(fmt::format(
         "UPDATE gpkg_contents SET (min_x, min_y, max_x, max_y) = (SELECT min({0}), min({1}), "
