@@ -114,7 +114,7 @@ Interpreter::Interpreter(MasOptions options, const EnvironmentMaker& make_enviro
       Diagnostics diagnostics;
       const SourceTree tree = load_agent(request.file, include_path_, diagnostics);
       auto program = compiled(tree, std::move(diagnostics),
-                              {.ns = request.ns, .fresh_labels = request.included});
+                              {.ns = request.ns, .fresh_names = request.included});
       if (program) return program.value();
       problem.text = program.diagnostics().items().front().message;
       return nullptr;
@@ -302,7 +302,7 @@ Diagnostics Interpreter::include(AgentId agent, const std::string& name, std::st
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>(name, std::move(text));
   const SourceTree tree = load_agent(source, {}, diagnostics);
-  auto program = compiled(tree, std::move(diagnostics), {.fresh_labels = true});
+  auto program = compiled(tree, std::move(diagnostics), {.fresh_names = true});
   if (!program) return std::move(program.diagnostics());
   const AtWork work(is_at_work_);
   const bool completed = mas_->intervene(

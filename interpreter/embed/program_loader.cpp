@@ -69,10 +69,10 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
                                            include_path_, diagnostics)
                               : load_agent(path, include_path_, diagnostics);
   auto program =
-      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
+      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_names = request.included});
   if (diagnostics.has_errors()) problem.text = first_error(diagnostics);
   if (program == nullptr) return nullptr;
-  loaded_[key] = {changed, program};
+  if (!request.included || !program->has_own_namespaces()) loaded_[key] = {changed, program};
   return program;
 }
 

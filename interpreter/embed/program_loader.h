@@ -22,8 +22,9 @@ class ProgramLoader {
   ProgramLoader(const std::string& folder, IncludePath include_path);
 
   /// Compiles a file into `symbols`, which must be the same table in every call. A file that has
-  /// not changed is read once. Null after setting `problem`; a program with a problem as well has
-  /// been loaded without the included file that has it.
+  /// not changed is read once, unless it is included and has namespaces of its own. Null after
+  /// setting `problem`; a program with a problem as well has been loaded without the included file
+  /// that has it.
   [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
                                                     SymbolTable& symbols, LoadProblem& problem);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/mas/mas.h"
+#include "interpreter/syntax/load.h"
 
 namespace jaywalk::test {
 
@@ -40,7 +41,7 @@ enum class Steps : std::uint8_t { many, one };
 [[nodiscard]] AgentRun run_agents(const std::vector<NamedProgram>& programs,
                                   MasOptions options = {},
                                   const EnvironmentMaker& make_environment = {},
-                                  Steps steps = Steps::many);
+                                  Steps steps = Steps::many, const IncludePath& includes = {});
 
 /// Runs one agent, called `agent`; what it printed, without its name.
 [[nodiscard]] std::vector<std::string> printed_by(std::string_view program,

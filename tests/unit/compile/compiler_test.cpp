@@ -93,7 +93,7 @@ TEST(Compiler, GivesLabelsThatTheTableDoesNotHaveWhereTheyMustBeNew) {
   const std::string text = "+!a(p__1).";
   const CompiledProgram usual(text);
   EXPECT_THAT(usual.text(usual.plan().label), HasSubstr("p__1["));
-  const CompiledProgram fresh(text, {.fresh_labels = true});
+  const CompiledProgram fresh(text, {.fresh_names = true});
   EXPECT_THAT(fresh.text(fresh.plan().label), HasSubstr("p__2["));
 }
 

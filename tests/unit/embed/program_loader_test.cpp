@@ -74,6 +74,20 @@ TEST_F(Loader, CompilesAFileAnewForAnotherPurpose) {
   EXPECT_NE(load(programs, {.file = "a.asl", .ns = "n"}), plain);
 }
 
+TEST_F(Loader, CompilesAnewWhatHasLocalNamespacesWhereverItIsIncluded) {
+  file("own/a.asl", "{ namespace(n, local) }\nn::b(1).\n");
+  file("own/b.asl", "b(1).\n");
+  ProgramLoader programs = loader();
+  const ProgramRequest local{.file = "a.asl", .included = true, .ns = "m"};
+  const auto first = load(programs, local);
+  const auto second = load(programs, local);
+  ASSERT_NE(first, nullptr) << error_;
+  ASSERT_NE(second, nullptr) << error_;
+  EXPECT_NE(first->beliefs().front().predicate, second->beliefs().front().predicate);
+  const ProgramRequest plain{.file = "b.asl", .included = true, .ns = "m"};
+  EXPECT_EQ(load(programs, plain), load(programs, plain));
+}
+
 TEST_F(Loader, TakesNoFileForAnEmptyProgram) {
   ProgramLoader programs = loader();
   const auto program = load(programs, {.file = ""});
