@@ -169,6 +169,9 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::span<const std::shared_ptr<const Program>> included() const;
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
+  /// Removes the first belief or rule that unifies with the head of a term of form rule; as in
+  /// Jason its body does not matter, and there is no event.
+  void remove_rule(Value rule);
 
   // MachineSurroundings
   void log(std::string_view text) override { host_.log(*this, text); }
@@ -243,6 +246,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] bool ask_timed_out(std::uint64_t token);
   void end_ask(const PendingAsk& ask, Value answer);
   void handle_message(const Message& message);
+  [[nodiscard]] bool handle_at_once(Symbol performative, Value content, Value sender);
   void deliberate();
   void act();
   [[nodiscard]] bool no_plan(const Event& event);
@@ -335,6 +339,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void change_own_belief(Intention& intention, Value literal, Step::Kind kind);
   void execute_replace(Intention& intention, Value literal);
   void forget_for(Value literal);
+  [[nodiscard]] Value any_like(Value literal);
   [[nodiscard]] bool forget_one(Predicate predicate);
   void execute_variable(Intention& intention, const Step& step);
   void execute_if(Intention& intention, const Step& step);
@@ -377,6 +382,8 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void note_for_round(Intention& intention, std::size_t trail);
   void undo_round(Intention& intention, Loop& loop);
   bool execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind);
+  void change_rules(Value rule, Step::Kind kind);
+  void remove_like(Value head);
   void bind_recorded(Intention& intention, Loop& loop, Value place, Value value);
 
   // Failure (failure.cpp).

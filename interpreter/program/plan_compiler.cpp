@@ -7,6 +7,7 @@
 #include "interpreter/logic/beliefs/belief_base.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/program_terms.h"
 
 namespace jaywalk {
 namespace {
@@ -261,7 +262,7 @@ bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts) 
   } else {
     return false;
   }
-  parts.literal = deref(term.structure()->arg(0));
+  parts.literal = as_literal(deref(term.structure()->arg(0)));
   return true;
 }
 

@@ -164,7 +164,13 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
   if (rel == nullptr) return false;
   const auto known = rel->find(parts.args);
   if (known && remove_annotations(*rel, *known, parts.annots, true)) return true;
-  if (is_ground(literal)) return false;
+  return !is_ground(literal) && remove_like(literal, unifier);
+}
+
+bool BeliefBase::remove_like(Value literal, Unifier& unifier) {
+  const LiteralParts parts = literal_parts(literal);
+  Relation* const rel = find(parts.predicate);
+  if (rel == nullptr) return false;
   const std::size_t trail = unifier.mark();
   Relation::Cursor cursor = rel->open(parts.args);
   std::int64_t seq = 0;
