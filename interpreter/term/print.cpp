@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/text.h"
+#include "interpreter/term/circles.h"
 #include "interpreter/term/walk.h"
 
 namespace jaywalk {
@@ -26,8 +27,47 @@ class Printer {
           std::size_t most = kMaxTextBytes, Numbers numbers = Numbers::exact)
       : out_(out), symbols_(symbols), strings_(strings), most_(most), numbers_(numbers) {}
 
+  void whole(Value value) {
+    const std::size_t begin = out_.size();
+    try {
+      term(value);
+    } catch (const TermTooDeep&) {
+      circles_ = circles_of(value);
+      if (circles_.empty()) throw;
+      out_.resize(begin);
+      unnamed_.clear();
+      is_cut_ = false;
+      term(value);
+    }
+  }
+
   void term(Value value) {
     value = deref(value);
+    if (!circles_.empty()) {
+      const auto circle = circles_.find(value.bits());
+      if (circle != circles_.end()) return circular(value, *circle->second);
+    }
+    parts(value);
+  }
+
+  /// Something was left out, for want of room.
+  [[nodiscard]] bool is_cut() const { return is_cut_; }
+
+ private:
+  // As Jason has it, "...f(X)/X": the term f(X) that is the value of its X.
+  void circular(Value value, const Variable& name) {
+    const bool is_within = std::ranges::find(within_, value.bits()) != within_.end();
+    if (!is_within) {
+      within_.push_back(value.bits());
+      out_ += "...";
+      parts(value);
+      out_ += '/';
+      within_.pop_back();
+    }
+    variable(name);
+  }
+
+  void parts(Value value) {
     switch (value.kind()) {
       case Value::Kind::number:
         append_number(out_,
@@ -54,7 +94,7 @@ class Printer {
     }
     if (is_enough()) return;
     // Bounds the depth, and with it the stack.
-    const TermWalk::Level level(walk_);
+    const TermWalk::Level level(walk_, value.is_object() ? Value() : value);
     if (value.is_object()) {
       object(*value.object()->object);
     } else if (value.is_pair()) {
@@ -64,10 +104,6 @@ class Printer {
     }
   }
 
-  /// Something was left out, for want of room.
-  [[nodiscard]] bool is_cut() const { return is_cut_; }
-
- private:
   // A term that shares its parts may be small, and its text longer than any memory. What would
   // stand behind the limit is left out; an exception would take its time through all levels of the
   // term.
@@ -127,6 +163,7 @@ class Printer {
     bool first = true;
     ListWalk walk;
     for (value = deref(value); value.is_pair(); value = deref(value.pair()->tail)) {
+      if (!first && circles_.contains(value.bits())) break;
       // A list that contains itself would never end (walk.h).
       walk.visit(value);
       walk_.visit();
@@ -349,6 +386,8 @@ class Printer {
   bool is_cut_ = false;
   TermWalk walk_;
   std::vector<const Variable*> unnamed_;
+  Circles circles_;  // of a term that has some
+  std::vector<std::uint64_t> within_;
 };
 
 }  // namespace
@@ -356,7 +395,7 @@ class Printer {
 namespace {
 
 void print_whole(Printer printer, Value term) {
-  printer.term(term);
+  printer.whole(term);
   if (printer.is_cut()) throw HeapExhausted{};
 }
 
@@ -378,7 +417,7 @@ std::string beginning(Value term, const SymbolTable& symbols, std::size_t most,
                       Printer::Numbers numbers) {
   std::string out;
   try {
-    Printer(out, symbols, Printer::Strings::as_they_are, most, numbers).term(term);
+    Printer(out, symbols, Printer::Strings::as_they_are, most, numbers).whole(term);
   } catch (const HeapExhausted&) {
     return out + "...";  // a walk that is too long, not a text
   }

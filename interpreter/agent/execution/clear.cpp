@@ -66,6 +66,7 @@ void Agent::return_values(Intention& intention) {
       }
       continue;
     }
+    const Unifier::KeepCircles keep(unifier);
     const Value value = returned.is_closed() ? returned : unifier.fresh_copy(returned);
     (void)unifier.unify(pairs[i], value);
   }

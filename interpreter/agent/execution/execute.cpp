@@ -156,6 +156,7 @@ inline void require_room_on(const Intention& intention, Heap& heap) {
 [[gnu::noinline]] void Agent::achieve(Intention& intention, Value term, Step::Kind kind) {
   heap_.require_room();
   const bool new_focus = kind == Step::Kind::achieve_new_focus;
+  const Unifier::KeepCircles keep(machine().unifier());
   Value goal = prepare_for_event(intention, term, !new_focus);
   if (!is_literal(goal)) {
     fail(intention, make_error("body_var_not_literal", "a goal must be a literal"));
@@ -182,6 +183,7 @@ inline void require_room_on(const Intention& intention, Heap& heap) {
 
 // A test that no belief and no rule answers: the plans for it are asked.
 void Agent::fail_test(Intention& intention, const Step& step) {
+  const Unifier::KeepCircles keep(machine().unifier());
   const std::size_t trail = machine().unifier().mark();
   const Value term = machine().unifier().instantiate(step.term, intention.frame(intention.top()));
   record_bindings(intention, trail);

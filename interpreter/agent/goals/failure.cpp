@@ -34,6 +34,7 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
   const auto annot = [&](Predicate name, Value arg) {
     return heap_.structure(name, std::span(&arg, 1));
   };
+  const Unifier::KeepCircles keep(machine().unifier());
   literal = machine().unifier().apply(literal);
   const bool has_message = std::ranges::any_of(error.annots, [](Value annotation) {
     return annotation.is_structure() &&
@@ -280,6 +281,7 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   }
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
   const std::uint32_t line = intention.top().is_finished() ? 0 : intention.top().step().place.line;
+  const Unifier::KeepCircles keep(machine().unifier());
   const Value goal = machine().unifier().fresh_copy(event.literal);
   if (has_failure_plan(event.kind, predicate_of(event.literal), intention.top().scope().get())) {
     signal_failure({{event.kind, event.literal}}, error, true);

@@ -11,6 +11,7 @@ namespace jaywalk {
 // open in it, the body may bind, and a failure frees again (free_goal).
 Value Agent::settled_literal(const Event& event) {
   work().binds_event = false;
+  const Unifier::KeepCircles keep(machine().unifier());
   Value settled;
   try {
     settled = machine().unifier().apply(literal_of(event));

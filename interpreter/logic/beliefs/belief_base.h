@@ -76,7 +76,7 @@ class BeliefBase {
   /// unless the literal is ground, the first belief that unifies. True: the deletion is an event,
   /// and `unifier` has the bindings. False: nothing is bound.
   bool remove(Value literal, Unifier& unifier);
-  /// The same of the first belief or rule that unifies, even if the literal is ground.
+  /// Like remove(), but of the first belief or rule that unifies, even if the literal is ground.
   bool remove_like(Value literal, Unifier& unifier);
   /// Removes a row whatever its sources.
   void erase(Relation& relation, std::int64_t seq);
