@@ -142,7 +142,7 @@ class Simulator {
 
   /// Who it is, after starting it if it has to be started. Why that failed, if it did.
   [[nodiscard]] virtual std::string identify(SimulatorIdentity& identity) = 0;
-  /// What is wrong with the scenario, as far as a simulator finds out by starting; usually nothing.
+  /// Errors of the scenario that show once the simulator runs, before any test; usually none.
   [[nodiscard]] virtual std::vector<SettingProblem> survey(const SimulatedSite& /*site*/) {
     return {};
   }

@@ -35,7 +35,7 @@ struct Exported {
   std::vector<std::string> files;
   /// What of the tests could not be said in them.
   Diagnostics warnings;
-  /// What the programs that read them need to be told; usually nothing.
+  /// A hint for programs that read them; usually empty.
   std::string note = {};
 };
 

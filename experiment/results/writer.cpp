@@ -248,7 +248,7 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
   const ExperimentDescription stored = store.value().description;
   const bool extends = is_extension(stored, description);
   if (auto why = mismatch(path, stored, description); why && !extends) return std::move(*why);
-  // What the store has is looked at before any of it is changed.
+  // Read before anything is changed, since a damaged store stays as it is.
   auto ids = read_ids(path, store.value());
   if (!ids) return std::move(ids.diagnostics());
   start_log(database);

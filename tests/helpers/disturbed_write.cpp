@@ -64,7 +64,7 @@ ssize_t pwrite64(int file, const void* bytes, size_t size, off_t at) {
   return written("pwrite64", file, bytes, size, at);
 }
 
-// A full disk keeps nobody from these.
+// These succeed on a full disk, too.
 
 int ftruncate(int file, off_t size) noexcept {
   goes_on();

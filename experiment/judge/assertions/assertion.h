@@ -55,7 +55,7 @@ struct Judgement {
   /// Of the requirement, the least of those for whom the precondition was met: 0 or less if it is
   /// violated. Empty if the verdict is vacuous.
   std::optional<double> robustness;
-  /// For somebody no driver could have kept the requirement, whether this AV did or not.
+  /// No driver could have kept the requirement (for some road user), whether this AV did or not.
   bool excused = false;
   /// Of the precondition, the greatest: how near the test came to exercising the assertion.
   double exercised = 0;

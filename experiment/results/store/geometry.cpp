@@ -14,7 +14,7 @@ constexpr unsigned char kLittleEndianNoEnvelope = 1;
 constexpr unsigned char kLittleEndian = 1;
 constexpr std::uint32_t kWkbPoint = 1;
 constexpr std::uint32_t kWkbLine = 2;
-/// Of the header and of what well-known binary begins with.
+/// Bytes before the coordinates or the number of points.
 constexpr std::size_t kBegin = 13;
 
 template <class T>

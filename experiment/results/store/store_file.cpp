@@ -162,7 +162,7 @@ void start_log(Database& database) {
 std::optional<std::string> finish_log(Database& database, const std::string& path) {
   database.execute("PRAGMA journal_mode = DELETE");
   if (database.failure()) return trouble_with(database);
-  // Left by a reader of a store that was killed; nobody else has it open now.
+  // A reader of a store that was killed left it; no other process has the store open now.
   std::error_code error;
   std::filesystem::remove(path + "-shm", error);
   return std::nullopt;

@@ -19,7 +19,7 @@ struct StoreKind {
   std::string_view name;
   /// A table that no other kind has.
   std::string_view table;
-  /// Of its tables.
+  /// Changes with the tables.
   std::int64_t version;
   /// Makes everything that such a store may have beside tables of others.
   std::function<void(Database&)> create;
