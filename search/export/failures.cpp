@@ -54,7 +54,7 @@ std::optional<std::string> export_failures(const std::string& folder,
       if (!run.tests[i].test.failed) continue;
       const lane::Polyline points = space->road_points(run.tests[i].test.input);
       const std::string path =
-          path_in(folder, fmt::format("{}-{:02}-{:04}", run.generator, run.repetition, i));
+          output_path(folder, fmt::format("{}-{:02}-{:04}", run.generator, run.repetition, i));
       const std::string stem = std::filesystem::path(path).filename().string();
       const std::pair<std::string, std::string> files[] = {
           {".xodr", to_opendrive(points, stem)},

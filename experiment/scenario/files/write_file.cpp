@@ -54,7 +54,7 @@ std::string replaced_file(const std::string& path) {
   return error ? path : target.string();
 }
 
-std::string path_in(const std::string& folder, std::string_view name) {
+std::string output_path(const std::string& folder, std::string_view name) {
   std::string file(name);
   for (char& c : file) {
     if (!is_name_character(c) && c != '-' && c != '.') c = '_';

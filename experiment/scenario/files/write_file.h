@@ -15,7 +15,7 @@ using TextSource = std::function<bool(const TextSink&)>;
 /// The path of a file in a folder whose name others may have given, which cannot lead out of the
 /// folder: what is no letter, digit, `.`, `-` or `_` becomes `_`, as does a full stop at the
 /// beginning. An identifier (markup.h) stays as it is.
-[[nodiscard]] std::string path_in(const std::string& folder, std::string_view name);
+[[nodiscard]] std::string output_path(const std::string& folder, std::string_view name);
 
 /// What happens to a link that is at the path already. Only a path that the user has written is
 /// followed.

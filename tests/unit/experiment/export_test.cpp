@@ -135,15 +135,15 @@ TEST_F(WriteFile, FollowsALinkThatTheUserNamedAndReplacesOthers) {
   EXPECT_EQ(content(path("folder")), "a file");
 }
 
-TEST(PathIn, StaysInTheFolderWhateverTheNameIs) {
+TEST(OutputPath, StaysInTheFolderWhateverTheNameIs) {
   using namespace std::string_literals;
-  EXPECT_EQ(path_in("out", "proximity_25-10-test-7.xosc"), "out/proximity_25-10-test-7.xosc");
-  EXPECT_EQ(path_in("out", "../x.json"), "out/_._x.json");
-  EXPECT_EQ(path_in("out", "/etc/passwd"), "out/_etc_passwd");
-  EXPECT_EQ(path_in("out", ".."), "out/_.");
-  EXPECT_EQ(path_in("out", ".bashrc"), "out/_bashrc");
-  EXPECT_EQ(path_in("out", ""), "out/_");
-  EXPECT_EQ(path_in("out", "a\0b\x1b[2J=\xC3\xA4"s), "out/a_b__2J___");
+  EXPECT_EQ(output_path("out", "proximity_25-10-test-7.xosc"), "out/proximity_25-10-test-7.xosc");
+  EXPECT_EQ(output_path("out", "../x.json"), "out/_._x.json");
+  EXPECT_EQ(output_path("out", "/etc/passwd"), "out/_etc_passwd");
+  EXPECT_EQ(output_path("out", ".."), "out/_.");
+  EXPECT_EQ(output_path("out", ".bashrc"), "out/_bashrc");
+  EXPECT_EQ(output_path("out", ""), "out/_");
+  EXPECT_EQ(output_path("out", "a\0b\x1b[2J=\xC3\xA4"s), "out/a_b__2J___");
 }
 
 TEST_F(WriteFile, SaysWhyItCannot) {

@@ -39,7 +39,7 @@ bool write_replays(const ResultsReader& store, const std::string& html, reportin
       console.report(page.diagnostics());
       return false;
     }
-    const std::string path = path_in(folder.string(), file_stem(store, link.test) + ".html");
+    const std::string path = output_path(folder.string(), file_stem(store, link.test) + ".html");
     if (!write_output(path, page.value(), console, Links::replaced)) return false;
     link.page =
         fmt::format("{}/{}", folder.filename().string(), fs::path(path).filename().string());
