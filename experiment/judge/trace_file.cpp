@@ -257,12 +257,9 @@ class TraceParser {
     const auto& [called_where, called] = fields[*columns_[kActor]];
     const auto& [kind_where, kind_text] = fields[*columns_[kKind]];
     const bool is_named = is_label(called);
-    if (called.empty()) {
-      error(called_where, "an actor without a name");
-    } else if (!is_named) {
+    if (!is_named)
       error(called_where, fmt::format("'{}' cannot be the name of an actor", called),
             std::string(kLabelHint));
-    }
     const auto kind = find_kind(kind_text);
     if (!kind) {
       error(kind_where,

@@ -226,7 +226,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"time,actor,x\n0,av,0\n", "1:1: error: the header has no column kind, y"},
         Mistake{"time,actor,kind,x,y,x_m\n", "1:21: error: a second column 'x'"},
         Mistake{kHeader + "0,av,vehicle,0\n", "2:1: error: the row has 4 fields, the header 5"},
-        Mistake{kHeader + "0,,vehicle,0,0\n", "an actor without a name"},
+        Mistake{kHeader + "0,,vehicle,0,0\n", "2:3: error: '' cannot be the name of an actor"},
         Mistake{kHeader + "0,=HYPERLINK(1),vehicle,0,0\n",
                 "2:3: error: '=HYPERLINK(1)' cannot be the name of an actor"},
         Mistake{kHeader + "0,a\x1b[2J,vehicle,0,0\n",
