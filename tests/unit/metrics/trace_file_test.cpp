@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{kHeader + "0,=HYPERLINK(1),vehicle,0,0\n",
                 "2:3: error: '=HYPERLINK(1)' cannot be the name of an actor"},
         Mistake{kHeader + "0,a\x1b[2J,vehicle,0,0\n",
-                "2:3: error: 'a\x1b[2J' cannot be the name of an actor"},
+                "2:3: error: 'a\\x1b[2J' cannot be the name of an actor"},
         Mistake{"time,actor,kind,x,y,event\n0,av,vehicle,0,0,hit;@SUM(1)\n",
                 "2:18: error: '@SUM(1)' cannot be the name of an event"},
         Mistake{kHeader + "x,av,vehicle,0,0\n", "expected a number for time, found 'x'"},
