@@ -1,6 +1,6 @@
 // Meetings with the AV: in a row of its way, so many cells ahead of it, walking across, along or
 // standing; which are possible, and how to bring one about.
-// jaywalk: asks free/1, rows_to/4, ticks_to_walk/2, way_across/1, !cross/1, !cross_road/0
+// jaywalk: asks across/2, free/1, rows_to/4, ticks_to_walk/2, way_across/1, !cross/1, !cross_road/0
 
 // Walk, or wait, until crossing leads to the meeting.
 +!meet(Meeting) : slack(Meeting, S) & used_up(S) & Meeting = meeting(Row, _, How) & way_across(Way)
