@@ -137,10 +137,10 @@ void unused_plans(Checking& checking) {
 }
 
 void unused_rules(Checking& checking) {
-  const bool is_passive =
-      !checking.index().has_unread_parts &&
-      std::ranges::all_of(checking.files(),
-                          [](const CheckedFile& file) { return file.uses.plans.empty(); });
+  const bool is_passive = !checking.index().has_unread_parts &&
+                          std::ranges::all_of(checking.files(), [](const CheckedFile& file) {
+                            return file.uses.plans.empty();
+                          });
   for (CheckedFile& file : checking.files()) {
     if (!file.is_main) continue;
     for (const Clause& clause : file.uses.clauses) {

@@ -390,9 +390,16 @@ class Printer {
   std::vector<std::uint64_t> within_;
 };
 
-}  // namespace
-
-namespace {
+std::string beginning(Value term, const SymbolTable& symbols, std::size_t most,
+                      Printer::Numbers numbers) {
+  std::string out;
+  try {
+    Printer(out, symbols, Printer::Strings::as_they_are, most, numbers).whole(term);
+  } catch (const HeapExhausted&) {
+    return out + "...";  // a walk that is too long, not a text
+  }
+  return shortened(out, most);
+}
 
 void print_whole(Printer printer, Value term) {
   printer.whole(term);
@@ -410,21 +417,6 @@ std::string term_text(Value term, const SymbolTable& symbols) {
   append_term(out, term, symbols);
   return out;
 }
-
-namespace {
-
-std::string beginning(Value term, const SymbolTable& symbols, std::size_t most,
-                      Printer::Numbers numbers) {
-  std::string out;
-  try {
-    Printer(out, symbols, Printer::Strings::as_they_are, most, numbers).whole(term);
-  } catch (const HeapExhausted&) {
-    return out + "...";  // a walk that is too long, not a text
-  }
-  return shortened(out, most);
-}
-
-}  // namespace
 
 std::string brief_text(Value term, const SymbolTable& symbols, std::size_t most) {
   return beginning(term, symbols, most, Printer::Numbers::exact);
