@@ -85,9 +85,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                     commands_of(arguments), console);
   if (!page) return ExitCode::usage;
   const Links links = arguments.has(option::kHtml) ? Links::followed : Links::replaced;
-  if (!write_output(html, *page, console, links)) return ExitCode::failed;
-  if (!arguments.has(option::kHtml)) console.print(html + '\n');
-  return ExitCode::success;
+  return write_output(html, *page, console, links) ? ExitCode::success : ExitCode::failed;
 }
 
 }  // namespace jaywalk::command::report
