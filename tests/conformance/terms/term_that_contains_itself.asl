@@ -14,3 +14,7 @@ b(A, A).
 // expect: ...f(X)/X
 // expect: equal
 // expect: different
+// expect: ...[a|V]/V
+// expect: ...h(1,W)/W
+// expect: k(...f(X)/X,...f(X)/X)
+// expect: limit
