@@ -40,13 +40,11 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
   void start(std::span<const Predicate> replaced, std::span<const Value> given);
-  /// The same without others, but not before it first reasons or somebody looks at it: so what a
-  /// million agents begin with need not all be there at the same time. REQUIRES: the program's
-  /// start can wait (Program::can_start_later), and nobody observes or customises the agent.
+  /// Like start(), but deferred until the agent first reasons or is inspected. REQUIRES:
+  /// Program::can_start_later, and the agent is neither observed nor customised.
   void start_later() { starts_later_ = true; }
   void start_if_due();
-  /// Starts as a copy of another agent with the same program: its beliefs, its plans, its goals and
-  /// what it is doing (clone.cpp).
+  /// Starts as a copy of another agent of the same program, in the midst of its work (clone.cpp).
   void copy_from(const Agent& original);
 
   /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not
@@ -169,9 +167,6 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] std::span<const std::shared_ptr<const Program>> included() const;
   /// Adds a term of form rule.
   void add_rule(Value rule, Place place);
-  /// Removes the first belief or rule that unifies with the head of a term of form rule; as in
-  /// Jason its body does not matter, and there is no event.
-  void remove_rule(Value rule);
 
   // MachineSurroundings
   void log(std::string_view text) override { host_.log(*this, text); }
@@ -339,7 +334,6 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void change_own_belief(Intention& intention, Value literal, Step::Kind kind);
   void execute_replace(Intention& intention, Value literal);
   void forget_for(Value literal);
-  [[nodiscard]] Value any_like(Value literal);
   [[nodiscard]] bool forget_one(Predicate predicate);
   void execute_variable(Intention& intention, const Step& step);
   void execute_if(Intention& intention, const Step& step);
@@ -384,6 +378,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   bool execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind);
   void change_rules(Value rule, Step::Kind kind);
   void remove_like(Value head);
+  [[nodiscard]] Value any_like(Value literal);
   void bind_recorded(Intention& intention, Loop& loop, Value place, Value value);
 
   // Failure (failure.cpp).

@@ -223,19 +223,13 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
   return true;
 }
 
+// As in Jason the body of a rule that goes does not matter, and there is no event.
 void Agent::change_rules(Value rule, Step::Kind kind) {
-  if (kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus) {
-    remove_rule(rule);
-    return;
-  }
   const Value head = as_literal(rule);
+  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
+  if (removes && is_literal(head)) remove_like(head);
   if (kind == Step::Kind::replace && is_literal(head)) remove_like(any_like(head));
-  add_rule(rule, kind == Step::Kind::add_end ? Place::back : Place::front);
-}
-
-void Agent::remove_rule(Value rule) {
-  const Value head = as_literal(rule);
-  if (is_literal(head)) remove_like(head);
+  if (!removes) add_rule(rule, kind == Step::Kind::add_end ? Place::back : Place::front);
 }
 
 void Agent::remove_like(Value head) {
