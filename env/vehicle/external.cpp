@@ -28,10 +28,10 @@
 //
 //   {"step":0,"reads":["lane","actors.gap","actors.sides","stop_lines"]}
 //
-// What a kept process answers must follow from `reset` and the views since then alone. Where tests
-// that differ in nothing but the AV's defects (the same `reset`) begin with the same views, it is
-// asked once. In another such test it is asked only when a new view comes, then with all the views
-// before it; if it answers those otherwise than the first time, that test fails.
+// The answers of a kept process must follow from `reset` and the views since then alone. Tests
+// that differ only in the AV's defects (the same `reset`) and begin with the same views share its
+// answers. In another such test it is queried only when a new view comes, then with all the views
+// before it; if it answers those differently from the first time, that test fails.
 
 #include <algorithm>
 #include <filesystem>

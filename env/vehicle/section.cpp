@@ -72,7 +72,7 @@ void VehicleSection::read_model(const ConfigNode& node, const std::string& path,
                 did_you_mean(*name, names));
 }
 
-// One defect or a list of them, which takes the place of what was there.
+// One defect or a list of them, which replaces the former list.
 void VehicleSection::read_defects(const ConfigNode& node, const std::string& path,
                                   VehicleParameters& vehicle) {
   note_origin(node, path);
