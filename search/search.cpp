@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What the threads share.
+/// The state shared by the threads.
 class Shared {
  public:
   Shared(const SearchPlan& search_plan, TestLog* test_log, const SearchObserver& observer)

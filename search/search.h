@@ -113,7 +113,7 @@ struct SearchProgress {
   std::uint64_t failures = 0;
   std::uint64_t errors = 0;
   double best_fitness = 0;
-  /// Of all budgets, 0 to 1.
+  /// The share of all budgets spent, 0 to 1.
   double spent = 0;
 };
 

@@ -19,8 +19,8 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
 constexpr double kMostSeconds = 1e9;
 constexpr std::int64_t kMostTests = 10'000'000;
 
-/// Replaces or adds the values of `layer` in `base`, map by map; an empty map takes the place of
-/// all.
+/// Replaces or adds the values of `layer` in `base`, map by map; an empty map replaces the whole
+/// map.
 void overlay(ConfigNode& base, const ConfigNode& layer) {
   const bool both_maps = base.kind == ConfigNode::Kind::map && layer.kind == ConfigNode::Kind::map;
   if (!both_maps || layer.entries.empty()) {
@@ -172,7 +172,7 @@ class ExperimentReader {
     experiment_.measure = experiment_.plan.model->measures().front().name;
   }
 
-  /// As comparisons do, takes a policy that nobody chooses by for a mistake.
+  /// As comparisons do, reports a policy that no behaviour chooses by.
   void check_policies() {
     if (options_.sut_check == SutCheck::omitted) return;
     for (const auto& [path, policy] : policies_) {

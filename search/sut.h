@@ -71,7 +71,7 @@ class Sut {
   virtual void remember(const Outcome& /*outcome*/) {}
 
   /// From now on a test may be given up as soon as that is true: its outcome has an error then, and
-  /// nobody keeps it.
+  /// is not kept.
   void stop_when(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
 
  protected:

@@ -14,7 +14,7 @@
 namespace jaywalk {
 namespace {
 
-/// The curve has at most so many points.
+/// The largest number of points in the curve.
 constexpr std::size_t kMostPoints = 500;
 
 const PreparedBehaviour& behaviour_of(const TrainingPlan& plan) {
@@ -50,7 +50,7 @@ PolicyOrigin origin_of(const TrainingPlan& plan) {
 
 }  // namespace
 
-/// What a test of a generation teaches.
+/// One test's contribution to the learning of its generation.
 struct Training::Lesson {
   std::optional<EpisodeRecorder> episodes;
   Recording recording;

@@ -139,7 +139,7 @@ void check_share(std::string_view name, double value) {
   throw std::invalid_argument(fmt::format("{} is not between 0 and 1", name));
 }
 
-/// What a file may ask for; beyond, it would take all memory or time, or divide by zero.
+/// The limits of a file's values; beyond them it would take all memory or time, or divide by zero.
 void check_spec(const LearningSpec& spec) {
   constexpr std::uint32_t kMostUnits = 1024;
   constexpr std::uint32_t kMostPasses = 1000;

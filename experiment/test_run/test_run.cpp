@@ -15,14 +15,14 @@
 namespace jaywalk {
 namespace {
 
-// What a test's seed is used for, so that where agents start does not depend on what they draw.
+// Separate random streams of a test's seed, so that start cells do not depend on the agents' draws.
 enum class Purpose : std::uint64_t { start_cells = 0, agents = 1 };
 
 std::uint64_t seed_for(const TestSetup& setup, Purpose purpose) {
   return mix(mix(setup.seed, setup.test), static_cast<std::uint64_t>(purpose));
 }
 
-// What single agents are given takes the place of what all of a behaviour have.
+// A single agent's parameters replace those of the whole behaviour.
 void set_own_parameters(const PreparedBehaviour& behaviour, std::uint32_t number, AgentSpec& spec) {
   const auto own = behaviour.agent_parameters.find(number);
   if (own == behaviour.agent_parameters.end()) return;
@@ -59,7 +59,8 @@ std::vector<Parameter> beliefs(const std::vector<ParameterSetting>& settings,
   return parameters;
 }
 
-/// What a test sets for all agents of its behaviour, but not what the scenario says of single ones.
+/// Sets the parameters common to all agents of a test's behaviour; those of single agents are not
+/// changed.
 void set_common_parameters(const PreparedBehaviour& behaviour, std::uint32_t number,
                            const std::vector<Parameter>& given, AgentSpec& spec) {
   const auto own = behaviour.agent_parameters.find(number);
@@ -299,7 +300,7 @@ void TestRunner::add_agents(const TestSetup& setup) {
     behaviour_ = setup.behaviour;
     agents_ = setup.agents;
   }
-  // What is of this test alone is in the system's own names.
+  // This test's own beliefs use the system's symbols.
   const std::vector<Parameter> feedback = beliefs(setup.feedback, mas_->symbols());
   const std::vector<Parameter> given = beliefs(setup.parameters, mas_->symbols());
   for (std::size_t i = 0; i < specs_.size(); ++i) {

@@ -36,17 +36,18 @@ struct TestSetup {
   /// The experiment's seed and the test's number, from 0.
   std::uint64_t seed = 0;
   std::uint64_t test = 0;
-  /// What the agents believe of earlier tests: the beliefs covered(Item, Bin, Times).
+  /// The agents' beliefs about earlier tests: covered(Item, Bin, Times).
   std::vector<CoveredBin> feedback;
-  /// What the test before has left over, in a world in which that matters (carry_over.h).
+  /// The head start that the test before has left over, where tests depend on each other
+  /// (carry_over.h).
   int head_start = 0;
   /// Index into the prepared scenario's vehicles.
   std::size_t vehicle = 0;
   /// The cells where the agents start, if that is not for the scenario to say. REQUIRES: as many as
   /// agents, or none; a world that has cells.
   std::vector<Position> starts;
-  /// These take the place of what the scenario sets for all agents of the behaviour. REQUIRES: the
-  /// programs have such initial beliefs.
+  /// They replace the scenario's values for all agents of the behaviour. REQUIRES: the programs
+  /// have such initial beliefs.
   std::vector<ParameterSetting> parameters;
 };
 
@@ -60,10 +61,10 @@ struct TestOptions {
   /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
   /// `head_start`, if there was one. Null: nothing is recorded.
   Recording* record = nullptr;
-  /// Looks at the agents as they reason (interpreter/agent/surroundings/observer.h). Null: nobody
+  /// Observes the agents as they reason (interpreter/agent/surroundings/observer.h). Null: none
   /// does.
   ReasoningObserver* observer = nullptr;
-  /// Whom agents ask that learn, in place of the behaviour's policy; null: that.
+  /// Chooses for learning agents instead of the behaviour's policy; null: the policy does.
   OptionPolicies* policies = nullptr;
   /// Shortens paths in what is kept of errors; null: they stay as they are.
   const PortableNames* names = nullptr;
@@ -81,8 +82,8 @@ struct TestOptions {
   std::function<bool()> interrupted;
 };
 
-/// All that came of running a test. A TestResult is what measures see of it, a TestOutcome what
-/// tables of single tests show, a TestRecord what a store keeps.
+/// The full result of running a test. Measures see its TestResult, tables of single tests show its
+/// TestOutcome, stores keep its TestRecord.
 struct TestRun {
   WorldResult outcome;
   /// The head start of the next test (World::left_over).

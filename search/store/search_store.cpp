@@ -251,7 +251,7 @@ Result<StoredSearches> read_search_store(const std::string& path) {
   if (auto why = damage_of(inputs)) return store_error(path, std::move(*why));
   SearchOptions options = options_in(*origin);
   options.files = copies_of(inputs);
-  // Whoever made the store chose what the experiment names: nothing of it is run.
+  // The store's author chose the commands that the experiment names: none of them is run.
   options.sut_check = SutCheck::omitted;
   auto experiment = parse_search(std::make_shared<const Source>(*name, *origin), options);
   if (!experiment) return std::move(experiment.diagnostics());

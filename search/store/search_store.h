@@ -30,7 +30,7 @@ class SearchStore : public TestLog {
   [[nodiscard]] virtual std::size_t had() const = 0;
 };
 
-/// What a store of searches says of itself; `results` has what is finished.
+/// A store's experiment and results; `results` has the finished repetitions.
 struct StoredSearches {
   SearchExperiment experiment;
   SearchResults results;

@@ -242,7 +242,7 @@ class CrossingReader {
     keep(prepared.ok() ? prepared.value()->inputs() : scenario.sources);
   }
 
-  /// What is the same in all tests.
+  /// The settings common to all tests.
   [[nodiscard]] std::vector<std::string> fixed_settings() const {
     std::vector<std::string> sets;
     for (const CrossingDimension& each : dimensions_) {

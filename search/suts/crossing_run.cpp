@@ -18,7 +18,7 @@ namespace {
 
 /// What stands for a metric or a robustness that does not exist or is infinite.
 constexpr double kNone = 1e6;
-/// A pedestrian's last so many seconds show how a test went.
+/// The number of a pedestrian's last ticks that make a test's signature.
 constexpr std::size_t kSignatureTicks = 8;
 
 double bounded(double value) { return std::clamp(value, -kNone, kNone); }

@@ -28,7 +28,7 @@ struct ExternalSettings {
 };
 
 /// How long a program that does not repeat the test's number is watched, after an answer, for lines
-/// that nobody asked for.
+/// without a request.
 constexpr std::chrono::milliseconds kSettling{20};
 
 /// Numbers beyond these are absurd, and sums of them would be infinite. The time: a year.
