@@ -98,7 +98,7 @@ class ProgramBuilder {
     return false;
   }
 
-  // What the agent believes or wants by itself: its source is itself if none is written.
+  // An initial belief or goal: its source is the agent itself if none is written.
   Value own_literal(const ast::Node& node, VariableScope& scope) {
     const Value literal = translator_.literal(node, scope, source_self());
     if (!is_literal(literal) || has_source(literal_parts(literal).annots)) return literal;

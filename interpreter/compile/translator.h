@@ -29,7 +29,7 @@ class VariableScope {
     const auto found = known_.find(std::string(name));
     return found == known_.end() ? Value() : found->second;
   }
-  /// Of all variables, in the order in which they first came.
+  /// The names of all variables, in the order of their first occurrence.
   [[nodiscard]] std::vector<Symbol>& slot_names() { return slot_names_; }
 
  private:
@@ -95,7 +95,7 @@ class Translator {
   Value plan_with_label(Value label, const ast::Plan& plan, VariableScope& scope);
   Predicate predicate_of(const ast::Node& node);
   Symbol namespace_of(const ast::Node& node, std::size_t arity);
-  // Of a name with a dot.
+  // Whether a name with a dot is that of a function.
   bool is_function(std::string_view name, std::size_t arity) const;
 
   Heap& heap_;

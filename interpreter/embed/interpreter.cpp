@@ -153,7 +153,7 @@ Result<std::shared_ptr<const Program>> Interpreter::compiled(const SourceTree& t
                                                              CompileOptions options) {
   options.actions = &actions_;
   auto program = compile(tree, mas_->symbols(), diagnostics, options);
-  // What is left out of a program by `run` (an include with errors) is refused here.
+  // `run` leaves an include with errors out; here it is refused.
   if (program == nullptr || diagnostics.has_errors()) return diagnostics;
   programs_.push_back(program);
   return program;

@@ -43,7 +43,7 @@ std::string ProgramLoader::find(const std::string& file) const {
 bool ProgramLoader::may_read(const std::string& path, LoadProblem& problem) const {
   const std::string file = include_path_.files.place(path);
   std::error_code ignored;
-  // Of a file that is not there, that is what matters.
+  // A missing file is reported as missing, whatever may be read.
   if (!fs::exists(file, ignored)) return true;
   const auto denial = readable_.denial(file);
   if (denial) problem = {fmt::format("cannot read {}: {}", path, denial->text()), true};

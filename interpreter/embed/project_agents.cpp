@@ -86,7 +86,7 @@ std::string find_program(const ProjectAgent& agent, const fs::path& folder,
     const fs::path candidate = (fs::path(each) / file).lexically_normal();
     if (fs::exists(candidate, ignored)) return candidate.string();
   }
-  // What a path is written like from the working folder is how plans name their place.
+  // Plans name their place by a path from the working folder.
   return folder.empty() ? file : (folder / file).lexically_normal().string();
 }
 

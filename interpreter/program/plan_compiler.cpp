@@ -58,7 +58,7 @@ const Body* BodyCompiler::compile(Value body) {
 void BodyCompiler::compile_steps(const Structure& body, Body& made) {
   for (Value step : body.arg_span()) {
     step = deref(step);
-    // A body in the place of a formula (a variable had it as its value) is a part of this one.
+    // A body that stands as a formula (a variable's value) is a part of this one.
     const bool plain = is_form(step, Form::step) &&
                        symbols_.signature(step.structure()->predicate()).functor == names::empty;
     const Value inner = plain ? deref(step.structure()->arg(0)) : Value();

@@ -25,7 +25,7 @@ class Program {
     Predicate predicate{};
     SourceSpan where;
   };
-  /// What an agent begins to believe of a predicate.
+  /// An agent's initial beliefs of one predicate.
   struct Beginning {
     Predicate predicate{};
     /// Null: plans hear of it, so that each agent comes to believe it by itself.
@@ -59,8 +59,8 @@ class Program {
   [[nodiscard]] bool has_own_namespaces() const { return has_own_namespaces_; }
   /// The text of one of its files, by the name that its plans have (Plan::file); null: none of its.
   [[nodiscard]] SourcePtr find_source(std::string_view file) const;
-  /// There are initial goals, and nobody notices whether an agent starts at once or only when it
-  /// first reasons: it makes no variables and cannot fail, since all goals are ground.
+  /// There are initial goals, and it makes no difference whether an agent starts at once or only
+  /// when it first reasons: it makes no variables and cannot fail, since all goals are ground.
   [[nodiscard]] bool can_start_later() const;
 
  private:

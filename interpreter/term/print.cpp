@@ -113,9 +113,9 @@ class Printer {
     return is_long;
   }
 
-  // What has no name gets a number, in the order of the text: the number of its making would show
-  // how the engine came to it, which differs with and without observers. Not in line: the stack it
-  // takes would be taken on every level of a term.
+  // A variable without a name gets a number, in the order of the text: the number of its creation
+  // would depend on the engine's way, which differs with and without observers. Not in line: its
+  // stack space would be taken on every level of a term.
   [[gnu::noinline]] void variable(const Variable& variable) {
     if (variable.name() != names::unnamed) {
       out_ += symbols_.text(variable.name());
@@ -302,7 +302,7 @@ class Printer {
     }
   }
 
-  // The body that a variable has become in the place of a formula: it is a part of the one around.
+  // A variable's body that stands as a formula: it is a part of the enclosing one.
   [[nodiscard]] Value body_of(Value step) const {
     step = deref(step);
     const bool is_step = is_form(step, Form::step) &&
@@ -312,7 +312,7 @@ class Printer {
     return is_part ? formula : Value();
   }
 
-  // What is to be read again has its braces.
+  // Text that must be readable again keeps its braces.
   [[nodiscard]] bool is_bare(const Structure& s) const {
     return (s.info & Structure::kBare) != 0 && strings_ == Strings::as_they_are;
   }

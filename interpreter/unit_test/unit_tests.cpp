@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What else goes on in the program under test ends so many steps after the test's goal.
+/// The steps after the test's goal at which everything else in the program under test ends.
 constexpr std::uint64_t kStepsAfterTest = 10'000;
 constexpr std::uint64_t kStepsBetweenLooksOfTests = 64;
 constexpr std::size_t kMaxOutputLines = 1000;
