@@ -82,7 +82,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void set_turn(AgentTurn& turn) { turn_ = &turn; }
   /// The machine that answers its queries, borrowed from the system until the end of its cycle.
   [[nodiscard]] Machine& machine() { return work().machine; }
-  /// To be called when the agent has been made to do something outside of its cycles.
+  /// Call this after making the agent act outside of its cycles.
   void rest();
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
   [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
@@ -97,7 +97,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] const PlanLibrary& library() const { return *library_; }
   [[nodiscard]] JavaRandom& random() { return random_; }
   [[nodiscard]] const Program& program() const { return *program_; }
-  /// Null: nobody looks.
+  /// Null: unobserved.
   [[nodiscard]] ReasoningObserver* observer() const { return observer_; }
   /// Why it has dropped intentions, in the order of the first times.
   [[nodiscard]] const Seldom<std::vector<DropCause>>& drops() const { return drops_; }
@@ -119,7 +119,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
     if ((unusual_ & kGoalStates) != 0) add_goal_state(kind, goal, state, reason);
   }
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
-  /// The same for the goal on top of an intention, if there is one.
+  /// Signals a state of the goal on top of an intention, if there is one.
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
   /// The intention whose formula is executed, or for whose event a plan is looked for; null: none.
   [[nodiscard]] Intention* executing() const;
@@ -149,7 +149,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void remove_plan(const Plan& plan);
   /// The plan's label with the sources that this agent has it from; a template of the plan's slots.
   [[nodiscard]] Value label_of(const Plan& plan) const;
-  /// The same as a term whose variables are fresh.
+  /// The label as a term whose variables are fresh.
   [[nodiscard]] Value label_term(const Plan& plan);
   /// Takes a source away, and the plan too when no other is left; nothing if it is none of them.
   void remove_plan_source(const Plan& plan, Value source);
@@ -402,7 +402,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line,
                         const Intention* intention);
   void lose(Intention& intention, const ActionError& error, Value code);
-  // Of an intention, or of an event that had none (null); drops.cpp.
+  // Notes the drop of an intention, or of an event that had none (null); drops.cpp.
   const DropCause& note_drop(const Intention* intention, const ActionError& error, Value code);
   [[nodiscard]] std::string drop_details(const Intention& intention, const DropCause& cause) const;
   [[nodiscard]] SourcePtr find_source(const std::string& file) const;

@@ -73,7 +73,7 @@ std::string with_replacements(std::string_view text) {
   return replaced;
 }
 
-// Reads at most one byte more than `max_bytes`; works for devices, too, whose size nobody knows.
+// Reads at most one byte more than `max_bytes`; works for devices, too, whose size is unknown.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
@@ -104,7 +104,7 @@ Result<std::string> read_bytes(const std::string& path, std::size_t max_bytes) {
   return text;
 }
 
-// What is wrong with a byte, and its line.
+// Describes an invalid byte and its line.
 std::string encoding_problem(std::string_view text, std::size_t bad) {
   const auto value = static_cast<unsigned>(static_cast<unsigned char>(text[bad]));
   return fmt::format(

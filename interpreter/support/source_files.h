@@ -38,7 +38,7 @@ class SourceFiles {
   /// folder belongs to, in a folder `agents` that it lies in, among the installed programs and
   /// where allow_reading() says.
   [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
-  /// Whether that matters: copies may be read by everybody.
+  /// Whether that matters: copies may always be read.
   [[nodiscard]] bool are_on_disk() const { return !copies_; }
 
   /// There is a file (not a folder) of this name.

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kMessagePrefix = "mid";
 constexpr std::string_view kQuestionPrefix = "samid";
-// The texts become atoms, which are never forgotten: so there are only so many.
+// The texts become atoms, which are never freed: so their number is limited.
 constexpr std::uint32_t kMessageIds = 65'536;
 constexpr std::string_view kWaitsForAnswer = "waiting_ask";
 

@@ -1,4 +1,4 @@
-// Rule ClrInt: what becomes of means that are finished, and of the values that they return.
+// Rule ClrInt: removes finished means and returns their values.
 
 #include "interpreter/agent/agent.h"
 
@@ -104,7 +104,7 @@ void Agent::clear_intention(Intention& intention) {
     }
     finish_means(intention);
   }
-  // When an atomic plan is done, its intention stays in its place for one step more, as in Jason.
+  // When an atomic plan is done, its intention stays in I for one step more, as in Jason.
   if (intention.is_finished()) drop(intention);
 }
 

@@ -102,7 +102,7 @@ void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
   means.returns = 2;
 }
 
-// The goal of a formula, in the workspace. False: its literal is to be made in the general way.
+// The goal of a formula, in the workspace. False: its literal must be made in the general way.
 [[gnu::always_inline]] inline bool Agent::put_goal(Intention& intention, const EventCode& code) {
   NextEvent& next = workspace_->next;
   const Value* const frame = intention.frame(intention.top());
@@ -340,8 +340,8 @@ inline bool Agent::is_alone() {
          (unusual_ & (kCustomised | kSeldomLooks)) == 0 && (!attention_ || !has_unusual_business());
 }
 
-// What comes after a formula: the next one, for which another cycle has begun; the cycle's SelInt;
-// or nothing more in this cycle.
+// Decides what follows a formula: the next one, for which another cycle has begun; the cycle's
+// SelInt; or nothing more in this cycle.
 [[gnu::always_inline]] inline Agent::Next Agent::go_on_alone(Intention& intention) {
   NextEvent& next = workspace_->next;
   while (next.is_pending) {

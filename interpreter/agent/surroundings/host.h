@@ -1,6 +1,6 @@
 #pragma once
 
-// What an agent needs of the system that it lives in. Implemented by the multi-agent system
+// The services that an agent needs from its system. Implemented by the multi-agent system
 // (mas/system.h).
 
 #include <cstdint>
@@ -26,8 +26,8 @@ class ServiceDirectory;
 /// A message as its sender gives it. The content is copied when it is sent.
 struct OutgoingMessage {
   std::string_view receiver;  // `self`: the sender
-  /// The same as an atom of the default namespace, if it was written so; then there need be no
-  /// text.
+  /// The receiver as an atom of the default namespace, if it was written so; then no text is
+  /// needed.
   std::optional<Predicate> receiver_atom;
   Symbol performative{};
   Value content;
@@ -39,7 +39,7 @@ struct OutgoingMessage {
 /// A program to be loaded while agents run.
 struct ProgramRequest {
   std::string file;
-  /// It is to be part of an agent that runs already (`.include`), with its literals in the
+  /// The program is included into a running agent (`.include`), with its literals in the
   /// namespace `ns`; empty: the default one.
   bool included = false;
   std::string ns;
@@ -118,9 +118,9 @@ class AgentHost {
   virtual void limit_reached(Agent& /*agent*/, ReachedLimit /*limit*/, std::string /*where*/) {}
   /// Whether the run is to end at once. Asked within queries and long actions.
   [[nodiscard]] virtual bool interrupted() { return false; }
-  /// Who says how probable the options of policies are; null: each is as probable as the others.
+  /// Gives the probabilities of the options of policies; null: all are equally probable.
   [[nodiscard]] virtual OptionPolicies* policies() { return nullptr; }
-  /// Who looks at the agents as they reason; null: nobody.
+  /// The observer of the agents as they reason; null: none.
   [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
 };
 

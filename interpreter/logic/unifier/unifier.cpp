@@ -315,7 +315,7 @@ bool AnnotationSearch::take_variable(Value annot) {
   return next_variable_ < variables_.size() && unifier_.unify(annot, variables_[next_variable_++]);
 }
 
-// The same for sets without variables.
+// Unifies annotations that are sets without variables.
 bool unify_closed_annotations(Unifier& unifier, Value a, Value b) {
   for (; a.is_pair(); a = a.pair()->tail) {
     const Value annot = a.pair()->head;

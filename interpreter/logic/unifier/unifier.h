@@ -29,7 +29,7 @@ class FunctionCaller {
   virtual ~FunctionCaller() = default;
   /// Evaluates a function term whose arguments have been applied. False: it stays as it is.
   virtual bool call_function(const Structure& function, Value& result) = 0;
-  /// The same for a function of these numbers that can be called without further ado.
+  /// Calls a function of these numbers directly. False: it cannot be called so.
   virtual bool call_of_numbers(Predicate function, std::span<const Value> args, Value& result) {
     static_cast<void>(function);
     static_cast<void>(args);
@@ -50,7 +50,7 @@ class Unifier {
   /// Unifies `a` with `b`; asymmetric: the annotations of `a` must be among those of `b`, inside
   /// arguments too. If it fails, all its bindings have been undone.
   [[nodiscard]] bool unify(Value a, Value b);
-  /// The same without undoing: for callers that go back to an earlier mark anyway.
+  /// Like unify(), without undoing on failure: for callers that go back to an earlier mark anyway.
   [[nodiscard]] bool unify_no_undo(Value a, Value b);
   /// Each of `a` in order with a distinct one of `b`; tails collect the rest.
   [[nodiscard]] bool unify_annotations(Value a, Value b);
@@ -132,8 +132,8 @@ class Unifier {
     variable->value = value;
     trail_.push_back(&variable->value);
   }
-  /// The same for who goes back to no place before the young variables were made (set_young): those
-  /// are out of reach then, and need not be undone.
+  /// Like bind(), for callers that never backtrack past the creation of young variables
+  /// (set_young); those bindings need no trail entry.
   void bind_young(Variable* variable, Value value) {
     variable->value = value;
     if (variable->serial < young_) trail_.push_back(&variable->value);
