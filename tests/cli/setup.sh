@@ -1,4 +1,4 @@
-# What the scripts of this folder begin with: `source "$(dirname "$0")/setup.sh"`, those of its folders
+# The start of each script of this folder: `source "$(dirname "$0")/setup.sh"`, those of its folders
 # with `../setup.sh`. Leaves them in the project's folder with `jaywalk` on the path and $scratch, an
 # empty folder.
 set -euo pipefail

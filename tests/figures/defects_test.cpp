@@ -119,7 +119,7 @@ TEST(ParkedCars, AreWalkedRound) {
   }
 }
 
-/// Who finds most of a defect, and in which world.
+/// The behaviour that finds most of a defect, and its world.
 struct Specialist {
   const char* name;
   const char* defect;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a target of fuzzing makes: cases, each a function of its number alone. targets.def has a row
+// A fuzzing target makes cases, each a function of its number alone. targets.def has a row
 // for each target; campaign.h runs them.
 
 #include <map>

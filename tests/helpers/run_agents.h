@@ -21,14 +21,14 @@ struct NamedProgram {
 };
 
 struct AgentRun {
-  /// What was printed, as `[agent] text`, and what was logged.
+  /// The printed lines, as `[agent] text`, and the logged ones.
   std::vector<std::string> printed;
   std::vector<std::string> logged;
   RunOutcome outcome;
   /// `line:column: message` of the errors for which a program was refused; then nothing ran.
   std::vector<std::string> errors;
 
-  /// What one agent printed.
+  /// The lines that one agent printed.
   [[nodiscard]] std::vector<std::string> printed_by(std::string_view agent) const;
 };
 

@@ -1,4 +1,4 @@
-// Controllers of one's own: what they are told, what becomes of their answers, how long they live.
+// External controllers: their views, the effect of their answers, how long they live.
 
 #include <algorithm>
 #include <cmath>

@@ -136,7 +136,7 @@ TEST(AgentLimits, HoldForTermsThatShareTheirParts) {
   }
 }
 
-/// What has numbers of 16 bits does not begin anew at 65,536.
+/// Numbers of 16 bits do not wrap around at 65,536.
 TEST(AgentLimits, HoldForTheWidthOfTermsAndClauses) {
   const auto repeated = [](const std::string& text, int times, const std::string& between) {
     std::string all = text;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the checker says of small programs, as text.
+// The checker's warnings about small programs, as text.
 
 #include <string>
 #include <string_view>
@@ -16,7 +16,7 @@ struct Row {
   const char* warnings;
 };
 
-/// What is known of an agent among others, in a world that is not known.
+/// The vocabulary of an agent among others, in an unknown world.
 [[nodiscard]] Vocabulary nothing_known();
 
 /// The warnings as `line: code: message (hint)`, a line each, but for those of variables that occur

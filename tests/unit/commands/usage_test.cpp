@@ -18,7 +18,7 @@ constexpr const char* kPaper = JAYWALK_SOURCE_DIR "/scenarios/paper.yaml";
 
 class Usage : public FolderTest {
  protected:
-  /// What is wrong with the words; it fails the test if they are not refused.
+  /// The error about the words; it fails the test if they are not refused.
   [[nodiscard]] std::string problem(const std::vector<std::string>& words) const {
     const CommandRun run = run_command(words);
     EXPECT_EQ(run.code, ExitCode::usage);

@@ -95,8 +95,8 @@ TEST(LineProcess, EndsWhatItsProcessStarted) {
   EXPECT_TRUE(WIFSIGNALED(status));
 }
 
-/// What a program and a process that it starts do that end with nothing but SIGKILL; it answers
-/// with both of their numbers.
+/// A program and a process that it starts, which only SIGKILL ends; it answers with both of their
+/// numbers.
 const std::vector<std::string> kStubborn{
     "sh", "-c",
     "trap '' TERM HUP INT; (trap '' TERM HUP INT; while :; do sleep 0.05; done) & "

@@ -1,4 +1,4 @@
-// Who moves on a crossing's ground, and how far.
+// The road users of a crossing's ground, and how far they move.
 
 #include "env/crossing/road_user.h"
 

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Two behaviours that are judged by two assertions; of ten tests each so many had each verdict.
+/// Two behaviours judged by two assertions, with counts of verdicts for ten tests each.
 Comparison judged() {
   Comparison comparison{.assertions = {"away", "slow"}};
   comparison.summaries = {{.behaviour = "walk", .tests = 10}, {.behaviour = "run", .tests = 10}};

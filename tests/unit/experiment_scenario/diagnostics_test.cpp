@@ -1,4 +1,4 @@
-// What a user reads who has made a mistake in a scenario.
+// The errors about mistakes in a scenario.
 
 #include <ostream>
 #include <string>

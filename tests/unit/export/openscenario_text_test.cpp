@@ -35,7 +35,7 @@ class ScenarioTextTest : public testing::Test {
     return {list.begin(), list.end()};
   }
 
-  // The AV at 10 m/s; somebody crosses far ahead of it.
+  // The AV at 10 m/s; a pedestrian crosses far ahead of it.
   Recording recording_ =
       drive(1, {steps({0, 0}, {0, 10}, 4), {{6, 60}, {6, 61}, {5, 61}, {4, 61}}});
   CrossingParameters world_;

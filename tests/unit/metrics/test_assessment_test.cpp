@@ -25,7 +25,7 @@ Criteria criteria() {
   return {.assertions = std::move(assertions.value()), .metrics = true};
 }
 
-/// The AV passes somebody who stands that far from the middle of its way.
+/// The AV passes a pedestrian who stands that far from the middle of its way.
 TestAssessment passing(double x) {
   const Recording recording = drive(1, {steps({0, 0}, {0, 10}, 3), steps({x, 10}, {0, 0}, 3)});
   return assess(criteria(), recording, road());

@@ -1,4 +1,4 @@
-// What an editor is told of names: hovers, definitions, references, renaming.
+// The server's answers about names: hovers, definitions, references, renaming.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

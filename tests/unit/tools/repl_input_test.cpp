@@ -10,7 +10,7 @@ namespace {
 
 using Kind = ReplInput::Kind;
 
-/// Of a text that is one input; kind `nothing` if it is none.
+/// The input that a text is; kind `nothing` if it is none or several.
 ReplInput read_input(const std::string& text) {
   const std::vector<ReplInput> inputs = read_inputs(text);
   EXPECT_LE(inputs.size(), 1U) << text;
