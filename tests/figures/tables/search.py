@@ -129,8 +129,7 @@ def how_tests_come_about(documents, runs):
 
     of = {name: spread(found, "situation_bins") for name, found in study(runs, "situations-braking").items()}
     documents.says(DOCUMENT, f"met {of['random']} situations with `random_behaviour`, {of['constrained']} with random scripts, {of['map-elites']} "
-                             f"with `map-elites`, {of['ga']} with `ga`, {of['graft']} with `graft`, {of['wogan']} with `wogan` and {of['hunter']} "
-                             f"with `hunter`")
+                             f"with `map-elites`, {of['ga']} with `ga`, {of['graft']} with `graft` and {of['hunter']} with `hunter`")
 
 
 CHECKS = (pedestrians, how_tests_come_about, lane_keeping, cars_that_nothing_was_tuned_on, peers)

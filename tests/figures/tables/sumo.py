@@ -23,7 +23,7 @@ def ranking_of_models(documents, runs):
 
 
 def the_papers_av(documents, runs):
-    common = ("compare", "scenarios/paper.yaml", "--tests", "1000", "--agents", "1,3,10", "--threads", "2", "--quiet", "--no-check")
+    common = ("compare", "scenarios/paper.yaml", "--tests", "50", "--agents", "1,3,10", "--threads", "2", "--quiet", "--no-check")
     own = runs.csv("--per-test", *common)
     sumo = runs.csv("--per-test", *common, "--set", "world.simulator={name: sumo, model: constant}")
     ends = ("behaviour", "agents", "test", "ended_by", "ticks", "precondition_ticks")
