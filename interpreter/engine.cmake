@@ -4,6 +4,7 @@ file(GLOB_RECURSE JAYWALK_ACTION_SOURCES CONFIGURE_DEPENDS actions/*.cpp)
 
 jaywalk_add_library(engine
   SOURCES
+    term/circles.cpp
     term/compare.cpp
     term/heap.cpp
     term/object.cpp

@@ -181,8 +181,8 @@ double edit_distance(std::span<const RoadPiece> a, std::span<const RoadPiece> b)
 
 namespace {
 
-/// What it costs at most to make one sequence of the other: each piece is replaced by that of the
-/// same number, from the beginning or from the end, and the rest is inserted.
+/// An upper bound on the edit distance: each piece is replaced by the other sequence's piece of the
+/// same number, counted from the beginning or from the end, and the rest is inserted.
 double most_edit_distance(std::span<const RoadPiece> a, std::span<const RoadPiece> b) {
   if (a.size() > b.size()) std::swap(a, b);
   const std::size_t more = b.size() - a.size();

@@ -1,7 +1,7 @@
 #pragma once
 
-// A generator proposes test inputs and learns from what comes of them. A file of generators/ and a
-// row of generators.def for each; TUTORIAL.md beside this file adds one. Read fitness.h before.
+// A generator proposes test inputs and learns from their results. Each has a file in generators/
+// and a row in generators.def; TUTORIAL.md beside this file adds one. Read fitness.h before.
 
 #include <cstdint>
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace jaywalk::search {
 
-/// What a generator has at hand while it is asked: it counts every candidate whose validity is
-/// looked at.
+/// The services available to a generator while it proposes an input; counts every candidate whose
+/// validity is checked.
 class Asking {
  public:
   Asking(const SearchSpace& space, double spent) : space_(space), spent_(spent) {}
@@ -48,11 +48,11 @@ class Generator {
   [[nodiscard]] virtual bool exhausted() const { return false; }
   /// The next test; it must be valid. REQUIRES: not exhausted.
   [[nodiscard]] virtual TestInput ask(Asking& asking) = 0;
-  /// What came of the test that was asked for last; `spent` is the share of the budget.
+  /// Receives the result of the latest proposed test; `spent` is the share of the budget.
   virtual void tell(const ExecutedTest& test, double spent) = 0;
 };
 
-/// What a generator is made of; everything must outlive it.
+/// A generator's inputs; everything referred to must outlive it.
 struct GeneratorSetup {
   const SearchSpace& space;
   std::span<const MeasureKind> measures;

@@ -15,7 +15,7 @@
 
 namespace jaywalk::search {
 
-/// Counts searches as they end, from several threads at once, so that nobody need keep their tests.
+/// Counts searches as they end, from several threads at once, so that their tests need not be kept.
 class SearchKills {
  public:
   /// REQUIRES: the experiment has defects, and outlives it.
@@ -52,7 +52,7 @@ class SearchKills {
   std::size_t defects_;
   std::vector<Count> counts_;
   std::mutex mutex_;
-  /// Of each generator, which defects an input kills.
+  /// For each generator: the defects that each input kills.
   std::vector<std::map<std::vector<double>, std::vector<bool>>> killers_;
 };
 

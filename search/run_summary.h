@@ -58,10 +58,10 @@ struct RunSummary {
 
 struct MeanAndDeviation {
   double mean = 0;
-  /// Of the sample (n - 1); 0 for one value.
+  /// The sample's standard deviation (n - 1); 0 for one value.
   double deviation = 0;
 };
-/// Of the values that are numbers; not a number if none is.
+/// Mean and deviation of the values that are numbers; not a number if none is.
 [[nodiscard]] MeanAndDeviation mean_and_deviation(std::span<const double> values);
 
 /// The two-sided p-value of Wilcoxon's signed-rank test (1945) for pairs; zero differences are left

@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What the threads share.
+/// The state shared by the threads.
 class Shared {
  public:
   Shared(const SearchPlan& search_plan, TestLog* test_log, const SearchObserver& observer)
@@ -201,8 +201,8 @@ class Search {
     const std::size_t number = run_.tests.size();
     const bool known = shared_.log != nullptr && number < shared_.log->finished(index_).size();
     if (shared_.log != nullptr && !known) {
-      if (std::string why = shared_.log->add(index_, number, row); !why.empty()) {
-        shared_.trouble(subject(), std::move(why));
+      if (shared_.log->add(index_, number, row) == Continue::no) {
+        shared_.stop = true;
         return false;
       }
     }

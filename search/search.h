@@ -90,6 +90,8 @@ struct SearchRun {
   bool complete = false;
 };
 
+enum class Continue { yes, no };
+
 /// Where finished tests are kept while searches run. Called from several threads at once.
 class TestLog {
  public:
@@ -101,9 +103,9 @@ class TestLog {
   /// The tests that an earlier process finished; they are not executed again. `search`: the index
   /// of the generator times the repetitions plus the repetition.
   [[nodiscard]] virtual const std::vector<TestRow>& finished(std::size_t search) const = 0;
-  /// Why it could not be kept; empty if it was.
-  [[nodiscard]] virtual std::string add(std::size_t search, std::size_t number,
-                                        const TestRow& row) = 0;
+  /// No if nothing more can be kept: all searches end then.
+  [[nodiscard]] virtual Continue add(std::size_t search, std::size_t number,
+                                     const TestRow& row) = 0;
 };
 
 struct SearchProgress {
@@ -111,11 +113,9 @@ struct SearchProgress {
   std::uint64_t failures = 0;
   std::uint64_t errors = 0;
   double best_fitness = 0;
-  /// Of all budgets, 0 to 1.
+  /// The share of all budgets spent, 0 to 1.
   double spent = 0;
 };
-
-enum class Continue { yes, no };
 
 struct SearchObserver {
   /// Called from one thread some times a second and at the end; may end everything.
@@ -132,7 +132,8 @@ struct SearchObserver {
 struct SearchResults {
   /// In the order of the plan: by generator, then by repetition.
   std::vector<SearchRun> runs;
-  /// Why a search could not go on (no valid input, a full disk), if any.
+  /// Why a search could not go on (no valid input, say), if any. Of tests that could not be kept
+  /// the log says why.
   Diagnostics trouble;
   bool complete = false;
 };

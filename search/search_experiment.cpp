@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "env/config/reader.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_yaml.h"
+#include "interpreter/support/markup.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {
@@ -17,8 +19,8 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
 constexpr double kMostSeconds = 1e9;
 constexpr std::int64_t kMostTests = 10'000'000;
 
-/// Replaces or adds the values of `layer` in `base`, map by map; an empty map takes the place of
-/// all.
+/// Replaces or adds the values of `layer` in `base`, map by map; an empty map replaces the whole
+/// map.
 void overlay(ConfigNode& base, const ConfigNode& layer) {
   const bool both_maps = base.kind == ConfigNode::Kind::map && layer.kind == ConfigNode::Kind::map;
   if (!both_maps || layer.entries.empty()) {
@@ -95,6 +97,7 @@ class ExperimentReader {
     for (const GeneratorSpec& spec : experiment_.plan.generators) {
       keep_inputs(experiment_.plan.model_of(spec));
     }
+    if (options_.files.are_on_disk()) make_portable();
     return std::move(experiment_);
   }
 
@@ -147,6 +150,21 @@ class ExperimentReader {
     }
   }
 
+  /// Stores and pages are made from it now, and nothing is read any more.
+  void make_portable() {
+    std::vector<std::string> names{experiment_.name};
+    for (const SourcePtr& input : experiment_.inputs) names.push_back(input->name());
+    const PortableNames portable(names, options_.files);
+    experiment_.name = portable.in(experiment_.name);
+    for (SourcePtr& input : experiment_.inputs) {
+      input =
+          std::make_shared<const Source>(portable.in(input->name()), std::string(input->text()));
+    }
+    for (std::string& set : experiment_.options.sets) set = portable.in(std::move(set));
+    const std::string options = experiment_.origin.substr(experiment_.text.size());
+    experiment_.origin = experiment_.text + portable.in(options);
+  }
+
   void read_sut(const ConfigNode& node, const std::string& path) {
     sut_ = node;
     experiment_.plan.model = make_sut(node, path);
@@ -154,7 +172,7 @@ class ExperimentReader {
     experiment_.measure = experiment_.plan.model->measures().front().name;
   }
 
-  /// As comparisons do, takes a policy that nobody chooses by for a mistake.
+  /// As comparisons do, reports a policy that no behaviour chooses by.
   void check_policies() {
     if (options_.sut_check == SutCheck::omitted) return;
     for (const auto& [path, policy] : policies_) {
@@ -261,7 +279,13 @@ class ExperimentReader {
         {"generator", [](const ConfigNode&, const std::string&) {}},
         {"name",
          [&](const ConfigNode& value, const std::string&) {
-           if (auto name = reader_.text(value, "a name")) spec.name = std::move(*name);
+           const auto name = reader_.text(value, "a name");
+           if (name && !is_identifier(*name)) {
+             reader_.error(value.origin,
+                           fmt::format("'{}' cannot be the name of a generator", *name),
+                           std::string(kIdentifierHint));
+           }
+           spec.name = name.value_or(spec.name);
          }},
         {"generation_s",
          [&](const ConfigNode& value, const std::string&) {

@@ -50,7 +50,8 @@ struct SearchExperiment {
 
 [[nodiscard]] Result<SearchExperiment> read_search(const std::string& path,
                                                    const SearchOptions& options = {});
-/// The same for a text in memory; paths in it are relative to the folder in the source's name.
+/// Like read_search(), for a text in memory; paths in it are relative to the folder in the source's
+/// name.
 [[nodiscard]] Result<SearchExperiment> parse_search(const SourcePtr& source,
                                                     const SearchOptions& options = {});
 

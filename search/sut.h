@@ -16,6 +16,9 @@
 #include "interpreter/support/source.h"
 #include "search/test_input.h"
 
+namespace jaywalk {
+struct Scenario;
+}
 namespace jaywalk::lane {
 struct DriveSettings;
 }
@@ -68,7 +71,7 @@ class Sut {
   virtual void remember(const Outcome& /*outcome*/) {}
 
   /// From now on a test may be given up as soon as that is true: its outcome has an error then, and
-  /// nobody keeps it.
+  /// is not kept.
   void stop_when(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
 
  protected:
@@ -96,6 +99,8 @@ class SutModel {
   [[nodiscard]] virtual const RoadSpace* road_space() const { return nullptr; }
   /// The texts of all files that its tests are made from.
   [[nodiscard]] virtual std::vector<SourcePtr> inputs() const { return {}; }
+  /// The scenario whose tests it runs; null if it runs none.
+  [[nodiscard]] virtual const Scenario* scenario() const { return nullptr; }
   /// The defects of its AV that the experiment asks for, by name, and the system with one of them
   /// (kills.h); empty and null if it has none.
   [[nodiscard]] virtual std::vector<std::string> defects() const { return {}; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a search looks for: inputs of a system under test (SUT), and the space that they come from.
+// Test inputs of a system under test (SUT), and the space that they come from.
 
 #include <cstdint>
 #include <optional>
@@ -57,7 +57,7 @@ class SearchSpace {
   SearchSpace& operator=(const SearchSpace&) = delete;
   virtual ~SearchSpace() = default;
 
-  /// Of its vectors.
+  /// The dimension of its vectors.
   [[nodiscard]] virtual std::size_t dimension() const = 0;
   /// None if the space has vectors alone.
   [[nodiscard]] virtual std::optional<SequenceBounds> sequences() const = 0;

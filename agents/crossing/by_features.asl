@@ -11,7 +11,7 @@ time_to_cross(Side) :-
   av_offset(Offset) & Offset <= 0 & reach(Reach) & -Offset < Reach & kerb(Side, Steps) &
   not (kerb(_, Fewer) & Fewer < Steps).
 
-passable(Way) :- ground(Way, Kind) & Kind \== blocked.
+passable(Way) :- ground(Way, Kind) & Kind \== blocked & not blocked(Way).  // jaywalk: allow absent-percept
 
 +!walk : time_to_cross(Side)                   <- !cross(Side).
 +!walk : way(Way) & ground(Way, pavement)      <- move(Way); !walk.

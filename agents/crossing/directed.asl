@@ -30,6 +30,8 @@ crosses_before :-
 +!stand_in_its_way : at(X, _) & av_rows(First, Last) & First <= X & X <= Last
   <- stay;
      !stand_in_its_way.
-+!stand_in_its_way : way_across(Way) <- move(Way); !stand_in_its_way.
-+!stand_in_its_way : at(X, _) & av_rows(First, _) & X < First <- move(right); !stand_in_its_way.
-+!stand_in_its_way                                            <- move(left); !stand_in_its_way.
++!stand_in_its_way : towards_its_way(Way) & across(Way, Step) <- move(Step); !stand_in_its_way.
++!stand_in_its_way.
+
+towards_its_way(right) :- at(X, _) & av_rows(First, _) & X < First.
+towards_its_way(left)  :- at(X, _) & av_rows(_, Last) & X > Last.

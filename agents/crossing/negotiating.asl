@@ -18,9 +18,9 @@ next(back, X, Y - V)    :- at(X, Y) & walking_speed(V).
 turned(forward, back).
 turned(back, forward).
 
-+!go : crossing(Way) & free(Way)                     <- !claim(Way).
++!go : crossing(Way) & across(Way, Step)             <- !claim(Step).
 +!go : crossing(_)                                   <- !claim(none).
-+!go : distance_to_av(D) & near(D) & way_across(Way) <- +crossing(Way); !claim(Way).
++!go : distance_to_av(D) & near(D) & way_across(Way) <- +crossing(Way); !go.
 +!go : way(Way) & free(Way)                          <- !claim(Way).
 +!go : way(Way) & turned(Way, Other)                 <- -+way(Other); !claim(Other).
 

@@ -13,9 +13,9 @@ crossing_probability(1 / 11).  // per tick
 
 +!cross_to_and_fro : way_across(Way) <- !pace(Way).
 
-+!pace(Way) : turning_point(Way, Back) <- !pace(Back).
-+!pace(Way)                            <- move(Way); !pace(Way).
++!pace(Way) : turning_point(Way, Back) & across(Back, _) <- !pace(Back).
++!pace(Way) : across(Way, Step)                          <- move(Step); !pace(Way).
 
-// The last row, counted from the left, of the pavement beyond the road.
-turning_point(left, right) :- at(X, _) & pavement(0, X).
-turning_point(right, left) :- at(X, _) & grid(Rows, _) & X == Rows - 1.
+// The last row, counted from the left, of the pavement beyond the road; or a dead end.
+turning_point(left, right) :- at(X, _) & pavement(0, Last) & (X <= Last | not across(left, _)).
+turning_point(right, left) :- not across(right, _).

@@ -84,6 +84,7 @@ void read_parameters(const ConfigNode& node, const ConfigReader& reader,
 }
 
 std::string path_in(const std::string& folder, const std::string& path) {
+  if (path.starts_with(kLibraryPrefix)) return path;
   return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
 }
 
@@ -111,7 +112,6 @@ std::string installed_behaviour(std::string_view world, std::string_view name,
 
 std::string program_path(const std::string& folder, const std::string& text, std::string_view world,
                          const SourceFiles& files) {
-  if (text.starts_with(kLibraryPrefix)) return text;
   if (text.ends_with(".asl") || text.find('/') != std::string::npos) return path_in(folder, text);
   return installed_behaviour(world, text, files);
 }

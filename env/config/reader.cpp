@@ -1,12 +1,16 @@
 #include "env/config/reader.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -34,6 +38,42 @@ std::string found(const ConfigNode& node) {
   }
   if (node.text.size() <= kMaxShownText) return fmt::format("'{}'", node.text);
   return fmt::format("'{}...'", node.text.substr(0, kMaxShownText));
+}
+
+/// A number and what stands behind it: `50 km/h`.
+struct NumberAndRest {
+  double number = 0;
+  std::string_view rest;
+};
+
+std::optional<NumberAndRest> split_number(std::string_view text) {
+  NumberAndRest parts;
+  const char* const last = text.data() + text.size();
+  const auto [end, code] = std::from_chars(text.data(), last, parts.number);
+  if (code != std::errc()) return std::nullopt;
+  parts.rest = trimmed({end, static_cast<std::size_t>(last - end)});
+  return parts;
+}
+
+bool has_unit(std::string_view text) {
+  const auto parts = split_number(text);
+  return parts && !parts->rest.empty() && std::ranges::all_of(parts->rest, [](unsigned char c) {
+           return std::isalpha(c) != 0 || c == '/' || c == '%' || c >= 0x80U;
+         });
+}
+
+/// In m/s.
+std::optional<double> speed_with_unit(std::string_view text) {
+  struct Unit {
+    std::string_view name;
+    double mps;
+  };
+  constexpr std::array kUnits = {Unit{"km/h", 1 / 3.6}, Unit{"kmh", 1 / 3.6}, Unit{"kph", 1 / 3.6},
+                                 Unit{"m/s", 1},        Unit{"mps", 1},       Unit{"mph", 0.44704}};
+  const auto parts = split_number(text);
+  if (!parts) return std::nullopt;
+  const auto unit = std::ranges::find(kUnits, parts->rest, &Unit::name);
+  return unit == kUnits.end() ? std::nullopt : std::optional(parts->number * unit->mps);
 }
 
 }  // namespace
@@ -102,7 +142,17 @@ std::optional<double> ConfigReader::number(const ConfigNode& node, NumberRange r
   const std::optional<double> value =
       node.kind == ConfigNode::Kind::scalar ? parse_number(node.text) : std::nullopt;
   if (value && *value >= range.least && *value <= range.most) return value;
-  unexpected(node, fmt::format("a number from {} to {}", range.least, range.most));
+  unexpected(node, fmt::format("a number from {} to {}", range.least, range.most),
+             has_unit(node.text) ? "write the number alone, without its unit" : "");
+  return std::nullopt;
+}
+
+std::optional<double> ConfigReader::speed(const ConfigNode& node, NumberRange range,
+                                          std::string_view mps_key) const {
+  const std::optional<double> mps = speed_with_unit(node.text);
+  if (!mps) return number(node, range);
+  unexpected(node, fmt::format("a number from {} to {}", range.least, range.most),
+             fmt::format("for that speed write '{}: {:.4g}', in m/s", mps_key, *mps));
   return std::nullopt;
 }
 

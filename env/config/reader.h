@@ -52,6 +52,10 @@ class ConfigReader {
                 std::span<const ConfigKey> keys) const;
 
   [[nodiscard]] std::optional<double> number(const ConfigNode& node, NumberRange range) const;
+  /// A speed. If it is written with a unit, the hint says what to write for the key `mps_key`,
+  /// which is in m/s.
+  [[nodiscard]] std::optional<double> speed(const ConfigNode& node, NumberRange range,
+                                            std::string_view mps_key) const;
   [[nodiscard]] std::optional<std::int64_t> integer(const ConfigNode& node,
                                                     IntegerRange range) const;
   [[nodiscard]] std::optional<std::string> text(const ConfigNode& node,

@@ -78,6 +78,13 @@ class SectionReader {
       if (const auto value = reader_.number(node, range)) target = *value;
     };
   }
+  template <class T>
+  KeyReader speed(T& target, NumberRange range, std::string_view mps_key) {
+    return [this, &target, range, mps_key](const ConfigNode& node, const std::string& path) {
+      note_origin(node, path);
+      if (const auto value = reader_.speed(node, range, mps_key)) target = *value;
+    };
+  }
   KeyReader interval(Interval& target, IntegerRange range) {
     return [this, &target, range](const ConfigNode& node, const std::string& path) {
       note_origin(node, path);

@@ -16,13 +16,6 @@ struct Av::Surroundings {
 
 namespace {
 
-Rectangle box_of(const RoadUser& body, double cell_m) {
-  const BoxSize half = half_extent(body);
-  const double x = (body.place.x + 0.5) * cell_m;
-  const double y = (body.place.y + 0.5) * cell_m;
-  return {x - half.width_m, x + half.width_m, y - half.length_m, y + half.length_m};
-}
-
 std::vector<SeenLane> lanes_of(const CrossingParameters& parameters) {
   std::vector<SeenLane> lanes;
   // A drawn ground has no bands from which lanes could be read.
@@ -65,14 +58,20 @@ void Av::end(const DriveEnd& end) {
   if (controller_) controller_->end(end);
 }
 
-std::string Av::note() const {
-  if (simulated_) return simulated_->note();
-  return controller_ ? controller_->note() : "";
+std::vector<std::string> Av::take_notes() {
+  if (simulated_) return simulated_->take_notes();
+  return controller_ ? controller_->take_notes() : std::vector<std::string>();
 }
 
 std::string Av::failure() const {
   if (simulated_) return simulated_->failure();
   return controller_ ? controller_->failure() : "";
+}
+
+Actor Av::actor() const {
+  const double cell = parameters_.cell_m;
+  return {"av", ActorKind::vehicle, parameters_.av.length * cell,
+          parameters_.av.rows.size() * cell};
 }
 
 ActorState Av::state() const {

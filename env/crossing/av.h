@@ -39,10 +39,11 @@ class Av {
   /// `actors` and `scene` are the world's, the AV is the first of them.
   void begin(DriveBriefing briefing, const std::vector<Actor>& actors, const Scene& scene);
   void end(const DriveEnd& end);
-  [[nodiscard]] std::string note() const;
+  [[nodiscard]] std::vector<std::string> take_notes();
   /// Why its controller or simulator can go on no longer; empty while all is well.
   [[nodiscard]] std::string failure() const;
 
+  [[nodiscard]] Actor actor() const;
   /// Where it is now.
   [[nodiscard]] ActorState state() const;
   /// Who moves it, with other traffic, in place of a controller; null if nobody does.

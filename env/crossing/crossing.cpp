@@ -266,9 +266,7 @@ int Crossing::av_edge() const {
 }
 
 std::vector<Actor> Crossing::actors() const {
-  const double cell = parameters_.cell_m;
-  std::vector<Actor> actors{
-      {"av", ActorKind::vehicle, parameters_.av.length * cell, parameters_.av.rows.size() * cell}};
+  std::vector<Actor> actors{av_.actor()};
   for (std::size_t i = 0; i < first_traffic(); ++i) {
     const BoxSize size = size_of(bodies_[i].kind);
     actors.push_back(

@@ -92,7 +92,7 @@ class Crossing final : public World {
   /// Of a simulator's own traffic there are bodies and actors from then on.
   void begin(DriveBriefing briefing) override;
   void end() override;
-  [[nodiscard]] std::string note() const override { return av_.note(); }
+  [[nodiscard]] std::vector<std::string> take_notes() override { return av_.take_notes(); }
   [[nodiscard]] std::string failure() const override { return av_.failure(); }
   /// The AV, named `av`, the pedestrians p1, p2, … in the agents' order, then the other bodies.
   [[nodiscard]] std::vector<Actor> actors() const override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace jaywalk {
 namespace {
@@ -28,7 +29,8 @@ std::optional<Surface> find_surface(char letter) {
   return found->ground;
 }
 
-Layout::Layout(const CrossingParameters& parameters) : grid_(jaywalk::grid(parameters)) {
+Layout::Layout(const CrossingParameters& parameters)
+    : grid_(jaywalk::grid(parameters)), cell_m_(parameters.cell_m) {
   const bool drawn = !parameters.map.empty();
   for (int row = 0; !drawn && row < grid_.rows; ++row) {
     rows_.push_back(band_kind(parameters, row) == BandKind::pavement ? Surface::pavement
@@ -63,6 +65,27 @@ Layout::Layout(const CrossingParameters& parameters) : grid_(jaywalk::grid(param
       for (int y = cells.first; y <= cells.last; ++y) at(row, y) = Surface::blocked;
     }
   }
+  has_blocked_cells_ = std::ranges::find(cells_, Surface::blocked) != cells_.end();
+}
+
+std::vector<Position> Layout::blocked_cells(const Rectangle& area) const {
+  std::vector<Position> result;
+  if (!has_blocked_cells_) return result;
+  const auto cells = [&](double from, double to, int count) {
+    // Places are rounded, so that bodies that touch may overlap a little.
+    constexpr double kTouching = 1e-6;
+    return clipped({static_cast<int>(std::floor(from / cell_m_ + kTouching)),
+                    static_cast<int>(std::ceil(to / cell_m_ - kTouching)) - 1},
+                   count);
+  };
+  const Interval rows = cells(area.left, area.right, grid_.rows);
+  const Interval along = cells(area.near, area.far, grid_.cells);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    for (int y = along.first; y <= along.last; ++y) {
+      if (at({row, y}) == Surface::blocked) result.push_back({row, y});
+    }
+  }
+  return result;
 }
 
 }  // namespace jaywalk

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "env/crossing/parameters.h"
+#include "env/rectangle.h"
 #include "env/world/ground_plan.h"
 
 namespace jaywalk {
@@ -38,9 +39,14 @@ class Layout {
   [[nodiscard]] bool is_free(Position position) const {
     return grid_.contains(position) && at(position) != Surface::blocked;
   }
+  /// The blocked cells that an area (in metres) overlaps; touching is not overlapping.
+  [[nodiscard]] std::vector<Position> blocked_cells(const Rectangle& area) const;
+  [[nodiscard]] double cell_m() const { return cell_m_; }
 
  private:
   Grid grid_;
+  double cell_m_ = 0;
+  bool has_blocked_cells_ = false;
   std::vector<Surface> rows_;   // if every row is of one kind
   std::vector<Surface> cells_;  // else, row by row
 };

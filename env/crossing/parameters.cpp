@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/layout.h"
+#include "env/crossing/road_user.h"
+#include "env/crossing/spawn.h"
 #include "env/vehicle/section.h"
 
 namespace jaywalk {
@@ -72,22 +73,6 @@ void check_zone(const CrossingParameters& parameters, std::vector<ParameterProbl
   }
 }
 
-int free_spawn_cells(const CrossingParameters& parameters) {
-  const Layout layout(parameters);
-  int count = 0;
-  for (int row = 0; row < layout.grid().rows; ++row) {
-    const auto dead = parameters.spawn.dead_zones.find(row);
-    for (int y = dead == parameters.spawn.dead_zones.end() ? 0 : dead->second;
-         y < layout.grid().cells; ++y) {
-      if (layout.at({row, y}) == Surface::pavement &&
-          band_kind(parameters, row) == BandKind::pavement) {
-        ++count;
-      }
-    }
-  }
-  return count;
-}
-
 void check_spawn(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const Grid bounds = grid(parameters);
   int cells = 0;
@@ -103,7 +88,7 @@ void check_spawn(const CrossingParameters& parameters, std::vector<ParameterProb
     const int first = dead == parameters.spawn.dead_zones.end() ? 0 : dead->second;
     cells += first < bounds.cells ? bounds.cells - first : 0;
   }
-  if (cells == 0 || (found.empty() && free_spawn_cells(parameters) == 0)) {
+  if (cells == 0 || (found.empty() && free_spawn_cells(parameters).empty())) {
     found.push_back({"world.spawn.dead_zones", "no cell of a pavement is left to spawn on"});
   }
 }
@@ -160,6 +145,13 @@ void check_actors(const CrossingParameters& parameters, std::vector<ParameterPro
            fmt::format("'{}' cannot start in row {}, cell {}: that is blocked or not on "
                        "the grid",
                        actor.name, actor.start.x, actor.start.y)});
+    } else if (const RoadUser body{
+                   .kind = actor.kind, .place = middle(actor.start), .facing = actor.way};
+               !layout.blocked_cells(box_of(body, parameters.cell_m)).empty()) {
+      found.push_back({"world.actors",
+                       fmt::format("'{}' cannot start in row {}, cell {}: its body reaches into "
+                                   "a blocked cell",
+                                   actor.name, actor.start.x, actor.start.y)});
     }
   }
 }

@@ -173,7 +173,8 @@ struct CrossingParameters {
   double tick_s = 1;
   AvParameters av;
   ZoneParameters zone;
-  /// A test has failed when the zone's origin has come to this cell; it is the last one tested.
+  /// A test ends, its precondition not met, when the zone's origin comes to this cell; it is the
+  /// last one tested.
   int road_end = 65;
   /// For how many ticks a test goes on after the precondition was met, so that agents can perceive
   /// it. Nothing is scored any more.

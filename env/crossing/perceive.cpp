@@ -14,6 +14,7 @@ class Crossing::Perceiver {
 
   void perceive() {
     how_the_test_stands();
+    if (gives(blocked)) blocked_ways();
     if (gives(crosswalk)) signals();
     if (gives(road_user)) road_users();
     if (gives(ground_here) && !self().gone) features();
@@ -71,6 +72,13 @@ class Crossing::Perceiver {
       for (const Collision& each : world_.result_.collisions) {
         add(collision, static_cast<double>(each.body + 1));
       }
+    }
+  }
+
+  void blocked_ways() {
+    for (int i = 0; i < kDirectionCount; ++i) {
+      const auto direction = static_cast<Direction>(i);
+      if (is_blocked(self(), world_.layout_, direction, self().speed)) add(blocked, direction);
     }
   }
 

@@ -39,6 +39,9 @@ inline constexpr PerceptNeed signals{
     }};
 inline constexpr PerceptNeed obstacles{
     "world.obstacles", [](const CrossingParameters& world) { return !world.obstacles.empty(); }};
+inline constexpr PerceptNeed blocked_cells{
+    "world.obstacles or world.map",
+    [](const CrossingParameters& world) { return !world.obstacles.empty() || !world.map.empty(); }};
 inline constexpr PerceptNeed sight{"world.pedestrians.sight", [](const CrossingParameters& world) {
                                      return world.pedestrians.sight > 0;
                                    }};

@@ -75,6 +75,31 @@ BoxSize half_extent(const RoadUser& body) {
                : BoxSize{size.width_m / 2, size.length_m / 2};
 }
 
+Rectangle box_of(const RoadUser& body, double cell_m) {
+  const BoxSize half = half_extent(body);
+  const double x = (body.place.x + 0.5) * cell_m;
+  const double y = (body.place.y + 0.5) * cell_m;
+  return {x - half.width_m, x + half.width_m, y - half.length_m, y + half.length_m};
+}
+
+bool is_blocked(const RoadUser& body, const Layout& layout, Direction direction, double cells) {
+  RoadUser turned = body;
+  turned.facing = direction;
+  RoadUser there = turned;
+  there.place =
+      ahead_of(body.place, direction, std::min(cells, room(body.place, layout.grid(), direction)));
+  const double cell_m = layout.cell_m();
+  const Rectangle from = box_of(turned, cell_m);
+  const Rectangle to = box_of(there, cell_m);
+  const Rectangle way{std::min(from.left, to.left), std::max(from.right, to.right),
+                      std::min(from.near, to.near), std::max(from.far, to.far)};
+  const std::vector<Position> met = layout.blocked_cells(way);
+  if (met.empty()) return false;
+  const std::vector<Position> before = layout.blocked_cells(box_of(body, cell_m));
+  return std::ranges::any_of(
+      met, [&](Position each) { return std::ranges::find(before, each) == before.end(); });
+}
+
 std::string step(RoadUser& body, const Layout& layout, Direction direction, double cells,
                  int tick) {
   if (body.gone) return "it has left the road";
@@ -85,15 +110,9 @@ std::string step(RoadUser& body, const Layout& layout, Direction direction, doub
                        body.place.x, body.place.y);
   }
   const double length = leaves ? cells : std::min(cells, free);
-  const double inside = std::min(cells, free);
-  // Every cell on the way has to be free, not the last one alone.
-  for (double walked = std::min(1.0, inside);; walked = std::min(walked + 1, inside)) {
-    const Position next = cell(ahead_of(body.place, direction, walked));
-    if (!layout.is_free(next)) {
-      return fmt::format("a step {} from ({:.6g},{:.6g}) is blocked", name(direction), body.place.x,
-                         body.place.y);
-    }
-    if (walked >= inside) break;
+  if (is_blocked(body, layout, direction, cells)) {
+    return fmt::format("a step {} from ({:.6g},{:.6g}) is blocked", name(direction), body.place.x,
+                       body.place.y);
   }
   body.place = rounded(ahead_of(body.place, direction, length));
   body.facing = direction;

@@ -48,8 +48,16 @@ struct RoadUser {
 /// Half of the box's extent across the road and along it, as the body faces.
 [[nodiscard]] BoxSize half_extent(const RoadUser& body);
 
+/// The body's box, in metres.
+[[nodiscard]] Rectangle box_of(const RoadUser& body, double cell_m);
+
+/// Whether a step would take the body's box, turned that way, over a blocked cell. Cells that it
+/// overlaps already do not count, so that a body that begins too near to a wall can leave it.
+[[nodiscard]] bool is_blocked(const RoadUser& body, const Layout& layout, Direction direction,
+                              double cells);
+
 /// Why a step cannot be made; empty if `body` was moved. It leads `cells` in a direction, less at
-/// the grid's edge; at the edge itself, or into a blocked cell, no step is possible. Those that may
+/// the grid's edge; at the edge itself, or where it is blocked, no step is possible. Those that may
 /// leave go on beyond the edge and are gone.
 [[nodiscard]] std::string step(RoadUser& body, const Layout& layout, Direction direction,
                                double cells, int tick);

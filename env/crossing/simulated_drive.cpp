@@ -8,6 +8,7 @@
 
 #include "env/crossing/av.h"
 #include "env/crossing/crossing_ground.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -68,10 +69,12 @@ double front_y(const ActorState& state, double length_m) {
 }  // namespace
 
 SimulatedSite simulated_site(const CrossingParameters& parameters) {
-  const Interval rows = parameters.av.rows;
+  const Av av(parameters, 0);
   return {.road = road_of(parameters),
-          .av_left_m = rows.first * parameters.cell_m,
-          .av_right_m = (rows.last + 1) * parameters.cell_m};
+          .av = av.actor(),
+          .av_start = av.state(),
+          .vehicle = parameters.av.vehicle,
+          .tick_s = parameters.tick_s};
 }
 
 SimulatedDrive::SimulatedDrive(const CrossingParameters& parameters)
@@ -112,6 +115,7 @@ std::string SimulatedDrive::wrong_start(const SimulatedStart& start) const {
   for (const Actor& each : actors_) names.insert(each.name);
   for (const Actor& each : start.traffic) {
     if (each.name.empty()) return "a vehicle of its traffic has no name";
+    if (!is_label(each.name)) return fmt::format("'{}' cannot be the name of an actor", each.name);
     if (!names.insert(each.name).second) return fmt::format("a second actor '{}'", each.name);
     if (each.kind == ActorKind::signal) return fmt::format("'{}' is a signal", each.name);
     if (!(each.length_m > 0 && each.width_m > 0 && each.length_m < 100 && each.width_m < 100)) {

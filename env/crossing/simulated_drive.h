@@ -40,7 +40,9 @@ class SimulatedDrive {
   [[nodiscard]] ActorState traffic_state(std::size_t index) const;
   [[nodiscard]] bool is_present(std::size_t index) const { return now_.traffic[index].present; }
   [[nodiscard]] const std::string& failure() const { return failure_; }
-  [[nodiscard]] std::string note() const { return simulator_ ? simulator_->note() : ""; }
+  [[nodiscard]] std::vector<std::string> take_notes() {
+    return simulator_ ? simulator_->take_notes() : std::vector<std::string>();
+  }
 
  private:
   void fail(std::string_view why);

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "env/crossing/layout.h"
+#include "env/crossing/road_user.h"
 #include "interpreter/support/random.h"
 
 namespace jaywalk {
@@ -22,19 +22,6 @@ std::vector<SpawnRow> spawn_rows(const CrossingParameters& parameters) {
   return result;
 }
 
-/// The pavement cells that are left to spawn on where not all of a row's are alike.
-std::vector<Position> free_cells(const CrossingParameters& parameters,
-                                 const std::vector<SpawnRow>& rows) {
-  const Layout layout(parameters);
-  std::vector<Position> result;
-  for (const SpawnRow& row : rows) {
-    for (int y = row.cells.first; y <= row.cells.last; ++y) {
-      if (layout.at({row.row, y}) == Surface::pavement) result.push_back({row.row, y});
-    }
-  }
-  return result;
-}
-
 /// Whether some cells of a pavement's row may be something else.
 bool is_uneven(const CrossingParameters& parameters) {
   return !parameters.map.empty() || !parameters.obstacles.empty();
@@ -45,12 +32,10 @@ int draw_below(SplitMix64& random, int bound) {
 }
 
 /// As spawn: a row first, then one of its free cells; or one of all free cells.
-std::vector<Position> spawn_unevenly(const CrossingParameters& parameters,
-                                     const std::vector<SpawnRow>& rows, std::size_t agents,
+std::vector<Position> spawn_unevenly(const CrossingParameters& parameters, std::size_t agents,
                                      std::uint64_t seed) {
-  const std::vector<Position> all = free_cells(parameters, rows);
   std::vector<std::vector<Position>> choices;
-  for (const Position each : all) {
+  for (const Position each : free_spawn_cells(parameters)) {
     const bool new_row = choices.empty() || (parameters.spawn.choose == SpawnChoice::row &&
                                              choices.back().front().x != each.x);
     if (new_row) choices.emplace_back();
@@ -76,11 +61,27 @@ Interval spawn_cells(const CrossingParameters& parameters, int row) {
   return {first, parameters.length - 1};
 }
 
+std::vector<Position> free_spawn_cells(const CrossingParameters& parameters) {
+  const Layout layout(parameters);
+  std::vector<Position> result;
+  for (const SpawnRow& row : spawn_rows(parameters)) {
+    for (int y = row.cells.first; y <= row.cells.last; ++y) {
+      const Position here{row.row, y};
+      const RoadUser body{.place = middle(here)};
+      if (layout.at(here) == Surface::pavement &&
+          layout.blocked_cells(box_of(body, parameters.cell_m)).empty()) {
+        result.push_back(here);
+      }
+    }
+  }
+  return result;
+}
+
 std::vector<Position> spawn(const CrossingParameters& parameters, std::size_t agents,
                             std::uint64_t seed) {
   const std::vector<SpawnRow> rows = spawn_rows(parameters);
   assert(!rows.empty() && "parameters without problems leave cells to spawn on");
-  if (is_uneven(parameters)) return spawn_unevenly(parameters, rows, agents, seed);
+  if (is_uneven(parameters)) return spawn_unevenly(parameters, agents, seed);
   int all = 0;
   for (const SpawnRow& row : rows) all += row.cells.size();
 

@@ -14,6 +14,9 @@ namespace jaywalk {
 /// The cells of a row on which agents may spawn; empty if it belongs to no pavement.
 [[nodiscard]] Interval spawn_cells(const CrossingParameters& parameters, int row);
 
+/// The pavement cells on which agents may spawn: those in which a body lies over no blocked cell.
+[[nodiscard]] std::vector<Position> free_spawn_cells(const CrossingParameters& parameters);
+
 /// Draws the agents' start cells independently; several may begin in the same one.
 /// REQUIRES: parameters without problems().
 [[nodiscard]] std::vector<Position> spawn(const CrossingParameters& parameters, std::size_t agents,

@@ -43,6 +43,8 @@ EnvironmentKind crossing_world() {
           .section = crossing_section};
 }
 
+std::optional<SimulatedSite> CrossingSpec::site() const { return simulated_site(parameters_); }
+
 Ground CrossingSpec::ground() const { return jaywalk::ground(parameters_); }
 
 GroundPlan CrossingSpec::plan() const {

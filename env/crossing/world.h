@@ -32,6 +32,7 @@ class CrossingSpec final : public WorldSpec, public std::enable_shared_from_this
   [[nodiscard]] const SimulatorParameters& simulator() const override {
     return parameters_.simulator;
   }
+  [[nodiscard]] std::optional<SimulatedSite> site() const override;
   [[nodiscard]] std::shared_ptr<const WorldSpec> with(VehicleParameters vehicle,
                                                       SimulatorParameters simulator) const override;
   [[nodiscard]] std::vector<std::string> command() const override;

@@ -25,7 +25,7 @@ class Controller {
   [[nodiscard]] virtual Actuator actuator() const = 0;
 };
 
-/// What a controller is made of; everything must outlive it.
+/// A controller's inputs; everything referred to must outlive it.
 struct ControllerSetup {
   const Road& road;
   const VehicleParameters& vehicle;

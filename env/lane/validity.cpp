@@ -13,7 +13,7 @@ constexpr double kFeetPerMetre = 3.280839895;
 constexpr std::size_t kWindow = 5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of the circle through three points; infinite if they lie on a line.
+/// Radius of the circle through three points; infinite if they lie on a line.
 double radius(const Point& a, const Point& b, const Point& c) {
   const double b2 = b.x_m * b.x_m + b.y_m * b.y_m;
   const double ab = (a.x_m * a.x_m + a.y_m * a.y_m - b2) / 2;

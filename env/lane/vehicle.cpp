@@ -38,7 +38,7 @@ AxleForces longitudinal(const VehicleParameters& p, double acceleration, const A
           std::clamp(forces.rear, -mu * load.rear, mu * load.rear)};
 }
 
-/// What the longitudinal force leaves of the lateral one.
+/// The share of the lateral force that remains beside the longitudinal one.
 double friction_ellipse(const VehicleParameters& p, double force, double load) {
   const double used = force / (p.longitudinal_friction * load);
   return std::sqrt(std::max(0.04, 1 - used * used));

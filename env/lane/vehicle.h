@@ -49,7 +49,7 @@ struct VehicleState {
   [[nodiscard]] double lateral_acceleration() const { return yaw_rate * speed_mps; }
 };
 
-/// What the lane-keeping assistant wants.
+/// The lane-keeping assistant's decision.
 struct Command {
   double acceleration = 0;
   double steering_rad = 0;

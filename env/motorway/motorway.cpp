@@ -94,7 +94,7 @@ void Motorway::constants(Percepts& percepts) const {
 void Motorway::execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) {
   assert(actions.size() == results.size());
   for (MotorwayVehicle& each : vehicles_) {
-    // Whoever does not act in a tick keeps the speed; a wreck goes on braking.
+    // A vehicle that does not act in a tick keeps its speed; a wreck goes on braking.
     each.acceleration_mps2 = each.crashed ? -parameters_.drivers.braking_mps2 : 0;
     each.failed = false;
   }
@@ -150,8 +150,8 @@ std::string Motorway::change_lane(Value way, MotorwayVehicle& vehicle) {
 void Motorway::advance() {
   ++ticks_;
   const double tick_s = parameters_.tick_s;
-  // The AV decides once in each period; everybody then drives in steps short enough that nobody
-  // jumps over anybody.
+  // The AV decides once in each period; all vehicles then drive in steps short enough that none
+  // jumps over another.
   const double wanted_s = parameters_.av.vehicle.period_s;
   int periods = wanted_s > 0 ? std::max(1, static_cast<int>(std::lround(tick_s / wanted_s))) : 1;
   if (controller_) periods = std::max(periods, periods_of(*controller_, tick_s));
@@ -215,7 +215,7 @@ void Motorway::drive(double step_s, MotorwayVehicle& vehicle) const {
                                  parameters_.drivers.greatest_speed_mps, step_s);
   vehicle.speed_mps = motion.speed;
   vehicle.front_m += motion.way;
-  // Who stands does not get into another lane.
+  // A standing vehicle does not change lanes.
   if (!vehicle.changing || motion.way <= 0) return;
   const double target = middle_of_lane(parameters_, vehicle.lane);
   const double step = lateral_mps(parameters_) * step_s;
@@ -230,7 +230,7 @@ void Motorway::drive(double step_s, MotorwayVehicle& vehicle) const {
 void Motorway::crash() {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     for (std::size_t j = i + 1; j < vehicles_.size(); ++j) {
-      // Of a pair one may have crashed before: the other still does.
+      // One of a pair may have crashed before; the other one crashes now.
       if (vehicles_[i].crashed && vehicles_[j].crashed) continue;
       if (!box_of(vehicles_[i]).overlaps(box_of(vehicles_[j]))) continue;
       wreck(i, j);

@@ -61,7 +61,9 @@ class Motorway final : public World {
   [[nodiscard]] int ticks() const override { return ticks_; }
   void begin(DriveBriefing briefing) override;
   void end() override;
-  [[nodiscard]] std::string note() const override { return controller_ ? controller_->note() : ""; }
+  [[nodiscard]] std::vector<std::string> take_notes() override {
+    return controller_ ? controller_->take_notes() : std::vector<std::string>();
+  }
   [[nodiscard]] std::string failure() const override {
     return controller_ ? controller_->failure() : "";
   }

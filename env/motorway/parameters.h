@@ -48,13 +48,13 @@ struct MotorwayParameters {
     friend bool operator==(const Drivers&, const Drivers&) = default;
   } drivers;
 
-  /// The precondition: somebody has come into the AV's lane in front of it, no further ahead than
-  /// it drives in so many seconds.
+  /// The precondition: an agent has entered the AV's lane in front of it, no further ahead than
+  /// the AV drives in this many seconds.
   double headway_s = 1;
   /// For how many ticks a test goes on after that.
   int aftermath = 10;
   double time_limit_s = 60;
-  /// Of each agent and tick until the precondition, and for meeting it.
+  /// The cost of each agent and tick until the precondition, and the reward for meeting it.
   double cost = 1;
   double reward = 100;
 

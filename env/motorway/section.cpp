@@ -56,7 +56,7 @@ class MotorwayReader : VehicleSection {
     MotorwayParameters::AutomatedVehicle& av = world_.av;
     std::vector<ConfigKey> keys{{"lane", integer(av.lane, kLanes)},
                                 {"start", number(av.start_m, kRoadMetres)},
-                                {"speed", number(av.speed_mps, kMps)},
+                                {"speed", speed(av.speed_mps, kMps, "speed")},
                                 {"length", number(av.length_m, kBodyMetres)},
                                 {"width", number(av.width_m, kBodyMetres)}};
     add_keys(av.vehicle, av.twin, keys);
@@ -66,7 +66,7 @@ class MotorwayReader : VehicleSection {
   void read_drivers(const ConfigNode& node, const std::string& path) {
     MotorwayParameters::Drivers& drivers = world_.drivers;
     read_keys(node, path,
-              {{"greatest_speed", number(drivers.greatest_speed_mps, kMps)},
+              {{"greatest_speed", speed(drivers.greatest_speed_mps, kMps, "greatest_speed")},
                {"acceleration", number(drivers.acceleration_mps2, kMps2)},
                {"braking", number(drivers.braking_mps2, kMps2)},
                {"lane_change", number(drivers.change_s, kChange)},
@@ -91,6 +91,7 @@ class MotorwaySection final : public WorldSection {
   }
 
   void check(const std::string& scenario, const SectionContext& context) override {
+    warn_of_speed(world_.av.speed_mps, "world.av.speed", "it is in m/s", context);
     for (ParameterProblem& problem : problems(world_)) {
       report(context.diagnostics, origin_of(context.origins, problem.path, scenario),
              std::move(problem.message), fmt::format("the key is {}", problem.path));

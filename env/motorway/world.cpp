@@ -11,7 +11,7 @@
 namespace jaywalk {
 namespace {
 
-/// What is left between two vehicles of a lane at the start.
+/// The gap between two vehicles of a lane at the start.
 constexpr double kStartGapM = 10;
 constexpr int kDraws = 100;
 

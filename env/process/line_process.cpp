@@ -24,8 +24,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr std::size_t kMostErrorBytes = 64 * 1024;
-constexpr std::size_t kShownErrorBytes = 200;
+constexpr std::size_t kMostErrorBytes = 8 * 1024;
+constexpr std::size_t kMostLastWords = 200;
 /// How long a process that closed its output may take to end, so that it can be said how.
 constexpr milliseconds kLastBreath{500};
 
@@ -57,7 +57,7 @@ std::string last_line(const std::string& text) {
   if (end == std::string::npos) return {};
   const std::size_t line_break = text.rfind('\n', end);
   const std::size_t begin = line_break == std::string::npos ? 0 : line_break + 1;
-  return text.substr(begin, std::min(end - begin + 1, kShownErrorBytes));
+  return text.substr(begin, std::min(end - begin + 1, kMostLastWords));
 }
 
 std::string late(milliseconds limit) {
@@ -66,10 +66,10 @@ std::string late(milliseconds limit) {
 
 }  // namespace
 
-LineProcess::LineProcess(std::vector<std::string> command, std::string folder, Errors errors)
-    : command_(std::move(command)), folder_(std::move(folder)), errors_(errors) {}
+LineProcess::LineProcess(std::vector<std::string> command, std::string folder)
+    : command_(std::move(command)), folder_(std::move(folder)) {}
 
-LineProcess::~LineProcess() { end(milliseconds(1000)); }
+LineProcess::~LineProcess() { finish(); }
 
 std::string LineProcess::start() {
   if (command_.empty()) return "no program is given";
@@ -81,11 +81,11 @@ std::string LineProcess::start() {
   Descriptor ours(pair[0]);
   const Descriptor theirs(pair[1]);
   std::array<int, 2> pipe{-1, -1};
-  if (errors_ == Errors::quoted && pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-    return std::strerror(errno);
-  }
+  if (pipe2(pipe.data(), O_CLOEXEC) != 0) return std::strerror(errno);
   Descriptor read_end(pipe[0]);
   const Descriptor write_end(pipe[1]);
+  // Our end alone: programs do not expect that writing to standard error may fail with EAGAIN.
+  (void)fcntl(read_end.get(), F_SETFL, O_NONBLOCK);
 
   if (std::string problem = start_guarded(
           command_, folder_, {.channel = theirs.get(), .errors = write_end.get()}, child_);
@@ -96,7 +96,7 @@ std::string LineProcess::start() {
   set_patience(channel_);
   error_pipe_ = read_end.release();
   buffer_.clear();
-  last_words_.clear();
+  errors_.clear();
   lines_ = 0;
   return {};
 }
@@ -138,9 +138,7 @@ LineAnswer LineProcess::read_line(Deadline deadline) {
     searched = buffer_.size();
     if (searched > kMaxLineBytes) return {{}, "its answer is longer than 16 MB"};
     std::array<char, 4096> chunk{};  // answers are short, and clearing more costs more than they do
-    // One whose errors are read, too, must not wait for us to do so.
-    const int flags = error_pipe_ >= 0 ? MSG_DONTWAIT : 0;
-    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), flags);
+    const ssize_t count = recv(channel_, chunk.data(), chunk.size(), 0);
     if (count > 0) {
       buffer_.append(chunk.data(), static_cast<std::size_t>(count));
     } else if (count < 0 && errno == EAGAIN) {
@@ -209,10 +207,8 @@ void LineProcess::read_errors() {
     const ssize_t count = read(error_pipe_, chunk.data(), chunk.size());
     if (count < 0 && errno == EAGAIN) return;
     if (count <= 0) break;
-    last_words_.append(chunk.data(), static_cast<std::size_t>(count));
-    if (last_words_.size() > kMostErrorBytes) {
-      last_words_.erase(0, last_words_.size() - kMostErrorBytes / 2);
-    }
+    errors_.append(chunk.data(), static_cast<std::size_t>(count));
+    if (errors_.size() > 2 * kMostErrorBytes) errors_.erase(0, errors_.size() - kMostErrorBytes);
   }
   // Closed at its other end: poll would return at once from now on.
   close(std::exchange(error_pipe_, -1));
@@ -226,8 +222,20 @@ std::string LineProcess::ended() {
   } else if (status >= 0 && WIFEXITED(status)) {
     what = fmt::format("it ended with exit code {} before it answered", WEXITSTATUS(status));
   }
-  const std::string words = last_line(last_words_);
+  const std::string words = last_line(errors_);
   return words.empty() ? what : fmt::format("{}; its last words were '{}'", what, words);
+}
+
+std::string LineProcess::take_errors() {
+  if (error_pipe_ >= 0) read_errors();
+  std::string text = std::exchange(errors_, {});
+  text.erase(text.find_last_not_of("\r\n ") + 1);
+  if (text.size() <= kMostErrorBytes) return text;
+  // From the beginning of a line.
+  const std::size_t line_break = text.find('\n', text.size() - kMostErrorBytes);
+  const std::size_t begin =
+      line_break == std::string::npos ? text.size() - kMostErrorBytes : line_break + 1;
+  return fmt::format("... (its last {} bytes)\n{}", text.size() - begin, text.substr(begin));
 }
 
 int LineProcess::end(milliseconds patience) {

@@ -30,16 +30,9 @@ class LineProcess {
   /// Longer answers are refused.
   static constexpr std::size_t kMaxLineBytes = std::size_t{16} << 20U;
 
-  /// Where the child's standard error goes.
-  enum class Errors {
-    shown,   ///< it is ours
-    quoted,  ///< kept from the user; its last line is part of the error if the child ends early
-  };
-
   /// Started when first asked. `command`: a program, found as the shell does, and its arguments;
   /// `folder`: where it runs, empty for the current one.
-  explicit LineProcess(std::vector<std::string> command, std::string folder = {},
-                       Errors errors = Errors::shown);
+  explicit LineProcess(std::vector<std::string> command, std::string folder = {});
   /// Ends the process: its input is closed; if it does not go within a second it is killed.
   ~LineProcess();
   LineProcess(const LineProcess&) = delete;
@@ -64,6 +57,11 @@ class LineProcess {
   [[nodiscard]] std::optional<std::string> unasked_so_far() const;
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }
+  /// Ends the process as the destructor does, so that take_errors() has its last words.
+  void finish() { end(std::chrono::milliseconds(1000)); }
+  /// Its standard error since the last call, without the last line break; a long text is cut at its
+  /// beginning. If the process ends early, the last line is part of the error, too.
+  [[nodiscard]] std::string take_errors();
   /// Lines answered since the process was started.
   [[nodiscard]] std::size_t lines() const { return lines_; }
 
@@ -84,12 +82,11 @@ class LineProcess {
 
   std::vector<std::string> command_;
   std::string folder_;
-  Errors errors_;
   GuardedChild child_;
-  int channel_ = -1;        // its standard input and output
-  int error_pipe_ = -1;     // its standard error, if quoted
-  std::string buffer_;      // read, but not yet answered
-  std::string last_words_;  // the end of its standard error
+  int channel_ = -1;     // its standard input and output
+  int error_pipe_ = -1;  // its standard error
+  std::string buffer_;   // read, but not yet answered
+  std::string errors_;   // the end of its standard error, as far as that was not taken
   std::size_t lines_ = 0;
 };
 

@@ -30,8 +30,7 @@ std::string text_of(const nlohmann::json& line) {
 }  // namespace
 
 NumberedProcess::NumberedProcess(Settings settings)
-    : settings_(std::move(settings)),
-      process_(settings_.command, settings_.folder, settings_.errors) {}
+    : settings_(std::move(settings)), process_(settings_.command, settings_.folder) {}
 
 JsonAnswer NumberedProcess::ask(nlohmann::json question, std::size_t number,
                                 std::chrono::milliseconds limit) {

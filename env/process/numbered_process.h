@@ -33,7 +33,6 @@ class NumberedProcess {
     /// As LineProcess takes them.
     std::vector<std::string> command;
     std::string folder;
-    LineProcess::Errors errors = LineProcess::Errors::shown;
     /// The key of the number, in question and answer.
     std::string_view key;
     /// How long to look, after an answer that does not repeat its number, whether the process says
@@ -63,6 +62,9 @@ class NumberedProcess {
   /// Ends the process, whose last answer makes no sense. What to say about it: the answer, which
   /// line of its output that was, and `why`.
   [[nodiscard]] std::string refuse(std::string_view why);
+  /// As those of LineProcess.
+  void finish() { process_.finish(); }
+  [[nodiscard]] std::string take_errors() { return process_.take_errors(); }
 
  private:
   [[nodiscard]] std::string complaint(const std::optional<std::string>& text);

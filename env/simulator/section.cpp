@@ -159,14 +159,20 @@ void read_simulator(const ConfigNode& node, const std::string& path, const Secti
   SimulatorReader(context, parameters).read(node, path);
 }
 
-void check_simulator(const SimulatorParameters& parameters, const SimulatedSite* site,
-                     const std::string& scenario, const SectionContext& context) {
-  for (SettingProblem& problem : find_simulator(parameters.name)->check(parameters, site)) {
+void report_settings(std::vector<SettingProblem> problems, const ValueOrigins& origins,
+                     const std::string& scenario, Diagnostics& diagnostics) {
+  for (SettingProblem& problem : problems) {
     const std::string path = problem.of_world ? "world" : "world.simulator";
     const std::string key = problem.key.empty() ? path : path + "." + problem.key;
-    report(context.diagnostics, origin_of(context.origins, key, scenario),
-           std::move(problem.message), std::move(problem.hint));
+    report(diagnostics, origin_of(origins, key, scenario), std::move(problem.message),
+           std::move(problem.hint));
   }
+}
+
+void check_simulator(const SimulatorParameters& parameters, const SimulatedSite* site,
+                     const std::string& scenario, const SectionContext& context) {
+  report_settings(find_simulator(parameters.name)->check(parameters, site), context.origins,
+                  scenario, context.diagnostics);
 }
 
 }  // namespace jaywalk

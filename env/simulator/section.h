@@ -15,6 +15,10 @@ struct SimulatedSite;
 /// Reads one layer into the parameters.
 void read_simulator(const ConfigNode& node, const std::string& path, const SectionContext& context,
                     SimulatorParameters& parameters);
+/// Points at the keys that the problems are of.
+void report_settings(std::vector<SettingProblem> problems, const ValueOrigins& origins,
+                     const std::string& scenario, Diagnostics& diagnostics);
+
 /// Reports what the simulator finds wrong; of the site only if that is all right by itself, else it
 /// is null. REQUIRES: a simulator is named.
 void check_simulator(const SimulatorParameters& parameters, const SimulatedSite* site,

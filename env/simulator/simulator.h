@@ -43,11 +43,14 @@ struct SimulatedRoad {
   Ground ground;
 };
 
-/// Where the tests of a scenario take place, and the sides of the AV that drives there.
+/// Where the tests of a scenario take place, and the AV as it begins there, with the speed that it
+/// would keep if nothing were in its way.
 struct SimulatedSite {
   SimulatedRoad road;
-  double av_left_m = 0;
-  double av_right_m = 0;
+  Actor av;
+  ActorState av_start;
+  VehicleParameters vehicle;
+  double tick_s = 1;
 };
 
 /// Somebody whom the world moves, as it goes from the begin of a tick to its end.
@@ -139,6 +142,10 @@ class Simulator {
 
   /// Who it is, after starting it if it has to be started. Why that failed, if it did.
   [[nodiscard]] virtual std::string identify(SimulatorIdentity& identity) = 0;
+  /// Errors of the scenario that show once the simulator runs, before any test; usually none.
+  [[nodiscard]] virtual std::vector<SettingProblem> survey(const SimulatedSite& /*site*/) {
+    return {};
+  }
   /// A test begins; one that has not ended is given up.
   [[nodiscard]] virtual std::string begin(const SimulatedTest& test, SimulatedStart& start) = 0;
   /// The scenes that it has come to, at equal distances; the last one is at the end of the tick.
@@ -146,8 +153,8 @@ class Simulator {
                                             std::vector<SimulatedScene>& scenes) = 0;
   /// The test is over. Why something is wrong even so, if it is.
   [[nodiscard]] virtual std::string end(const DriveEnd& /*end*/) { return {}; }
-  /// What the scenario's author should know though all went on; usually empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Remarks on the test for the scenario's author, each once; usually none.
+  [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
 /// Where a body is after this share of the tick, from 0 to 1.

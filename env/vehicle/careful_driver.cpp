@@ -10,7 +10,7 @@ CarefulDriver::CarefulDriver(const VehicleParameters& parameters)
       acceleration_(parameters.acceleration_mps2),
       line_stop_(perception_s_ + kBrakingDelayS) {}
 
-/// The speed that is lost in so many seconds. Braking grows gradually and is released at once.
+/// The speed lost in `seconds`. Braking grows gradually and is released at once.
 double CarefulDriver::press(double wanted_mps2, double seconds) {
   const double before = std::min(braking_, wanted_mps2);
   const double growing = std::min((wanted_mps2 - before) / kBrakingJerkMps3, seconds);
@@ -20,7 +20,7 @@ double CarefulDriver::press(double wanted_mps2, double seconds) {
 
 VehicleDecision CarefulDriver::decide(const VehicleView& view) {
   risks_.look(view, lane_of(view));
-  // Who stands at a line brakes with 0, but does not drive on: that is not the same as none.
+  // A vehicle waiting at a line brakes with 0 m/s2; that differs from "no braking".
   const std::optional<double> for_line = line_stop_.braking(view, deceleration_);
   const std::optional<double> risk_s = risks_.first_s();
   const double perceived_s =

@@ -3,7 +3,7 @@
 // The careful and competent human driver of UN Regulation No. 157 (the performance model of its
 // annex on traffic disturbances), also of ISO 34502. A risk begins as hazards.h defines it; the
 // driver perceives it for 0.4 s, begins to brake 0.75 s later, and presses the pedal so that the
-// deceleration grows at 12.65 m/s^3 up to 0.774 g, until nobody is a risk any more. The model
+// deceleration grows at 12.65 m/s^3 up to 0.774 g, until no actor is a risk any more. The model
 // `careful-competent` drives so, and so does the driver by whom tests are judged
 // (experiment/judge/signals/careful_driver.cpp).
 

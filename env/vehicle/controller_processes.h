@@ -1,7 +1,7 @@
 #pragma once
 
 // Processes of external controllers (external.cpp has what they read and answer). One that drives
-// in many tests, one after another, is kept by whoever runs the tests, as starting it takes longer
+// in many tests, one after another, is kept by the runner of the tests, as starting it takes longer
 // than most tests do; it belongs to one thread.
 
 #include <cstdint>
@@ -28,10 +28,13 @@ class ControllerProcess {
   /// One that is kept begins a drive. If it is the drive before once more, nothing is sent until a
   /// view comes that was not seen in it: then all that went before is asked again.
   [[nodiscard]] std::string begin(nlohmann::json reset);
-  /// What it answers: an acceleration in m/s^2, which may be more than a vehicle can do.
+  /// Its answer: an acceleration in m/s^2, which may exceed what a vehicle can do.
   [[nodiscard]] std::string decide(const VehicleView& view, std::uint64_t test,
                                    double& acceleration_mps2);
   [[nodiscard]] std::string end(nlohmann::json end);
+  /// As those of LineProcess.
+  void finish() { process_.finish(); }
+  [[nodiscard]] std::string take_errors() { return process_.take_errors(); }
 
  private:
   [[nodiscard]] std::string say_reset();

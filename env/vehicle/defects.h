@@ -24,10 +24,10 @@ enum class DefectFamily { perception, prediction, decision, actuation };
 struct DefectModel {
   std::string_view name;
   DefectFamily family = DefectFamily::perception;
-  /// Of its severity: s, m, m/s, m/s2, deg, g (the acceleration of free fall) or %. Empty if the
-  /// defect is there or not; its one severity is 1 then.
+  /// Unit of the severity: s, m, m/s, m/s2, deg, g (the acceleration of free fall) or %. Empty if
+  /// the defect has no degrees; its one severity is 1 then.
   std::string_view unit;
-  /// What it is usually measured with, from the mildest; the first one is the default.
+  /// The usual severities, from the mildest; the first one is the default.
   std::span<const double> severities;
   std::string_view summary;
   /// The public report it is known from, or that it is constructed.

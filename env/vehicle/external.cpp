@@ -28,10 +28,10 @@
 //
 //   {"step":0,"reads":["lane","actors.gap","actors.sides","stop_lines"]}
 //
-// What a kept process answers must follow from `reset` and the views since then alone. Where tests
-// that differ in nothing but the AV's defects (the same `reset`) begin with the same views, it is
-// asked once. In another such test it is asked only when a new view comes, then with all the views
-// before it; if it answers those otherwise than the first time, that test fails.
+// The answers of a kept process must follow from `reset` and the views since then alone. Tests
+// that differ only in the AV's defects (the same `reset`) and begin with the same views share its
+// answers. In another such test it is queried only when a new view comes, then with all the views
+// before it; if it answers those differently from the first time, that test fails.
 
 #include <algorithm>
 #include <filesystem>
@@ -98,12 +98,20 @@ class External final : public VehicleController {
   }
 
   [[nodiscard]] std::string failure() const override { return failure_; }
-  [[nodiscard]] std::string note() const override {
-    if (excess_mps2_ == 0) return {};
-    return fmt::format(
-        "the controller '{}' asked for {:g} m/s2; a vehicle does {:.4g} to {:g}, to which its "
-        "answers are limited",
-        title_of(command_), excess_mps2_, -kHardestBrakingMps2, kHardestAccelerationMps2);
+  [[nodiscard]] std::vector<std::string> take_notes() override {
+    std::vector<std::string> notes;
+    if (excess_mps2_ != 0) {
+      notes.push_back(fmt::format(
+          "the controller '{}' asked for {:g} m/s2; a vehicle does {:.4g} to {:g}, to which its "
+          "answers are limited",
+          title_of(command_), excess_mps2_, -kHardestBrakingMps2, kHardestAccelerationMps2));
+    }
+    if (own_) own_->finish();
+    if (std::string errors = process().take_errors(); !errors.empty()) {
+      notes.push_back(fmt::format("the controller '{}' wrote to standard error:\n{}",
+                                  title_of(command_), errors));
+    }
+    return notes;
   }
 
  private:

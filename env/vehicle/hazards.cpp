@@ -7,7 +7,7 @@
 namespace jaywalk {
 namespace {
 
-// What is beside the front is no longer in the way.
+// An actor beside the front is no longer in the way.
 constexpr double kBesideM = -0.01;
 // A vehicle that has come to its stop line may stand a little beyond it.
 constexpr double kPastLineM = -1;

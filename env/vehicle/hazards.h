@@ -36,7 +36,7 @@ struct Hazard {
 /// The nearest of the closed stop lines ahead.
 [[nodiscard]] std::optional<Hazard> closed_line(const VehicleView& view);
 
-/// Who is a risk, and since when.
+/// The actors that are a risk, and since when.
 class Risks {
  public:
   struct Risk {
@@ -44,24 +44,24 @@ class Risks {
     Hazard hazard;
   };
 
-  /// To be called once in every period.
+  /// Call this once in every period.
   void look(const VehicleView& view, const Strip& lane);
 
   [[nodiscard]] const std::map<std::uint32_t, Risk>& all() const { return risks_; }
-  /// When the first of those who are a risk now became one; empty if nobody is.
+  /// When the first of the present risks became one; empty if there is no risk.
   [[nodiscard]] std::optional<double> first_s() const;
 
  private:
   std::map<std::uint32_t, Risk> risks_;
 };
 
-/// Whoever has been a risk for at least the reaction time: nobody brakes for what they have not
-/// yet perceived.
+/// The risks that have lasted for at least the reaction time: a driver brakes only for what it
+/// has perceived.
 class Perception {
  public:
   explicit Perception(double reaction_s) : reaction_s_(reaction_s) {}
 
-  /// To be called once in every period. The nearest of those perceived; closed stop lines count.
+  /// Call this once in every period. The nearest perceived risk; closed stop lines count.
   std::optional<Hazard> perceive(const VehicleView& view, const Strip& lane);
 
  private:
@@ -85,8 +85,8 @@ class LineStop {
   /// Seconds from the closing of a line until braking may begin.
   explicit LineStop(double reacts_s = 0) : reacts_s_(reacts_s) {}
 
-  /// To be called once in every period. The braking for the nearest line, positive; empty while
-  /// there is no need.
+  /// Call this once in every period. The braking for the nearest line, positive; empty if none is
+  /// needed.
   std::optional<double> braking(const VehicleView& view, double strongest_mps2);
 
  private:

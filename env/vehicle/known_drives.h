@@ -1,8 +1,8 @@
 #pragma once
 
-// What a controller answered in drives that began alike: most defects change nothing that it sees
-// for much of a test, and many nothing at all. Whoever is asked the same questions in the same
-// order gives the same answers, so they need not be asked again.
+// A controller's answers in drives that began alike: most defects leave its views unchanged for
+// much of a test, and many for all of it. A controller that receives the same views in the same
+// order gives the same answers, so it need not be queried again.
 
 #include <cstddef>
 #include <optional>

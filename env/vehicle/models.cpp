@@ -24,7 +24,7 @@ class Braking final : public VehicleController {
     if (needed >= kComfortableMps2) braking_ = true;
     if (needed < kComfortableMps2 / 2) braking_ = false;
     if (braking_) return {-std::min(needed, deceleration_)};
-    // Far away: roll on, but do not gather speed towards somebody.
+    // Far away: roll on, but do not accelerate towards an actor.
     return {std::min(resume(view, acceleration_), 0.0)};
   }
 
@@ -59,7 +59,7 @@ class EmergencyBraking final : public VehicleController {
   static constexpr double kTriggerS = 1.1;
   static constexpr double kMarginM = 0.3;
 
-  // Once it stands, it stays for as long as somebody is right in front of it.
+  // Once it stands, it stays for as long as an actor is right in front of it.
   static bool is_threat(const VehicleView& view, const SeenActor& actor) {
     const Strip path{view.left_m - kMarginM, view.right_m + kMarginM};
     if (actor.gap_m < 0) return false;

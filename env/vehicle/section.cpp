@@ -72,7 +72,7 @@ void VehicleSection::read_model(const ConfigNode& node, const std::string& path,
                 did_you_mean(*name, names));
 }
 
-// One defect or a list of them, which takes the place of what was there.
+// One defect or a list of them, which replaces the former list.
 void VehicleSection::read_defects(const ConfigNode& node, const std::string& path,
                                   VehicleParameters& vehicle) {
   note_origin(node, path);
@@ -136,6 +136,21 @@ void check_vehicle(const VehicleParameters& vehicle, const std::optional<Vehicle
   if (vehicle.model == "external") check_external(context);
   check_command(vehicle, "world.av", scenario, context);
   if (twin) check_command(*twin, "world.av.twin", scenario, context);
+}
+
+void warn_of_speed(double mps, const std::string& path, std::string unit,
+                   const SectionContext& context) {
+  constexpr double kFastMps = 60;
+  constexpr double kKmhInMps = 3.6;
+  const auto given = context.origins.find(path);
+  if (mps <= kFastMps || given == context.origins.end()) return;
+  context.diagnostics.add(
+      {.severity = Severity::warning,
+       .message = fmt::format("the AV drives at {:.4g} m/s ({:.4g} km/h)", mps, mps * kKmhInMps),
+       .where = given->second.where,
+       .hint = std::move(unit),
+       .code = {},
+       .subject = given->second.option});
 }
 
 void check_defects(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,

@@ -36,6 +36,10 @@ class VehicleSection : protected SectionReader {
 /// Reports keys that have no meaning for an external controller, and commands that are missing.
 void check_vehicle(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,
                    const std::string& scenario, const SectionContext& context);
+/// Warns of an AV that drives at more than 60 m/s, where the key `path` was given; `unit` says what
+/// that is in.
+void warn_of_speed(double mps, const std::string& path, std::string unit,
+                   const SectionContext& context);
 /// What keeps defects from showing: whoever does not brake can neither brake wrongly nor show how
 /// it is done rightly.
 void check_defects(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a vehicle sees of others: the same for the automated vehicle (AV) of a world and for a
-// driver whom a test's judge puts in its place. Read vehicle.h before.
+// How a vehicle sees others. It serves the automated vehicle (AV) of a world and the driver with
+// which a test's judge compares it. Read vehicle.h before.
 
 #include <cstdint>
 #include <optional>

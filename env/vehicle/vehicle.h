@@ -34,7 +34,7 @@ struct SeenActor {
   /// Along the vehicle's way, and to its right.
   double speed_ahead_mps = 0;
   double speed_right_mps = 0;
-  /// Of the box, along the way: its far side is at gap_m + length_m.
+  /// The box's length along the way: its far side is at gap_m + length_m.
   double length_m = 0;
   /// Where it looks, clockwise from the vehicle's way.
   double heading_rad = 0;
@@ -47,13 +47,13 @@ struct SeenLane {
   bool oncoming = false;
 };
 
-/// A place where the vehicle has to stop while `closed`: a red signal, or somebody on a zebra.
+/// A place where the vehicle has to stop while `closed`: a red signal, or a pedestrian on a zebra.
 struct StopLine {
   double gap_m = 0;
   bool closed = false;
 };
 
-/// Something that nobody can be where it is or look through: a parked car.
+/// An obstacle to movement and sight: a parked car.
 struct SeenObstacle {
   /// From the vehicle's front to its near and its far side.
   double gap_m = 0;
@@ -63,7 +63,7 @@ struct SeenObstacle {
   double right_m = 0;
 };
 
-/// What the controller receives, once every control period.
+/// The controller's input, once every control period.
 struct VehicleView {
   double time_s = 0;
   double period_s = 0;
@@ -78,7 +78,7 @@ struct VehicleView {
   /// In the order of their numbers; what is hidden or out of range is not among them.
   std::span<const SeenActor> actors;
   std::span<const StopLine> stop_lines;
-  /// What the map has of them, ahead and behind.
+  /// The map's obstacles, ahead and behind.
   std::span<const SeenObstacle> obstacles{};
   /// From the road's begin to its front, and of its body.
   double front_m = 0;
@@ -111,11 +111,11 @@ struct DriveBriefing {
 struct DriveEnd {
   /// `precondition`, `collision`, `road_end`, `time_limit`.
   std::string_view why;
-  /// Of the first collision, in m/s; empty if there was none.
+  /// Speed of the first collision, in m/s; empty if there was none.
   std::optional<double> impact_mps;
 };
 
-/// What the controller decides. The world keeps the speed between 0 and what the limits allow.
+/// The controller's decision. The world keeps the speed between 0 and what the limits allow.
 struct VehicleDecision {
   double acceleration_mps2 = 0;
 };
@@ -133,7 +133,7 @@ struct VehicleDefect {
 struct VehicleParameters {
   /// A row of models.def.
   std::string model = "constant";
-  /// Seconds from the moment at which somebody is in the way until that is perceived. A model
+  /// Seconds from the moment an actor is in the way until it is perceived. A model
   /// brakes then, or later if models.def says so.
   std::optional<double> reaction_s;
   /// The strongest braking and acceleration, both positive, in m/s^2.
@@ -141,7 +141,7 @@ struct VehicleParameters {
   double acceleration_mps2 = 2;
   /// How far the sensors see, in metres ahead of the front.
   double range_m = 100;
-  /// What is left to an obstacle when standing, in metres.
+  /// The remaining gap to an obstacle when standing, in metres.
   double standoff_m = 2;
   /// Time from one decision to the next; 0: one tick. Models that decide more often do so anyway.
   double period_s = 0;
@@ -163,14 +163,14 @@ class VehicleController {
   virtual void begin(const DriveBriefing& /*briefing*/) {}
   virtual void end(const DriveEnd& /*end*/) {}
   [[nodiscard]] virtual VehicleDecision decide(const VehicleView& view) = 0;
-  /// It is to be asked at least so often, even if the parameters say less often.
+  /// The longest period between two decisions, in seconds, even if the parameters ask for longer ones.
   [[nodiscard]] virtual double longest_period_s() const {
     return std::numeric_limits<double>::infinity();
   }
   /// Why it can go on no longer (an external process died, say); empty while all is well.
   [[nodiscard]] virtual std::string failure() const { return {}; }
-  /// What its author should know though all went on; usually empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Remarks on the test for its author, each once; usually none.
+  [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
 /// What no vehicle on a dry road exceeds: answers of external controllers are limited to that.

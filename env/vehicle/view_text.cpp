@@ -14,7 +14,7 @@
 namespace jaywalk {
 namespace {
 
-// Without it no answer could be told from another.
+// Without it answers could not be matched to views.
 constexpr std::string_view kStep = "step";
 
 class ViewText {

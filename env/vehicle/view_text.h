@@ -1,7 +1,7 @@
 #pragma once
 
-// What a controller outside of this program reads for each decision: a view as one line of JSON.
-// external.cpp has its fields. It is written as text, since a test asks a hundred times and more: a
+// Writes a view as one line of JSON, which an external controller reads for each decision.
+// external.cpp has its fields. It is written as text, since a test needs a hundred and more: a
 // tree of JSON values takes ten times as long.
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace jaywalk {
 
-/// Names of a view's fields, those that somebody reads; none: all.
+/// Names of the view's fields that the controller reads; none: all.
 using ViewFields = std::vector<std::string>;
 
 /// In the order of the alphabet.

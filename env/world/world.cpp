@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 
 double WorldResult::score() const {
@@ -15,7 +17,8 @@ double WorldResult::score() const {
 std::string World::describe_result() const {
   const WorldResult& of = result();
   if (!of.success) {
-    return fmt::format("precondition not met in {} ticks, score {:.2f}", of.ticks, of.score());
+    return fmt::format("precondition not met in {}, score {:.2f}", counted(of.ticks, "tick"),
+                       of.score());
   }
   const std::vector<Actor> all = actors();
   std::vector<std::string> names;

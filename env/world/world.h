@@ -21,7 +21,7 @@
 
 namespace jaywalk {
 
-/// What a test has brought one of the agents under comparison.
+/// One compared agent's cost and reward in a test.
 struct AgentOutcome {
   double cost = 0;
   double reward = 0;
@@ -29,9 +29,9 @@ struct AgentOutcome {
   std::uint32_t actions = 0;
 };
 
-/// The AV has touched somebody, for the first time.
+/// The AV's first contact with an agent or actor.
 struct Collision {
-  /// Index of the agent, or of whoever comes after the agents; the actor's less one.
+  /// Index of the agent; the world's other bodies are numbered after the agents. The actor's number less one.
   std::size_t body = 0;
   int tick = 0;
   double impact_mps = 0;
@@ -46,9 +46,9 @@ struct WorldResult {
   /// Those of the whole test, and what has ended it, a word of the world's; empty while it goes on.
   int all_ticks = 0;
   std::string_view end;
-  /// Of each agent under comparison, in their order.
+  /// One outcome for each compared agent, in their order.
   std::vector<AgentOutcome> agents;
-  /// Who met the precondition, as indices of agents.
+  /// The agents that met the precondition, as indices.
   std::vector<std::size_t> met_by;
   /// Whom the AV has touched, each once, in the order of time. Assertions judge it.
   std::vector<Collision> collisions;
@@ -75,28 +75,28 @@ class World : public Environment {
   [[nodiscard]] double tick_ms() const final { return tick_s() * 1000; }
   /// Ticks that have passed.
   [[nodiscard]] virtual int ticks() const = 0;
-  /// What the AV's controller or simulator receives before the test, as far as the caller knows it.
+  /// Passes on the caller's share of what the AV's controller or simulator receives before the test.
   /// There may be more actors from then on.
   virtual void begin(DriveBriefing briefing) = 0;
   /// Reports to the AV's controller how the test ended. REQUIRES: it is finished.
   virtual void end() = 0;
-  /// What the author of the AV's controller should know; usually empty.
-  [[nodiscard]] virtual std::string note() const { return {}; }
+  /// Remarks on the test for the author of the AV's controller, each once; usually none.
+  [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
   /// Why the test cannot go on (a controller or simulator died, say); empty while all is well.
   [[nodiscard]] virtual std::string failure() const { return {}; }
   /// The same during the whole test, and where they are now.
   [[nodiscard]] virtual std::vector<Actor> actors() const = 0;
   [[nodiscard]] virtual Scene scene() const = 0;
-  /// What the world alone knows to have happened, in the order of time; what is in result() is not
-  /// among it.
+  /// Events that only the world knows of, in the order of time; those in result() are not among
+  /// them.
   [[nodiscard]] virtual std::vector<WorldEvent> events() const { return {}; }
-  /// What has come of the test so far; final once it is finished.
+  /// The test's result so far; final once it is finished.
   [[nodiscard]] virtual const WorldResult& result() const = 0;
-  /// The same in words: `precondition met in tick 5 by v1, score 12.00`.
+  /// The result in words: `precondition met in tick 5 by v1, score 12.00`.
   [[nodiscard]] virtual std::string describe_result() const;
   /// The agent's last action led nowhere, though no tick follows in which it would hear of that.
   [[nodiscard]] virtual bool last_action_failed(std::size_t /*agent*/) const { return false; }
-  /// Of a world whose tests depend on each other: what the next one is given as its head start.
+  /// The next test's head start, in a world whose tests depend on each other.
   [[nodiscard]] virtual int left_over() const { return 0; }
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "env/simulator/simulator.h"
+
 namespace jaywalk {
 
 std::string WorldSpec::agent_name(std::uint32_t number) const { return fmt::format("p{}", number); }
@@ -10,6 +12,8 @@ const SimulatorParameters& WorldSpec::simulator() const {
   static const SimulatorParameters kNone;
   return kNone;
 }
+
+std::optional<SimulatedSite> WorldSpec::site() const { return std::nullopt; }
 
 std::vector<std::string> WorldSpec::command() const { return vehicle().command; }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@
 
 namespace jaywalk {
 
+struct SimulatedSite;
+
 /// What a world is given to begin a test with.
 struct WorldStart {
   /// How many agents are compared, without the world's others.
@@ -27,7 +30,7 @@ struct WorldStart {
   /// The test's number, and the seed for where agents start, which is the same for all behaviours.
   std::uint64_t test = 0;
   std::uint64_t seed = 0;
-  /// What the test before has left over (World::left_over).
+  /// World::left_over of the test before.
   int head_start = 0;
   /// The cells where the agents start, of a world that has cells; empty: the world says.
   std::vector<Position> cells = {};
@@ -53,14 +56,16 @@ class WorldSpec {
   [[nodiscard]] virtual Ground ground() const = 0;
   /// What pictures show of it.
   [[nodiscard]] virtual GroundPlan plan() const = 0;
-  /// Of the agents under comparison, by number, from 1.
+  /// The name of a compared agent, by number, from 1.
   [[nodiscard]] virtual std::string agent_name(std::uint32_t number) const;
 
   /// How the AV is driven, and how it would be if it were healthy (VehicleDefect).
   [[nodiscard]] virtual const VehicleParameters& vehicle() const = 0;
   [[nodiscard]] virtual VehicleParameters healthy_vehicle() const = 0;
-  /// Who moves the vehicles in the world's place; its name is empty if nobody does.
+  /// The simulator that moves the vehicles; its name is empty if the world moves them itself.
   [[nodiscard]] virtual const SimulatorParameters& simulator() const;
+  /// Where simulated tests take place; nothing of a world that no simulator can take part in.
+  [[nodiscard]] virtual std::optional<SimulatedSite> site() const;
   /// The same world with another AV.
   [[nodiscard]] virtual std::shared_ptr<const WorldSpec> with(
       VehicleParameters vehicle, SimulatorParameters simulator) const = 0;
@@ -71,7 +76,7 @@ class WorldSpec {
   [[nodiscard]] virtual bool same_as(const WorldSpec& other) const = 0;
   /// Tests are given what those before have left over, so that they have to run in order.
   [[nodiscard]] virtual bool carries_over() const { return false; }
-  /// Of the row's percepts those that agents do not have in it, as indices.
+  /// The row's percepts that agents do not have in this world, as indices.
   [[nodiscard]] virtual std::vector<std::size_t> absent_percepts() const { return {}; }
 
   /// The cells where agents start; none of a world without cells, or where there are too few.

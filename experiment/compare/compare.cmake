@@ -23,6 +23,7 @@ target_sources(jaywalk_experiment PRIVATE
   compare/csv_fields.cpp
   compare/experiment.cpp
   compare/feedback.cpp
+  compare/first_tests.cpp
   compare/test_assessment.cpp
   compare/kills/kills.cpp
   compare/kills/kills_csv.cpp

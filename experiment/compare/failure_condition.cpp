@@ -114,6 +114,7 @@ std::optional<double> value_of(const FailureCondition& condition, const Comparis
     return std::nullopt;
   const auto index = static_cast<std::size_t>(assertion - comparison.assertions.begin());
   const VerdictCounts& counts = comparison.assessments[row].verdicts[index];
+  if (counts.all() == 0) return std::nullopt;
   const auto field = std::ranges::find(kFields, condition.field) - kFields.begin();
   if (static_cast<std::size_t>(field) == kVerdictCount) return exercised_pct(counts);
   return static_cast<double>(counts.of(static_cast<Verdict>(field)));
@@ -131,12 +132,7 @@ Diagnostics problems(const FailureCondition& condition, std::span<const Assertio
 
 bool fails(const FailureCondition& condition, const Comparison& comparison, std::size_t row) {
   const auto value = value_of(condition, comparison, row);
-  return value && holds(*value, condition.kind, condition.bound);
-}
-
-bool fails(const FailureCondition& condition, const Summary& summary) {
-  const Estimate estimate = condition.measure->estimate(summary);
-  return estimate.value && holds(*estimate.value, condition.kind, condition.bound);
+  return !value || holds(*value, condition.kind, condition.bound);
 }
 
 }  // namespace jaywalk

@@ -30,7 +30,8 @@ struct FailureCondition {
 /// Parses `accuracy<40`; blanks are allowed, the comparisons are < <= > >= == !=.
 [[nodiscard]] Result<FailureCondition> parse_failure_condition(std::string_view text);
 
-/// The number that the condition is about. REQUIRES: a row of the comparison.
+/// The number that the condition is about; nothing if no test gives one (the score if none
+/// succeeded, verdicts if all ended errored). REQUIRES: a row of the comparison.
 [[nodiscard]] std::optional<double> value_of(const FailureCondition& condition,
                                              const Comparison& comparison, std::size_t row);
 
@@ -41,8 +42,7 @@ struct FailureCondition {
 [[nodiscard]] Diagnostics problems(const FailureCondition& condition,
                                    std::span<const Assertion> assertions);
 
-/// A measure that does not exist (the score if no test succeeded) fails nothing.
-[[nodiscard]] bool fails(const FailureCondition& condition, const Summary& summary);
+/// A row without such a number fails, too: nothing shows that it is as wanted.
 [[nodiscard]] bool fails(const FailureCondition& condition, const Comparison& comparison,
                          std::size_t row);
 

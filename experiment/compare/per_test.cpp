@@ -25,8 +25,8 @@ std::string PerTestLines::line(const TestKey& test, const TestOutcome& outcome,
                                std::span<const Verdict> verdicts) const {
   std::string text =
       fmt::format("{},{}", csv_quoted(plan_.behaviours[test.behaviour]), test.agents);
-  if (plan_.vehicles.size() > 1) text += ',' + plan_.vehicles[test.vehicle];
-  text += fmt::format(",{},{},{},", test.number, outcome.ended_by, outcome.ticks);
+  if (plan_.vehicles.size() > 1) text += ',' + csv_quoted(plan_.vehicles[test.vehicle]);
+  text += fmt::format(",{},{},{},", test.number, csv_quoted(outcome.ended_by), outcome.ticks);
   if (outcome.precondition_ticks) text += std::to_string(*outcome.precondition_ticks);
   text += outcome.impact_mps ? ",1" : ",0";
   add_csv_field(text, outcome.impact_mps);

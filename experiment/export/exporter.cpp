@@ -43,8 +43,8 @@ bool write_export(const ExportRequest& request, const std::string& name, std::st
 
 bool write_export(const ExportRequest& request, const std::string& name, const TextSource& source,
                   std::vector<std::string>& written, Diagnostics& diagnostics) {
-  std::string path = fmt::format("{}/{}", request.folder, name);
-  if (const auto why = write_file(path, source)) {
+  std::string path = output_path(request.folder, name);
+  if (const auto why = write_file(path, source, Links::replaced)) {
     if (why->empty()) return false;
     diagnostics.error(path, fmt::format("cannot be written: {}", *why));
     return false;

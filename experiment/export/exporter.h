@@ -35,6 +35,8 @@ struct Exported {
   std::vector<std::string> files;
   /// What of the tests could not be said in them.
   Diagnostics warnings;
+  /// A hint for programs that read them; usually empty.
+  std::string note = {};
 };
 
 /// Errors: the store cannot be read, a file cannot be written.

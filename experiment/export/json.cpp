@@ -1,5 +1,6 @@
 #include "experiment/export/json.h"
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -20,6 +21,10 @@ void add_number(Json& object, std::string_view name, std::optional<double> value
 }
 
 void add_estimate(Json& object, const Measure& measure, const Estimate& estimate) {
+  if (estimate.is_count && estimate.value) {
+    object[std::string(measure.column)] = static_cast<std::uint64_t>(*estimate.value);
+    return;
+  }
   add_number(object, measure.column, estimate.value);
   add_number(object, measure.low_column, estimate.low);
   add_number(object, measure.high_column, estimate.high);

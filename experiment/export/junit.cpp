@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/markup.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -60,7 +61,7 @@ std::string document(std::string_view suites) {
 }
 
 Case case_of(const Summary& summary, const VerdictCounts& counts) {
-  Case result{.name = fmt::format("{}, {} agents", summary.behaviour, summary.agents)};
+  Case result{.name = fmt::format("{}, {}", summary.behaviour, counted(summary.agents, "agent"))};
   if (counts.of(Verdict::fail) > 0) {
     result.verdict = Verdict::fail;
     result.message =
@@ -92,7 +93,7 @@ std::string errored_suite(const Comparison& comparison) {
     const Summary& summary = comparison.summaries[row];
     if (summary.errored == 0) continue;
     Case result{
-        .name = fmt::format("{}, {} agents", summary.behaviour, summary.agents),
+        .name = fmt::format("{}, {}", summary.behaviour, counted(summary.agents, "agent")),
         .errored = true,
         .message = fmt::format("{} of {} tests ended errored", summary.errored, summary.tests)};
     if (row < comparison.troubles.size() && !comparison.troubles[row].errors.empty()) {

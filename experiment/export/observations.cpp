@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/export/exporters.h"
+#include "experiment/judge/csv_line.h"
 
 namespace jaywalk {
 namespace {
@@ -14,10 +15,11 @@ std::string rows(const StoredTest& test, const std::string& behaviour, const Rec
     const auto scene = recording.scene(tick);
     for (std::size_t i = 0; i < scene.size(); ++i) {
       const Actor& actor = recording.actors()[i];
-      text += fmt::format(
-          "{},{},{},{},{:.6g},{},{},{:.4f},{:.4f},{:.4f},{:.6f}\n", behaviour, test.test.agents,
-          test.test.number, tick, static_cast<double>(tick) * recording.tick_s(), actor.name,
-          name(actor.kind), scene[i].x_m, scene[i].y_m, scene[i].speed_mps, scene[i].heading_rad);
+      text += fmt::format("{},{},{},{},{:.6g},{},{},{:.4f},{:.4f},{:.4f},{:.6f}\n",
+                          csv_quoted(behaviour), test.test.agents, test.test.number, tick,
+                          static_cast<double>(tick) * recording.tick_s(), csv_quoted(actor.name),
+                          name(actor.kind), scene[i].x_m, scene[i].y_m, scene[i].speed_mps,
+                          scene[i].heading_rad);
     }
   }
   return text;

@@ -39,8 +39,12 @@ class Recording {
     states_.insert(states_.end(), scene.begin(), scene.end());
   }
   void add(RecordedEvent event) { events_.push_back(std::move(event)); }
+  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
 
   [[nodiscard]] double tick_s() const { return tick_s_; }
+  /// Numbers that differ by no more than this are equal: speeds that were computed from rounded
+  /// places and times are inexact. 0 unless they were.
+  [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] std::span<const Actor> actors() const { return actors_; }
   /// How many scenes there are: the one before the first tick counts, so it is the ticks plus 1.
   [[nodiscard]] std::size_t scenes() const {
@@ -56,6 +60,7 @@ class Recording {
 
  private:
   double tick_s_ = 1;
+  double tolerance_ = 0;
   std::vector<Actor> actors_;
   std::vector<ActorState> states_;  // scene after scene
   std::vector<RecordedEvent> events_;

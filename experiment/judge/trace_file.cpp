@@ -13,6 +13,7 @@
 
 #include "env/scene.h"
 #include "experiment/judge/csv_line.h"
+#include "interpreter/support/markup.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
@@ -54,6 +55,10 @@ constexpr std::array<ColumnName, kColumnCount> kColumns{{
 /// Times are evenly spaced if each step is as long as the first but for this share of it.
 constexpr double kUneven = 0.01;
 
+/// How exact speeds are that follow from places and times, in m/s: places of UTM coordinates are
+/// exact to a nanometre, times to a microsecond.
+constexpr double kSpeedTolerance = 1e-6;
+
 /// The fields of a line, without blanks around them.
 std::vector<CsvField> fields_of(std::string_view line) {
   std::vector<CsvField> fields = csv_fields(line);
@@ -62,6 +67,18 @@ std::vector<CsvField> fields_of(std::string_view line) {
     field.text = trimmed(field.text);
   }
   return fields;
+}
+
+/// The kinds of events in a field, which a `;` separates.
+std::vector<std::string_view> kinds_in(std::string_view events) {
+  std::vector<std::string_view> kinds;
+  while (!events.empty()) {
+    const std::size_t end = std::min(events.find(';'), events.size());
+    const std::string_view kind = trimmed(events.substr(0, end));
+    if (!kind.empty()) kinds.push_back(kind);
+    events.remove_prefix(std::min(end + 1, events.size()));
+  }
+  return kinds;
 }
 
 std::optional<ActorKind> find_kind(std::string_view text) {
@@ -210,7 +227,14 @@ class TraceParser {
     const auto actor = read_actor(fields);
     if (!good || !actor) return;
     row.actor = *actor;
-    if (const CsvField* const events = field(fields, kEvent)) row.events = events->text;
+    if (const CsvField* const events = field(fields, kEvent)) {
+      row.events = events->text;
+      for (const std::string_view kind : kinds_in(row.events)) {
+        if (is_label(kind)) continue;
+        error(events->where, fmt::format("'{}' cannot be the name of an event", kind),
+              std::string(kLabelHint));
+      }
+    }
     if (!add_time(fields[*columns_[kTime]].where, time)) return;
     row.scene = times_.size() - 1;
     if (!seen_.insert({row.scene, row.actor}).second) {
@@ -232,14 +256,17 @@ class TraceParser {
   std::optional<std::size_t> read_actor(const std::vector<CsvField>& fields) {
     const auto& [called_where, called] = fields[*columns_[kActor]];
     const auto& [kind_where, kind_text] = fields[*columns_[kKind]];
-    if (called.empty()) error(called_where, "an actor without a name");
+    const bool is_named = is_label(called);
+    if (!is_named)
+      error(called_where, fmt::format("'{}' cannot be the name of an actor", called),
+            std::string(kLabelHint));
     const auto kind = find_kind(kind_text);
     if (!kind) {
       error(kind_where,
             fmt::format("unknown kind '{}', expected vehicle, pedestrian, cyclist or signal",
                         kind_text));
     }
-    if (called.empty() || !kind) return std::nullopt;
+    if (!is_named || !kind) return std::nullopt;
     const BoxSize usual = size_of(*kind);
     Actor actor{called, *kind, usual.length_m, usual.width_m};
     if (!read_size(fields, kLength, actor.length_m) || !read_size(fields, kWidth, actor.width_m)) {
@@ -331,6 +358,7 @@ class TraceParser {
     for (const Row& row : rows_) scenes[row.scene][place[row.actor]] = row.state;
     complete(scenes);
     Recording result(step_s(), std::move(actors));
+    if (!columns_[kSpeed]) result.set_tolerance(kSpeedTolerance);
     for (const auto& scene : scenes) result.add(scene);
     for (const Row& row : rows_) add_events(row, place[row.actor], result);
     return result;
@@ -368,11 +396,7 @@ class TraceParser {
   }
 
   static void add_events(const Row& row, std::size_t actor, Recording& recording) {
-    for (std::string_view rest = row.events; !rest.empty();) {
-      const std::size_t end = std::min(rest.find(';'), rest.size());
-      const std::string_view kind = trimmed(rest.substr(0, end));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
-      if (kind.empty()) continue;
+    for (const std::string_view kind : kinds_in(row.events)) {
       recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(row.scene),
                                   .actor = static_cast<std::uint32_t>(actor),
                                   .kind = std::string(kind),

@@ -8,12 +8,12 @@
 //   kind     vehicle, pedestrian, cyclist or signal
 //   x, y     m, the middle of its box: x to the right of the AV's way, y along it
 //   heading  rad, counter-clockwise from +x (the AV's way is 1.5708); without the column that of
-//   its
-//            motion
-//   speed    m/s, at least 0; without the column from one place to the next
-//   length, width  m, of its box; without the column, or where it is empty, what is usual for its
-//   kind event    what happened to it in the step to this time, as `collision`; several with
-//   semicolons
+//            its motion
+//   speed    m/s, at least 0; without the column from one place to the next, and numbers that
+//            differ by 1e-6 or less are equal then
+//   length, width  m, of its box; without the column, or where it is empty, the usual size of its
+//            kind
+//   event    what happened to it in the step to this time, as `collision`; several with semicolons
 //
 // The first five have to be there, the others need not; columns may stand in any order, under names
 // with units, too (`time_s`, `x_m`, `y_m`, `heading_rad`, `speed_mps`, `length_m`, `width_m`).

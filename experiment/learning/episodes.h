@@ -1,7 +1,7 @@
 #pragma once
 
-// The choices of one test's agents, and what came of them, as learners want them. Read
-// policy/learner.h before.
+// The choices of one test's agents and the rewards that followed, in the form that learners take.
+// Read policy/learner.h before.
 
 #include <cstdint>
 #include <map>
@@ -23,14 +23,14 @@ class EpisodeRecorder final : public OptionPolicies {
                                   std::span<double> probabilities) override;
   void drawn(const LearnedChoice& choice, const DrawnOption& drawn) override;
 
-  /// What the tick that is over brings an agent, by its number from 0.
+  /// Adds an agent's reward for the tick that just ended; agents are numbered from 0.
   void add_reward(std::uint32_t agent, double reward);
   /// The next tick begins.
   void tick() { ++tick_; }
-  /// What the test brings an agent with its last tick. REQUIRES: it is over.
+  /// Adds an agent's reward for the end of the test. REQUIRES: it is over.
   void add_last_reward(std::uint32_t agent, double reward);
 
-  /// What each agent chose by a part of the policy, by the agents' numbers.
+  /// Each agent's choices by a part of the policy, in the order of the agents' numbers.
   [[nodiscard]] std::vector<Episode> episodes(const std::string& part) const;
   /// The rewards of all agents as they counted when they first chose, their mean.
   [[nodiscard]] double mean_return() const;

@@ -14,7 +14,7 @@ namespace {
 /// A robustness counts so far and no farther, in its own unit.
 constexpr double kMostRobust = 10;
 
-/// Of a team that shares, everybody has the mean.
+/// In a team that shares, each agent gets the mean.
 void share(std::vector<double>& rewards) {
   const double mean = std::accumulate(rewards.begin(), rewards.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(rewards.size(), 1));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a test is worth to its agents, as a scenario's `learning.reward` says. Read
+// The rewards that a test gives its agents, by the scenario's `learning.reward`. Read
 // policy/learning_spec.h before.
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class TickRewards {
   /// REQUIRES: both outlive it.
   TickRewards(const LearningSpec& spec, EpisodeRecorder& episodes)
       : spec_(spec), episodes_(episodes) {}
-  /// To be called before the first tick and after each.
+  /// Call this before the first tick and after each.
   void tick(const World& world);
 
  private:

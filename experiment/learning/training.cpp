@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include "experiment/compare/experiment.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/files/sha256.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
 
-/// The curve has at most so many points.
+/// The largest number of points in the curve.
 constexpr std::size_t kMostPoints = 500;
 
 const PreparedBehaviour& behaviour_of(const TrainingPlan& plan) {
@@ -39,7 +41,7 @@ PolicyOrigin origin_of(const TrainingPlan& plan) {
   for (const std::string& set : plan.sets) texts += '\n' + set;
   return {.behaviour = behaviour_of(plan).name,
           .program_sha256 = texts_hash(behaviour_of(plan).sources),
-          .scenario = scenario.name,
+          .scenario = PortableNames({scenario.name}, scenario.files).in(scenario.name),
           .scenario_sha256 = sha256(texts),
           .agents = plan.agents,
           .seed = plan.seed,
@@ -48,7 +50,7 @@ PolicyOrigin origin_of(const TrainingPlan& plan) {
 
 }  // namespace
 
-/// What a test of a generation teaches.
+/// One test's contribution to the learning of its generation.
 struct Training::Lesson {
   std::optional<EpisodeRecorder> episodes;
   Recording recording;
@@ -75,7 +77,8 @@ std::string why_not_the_same(const TrainingPlan& plan, const Policy& policy) {
   if (now.behaviour != then.behaviour) return fmt::format("it is of {}", then.behaviour);
   if (now.program_sha256 != then.program_sha256) return "the program has been changed since";
   if (now.scenario_sha256 != then.scenario_sha256) return "the scenario is another one";
-  if (now.agents != then.agents) return fmt::format("it learned with {} agents", then.agents);
+  if (now.agents != then.agents)
+    return fmt::format("it learned with {}", counted(then.agents, "agent"));
   if (now.seed != then.seed) return fmt::format("it learned with seed {}", then.seed);
   if (now.spec != then.spec) return "it learned with other settings";
   return {};
@@ -105,6 +108,7 @@ void Training::run_test(std::uint64_t number, Lesson& lesson) {
                             .policies = &*lesson.episodes,
                             .interrupted = plan_.interrupted};
   TestRun result = runners_.run(setup, options);
+  notes_.add(number, result.notes);
   lesson.errored = !result.completed;
   lesson.interrupted = result.interrupted;
   lesson.message = std::move(result.message);
@@ -207,7 +211,8 @@ Training::End Training::run_generation(std::uint64_t most, std::string& problem)
   std::vector<Lesson> lessons = run_tests(count, problem);
   if (!problem.empty()) return End::interrupted;
   if (std::ranges::all_of(lessons, &Lesson::errored)) {
-    problem = fmt::format("none of {} tests came to its end: {}", count, lessons.front().message);
+    problem = fmt::format("none of {} came to its end: {}", counted(count, "test"),
+                          lessons.front().message);
     return End::failed;
   }
   problem = learn(lessons);

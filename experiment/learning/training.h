@@ -1,8 +1,8 @@
 #pragma once
 
-// Agents that learn: tests in generations, between which a policy learns from what its agents chose
-// and what came of it. Within a generation the policy stays as it is, and it learns in the tests'
-// order, so what is learned depends on no thread. Read policy/policy.h before.
+// Agents that learn: tests in generations, between which a policy learns from its agents' choices
+// and rewards. Within a generation the policy does not change, and it learns in the tests' order,
+// so the result does not depend on threads. Read policy/policy.h before.
 
 #include <cstdint>
 #include <functional>
@@ -13,12 +13,13 @@
 
 #include "experiment/learning/rewards.h"
 #include "experiment/policy/policy.h"
+#include "experiment/test_run/controller_notes.h"
 #include "experiment/test_run/prepared_scenario.h"
 #include "experiment/test_run/test_run.h"
 
 namespace jaywalk {
 
-/// What is to learn, and in which tests.
+/// The policies to train, and the tests to train them in.
 struct TrainingPlan {
   std::shared_ptr<const PreparedScenario> prepared;
   /// Index into its behaviours.
@@ -27,7 +28,7 @@ struct TrainingPlan {
   std::uint64_t seed = 0;
   /// REQUIRES: at least 1.
   unsigned threads = 1;
-  /// What the command line sets on top of the scenario, as --set has it.
+  /// The command line's changes to the scenario, as given by --set.
   std::vector<std::string> sets;
   /// Asked in the middle of tests; true gives the generation up, of which nothing is learned then.
   std::function<bool()> interrupted;
@@ -46,10 +47,12 @@ class Training {
   Training(TrainingPlan plan, std::shared_ptr<Policy> policy);
 
   enum class End { learned, interrupted, failed };
-  /// Runs a generation, at most so many tests, and learns from it. `problem` says why it failed.
+  /// Runs a generation of at most `most` tests and learns from it. `problem` says why it failed.
   [[nodiscard]] End run_generation(std::uint64_t most, std::string& problem);
 
   [[nodiscard]] const Policy& policy() const { return *policy_; }
+  /// Remarks on its tests for the author of the AV's controller.
+  [[nodiscard]] const ControllerNotes& notes() const { return notes_; }
 
  private:
   struct Lesson;
@@ -61,6 +64,7 @@ class Training {
   TrainingPlan plan_;
   std::shared_ptr<Policy> policy_;
   TestRunners runners_;
+  ControllerNotes notes_;
   Ground ground_;
   double discount_;  // of a tick
   std::set<std::string> covered_;

@@ -21,7 +21,7 @@ using Vector = Eigen::VectorXf;
 struct Layer {
   Matrix weights;
   Vector bias;
-  /// Of the loss, added up by backward passes.
+  /// The loss's gradient, added up by backward passes.
   Matrix weight_gradient;
   Vector bias_gradient;
 
@@ -71,7 +71,7 @@ class Adam {
   void add(Layer& layer);
   void step();
 
-  /// What it remembers of earlier steps, so that another one with the same numbers goes on alike.
+  /// The optimiser's state, so that another one with the same numbers continues identically.
   struct Memory {
     int steps = 0;
     std::vector<float> moments;

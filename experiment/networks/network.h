@@ -23,7 +23,7 @@ class Network {
 
   /// Keeps what backward() needs.
   Matrix forward(const Matrix& x);
-  /// The same without.
+  /// Like forward(), but keeps nothing for a backward pass.
   [[nodiscard]] Matrix output(const Matrix& x) const;
 
   enum class Gradients { add, none };
@@ -54,11 +54,11 @@ class Network {
   Layer first_;
   Layer second_;
   Layer third_;
-  // Of the last forward pass: the input and the hidden layers' outputs.
+  // The last forward pass: the input and the hidden layers' outputs.
   Matrix x_;
   Matrix h1_;
   Matrix h2_;
-  // Of the last backward pass: the loss's gradients by the hidden layers' sums and by the input.
+  // The last backward pass: the loss's gradients by the hidden layers' sums and by the input.
   Matrix d1_;
   Matrix d2_;
   Matrix dx_;

@@ -3,5 +3,5 @@ target_sources(jaywalk_experiment PRIVATE
   networks/layer.cpp
   networks/network.cpp
   networks/product.cpp)
-# Each product and each sum is to be rounded by itself, on every machine.
+# Each product and each sum must be rounded by itself, on every machine.
 set_source_files_properties(networks/product.cpp PROPERTIES COMPILE_OPTIONS -ffp-contract=off)

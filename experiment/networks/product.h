@@ -26,7 +26,7 @@ template <class Expression>
           .right = by_rows ? matrix.innerStride() : matrix.outerStride()};
 }
 
-/// What the rows of the first factor of a tiled product are a multiple of.
+/// A tiled product needs a first factor whose number of rows is a multiple of this.
 inline constexpr Eigen::Index kRowsOfTiles = 16;
 
 /// Eigen cuts products to what the processor's caches hold and adds them up piece by piece. From

@@ -57,7 +57,7 @@ class SeenScale {
 struct ChoiceBatch {
   std::vector<const Transition*> decisions;
   Matrix features;  // a decision in each column
-  /// How much better each was than expected, and what came of it on the common scale.
+  /// How much better each choice was than expected, and its return on the common scale.
   std::vector<double> advantages;
   std::vector<double> returns;
 };
@@ -69,7 +69,7 @@ std::span<float> numbers(Matrix& matrix, Eigen::Index column) {
   return {matrix.col(column).data(), static_cast<std::size_t>(matrix.rows())};
 }
 
-/// What chance is left for the sake of learning is not left to who only uses what was learned.
+/// Exploration applies during training only.
 void keep_most_probable(std::span<double> probabilities) {
   const auto most = std::ranges::max_element(probabilities);
   for (double& each : probabilities) each = &each == &*most ? 1 : 0;
@@ -199,7 +199,7 @@ class ActorCritic final : public Learner {
   }
 
   void scale_into(std::span<const double> features, Matrix& columns, Eigen::Index column) const {
-    // What was never seen before may be far from all that was.
+    // An observation that training never met may be far from all others.
     constexpr double kMost = 10;
     for (std::size_t i = 0; i < features.size(); ++i) {
       const double number = (features[i] - features_[i].mean()) / features_[i].deviation();
@@ -306,7 +306,7 @@ class ActorCritic final : public Learner {
     for (Eigen::Index i = 0; i < expected.cols(); ++i) {
       const double error =
           static_cast<double>(expected(0, i)) - batch.returns[static_cast<std::size_t>(i)];
-      // Of the mean squared error.
+      // The gradient of the mean squared error.
       gradient(0, i) = static_cast<float>(2 * error / static_cast<double>(expected.cols()));
     }
     critic_.clear_gradients();

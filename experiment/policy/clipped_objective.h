@@ -1,8 +1,8 @@
 #pragma once
 
-// What an actor follows: the clipped objective of Schulman et al. ("Proximal policy optimization
-// algorithms", 2017, equation 7) with a bonus for chance, as a loss of the options' scores. Read
-// learner.h before.
+// The actor's loss: the clipped objective of Schulman et al. ("Proximal policy optimization
+// algorithms", 2017, equation 7) with a bonus for entropy, as a function of the options' scores.
+// Read learner.h before.
 
 #include <span>
 
@@ -13,11 +13,11 @@ namespace jaywalk {
 struct ObjectiveSettings {
   /// How far the probability of an option may change, as a share of what it was.
   double clip = 0.2;
-  /// What an entropy of 1 is worth.
+  /// The bonus for an entropy of 1.
   double entropy = 0.01;
 };
 
-/// Of the options that there are, by their scores; the others have none.
+/// The probabilities of the given options, by their scores.
 /// REQUIRES: as many probabilities as options, a score for each option of the policy.
 void softmax(std::span<const float> scores, std::span<const std::uint32_t> options,
              std::span<double> probabilities);

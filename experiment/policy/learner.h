@@ -24,9 +24,9 @@ struct Transition {
   /// an index of these.
   std::vector<std::uint32_t> options;
   std::uint32_t chosen = 0;
-  /// Of the chosen one, when it was chosen.
+  /// The chosen option's probability when it was chosen.
   double probability = 1;
-  /// What it brought until the agent's next choice or the end, discounted from the choice on.
+  /// The reward until the agent's next choice or the end, discounted from the choice on.
   double reward = 0;
   /// What rewards from the next choice on count here, 0 to 1.
   double discount = 1;
@@ -53,7 +53,7 @@ class Learner {
   /// Sets how probable each of these options is. REQUIRES: numbers of the shape.
   virtual void weigh(std::span<const double> features, std::span<const std::uint32_t> options,
                      Mode mode, std::span<double> probabilities) const = 0;
-  /// What is expected from a choice on, discounted; 0: not known.
+  /// The discounted reward expected from a choice on; 0: not known.
   [[nodiscard]] virtual double value(std::span<const double> features) const = 0;
   /// Learns from the episodes of one generation, in their order.
   virtual void learn(std::span<const Episode> generation) = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The names of the rows of learners.def, for who reads scenarios.
+// The names of the rows of learners.def, for readers of scenarios.
 
 #include <array>
 #include <string_view>

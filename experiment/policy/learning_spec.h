@@ -40,20 +40,21 @@ struct LearnerSettings {
   friend bool operator==(const LearnerSettings&, const LearnerSettings&) = default;
 };
 
-/// What a test is worth to its agents: a weighted sum.
+/// The weights of a test's reward for its agents, which is a weighted sum.
 struct RewardTerms {
-  /// Of what the world scores: the agent's rewards less its costs, tick by tick.
+  /// Weight of the world's score: the agent's rewards less its costs, tick by tick.
   double score = 0;
-  /// Of each test whose precondition is met.
+  /// Weight of each test whose precondition is met.
   double precondition = 0;
-  /// Of each test in which the AV is to blame for breaking an assertion, by the assertion's id.
+  /// Weight of each test in which the AV is to blame for breaking an assertion, by the assertion's
+  /// id.
   std::vector<std::pair<std::string, double>> violation;
-  /// Of an assertion's robustness with its sign turned, at most 10 to either side; a test that does
-  /// not meet the assertion's precondition counts as the most robust.
+  /// Weight of an assertion's robustness with its sign turned, at most 10 to either side; a test
+  /// that does not meet the assertion's precondition counts as the most robust.
   std::vector<std::pair<std::string, double>> robustness;
-  /// Of each bin of a situation (situations.def) that no test before covered.
+  /// Weight of each bin of a situation (situations.def) that no earlier test covered.
   double new_bins = 0;
-  /// Of the share of steps that a person might take, 0 to 1.
+  /// Weight of the share of steps that a person might take, 0 to 1.
   double natural_steps = 0;
 
   friend bool operator==(const RewardTerms&, const RewardTerms&) = default;
@@ -66,7 +67,7 @@ struct LearningSpec {
   RewardTerms reward{.score = 1};
   /// Every agent of a test gets the mean of what all get.
   bool is_shared = false;
-  /// What a reward counts for that comes a second later, 0 to 1.
+  /// The factor by which a reward counts less when it comes a second later, 0 to 1.
   double discount = 0.98;
   /// Tests between which nothing is learned; they run side by side.
   std::uint64_t generation = 32;

@@ -42,10 +42,10 @@ struct LearningPoint {
   friend bool operator==(const LearningPoint&, const LearningPoint&) = default;
 };
 
-/// What a policy was learned from.
+/// The program, scenario and tests from which a policy was learned.
 struct PolicyOrigin {
   std::string behaviour;
-  /// Of all texts of the behaviour's program.
+  /// The hash of all texts of the behaviour's program.
   std::string program_sha256;
   /// The scenario's file, and its hash with the values set on top of it.
   std::string scenario;
@@ -68,7 +68,7 @@ class Policy {
 
   [[nodiscard]] const PolicyOrigin& origin() const { return origin_; }
   [[nodiscard]] PolicyOrigin& origin() { return origin_; }
-  /// What it knows of: policies and their options.
+  /// The learned plans: policies and their options.
   [[nodiscard]] std::vector<LearnedPlans> plans() const;
 
   /// As OptionPolicies; other policies than its own leave the options as probable as they are.
@@ -77,7 +77,7 @@ class Policy {
   /// The numbers of options in a part; nothing if it does not know the part, or one of them.
   [[nodiscard]] std::optional<std::vector<std::uint32_t>> numbers(
       std::string_view policy, std::span<const std::string> options) const;
-  /// What is expected where these features are observed; 0: not known.
+  /// The reward expected where these features are observed; 0: not known.
   [[nodiscard]] double value(std::string_view policy, std::span<const double> features) const;
   /// How many features a part observes; nothing if it has learned nothing.
   [[nodiscard]] std::optional<std::size_t> features(std::string_view policy) const;

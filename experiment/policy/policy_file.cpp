@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/policy/policy.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -28,6 +29,13 @@ Number whole(const json& value) {
   return value.get<Number>();
 }
 
+/// A text that the rule `is_one` of markup.h takes for a name.
+std::string name_of(const json& value, bool (*is_one)(std::string_view)) {
+  auto name = value.get<std::string>();
+  if (!is_one(name)) throw std::invalid_argument(fmt::format("'{}' is no name", name));
+  return name;
+}
+
 json weights_to_json(const std::vector<std::pair<std::string, double>>& weights) {
   json object = json::object();
   for (const auto& [id, weight] : weights) object[id] = weight;
@@ -36,7 +44,9 @@ json weights_to_json(const std::vector<std::pair<std::string, double>>& weights)
 
 std::vector<std::pair<std::string, double>> weights_from_json(const json& object) {
   std::vector<std::pair<std::string, double>> weights;
-  for (const auto& [id, weight] : object.items()) weights.emplace_back(id, weight.get<double>());
+  for (const auto& [id, weight] : object.items()) {
+    weights.emplace_back(name_of(id, is_identifier), weight.get<double>());
+  }
   return weights;
 }
 
@@ -106,7 +116,7 @@ LearningSpec spec_from_json(const json& object) {
 
 PolicyOrigin origin_from_json(const json& object) {
   PolicyOrigin origin;
-  origin.behaviour = object.at("behaviour").get<std::string>();
+  origin.behaviour = name_of(object.at("behaviour"), is_identifier);
   origin.program_sha256 = object.at("program_sha256").get<std::string>();
   origin.scenario = object.at("scenario").get<std::string>();
   origin.scenario_sha256 = object.at("scenario_sha256").get<std::string>();
@@ -129,7 +139,7 @@ void check_share(std::string_view name, double value) {
   throw std::invalid_argument(fmt::format("{} is not between 0 and 1", name));
 }
 
-/// What a file may ask for; beyond, it would take all memory or time, or divide by zero.
+/// The limits of a file's values; beyond them it would take all memory or time, or divide by zero.
 void check_spec(const LearningSpec& spec) {
   constexpr std::uint32_t kMostUnits = 1024;
   constexpr std::uint32_t kMostPasses = 1000;
@@ -226,8 +236,10 @@ Result<std::shared_ptr<Policy>> parse_policy(const SourcePtr& source) {
     auto policy = std::make_shared<Policy>(std::move(origin), std::span<const LearnedPlans>());
     for (const json& each : file.at("policies")) {
       Policy::Part& part = policy->parts_.emplace_back();
-      part.name = each.at("name").get<std::string>();
-      part.shape.options = each.at("options").get<std::vector<std::string>>();
+      part.name = name_of(each.at("name"), is_label);
+      for (const json& option : each.at("options")) {
+        part.shape.options.push_back(name_of(option, is_label));
+      }
       if (!each.contains("learned")) continue;
       policy->make_learner(part, feature_count(each.at("features")));
       part.learner->restore(each.at("learned"));

@@ -1,7 +1,7 @@
 // A table of what each option is worth, by bins of the features: Q(lambda) after Watkins ("Learning
 // from delayed rewards", 1989), in the forward view. Episodes are learned from backwards. What
 // follows a choice counts, in part, as it came (Monte Carlo), but only as far as the choices after
-// it were the best that was known: what comes of trying is not what the option is worth.
+// it were the best that was known: exploration must not lower an option's value.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double kTableRate = 0.05;
 
 using Bins = std::vector<std::int32_t>;
 
-/// Of one situation, by option.
+/// The values of one situation's options.
 struct WorthOfOptions {
   std::vector<double> values;
   std::vector<std::uint64_t> tried;
@@ -95,7 +95,7 @@ class QTable final : public Learner {
     return bins;
   }
 
-  /// Which options are to be preferred: those not tried yet while exploring, else those worth most.
+  /// The preferred options: those not tried yet while exploring, else those worth most.
   [[nodiscard]] static std::vector<bool> best_of(const WorthOfOptions* row,
                                                  std::span<const std::uint32_t> options,
                                                  Mode mode) {
@@ -114,7 +114,7 @@ class QTable final : public Learner {
     return best;
   }
 
-  /// Of the options that were tried; 0 if none was.
+  /// The greatest value of the options that were tried; 0 if none was.
   [[nodiscard]] static double greatest(const WorthOfOptions& row,
                                        std::span<const std::uint32_t> options) {
     double most = 0;
@@ -132,7 +132,7 @@ class QTable final : public Learner {
     return std::max(settings_.explores_least, settings_.explores * std::exp2(-halvings));
   }
 
-  /// What is expected from a choice on that came to `came`.
+  /// The reward expected from a choice whose own return was `came`.
   [[nodiscard]] double expected_from(const Transition& next, double came) const {
     const auto found = rows_.find(bins_of(next.features));
     if (found == rows_.end()) return came;

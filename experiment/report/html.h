@@ -19,8 +19,6 @@ namespace jaywalk::reporting {
 /// `0.032`, `< 0.001`.
 [[nodiscard]] std::string p_value(double p);
 [[nodiscard]] std::string plural(std::uint64_t count, std::string_view noun);
-/// A word as a shell takes it: within quotes, if it has to be.
-[[nodiscard]] std::string shell_quoted(const std::string& word);
 
 /// Colours repeat after as many; markers too, but out of step with them.
 inline constexpr std::size_t kColours = 8;

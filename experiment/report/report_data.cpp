@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "experiment/report/report.h"
+#include "experiment/scenario/files/portable_names.h"
 
 namespace jaywalk::reporting {
 namespace {
@@ -13,7 +14,7 @@ class DataReader {
 
   Result<ReportData> read() {
     data_.store = &store_;
-    data_.store_path = store_.path();
+    data_.store_path = portable_path(store_.path());
     data_.description = store_.description();
     take(store_.comparison(), data_.comparison);
     take(store_.prepared(), data_.prepared);

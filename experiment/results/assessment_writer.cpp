@@ -11,11 +11,13 @@ namespace jaywalk {
 
 class AssessmentWriter::Impl {
  public:
-  Impl(std::unique_ptr<Database> database, ExperimentDescription description)
-      : database_(std::move(database)),
-        description_(std::move(description)),
+  Impl(std::string path, ResultsStore store)
+      : path_(std::move(path)),
+        database_(std::move(store.database)),
+        description_(std::move(store.description)),
         rows_(*database_, description_),
         remove_(*database_, "DELETE FROM assessments WHERE id >= ? AND id < ?") {
+    start_log(*database_);
     database_->execute("BEGIN");
   }
 
@@ -38,12 +40,11 @@ class AssessmentWriter::Impl {
 
   std::optional<std::string> finish() {
     database_->execute("COMMIT");
-    database_->execute("PRAGMA journal_mode = DELETE");
-    if (database_->failure()) return trouble_with(*database_);
-    return std::nullopt;
+    return finish_log(*database_, path_);
   }
 
  private:
+  std::string path_;
   std::unique_ptr<Database> database_;
   ExperimentDescription description_;
   RowWriter rows_;
@@ -54,13 +55,10 @@ AssessmentWriter::AssessmentWriter(std::unique_ptr<Impl> impl) : impl_(std::move
 AssessmentWriter::~AssessmentWriter() = default;
 
 Result<std::unique_ptr<AssessmentWriter>> AssessmentWriter::open(const std::string& path) {
-  auto seen = open_to_read(path, Scrutiny::all);
-  if (!seen) return std::move(seen.diagnostics());
-  seen.value().database.reset();
-  auto database = open_to_write(path);
-  if (!database) return std::move(database.diagnostics());
-  return std::unique_ptr<AssessmentWriter>(new AssessmentWriter(
-      std::make_unique<Impl>(std::move(database).value(), std::move(seen.value().description))));
+  auto store = described(open_to_write(path, results_store()), path);
+  if (!store) return std::move(store.diagnostics());
+  auto impl = std::make_unique<Impl>(path, std::move(store).value());
+  return std::unique_ptr<AssessmentWriter>(new AssessmentWriter(std::move(impl)));
 }
 
 void AssessmentWriter::note_judging(std::span<const SourcePtr> files, bool metrics) {

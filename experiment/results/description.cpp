@@ -123,11 +123,33 @@ ExperimentDescription describe(const PreparedScenario& prepared, const ScenarioO
   return description;
 }
 
+void make_portable(ExperimentDescription& description, const SourceFiles& files) {
+  std::vector<std::string> names{description.scenario};
+  for (const StoredInput& input : description.inputs) names.push_back(input.path);
+  for (const std::string& folder : description.include.folders) names.push_back(folder + '/');
+  for (const auto& [prefix, folder] : description.include.mapped) names.push_back(folder + '/');
+  const PortableNames portable(names, files);
+  description.names = portable;
+  const auto rename = [&](std::string& text) { text = portable.in(std::move(text)); };
+  const auto rename_folder = [&](std::string& folder) {
+    folder = portable.in(folder + '/');
+    if (folder.ends_with('/')) folder.pop_back();
+  };
+  rename(description.scenario);
+  for (StoredInput& input : description.inputs) rename(input.path);
+  std::ranges::for_each(description.sets, rename);
+  std::ranges::for_each(description.behaviour_options, rename);
+  std::ranges::for_each(description.assertion_files, rename);
+  std::ranges::for_each(description.include.folders, rename_folder);
+  for (auto& [prefix, folder] : description.include.mapped) rename_folder(folder);
+}
+
 void add_judging(ExperimentDescription& description, std::span<const SourcePtr> files,
                  bool metrics) {
   description.metrics = description.metrics || metrics;
   for (const SourcePtr& file : files) {
     StoredInput input = stored_input(*file);
+    input.path = portable_path(input.path);
     auto same = std::ranges::find(description.inputs, input.path, &StoredInput::path);
     if (same != description.inputs.end() && same->sha256 != input.sha256) {
       // Two files of one name but different texts: the text's digest distinguishes them.

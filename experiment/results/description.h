@@ -11,6 +11,7 @@
 
 #include "experiment/compare/experiment.h"
 #include "experiment/results/store/stored_inputs.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/test_run/prepared_scenario.h"
 
 namespace jaywalk {
@@ -73,12 +74,18 @@ struct ExperimentDescription {
   /// Who moved the vehicles, and its version (simulator_version.h); empty: the world itself.
   std::string simulator;
   std::vector<StoredInput> inputs;
+  /// How paths were shortened in these names, for the messages of tests; not stored.
+  PortableNames names;
 };
 
 /// Describes an experiment that is about to run. Options are those by which `prepared` was read.
 [[nodiscard]] ExperimentDescription describe(const PreparedScenario& prepared,
                                              const ScenarioOptions& options,
                                              const ExperimentPlan& plan, std::uint64_t seed);
+
+/// Takes out of the names what they say about this machine (portable_names.h). `files` are those
+/// that the scenario was read from.
+void make_portable(ExperimentDescription& description, const SourceFiles& files);
 
 /// Takes note that its tests are judged by the assertions of these files, and whether they are
 /// measured. Of two files of one name with different texts the second gets another name.

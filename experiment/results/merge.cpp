@@ -24,7 +24,7 @@ Result<std::vector<Part>> read_parts(const std::vector<std::string>& inputs) {
   Diagnostics diagnostics;
   std::vector<Part> parts;
   for (const std::string& input : inputs) {
-    auto store = open_to_read(input, Scrutiny::all);
+    auto store = described(open_to_read(input, results_store(), Scrutiny::all), input);
     if (store) {
       parts.push_back({.path = input, .description = std::move(store.value().description)});
     } else {

@@ -31,7 +31,7 @@ std::string command_of(const Scenario& scenario) {
 
 class ResultsReader::Impl {
  public:
-  Impl(std::string path, Commands commands, OpenStore store)
+  Impl(std::string path, Commands commands, ResultsStore store)
       : path_(std::move(path)),
         commands_(commands),
         database_(std::move(store.database)),
@@ -102,7 +102,7 @@ ResultsReader::~ResultsReader() = default;
 
 Result<std::unique_ptr<ResultsReader>> ResultsReader::open(const std::string& path,
                                                            Commands commands) {
-  auto store = open_to_read(path, Scrutiny::header);
+  auto store = described(open_to_read(path, results_store(), Scrutiny::header), path);
   if (!store) return std::move(store.diagnostics());
   auto impl = std::make_unique<Impl>(path, commands, std::move(store).value());
   if (impl->database().failure()) return store_error(path, trouble_with(impl->database()));
@@ -200,6 +200,10 @@ Result<Recording> ResultsReader::recording(std::int64_t id) const {
   auto result = rerun(id, {.record = &recording});
   if (!result) return std::move(result.diagnostics());
   return recording;
+}
+
+Result<std::string> ResultsReader::error(std::int64_t id) const {
+  return impl_->checked(read_event(impl_->database(), id, kErrored));
 }
 
 Result<std::shared_ptr<const PreparedScenario>> ResultsReader::prepared() const {

@@ -77,6 +77,8 @@ class ResultsReader {
   [[nodiscard]] Result<std::uint64_t> count(const TestFilter& filter) const;
   /// Error: there is no such test.
   [[nodiscard]] Result<StoredTest> test(std::int64_t id) const;
+  /// Why the test ended errored; empty if it did not.
+  [[nodiscard]] Result<std::string> error(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AssessmentRow>> assessments(std::int64_t id) const;
   /// Who took part in the test; the first is the AV.

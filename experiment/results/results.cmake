@@ -10,6 +10,7 @@ target_sources(jaywalk_experiment PRIVATE
   results/store/database.cpp
   results/store/descriptor_vfs.cpp
   results/store/geometry.cpp
+  results/store/geopackage.cpp
   results/store/new_file.cpp
   results/store/placement.cpp
   results/store/row_writer.cpp

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/results/store/geopackage.h"
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
 
@@ -68,13 +69,13 @@ void read_plan(Database& database, ExperimentDescription& description) {
   Statement behaviour(database, "SELECT name, code_lines FROM behaviours ORDER BY id");
   while (behaviour.step()) {
     description.behaviours.push_back(
-        {.name = behaviour.text(0), .code_lines = behaviour.integer<std::uint64_t>(1)});
+        {.name = behaviour.identifier(0), .code_lines = behaviour.integer<std::uint64_t>(1)});
   }
   Statement parameter(database, "SELECT behaviour, name, value FROM parameters ORDER BY id");
   while (parameter.step()) {
     for (StoredBehaviour& each : description.behaviours) {
       if (each.name == parameter.text(0)) {
-        each.parameters.emplace_back(parameter.text(1), parameter.text(2));
+        each.parameters.emplace_back(parameter.label(1), parameter.text(2));
       }
     }
   }
@@ -82,7 +83,7 @@ void read_plan(Database& database, ExperimentDescription& description) {
   while (agents.step()) description.agents.push_back(agents.integer<std::uint32_t>(0));
   Statement vehicle(database, "SELECT name FROM vehicles ORDER BY id");
   description.vehicles.clear();
-  while (vehicle.step()) description.vehicles.push_back(vehicle.text(0));
+  while (vehicle.step()) description.vehicles.push_back(vehicle.label(0));
 }
 
 // More than any scenario can ask for; nothing that is counted with them wraps.
@@ -105,10 +106,11 @@ bool sensible(const ExperimentDescription& description) {
 }  // namespace
 
 void write_description(Database& database, const ExperimentDescription& description) {
-  Statement version(database, "INSERT INTO versions (subject, version) VALUES (?, ?)");
-  version.run("store", fmt::format("{}", kStoreVersion));
-  version.run("jaywalk", description.version);
-  if (!description.simulator.empty()) version.run("simulator", description.simulator);
+  write_versions(database, kStoreVersion, description.version);
+  if (!description.simulator.empty()) {
+    Statement(database, "INSERT INTO versions (subject, version) VALUES ('simulator', ?)")
+        .run(description.simulator);
+  }
   const auto anchored = [&]<class T>(T Anchor::*field) -> std::optional<T> {
     if (!description.anchor) return std::nullopt;
     return *description.anchor.*field;
@@ -129,6 +131,8 @@ void write_judging(Database& database, const ExperimentDescription& before,
   write_judging(database, now);
   write_inputs(database, std::span(now.inputs).subspan(before.inputs.size()));
 }
+
+namespace {
 
 Result<ExperimentDescription> read_description(Database& database, const std::string& path) {
   ExperimentDescription description;
@@ -169,6 +173,15 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
   }
   if (auto why = damage_of(description.inputs)) return store_error(path, std::move(*why));
   return description;
+}
+
+}  // namespace
+
+Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened, const std::string& path) {
+  if (!opened) return std::move(opened.diagnostics());
+  auto description = read_description(*opened.value(), path);
+  if (!description) return std::move(description.diagnostics());
+  return ResultsStore{std::move(opened).value(), std::move(description).value()};
 }
 
 }  // namespace jaywalk

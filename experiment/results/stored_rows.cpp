@@ -61,7 +61,7 @@ StoredTest test_of(Database& database, const ExperimentDescription& description,
   test.scenes = row.count(6);
   test.outcome = {.ticks = row.count(7),
                   .precondition_ticks = count_or_null(row, 8),
-                  .ended_by = row.text(9),
+                  .ended_by = row.label(9),
                   .impact_mps = real_or_null(row, 10)};
   test.result.errored = test.outcome.ended_by == kErrored;
   return test;
@@ -90,7 +90,7 @@ constexpr std::string_view kAssessmentColumns = "name, value, tick, actor, robus
 AssessmentRow assessment_of(Database& database, std::int64_t test_id, const Statement& row) {
   const auto verdict = parse_stored_verdict(row.text(5));
   if (!verdict) damaged(database, "a verdict", test_id);
-  return {.id = row.text(0),
+  return {.id = row.identifier(0),
           .value = any_real_or_null(row, 1),
           .tick = count_or_null(row, 2),
           .actor = count_or_null(row, 3),
@@ -189,7 +189,7 @@ std::vector<Actor> read_actors(Database& database, std::int64_t test_id) {
     if (!kind || row.count(4) != actors.size() || row.real(2) < 0 || row.real(3) < 0) {
       damaged(database, "an actor", test_id);
     }
-    actors.push_back({.name = row.text(0),
+    actors.push_back({.name = row.label(0),
                       .kind = kind.value_or(ActorKind::pedestrian),
                       .length_m = row.real(2),
                       .width_m = row.real(3)});
@@ -288,7 +288,7 @@ std::vector<std::string> read_assertion_ids(Database& database) {
                                       "GROUP BY name ORDER BY min(id % {}), name",
                                       kMaxRows));
   // A test's rows are in the order of the assertions, so the least row number sorts them.
-  while (row.step()) ids.push_back(row.text(0));
+  while (row.step()) ids.push_back(row.identifier(0));
   return ids;
 }
 
@@ -323,7 +323,7 @@ Recording read_recording(Database& database, double tick_s, const StoredTest& te
   while (row.step()) {
     RecordedEvent event{.tick = row.count(0),
                         .actor = count_or_null(row, 1),
-                        .kind = row.text(2),
+                        .kind = row.label(2),
                         .text = row.text(3)};
     // Whoever gets it looks the actor and the scene up.
     if (event.actor.value_or(0) >= recording.actors().size() || event.tick >= recording.scenes()) {

@@ -67,25 +67,8 @@ bool is_extension(const ExperimentDescription& stored, const ExperimentDescripti
   return wanted.tests > stored.tests && !mismatch({}, extended, wanted);
 }
 
-/// Opens the store to see what it has, after making it one of more tests if these are wanted.
-Result<OpenStore> open_to_continue(const std::string& path, const ExperimentDescription& wanted) {
-  auto seen = open_to_read(path, Scrutiny::all);
-  if (!seen || !is_extension(seen.value().description, wanted)) return seen;
-  seen.value().database.reset();
-  auto database = open_to_write(path);
-  if (!database) return std::move(database.diagnostics());
-  extend_store(*database.value(), seen.value().description, wanted.tests);
-  if (database.value()->failure()) return store_error(path, trouble_with(*database.value()));
-  database.value()->execute("PRAGMA journal_mode = DELETE");
-  database.value().reset();
-  return open_to_read(path, Scrutiny::header);
-}
-
 /// In one transaction: a test is there whole, or it is missing and can be run.
-std::optional<Diagnostics> take_out_errored(const std::string& path) {
-  auto database = open_to_write(path);
-  if (!database) return std::move(database.diagnostics());
-  Database& store = *database.value();
+void take_out_errored(Database& store) {
   store.execute("BEGIN");
   store.execute(
       "CREATE TEMP TABLE errored AS SELECT id FROM main.tests WHERE ended_by = 'errored'");
@@ -95,10 +78,8 @@ std::optional<Diagnostics> take_out_errored(const std::string& path) {
     store.execute(
         fmt::format("DELETE FROM main.{} WHERE {} IN (SELECT id FROM errored)", table, key));
   }
+  store.execute("DROP TABLE temp.errored");
   store.execute("COMMIT");
-  store.execute("PRAGMA journal_mode = DELETE");
-  if (store.failure()) return store_error(path, trouble_with(store));
-  return std::nullopt;
 }
 
 /// Which tests a store has.
@@ -107,7 +88,7 @@ struct StoredIds {
   std::uint64_t count = 0;
 };
 
-Result<StoredIds> read_ids(const std::string& path, OpenStore& store) {
+Result<StoredIds> read_ids(const std::string& path, ResultsStore& store) {
   StoredIds ids;
   Statement row(*store.database, "SELECT id FROM tests ORDER BY id");
   while (row.step()) {
@@ -217,12 +198,7 @@ class ResultsWriter::Impl {
     }
     const std::uint64_t planned = cells(description_) * tests_in_shard(description_);
     if (had_.count + written_ == planned) complete_tables(*database_);
-    // One file without a log beside it, which can be read from anywhere.
-    database_->execute("PRAGMA journal_mode = DELETE");
-    // Left by a reader of a store that was killed; nobody else has it open now.
-    std::error_code error;
-    if (!database_->failure()) std::filesystem::remove(path_ + "-shm", error);
-    if (database_->failure()) give_up(trouble_with(*database_));
+    if (const auto why = finish_log(*database_, path_)) give_up(*why);
   }
 
   std::string path_;
@@ -266,21 +242,25 @@ Result<std::unique_ptr<ResultsWriter>> ResultsWriter::resume(
     };
     if (auto failure = create_store_file(path, fill)) return std::move(*failure);
   }
-  auto seen = open_to_continue(path, description);
-  if (!seen) return std::move(seen.diagnostics());
-  if (auto why = mismatch(path, seen.value().description, description)) return std::move(*why);
-  if (errored == ErroredTests::taken_out) {
-    seen.value().database.reset();
-    if (auto failure = take_out_errored(path)) return std::move(*failure);
-    seen = open_to_read(path, Scrutiny::header);
-    if (!seen) return std::move(seen.diagnostics());
-  }
-  auto ids = read_ids(path, seen.value());
+  auto store = described(open_to_write(path, results_store()), path);
+  if (!store) return std::move(store.diagnostics());
+  Database& database = *store.value().database;
+  const ExperimentDescription stored = store.value().description;
+  const bool extends = is_extension(stored, description);
+  if (auto why = mismatch(path, stored, description); why && !extends) return std::move(*why);
+  // Read before anything is changed, since a damaged store stays as it is.
+  auto ids = read_ids(path, store.value());
   if (!ids) return std::move(ids.diagnostics());
-  seen.value().database.reset();
-  auto database = open_to_write(path);
-  if (!database) return std::move(database.diagnostics());
-  auto impl = std::make_unique<Impl>(path, std::move(database).value(), description,
+  start_log(database);
+  if (extends) extend_store(database, stored, description.tests);
+  if (errored == ErroredTests::taken_out) take_out_errored(database);
+  if (extends || errored == ErroredTests::taken_out) {
+    store.value().description.tests = description.tests;
+    ids = read_ids(path, store.value());
+    if (!ids) return std::move(ids.diagnostics());
+  }
+  if (database.failure()) return store_error(path, trouble_with(database));
+  auto impl = std::make_unique<Impl>(path, std::move(store.value().database), description,
                                      std::move(ids).value());
   return std::unique_ptr<ResultsWriter>(new ResultsWriter(std::move(impl)));
 }

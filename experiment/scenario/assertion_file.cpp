@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "env/config/parameter_settings.h"
 #include "env/config/reader.h"
 #include "experiment/judge/assertions/assertion.h"
 #include "experiment/judge/metrics/metrics.h"
@@ -20,12 +21,6 @@ constexpr std::size_t kMaxAssertions = 200;
 constexpr NumberRange kParameters{-1e9, 1e9};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-bool is_name(std::string_view text) {
-  if (text.empty() || std::islower(static_cast<unsigned char>(text[0])) == 0) return false;
-  return std::ranges::all_of(text,
-                             [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-}
 
 /// Where each byte of a scalar stands in the file: YAML folds lines and strips indentation, but
 /// keeps every character that is no blank. If it does not (an escape), all of them stand where it
@@ -72,8 +67,15 @@ class FileReader {
 
  private:
   void list(const ConfigNode& node) {
-    if (node.kind != ConfigNode::Kind::list || node.items.empty() ||
-        node.items.size() > kMaxAssertions) {
+    if (node.kind == ConfigNode::Kind::list && node.items.size() > kMaxAssertions) {
+      reader_.error(node.origin,
+                    fmt::format("expected at most {} assertions, found {}", kMaxAssertions,
+                                node.items.size()),
+                    "each test is judged by each of them, and the limit bounds what a file costs; "
+                    "--assertions takes several files");
+      return;
+    }
+    if (node.kind != ConfigNode::Kind::list || node.items.empty()) {
       reader_.unexpected(node, fmt::format("a list of 1 to {} assertions", kMaxAssertions));
       return;
     }
@@ -127,7 +129,7 @@ class FileReader {
   void read_id(const ConfigNode& node, std::string& id) {
     const auto text = reader_.text(node, "a name");
     if (!text) return;
-    if (!is_name(*text)) {
+    if (!is_atom(*text)) {
       reader_.error(node.origin, fmt::format("'{}' cannot be the id of an assertion", *text),
                     "ids are atoms, so that agents can believe them: a lower-case letter, then "
                     "letters, digits and _");

@@ -21,8 +21,8 @@ std::optional<std::uint32_t> parse_count(std::string_view text) {
   text = trimmed(text);
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || number == 0) return std::nullopt;
-  return number;
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number > 0 && number <= kMaxAgents ? std::optional(number) : std::nullopt;
 }
 
 std::optional<Range> parse_range(std::string_view text) {
@@ -44,12 +44,10 @@ Result<std::vector<std::uint32_t>> parse_number_list(std::string_view text,
     const std::string_view item = trimmed(text.substr(0, comma));
     const auto range = parse_range(item);
     if (!range) {
-      diagnostics.error(std::string(subject),
-                        fmt::format("expected a number from 1 or a range, found '{}'", item),
-                        "write a list as 1..10,15,20");
-    } else if (range->last - range->first >= kMaxListedNumbers - numbers.size()) {
-      diagnostics.error(std::string(subject),
-                        fmt::format("more than {} numbers in '{}'", kMaxListedNumbers, item));
+      diagnostics.error(
+          std::string(subject),
+          fmt::format("expected a number from 1 to {} or a range, found '{}'", kMaxAgents, item),
+          "write a list as 1..10,15,20");
     } else {
       for (std::uint32_t number = range->first; number <= range->last; ++number) {
         if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);

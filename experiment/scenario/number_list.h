@@ -10,10 +10,10 @@
 
 namespace jaywalk {
 
-/// At most as many numbers as this; a slip (`1..1000000000`) is reported, not carried out.
-inline constexpr std::size_t kMaxListedNumbers = 10'000;
+/// More agents in a test than this are a slip.
+inline constexpr std::uint32_t kMaxAgents = 10'000;
 
-/// Numbers from 1 and ranges of them, in the order given, each once. `subject` is what the list
+/// Numbers of agents and ranges of them, in the order given, each once. `subject` is what the list
 /// belongs to, for messages ("--agents").
 [[nodiscard]] Result<std::vector<std::uint32_t>> parse_number_list(std::string_view text,
                                                                    std::string_view subject);

@@ -2,6 +2,7 @@
 target_sources(jaywalk_experiment PRIVATE
   scenario/assertion_file.cpp
   scenario/files/code_lines.cpp
+  scenario/files/portable_names.cpp
   scenario/files/program_copies.cpp
   scenario/files/sha256.cpp
   scenario/files/temporary.cpp

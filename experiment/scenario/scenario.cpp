@@ -1,7 +1,6 @@
 #include "experiment/scenario/scenario.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -14,15 +13,11 @@
 #include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/scenario/scenario_yaml.h"
+#include "interpreter/support/input/missing_file.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
-
-bool is_behaviour_name(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-';
-  });
-}
 
 ConfigNode map_of(std::string key, ConfigNode value) {
   ConfigNode map;
@@ -51,6 +46,7 @@ class ScenarioBuilder {
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
     finish();
     if (diagnostics_.has_errors()) return std::move(diagnostics_);
+    draft_.scenario.warnings = std::move(diagnostics_);
     return std::move(draft_.scenario);
   }
 
@@ -194,6 +190,7 @@ class ScenarioBuilder {
       names.push_back(behaviour_name(installed));
     }
     std::string hint = did_you_mean(wanted, names);
+    if (hint.empty() && options_.files.are_on_disk()) hint = hint_for_missing(wanted);
     if (hint.empty()) hint = "`jaywalk list behaviours` names the installed ones";
     diagnostics_.error(option,
                        "neither a behaviour of the scenario, an installed one nor an .asl file",
@@ -202,13 +199,13 @@ class ScenarioBuilder {
   }
 
   [[nodiscard]] ValueOrigin origin_of(std::string path) const {
-    return jaywalk::origin_of(draft_.origins, std::move(path), source_->name());
+    return jaywalk::origin_of(draft_.scenario.origins, std::move(path), source_->name());
   }
 
   void finish() {
     Scenario& scenario = draft_.scenario;
     const std::string folder;
-    const SectionContext context{folder, options_.files, draft_.origins, diagnostics_};
+    const SectionContext context{folder, options_.files, draft_.scenario.origins, diagnostics_};
     draft_.world->check(scenario.name, context);
     check_avs();
     check_behaviours();
@@ -306,7 +303,8 @@ class ScenarioBuilder {
     Result<SourcePtr> source = options_.files.read(*draft_.assertions_file, kMaxScenarioBytes);
     if (!source.ok()) {
       report(diagnostics_, origin_of("assertions"),
-             fmt::format("no assertions are at '{}'", *draft_.assertions_file));
+             fmt::format("no assertions are at '{}'", *draft_.assertions_file),
+             hint_for_missing(*draft_.assertions_file));
       return;
     }
     draft_.scenario.sources.push_back(source.value());
@@ -383,10 +381,10 @@ class ScenarioBuilder {
     }
     std::set<std::string_view> names;
     for (const BehaviourSpec& behaviour : draft_.scenario.behaviours) {
-      if (!is_behaviour_name(behaviour.name)) {
+      if (!is_identifier(behaviour.name)) {
         report(diagnostics_, behaviour.origin,
                fmt::format("'{}' cannot be the name of a behaviour", behaviour.name),
-               "names consist of letters, digits, _ and -; give another one as 'name'");
+               fmt::format("{}; give another one as 'name'", kIdentifierHint));
       } else if (!names.insert(behaviour.name).second) {
         report(diagnostics_, behaviour.origin,
                fmt::format("a second behaviour with the name '{}'", behaviour.name),

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "env/config/parameter_settings.h"
+#include "env/config/section_reader.h"
 #include "env/environments.h"
 #include "env/world/world_spec.h"
 #include "experiment/judge/assertions/assertion.h"
@@ -67,6 +68,9 @@ struct TestLimits {
 
   /// Seconds of reasoning; tests of the shipped scenarios take less than a hundredth.
   static constexpr std::uint64_t kUsualInferences = 200'000'000;
+  /// More cycles or inferences, and more MB, than these are a slip.
+  static constexpr std::uint64_t kMost = 1'000'000'000'000'000;
+  static constexpr std::uint64_t kMostMegabytes = 1'000'000'000;
 };
 
 /// The defaults of an experiment; options of the command line take their place.
@@ -116,6 +120,10 @@ struct Scenario {
   std::vector<SourcePtr> sources;
   SourceFiles files;
   IncludeFolders include;
+  /// Where each key was given, for what is found to be wrong with its value later.
+  ValueOrigins origins;
+  /// Warnings about values that are allowed but unusual.
+  Diagnostics warnings;
   /// Copies of the AV's external controller and its twin that their commands name; null if there
   /// are none.
   std::shared_ptr<const ProgramCopies> programs;

@@ -16,7 +16,7 @@ namespace jaywalk {
 class LayerPart : protected SectionReader {
  protected:
   LayerPart(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
-      : SectionReader({folder, draft.scenario.files, draft.origins, diagnostics}),
+      : SectionReader({folder, draft.scenario.files, draft.scenario.origins, diagnostics}),
         folder_(folder),
         draft_(draft) {}
 

@@ -36,12 +36,12 @@ class LearningReader : LayerPart {
                         read_settings(value, own, draft_.learner_settings[std::string(name)]);
                       }});
     }
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     reader_.read_map(node, path, keys);
   }
 
   void read_policies(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     draft_.policy_files.clear();
     const auto read_one = [this](const ConfigNode& item) {
       if (const auto file = reader_.text(item, "the path of a policy")) {
@@ -86,7 +86,7 @@ class LearningReader : LayerPart {
 
   void read_weights(const ConfigNode& node, const std::string& path,
                     std::vector<std::pair<std::string, double>>& weights) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     if (node.kind != ConfigNode::Kind::map) {
       reader_.unexpected(node, "assertions' ids and weights, {avoidability: 100}");
       return;

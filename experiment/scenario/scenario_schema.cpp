@@ -15,10 +15,9 @@ namespace {
 // What a scenario may ask for; generous, but safe to multiply.
 constexpr IntegerRange kTests{1, 1'000'000'000};
 constexpr IntegerRange kGenerations{0, 1'000'000'000};
-constexpr IntegerRange kLimits{0, 1'000'000'000'000'000};
-constexpr IntegerRange kMegabytes{0, 1'000'000'000};
+constexpr IntegerRange kLimits{0, TestLimits::kMost};
+constexpr IntegerRange kMegabytes{0, TestLimits::kMostMegabytes};
 constexpr IntegerRange kSeeds{0, INT64_MAX};
-constexpr std::uint32_t kMaxAgents = 10'000;
 
 class LayerReader : LayerPart {
  public:
@@ -59,7 +58,7 @@ class LayerReader : LayerPart {
   // A list says which behaviours there are; a map changes those that have been listed.
   void read_behaviours(const ConfigNode& node, const std::string& path) {
     std::vector<BehaviourSpec>& behaviours = draft_.scenario.behaviours;
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     if (node.kind == ConfigNode::Kind::list) {
       behaviours.clear();
       for (const ConfigNode& item : node.items) read_behaviour_item(item, path);
@@ -175,7 +174,7 @@ class LayerReader : LayerPart {
 
   void read_assertions_file(const ConfigNode& node, const std::string&) {
     if (const auto file = reader_.text(node, "the path of a file of assertions")) {
-      draft_.origins["assertions"] = node.origin;
+      draft_.scenario.origins["assertions"] = node.origin;
       draft_.assertions_file = path_in(folder_, *file);
     }
   }
@@ -226,17 +225,17 @@ class LayerReader : LayerPart {
   }
 
   void read_defects(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     draft_.scenario.experiment.defects = read_defect_list(node, reader_);
   }
 
   void read_avs(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     draft_.scenario.experiment.avs = read_av_list(node, reader_);
   }
 
   void read_agent_numbers(const ConfigNode& node, const std::string& path) {
-    draft_.origins[path] = node.origin;
+    draft_.scenario.origins[path] = node.origin;
     std::string text = node.text;
     if (node.kind == ConfigNode::Kind::list) {
       for (const ConfigNode& item : node.items) {
@@ -246,13 +245,7 @@ class LayerReader : LayerPart {
       reader_.unexpected(node, "numbers of agents, 1..10,15,20");
       return;
     }
-    std::vector<std::uint32_t> numbers;
-    if (!read_numbers(text, node.origin, numbers)) return;
-    if (*std::max_element(numbers.begin(), numbers.end()) > kMaxAgents) {
-      reader_.error(node.origin, fmt::format("more than {} agents", kMaxAgents));
-      return;
-    }
-    draft_.scenario.experiment.agents = std::move(numbers);
+    (void)read_numbers(text, node.origin, draft_.scenario.experiment.agents);
   }
 
   bool read_numbers(std::string_view text, const ValueOrigin& origin,

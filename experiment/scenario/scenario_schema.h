@@ -31,7 +31,6 @@ struct ScenarioDraft {
   /// Of learners by their names, and the assertions that rewards name.
   std::map<std::string, LearnerSettings> learner_settings;
   std::vector<std::pair<std::string, ValueOrigin>> rewarded;
-  ValueOrigins origins;
 };
 
 /// Reads one layer into the draft. `folder` is what paths in it are relative to ("" the current

@@ -18,6 +18,7 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/excerpt.h"
+#include "interpreter/support/input/missing_file.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
@@ -92,8 +93,10 @@ class Preparation {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
     // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
     if (!include_path_.files.has(path)) {
+      std::string hint = similar_behaviour(path, installed_behaviours(world_, include_path_.files));
+      if (hint.empty() && include_path_.files.are_on_disk()) hint = hint_for_missing(path);
       report(diagnostics_, origin, fmt::format("no AgentSpeak program is at '{}'", path),
-             similar_behaviour(path, installed_behaviours(world_, include_path_.files)));
+             std::move(hint));
       return nullptr;
     }
     const SourceTree tree = load_agent(path, include_path_, diagnostics_);
@@ -194,7 +197,8 @@ void give_policies(const Scenario& scenario, const SymbolTable& symbols,
     errors.error(source->name(), "the policy is for none of the behaviours",
                  why.empty() ? "none of them has plans that are labelled learned(P)" : why);
   }
-  for (std::size_t i = 0; i < behaviours.size() && !scenario.policies.empty(); ++i) {
+  if (errors.has_errors() || scenario.policies.empty()) return;
+  for (std::size_t i = 0; i < behaviours.size(); ++i) {
     if (plans[i].empty() || behaviours[i].policy != nullptr) continue;
     warnings.warning(SourceSpan{}, "",
                      fmt::format("{} has no policy and chooses by chance", behaviours[i].name));

@@ -30,7 +30,7 @@ struct PreparedBehaviour {
   std::vector<SourcePtr> sources;
   /// Programs of single agents, by number from 1; the others run `program`.
   std::map<std::uint32_t, std::shared_ptr<const Program>> team;
-  /// Parameters of single agents, by number from 1; they take the place of the common ones.
+  /// Parameters of single agents, by number from 1; they replace the common ones.
   std::map<std::uint32_t, std::vector<Parameter>> agent_parameters;
 };
 

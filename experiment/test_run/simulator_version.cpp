@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "env/simulator/section.h"
 #include "env/simulator/simulator.h"
 #include "experiment/scenario/files/sha256.h"
 
@@ -28,12 +29,19 @@ Result<std::string> simulator_version(const Scenario& scenario) {
   const SimulatorParameters& parameters = scenario.world->simulator();
   if (parameters.name.empty()) return std::string();
   Simulators simulators;
+  Simulator& simulator = simulators.of(parameters);
   SimulatorIdentity identity;
-  const std::string why = simulators.of(parameters).identify(identity);
-  if (!why.empty()) {
+  std::vector<SettingProblem> problems;
+  if (const std::string why = simulator.identify(identity); !why.empty()) {
+    std::string message = fmt::format("the simulator '{}': {}", parameters.name, why);
+    for (const std::string& note : simulator.take_notes()) message += '\n' + note;
+    problems.push_back({{}, std::move(message)});
+  } else if (const auto site = scenario.world->site()) {
+    problems = simulator.survey(*site);
+  }
+  if (!problems.empty()) {
     Diagnostics diagnostics;
-    diagnostics.error("world.simulator",
-                      fmt::format("the simulator '{}': {}", parameters.name, why));
+    report_settings(std::move(problems), scenario.origins, scenario.name, diagnostics);
     return diagnostics;
   }
   std::string text = fmt::format("{} {}", identity.name, identity.version);

@@ -10,7 +10,8 @@
 namespace jaywalk {
 
 /// `SUMO 1.15.0`, or `SUMO 1.15.0, network sha256 3f2a…` of one that has a map; empty if the world
-/// moves its vehicles by itself. The simulator is started for that. Error: it cannot be.
+/// moves its vehicles by itself. The simulator is started for that. Errors: it cannot be, or finds
+/// that it cannot simulate the scenario.
 [[nodiscard]] Result<std::string> simulator_version(const Scenario& scenario);
 
 }  // namespace jaywalk

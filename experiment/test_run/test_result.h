@@ -20,7 +20,7 @@ struct TestResult {
   double score = 0;
   /// Spent by the agents reasoning, in microseconds.
   double cpu_us = 0;
-  /// Of the whole test, in microseconds.
+  /// Wall time of the whole test, in microseconds.
   double wall_us = 0;
 };
 
@@ -29,13 +29,13 @@ inline constexpr std::string_view kErrored = "errored";
 
 /// How one test went, beside what the measures see.
 struct TestOutcome {
-  /// Of the whole test.
+  /// Ticks of the whole test.
   std::uint32_t ticks = 0;
   /// Until the precondition was met, if it was.
   std::optional<std::uint32_t> precondition_ticks;
   /// Why the test ended: `precondition`, `collision`, `road_end`, `time_limit`, `errored`.
   std::string ended_by;
-  /// Of the first collision, if there was one, in m/s.
+  /// Speed of the first collision, if there was one, in m/s.
   std::optional<double> impact_mps;
 
   friend bool operator==(const TestOutcome&, const TestOutcome&) = default;

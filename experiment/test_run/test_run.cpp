@@ -15,14 +15,14 @@
 namespace jaywalk {
 namespace {
 
-// What a test's seed is used for, so that where agents start does not depend on what they draw.
+// Separate random streams of a test's seed, so that start cells do not depend on the agents' draws.
 enum class Purpose : std::uint64_t { start_cells = 0, agents = 1 };
 
 std::uint64_t seed_for(const TestSetup& setup, Purpose purpose) {
   return mix(mix(setup.seed, setup.test), static_cast<std::uint64_t>(purpose));
 }
 
-// What single agents are given takes the place of what all of a behaviour have.
+// A single agent's parameters replace those of the whole behaviour.
 void set_own_parameters(const PreparedBehaviour& behaviour, std::uint32_t number, AgentSpec& spec) {
   const auto own = behaviour.agent_parameters.find(number);
   if (own == behaviour.agent_parameters.end()) return;
@@ -59,7 +59,8 @@ std::vector<Parameter> beliefs(const std::vector<ParameterSetting>& settings,
   return parameters;
 }
 
-/// What a test sets for all agents of its behaviour, but not what the scenario says of single ones.
+/// Sets the parameters common to all agents of a test's behaviour; those of single agents are not
+/// changed.
 void set_common_parameters(const PreparedBehaviour& behaviour, std::uint32_t number,
                            const std::vector<Parameter>& given, AgentSpec& spec) {
   const auto own = behaviour.agent_parameters.find(number);
@@ -169,7 +170,7 @@ void record_events(const World& world, const TestSetup& setup, const TestRun& re
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(each.tick),
                                 .actor = static_cast<std::uint32_t>(each.body + 1),
                                 .kind = "collision",
-                                .text = fmt::format("impact at {:.3f} m/s", each.impact_mps)});
+                                .text = fmt::format("impact at {:.1f} m/s", each.impact_mps)});
   }
   if (!result.completed) {
     recording.add(RecordedEvent{.tick = static_cast<std::uint32_t>(recording.scenes() - 1),
@@ -191,6 +192,14 @@ TestTroubles troubles_of(const Mas& mas, const WorldResult& outcome) {
     }
   }
   return troubles;
+}
+
+void shorten_paths(TestTroubles& troubles, const PortableNames& names) {
+  for (AgentDrop& drop : troubles.drops) {
+    for (std::string* const text : {&drop.cause.file, &drop.cause.message, &drop.cause.goals}) {
+      *text = names.in(std::move(*text));
+    }
+  }
 }
 
 void give_up(std::string why, TestRun& result) {
@@ -219,19 +228,6 @@ void run_to_the_end(Mas& mas, const World& world, const TestOptions& options,
   }
 }
 
-/// Of a test that ended in the middle of anything.
-TestRun without_memory(const TestOptions& options) {
-  TestRun failed;
-  give_up("the machine has no memory left for the test", failed);
-  failed.troubles.error = failed.message;
-  if (options.record != nullptr) {
-    *options.record = Recording();
-    options.record->add(RecordedEvent{
-        .tick = 0, .actor = {}, .kind = std::string(kErrored), .text = failed.message});
-  }
-  return failed;
-}
-
 /// What the controller makes of the end may be wrong, too.
 void end_drive(World& world, TestRun& result) {
   world.end();
@@ -241,6 +237,18 @@ void end_drive(World& world, TestRun& result) {
 }
 
 }  // namespace
+
+TestRun errored_test(std::string why, const TestOptions& options) {
+  TestRun failed;
+  give_up(std::move(why), failed);
+  failed.troubles.error = failed.message;
+  if (options.record != nullptr) {
+    *options.record = Recording();
+    options.record->add(RecordedEvent{
+        .tick = 0, .actor = {}, .kind = std::string(kErrored), .text = failed.message});
+  }
+  return failed;
+}
 
 WorldStart start_of(const TestSetup& setup) {
   return {.agents = setup.agents,
@@ -292,7 +300,7 @@ void TestRunner::add_agents(const TestSetup& setup) {
     behaviour_ = setup.behaviour;
     agents_ = setup.agents;
   }
-  // What is of this test alone is in the system's own names.
+  // This test's own beliefs use the system's symbols.
   const std::vector<Parameter> feedback = beliefs(setup.feedback, mas_->symbols());
   const std::vector<Parameter> given = beliefs(setup.parameters, mas_->symbols());
   for (std::size_t i = 0; i < specs_.size(); ++i) {
@@ -352,13 +360,15 @@ TestRun TestRunner::run(const TestSetup& setup, const TestOptions& options) {
   // Asked again, since the run may have ended by a limit of its own just before.
   result.interrupted = !result.completed && options.interrupted && options.interrupted();
   if (result.completed) end_drive(*world, result);
-  result.note = world->note();
+  result.notes = world->take_notes();
+  if (options.names != nullptr) result.message = options.names->in(std::move(result.message));
   if (options.record != nullptr) record_events(*world, setup, result, *options.record);
   result.outcome = world->result();
   // A chain goes on as if a new one began.
   result.left_over = result.completed ? world->left_over() : 0;
   result.cycles = mas_->outcome().cycles;
   result.troubles = troubles_of(*mas_, result.outcome);
+  if (options.names != nullptr) shorten_paths(result.troubles, *options.names);
   if (!result.completed) result.troubles.error = result.message;
   result.cpu_s = mas_->reasoning_cpu_s();
   return result;
@@ -388,7 +398,7 @@ TestRun TestRunners::run(const TestSetup& setup, const TestOptions& options) {
     result = runner->run(setup, options);
   } catch (const std::bad_alloc&) {
     // Of the runner nothing is used again.
-    return without_memory(options);
+    return errored_test("the machine has no memory left for the test", options);
   }
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(runner));

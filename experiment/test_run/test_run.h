@@ -17,6 +17,7 @@
 #include "env/world/world_spec.h"
 #include "experiment/judge/recording.h"
 #include "experiment/policy/policy.h"
+#include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/scenario.h"
 #include "experiment/test_run/covered_bins.h"
 #include "experiment/test_run/prepared_scenario.h"
@@ -35,17 +36,18 @@ struct TestSetup {
   /// The experiment's seed and the test's number, from 0.
   std::uint64_t seed = 0;
   std::uint64_t test = 0;
-  /// What the agents believe of earlier tests: the beliefs covered(Item, Bin, Times).
+  /// The agents' beliefs about earlier tests: covered(Item, Bin, Times).
   std::vector<CoveredBin> feedback;
-  /// What the test before has left over, in a world in which that matters (carry_over.h).
+  /// The head start that the test before has left over, where tests depend on each other
+  /// (carry_over.h).
   int head_start = 0;
   /// Index into the prepared scenario's vehicles.
   std::size_t vehicle = 0;
   /// The cells where the agents start, if that is not for the scenario to say. REQUIRES: as many as
   /// agents, or none; a world that has cells.
   std::vector<Position> starts;
-  /// These take the place of what the scenario sets for all agents of the behaviour. REQUIRES: the
-  /// programs have such initial beliefs.
+  /// They replace the scenario's values for all agents of the behaviour. REQUIRES: the programs
+  /// have such initial beliefs.
   std::vector<ParameterSetting> parameters;
 };
 
@@ -59,11 +61,13 @@ struct TestOptions {
   /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
   /// `head_start`, if there was one. Null: nothing is recorded.
   Recording* record = nullptr;
-  /// Looks at the agents as they reason (interpreter/agent/surroundings/observer.h). Null: nobody
+  /// Observes the agents as they reason (interpreter/agent/surroundings/observer.h). Null: none
   /// does.
   ReasoningObserver* observer = nullptr;
-  /// Whom agents ask that learn, in place of the behaviour's policy; null: that.
+  /// Chooses for learning agents instead of the behaviour's policy; null: the policy does.
   OptionPolicies* policies = nullptr;
+  /// Shortens paths in what is kept of errors; null: they stay as they are.
+  const PortableNames* names = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;
   /// Reasoning cycles of one agent in one tick before the test is given up.
@@ -78,8 +82,8 @@ struct TestOptions {
   std::function<bool()> interrupted;
 };
 
-/// All that came of running a test. A TestResult is what measures see of it, a TestOutcome what
-/// tables of single tests show, a TestRecord what a store keeps.
+/// The full result of running a test. Measures see its TestResult, tables of single tests show its
+/// TestOutcome, stores keep its TestRecord.
 struct TestRun {
   WorldResult outcome;
   /// The head start of the next test (World::left_over).
@@ -92,14 +96,17 @@ struct TestRun {
   std::string message;
   std::uint64_t cycles = 0;
   TestTroubles troubles;
-  /// What the author of the AV's controller should know; usually empty.
-  std::string note;
+  /// Remarks for the author of the AV's controller; usually none.
+  std::vector<std::string> notes;
   /// CPU time that the agents spent reasoning, if measured.
   double cpu_s = 0;
 };
 
 /// Its line in a table of single tests.
 [[nodiscard]] TestOutcome outcome_of(const TestRun& run);
+
+/// A test that is errored for that reason without having been run.
+[[nodiscard]] TestRun errored_test(std::string why, const TestOptions& options);
 
 /// Runs tests one after another, each as if it were the only one: what it has built for one is
 /// used again for the next, which with the same behaviour and number of agents costs little.

@@ -18,7 +18,7 @@ struct AgentDrop {
   DropCause cause;
 };
 
-/// Of one test.
+/// The troubles of one test.
 struct TestTroubles {
   std::uint64_t agents = 0;
   std::uint64_t pedestrians = 0;

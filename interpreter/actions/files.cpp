@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/actions/java/java_regex.h"
@@ -33,6 +36,12 @@ void find_files(const std::filesystem::path& folder, const Regex& pattern, int d
   }
 }
 
+std::string why_unreadable(const std::string& folder) {
+  std::error_code error;
+  const std::filesystem::directory_iterator opened(folder, error);
+  return error ? fmt::format("cannot list {}: {}", folder, error.message()) : std::string();
+}
+
 }  // namespace
 
 Outcome list_files(ActionCall& call) {
@@ -45,10 +54,15 @@ Outcome list_files(ActionCall& call) {
       Regex::parse(result == 2 ? call.arg(1).text()->view() : std::string_view(".*"), error);
   if (!pattern) return call.java_exception(error);
   const std::string folder(call.arg(0).text()->view());
-  const std::string denied = call.agent()->host().society().why_not_list(folder);
-  if (!denied.empty()) return call.fail("internal_action", denied);
   std::vector<std::string> found;
-  find_files(folder, *pattern, 0, found);
+  std::string problem = call.agent()->host().society().why_not_list(folder);
+  if (problem.empty()) problem = why_unreadable(folder);
+  // As in Jason such a folder has no files, and the plan goes on.
+  if (problem.empty()) {
+    find_files(folder, *pattern, 0, found);
+  } else {
+    call.agent()->log(problem);
+  }
   std::vector<Value> files;
   for (const std::string& file : found) files.push_back(call.heap().text(file));
   return call.result(result, call.heap().list(files));

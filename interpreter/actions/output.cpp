@@ -13,9 +13,10 @@ namespace jaywalk::actions {
 namespace {
 
 std::string joined(ActionCall& call, std::size_t first) {
+  const Unifier::KeepCircles keep(call.unifier());
   std::string text;
   for (std::size_t i = first; i < call.count(); ++i) {
-    append_argument(text, call.arg(i), call.symbols());
+    append_argument(text, call.applied(i), call.symbols());
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -105,16 +106,17 @@ Outcome remove(ActionCall& call, Value what, Value source) {
   return Outcome::succeeded;
 }
 
-bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) {
-  TriggerParts parts;
+// The event that a trigger, or a plan as text, stands for.
+std::optional<Event> event_of(ActionCall& call, Value trigger) {
   if (trigger.is_text()) {
     std::string problem;
     const Value plan = read_plan(std::string(trigger.text()->view()), call.heap(), call.symbols(),
                                  call.machine().actions(), call.machine().texts(), problem);
-    if (plan.is_unset()) return false;
+    if (plan.is_unset()) return std::nullopt;
     trigger = plan_parts(plan).trigger;
   }
-  if (!trigger_parts(trigger, call.symbols(), parts)) return false;
+  TriggerParts parts;
+  if (!trigger_parts(trigger, call.symbols(), parts)) return std::nullopt;
   Value literal = parts.literal;
   if (is_literal(literal) && !has_source(literal_parts(literal).annots)) {
     // Plans may ask for a source: any will do.
@@ -125,8 +127,11 @@ bool relevant(ActionCall& call, Value trigger, std::vector<const Plan*>& plans) 
                          union_of(call.heap(), literal_parts(literal).annots,
                                   call.heap().pair(source, Value::empty_list()), call.symbols()));
   }
-  plans = call.agent()->relevant_plans(parts.op, parts.kind, literal);
-  return true;
+  return Event{parts.op, parts.kind, literal, nullptr, 0};
+}
+
+std::vector<const Plan*> plans_for(ActionCall& call, const Event& event) {
+  return call.agent()->relevant_plans(event.op, event.kind, event.literal);
 }
 
 Outcome no_trigger(ActionCall& call) {
@@ -135,18 +140,17 @@ Outcome no_trigger(ActionCall& call) {
                   brief_text(call.arg(0), call.symbols())));
 }
 
-// Pairs of plan and label, one after another.
-class PlanSolutions : public Solutions {
+// Each plan with its label, one after another.
+class LabelledPlans : public Solutions {
  public:
-  PlanSolutions(std::size_t plan_arg, std::size_t label_arg, std::vector<const Plan*> plans)
-      : plan_arg_(plan_arg), label_arg_(label_arg), plans_(std::move(plans)) {}
+  explicit LabelledPlans(std::vector<const Plan*> plans) : plans_(std::move(plans)) {}
 
   bool next(ActionCall& call) override {
     while (next_ < plans_.size()) {
       const Plan& plan = *plans_[next_++];
       const std::size_t trail = call.unifier().mark();
-      if (call.unify(plan_arg_, call.agent()->plan_term(plan)) &&
-          (label_arg_ >= call.count() || call.unify(label_arg_, call.agent()->label_term(plan)))) {
+      if (call.unify(0, call.agent()->plan_term(plan)) &&
+          call.unify(1, call.agent()->label_term(plan))) {
         return true;
       }
       call.unifier().undo(trail);
@@ -155,8 +159,34 @@ class PlanSolutions : public Solutions {
   }
 
  private:
-  std::size_t plan_arg_;
-  std::size_t label_arg_;
+  std::vector<const Plan*> plans_;
+  std::size_t next_ = 0;
+};
+
+// The plans for an event, one after another, each as the event would find it: with the values that
+// its trigger gets, and gives. As in Jason they are printed without braces.
+class RelevantPlans : public Solutions {
+ public:
+  RelevantPlans(Value literal, std::vector<const Plan*> plans)
+      : literal_(literal), plans_(std::move(plans)) {}
+
+  bool next(ActionCall& call) override {
+    while (next_ < plans_.size()) {
+      const Value plan = call.agent()->plan_term(*plans_[next_++]);
+      plan.structure()->info |= Structure::kBare;
+      TriggerParts trigger;
+      const std::size_t trail = call.unifier().mark();
+      if (trigger_parts(plan_parts(plan).trigger, call.symbols(), trigger) &&
+          call.unifier().unify(trigger.literal, literal_) && call.unify(1, plan)) {
+        return true;
+      }
+      call.unifier().undo(trail);
+    }
+    return false;
+  }
+
+ private:
+  Value literal_;
   std::vector<const Plan*> plans_;
   std::size_t next_ = 0;
 };
@@ -192,15 +222,15 @@ Outcome plan_label(ActionCall& call) {
   if (!call.arg(0).is_variable()) return call.java_exception("the first argument is no plan");
   std::vector<const Plan*> all;
   for (const auto& plan : call.agent()->library().plans()) all.push_back(plan.get());
-  return call.many(std::make_unique<PlanSolutions>(0, 1, std::move(all)));
+  return call.many(std::make_unique<LabelledPlans>(std::move(all)));
 }
 
 Outcome relevant_plans(ActionCall& call) {
-  std::vector<const Plan*> plans;
-  if (!relevant(call, call.arg(0), plans)) return no_trigger(call);
+  const std::optional<Event> event = event_of(call, call.arg(0));
+  if (!event) return no_trigger(call);
   std::vector<Value> terms;
   std::vector<Value> labels;
-  for (const Plan* const plan : plans) {
+  for (const Plan* const plan : plans_for(call, *event)) {
     terms.push_back(call.agent()->plan_term(*plan));
     labels.push_back(call.agent()->label_term(*plan));
   }
@@ -212,15 +242,17 @@ Outcome relevant_plan(ActionCall& call) {
   if (call.arg(0).is_variable() && is_plan(call.arg(1))) {
     return call.result(0, plan_parts(call.arg(1)).trigger);
   }
-  std::vector<const Plan*> plans;
-  if (!relevant(call, call.arg(0), plans)) return no_trigger(call);
-  return call.many(std::make_unique<PlanSolutions>(1, call.count(), std::move(plans)));
+  const std::optional<Event> event = event_of(call, call.arg(0));
+  if (!event) return no_trigger(call);
+  return call.many(std::make_unique<RelevantPlans>(event->literal, plans_for(call, *event)));
 }
 
 Outcome list_plans(ActionCall& call) {
   std::vector<const Plan*> plans;
   if (call.count() == 1) {
-    if (!relevant(call, call.arg(0), plans)) return no_trigger(call);
+    const std::optional<Event> event = event_of(call, call.arg(0));
+    if (!event) return no_trigger(call);
+    plans = plans_for(call, *event);
   } else {
     for (const auto& plan : call.agent()->library().plans()) plans.push_back(plan.get());
   }

@@ -177,13 +177,13 @@ Outcome include(ActionCall& call) {
     request.ns = call.symbols().functor(call.arg(1).atom_id());
   }
   Agent& agent = *call.agent();
-  std::string problem;
+  LoadProblem problem;
   const std::shared_ptr<const Program> program = agent.host().society().load(request, problem);
-  if (program == nullptr) {
+  if (program == nullptr && !problem.is_refused) {
     // As in Jason: nothing is included, and the plan goes on.
-    agent.log(problem);
-  } else if (!agent.include(program, problem)) {
-    return call.fail("internal_action", problem);
+    agent.log(problem.text);
+  } else if (program == nullptr || !agent.include(program, problem.text)) {
+    return call.fail("internal_action", problem.text);
   }
   if (!is_open) return Outcome::succeeded;
   return call.result(1, Value::atom(call.symbols().predicate(request.ns, 0)));

@@ -34,7 +34,10 @@ bool is_free(Value value) { return value.is_variable() || is_form(value, Form::d
 }  // namespace
 
 Outcome atom(ActionCall& call) { return when(is_plain_atom(call.arg(0), call.symbols())); }
-Outcome ground(ActionCall& call) { return when(is_ground(call.arg(0))); }
+// As in Jason a rule is never ground.
+Outcome ground(ActionCall& call) {
+  return when(!is_form(call.arg(0), Form::rule) && is_ground(call.arg(0)));
+}
 Outcome list(ActionCall& call) { return when(call.arg(0).is_list()); }
 Outcome literal(ActionCall& call) { return when(is_any_literal(call.arg(0))); }
 Outcome number(ActionCall& call) { return when(is_numeric(call.arg(0))); }

@@ -56,7 +56,7 @@ void Agent::receive(const Message& message) {
   attention_ = true;
 }
 
-// To be called when one of these has changed.
+// Call this when one of these has changed.
 void Agent::note_unusual() {
   const auto bit = [](Unusual what, bool is_so) { return is_so ? std::uint32_t{what} : 0U; };
   unusual_ = (unusual_ & (kSelectsByRules | kSubplans)) | bit(kObserved, observer_ != nullptr) |
@@ -104,8 +104,8 @@ void Agent::give_back_workspace() {
 }
 
 void Agent::start(std::span<const Predicate> replaced, std::span<const Value> given) {
-  // Of a program that can start later there is so little that it is had whatever the limit is:
-  // nobody could handle a failure.
+  // A program that can start later needs so little memory that it is granted whatever the limit:
+  // no plan could handle a failure.
   std::optional<UnlimitedMemory> unlimited;
   if (program_->can_start_later()) unlimited.emplace(heap_);
   begin(*program_, replaced, given);
@@ -272,7 +272,7 @@ bool Agent::disbelieve(Value literal, Intention* focus) {
   return disbelieve_as_it_is(with_own_source(literal), focus);
 }
 
-// Of a literal that has a source.
+// Adds a literal that has a source.
 bool Agent::believe_as_it_is(Value literal, Place place, Intention* focus) {
   const std::optional<Value> added = add_fact(literal, place);
   if (!added) return false;
@@ -339,7 +339,7 @@ void Agent::resume(Intention& intention) {
 }
 
 // It is mostly the one that was put there last, or the one that is held, which is not there: among
-// 100,000 intentions nobody looks for it.
+// 100,000 intentions it is not searched for.
 void Agent::remove_from_running(const Intention& intention) {
   auto& running = circumstance_.running;
   if (running.empty() || (&intention == held_ && !released_)) return;

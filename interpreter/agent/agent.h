@@ -40,13 +40,11 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Adds the initial beliefs and goals; those of the predicates in `replaced` are left out and
   /// `given`, ground literals, come instead.
   void start(std::span<const Predicate> replaced, std::span<const Value> given);
-  /// The same without others, but not before it first reasons or somebody looks at it: so what a
-  /// million agents begin with need not all be there at the same time. REQUIRES: the program's
-  /// start can wait (Program::can_start_later), and nobody observes or customises the agent.
+  /// Like start(), but deferred until the agent first reasons or is inspected. REQUIRES:
+  /// Program::can_start_later, and the agent is neither observed nor customised.
   void start_later() { starts_later_ = true; }
   void start_if_due();
-  /// Starts as a copy of another agent with the same program: its beliefs, its plans, its goals and
-  /// what it is doing (clone.cpp).
+  /// Starts as a copy of another agent of the same program, in the midst of its work (clone.cpp).
   void copy_from(const Agent& original);
 
   /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not
@@ -84,7 +82,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void set_turn(AgentTurn& turn) { turn_ = &turn; }
   /// The machine that answers its queries, borrowed from the system until the end of its cycle.
   [[nodiscard]] Machine& machine() { return work().machine; }
-  /// To be called when the agent has been made to do something outside of its cycles.
+  /// Call this after making the agent act outside of its cycles.
   void rest();
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
   [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
@@ -99,7 +97,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] const PlanLibrary& library() const { return *library_; }
   [[nodiscard]] JavaRandom& random() { return random_; }
   [[nodiscard]] const Program& program() const { return *program_; }
-  /// Null: nobody looks.
+  /// Null: unobserved.
   [[nodiscard]] ReasoningObserver* observer() const { return observer_; }
   /// Why it has dropped intentions, in the order of the first times.
   [[nodiscard]] const Seldom<std::vector<DropCause>>& drops() const { return drops_; }
@@ -121,7 +119,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
     if ((unusual_ & kGoalStates) != 0) add_goal_state(kind, goal, state, reason);
   }
   void signal_goal_state(TriggerKind kind, Value goal, std::string_view state, Value reason);
-  /// The same for the goal on top of an intention, if there is one.
+  /// Signals a state of the goal on top of an intention, if there is one.
   void signal_top_state(const Intention& intention, std::string_view state, Value reason);
   /// The intention whose formula is executed, or for whose event a plan is looked for; null: none.
   [[nodiscard]] Intention* executing() const;
@@ -151,7 +149,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void remove_plan(const Plan& plan);
   /// The plan's label with the sources that this agent has it from; a template of the plan's slots.
   [[nodiscard]] Value label_of(const Plan& plan) const;
-  /// The same as a term whose variables are fresh.
+  /// The label as a term whose variables are fresh.
   [[nodiscard]] Value label_term(const Plan& plan);
   /// Takes a source away, and the plan too when no other is left; nothing if it is none of them.
   void remove_plan_source(const Plan& plan, Value source);
@@ -243,6 +241,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] bool ask_timed_out(std::uint64_t token);
   void end_ask(const PendingAsk& ask, Value answer);
   void handle_message(const Message& message);
+  [[nodiscard]] bool handle_at_once(Symbol performative, Value content, Value sender);
   void deliberate();
   void act();
   [[nodiscard]] bool no_plan(const Event& event);
@@ -377,6 +376,9 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void note_for_round(Intention& intention, std::size_t trail);
   void undo_round(Intention& intention, Loop& loop);
   bool execute_plan_or_rule(Intention& intention, Value term, Step::Kind kind);
+  void change_rules(Value rule, Step::Kind kind);
+  void remove_like(Value head);
+  [[nodiscard]] Value any_like(Value literal);
   void bind_recorded(Intention& intention, Loop& loop, Value place, Value value);
 
   // Failure (failure.cpp).
@@ -400,7 +402,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   Value failure_literal(Value literal, const ActionError& error, Value code, std::uint32_t line,
                         const Intention* intention);
   void lose(Intention& intention, const ActionError& error, Value code);
-  // Of an intention, or of an event that had none (null); drops.cpp.
+  // Notes the drop of an intention, or of an event that had none (null); drops.cpp.
   const DropCause& note_drop(const Intention* intention, const ActionError& error, Value code);
   [[nodiscard]] std::string drop_details(const Intention& intention, const DropCause& cause) const;
   [[nodiscard]] SourcePtr find_source(const std::string& file) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an agent consists of, for agent.h.
+// The data of an agent, for agent.h.
 
 #include <cstdint>
 #include <memory>
@@ -74,9 +74,9 @@ class AgentParts {
   bool starts_later_ = false;
   bool changed_ = false;  // since waiting formulas were last looked at
   /// There may be something that a cycle has to look at before it goes on with the same intention
-  /// (Agent::has_unusual_business). Set by who makes it.
+  /// (Agent::has_unusual_business). Set by the code that causes it.
   bool attention_ = true;
-  /// What makes the agent reason otherwise than most do, so that it is asked for in one go. Kept by
+  /// Flags for features that take the agent off the fast path; tested as one word. Kept by
   /// Agent::note_unusual, but for kSelectsByRules and kSubplans, which stay once they are set.
   enum Unusual : std::uint32_t {
     kObserved = 1,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostCauses = 32;  // of one agent; further ones are counted with the last
 constexpr std::size_t kLongestText = 300;
-// Of a deep stack, so many goals from its bottom and from its top are named.
+// How many goals of a deep stack are named, from its bottom and from its top.
 constexpr std::size_t kOuterGoals = 3;
 constexpr std::size_t kInnerGoals = 5;
 

@@ -1,5 +1,4 @@
-// What of an agent's heap is still needed: every term that its parts hold is a root of the
-// collection.
+// The roots of garbage collection: every term that the agent's parts hold.
 
 #include <algorithm>
 #include <unordered_set>

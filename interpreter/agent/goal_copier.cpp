@@ -158,7 +158,7 @@ const Plan* Agent::GoalCopier::copy_of(const Plan& plan) const {
   return plan.source.is_static() ? &plan : nullptr;
 }
 
-// 0, which is nobody's: the intention is not there any more.
+// 0, which no intention has, if the intention does not exist any more.
 std::uint32_t Agent::GoalCopier::id_of_copy(std::uint32_t id) const {
   const auto copy = copies_.find(id);
   return copy == copies_.end() ? 0 : copy->second->id;

@@ -16,7 +16,7 @@ namespace jaywalk {
 [[nodiscard]] std::string plain_text(Value term, const SymbolTable& symbols,
                                      std::size_t most = kMaxTextBytes);
 
-/// The same of a literal's parts.
+/// The text of a literal, from its parts.
 [[nodiscard]] std::string literal_text(Predicate predicate, std::span<const Value> args,
                                        const SymbolTable& symbols,
                                        std::size_t most = kMaxTextBytes);
@@ -26,7 +26,7 @@ namespace jaywalk {
                                     const SymbolTable& symbols, std::size_t most = kMaxTextBytes);
 
 /// The outermost first, each with the line that it has come to: `go (x.asl:2) > cross (x.asl:5)`.
-/// Of a deep stack the goals in the middle are left out.
+/// The goals in the middle of a deep stack are left out.
 [[nodiscard]] std::string goal_stack_text(const Intention& intention, const SymbolTable& symbols);
 
 /// Where the formula stands that the intention has come to, `x.asl:2:21`; empty if it was made at

@@ -1,8 +1,8 @@
-// What an agent owns, counted. Terms are known at any time (term/heap.h); what there is beside them
-// is noted when it comes, never when it goes, and counted anew after a cycle in which so much was
-// noted that counting costs little beside it. Formulas that would put more of it into memory ask
-// first (Heap::require_room), and fail where nothing is left. The count depends on what there is
-// alone, not on memory that is kept for later, so that it is the same in every run.
+// Counts an agent's memory. The size of terms is known at any time (term/heap.h); other memory is
+// noted when it is taken, never when it is freed, and counted anew after a cycle in which enough
+// was noted to make counting cheap in comparison. Formulas that need more of it ask first
+// (Heap::require_room), and fail at the limit. The count depends only on the data, not on memory
+// kept for later, so that it is the same in every run.
 
 #include <algorithm>
 #include <bit>
@@ -23,7 +23,7 @@ std::size_t bytes_of(const Loop& loop) {
   return bytes;
 }
 
-// What a means has outside of its intention's stack.
+// The memory of a means outside of its intention's stack.
 std::size_t bytes_beside(const IntendedMeans& means) {
   if (!means.extras) return 0;
   const MeansExtras& extras = *means.extras;

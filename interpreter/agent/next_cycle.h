@@ -14,7 +14,7 @@ namespace jaywalk {
   beliefs_.compact();
 }
 
-// Of an event of the intention that is held: nothing else need be known of it, or come before.
+// Whether the held intention's event can be handled at once: no other work comes before it.
 [[gnu::always_inline]] inline bool Agent::comes_next(const Intention& intention) const {
   const Circumstance& c = circumstance_;
   return c.events.empty() && (!attention_ || c.waits.empty()) && !intention.is_atomic() &&

@@ -1,7 +1,7 @@
 #pragma once
 
-// What an agent has beyond its program, or instead: plans made or changed at run time, the programs
-// that it has included, and their functions. Most agents have nothing of it.
+// An agent's additions to its program: plans made or changed at run time, the programs that it has
+// included, and their functions. Most agents have none.
 
 #include <cstdint>
 #include <map>

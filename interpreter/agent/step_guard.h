@@ -10,7 +10,7 @@
 
 namespace jaywalk {
 
-/// What the limit that is being handled means for the step; another exception goes on its way.
+/// The step's error for the limit that is being handled; other exceptions are rethrown.
 /// REQUIRES: called from a handler.
 [[nodiscard]] ActionError error_of_limit();
 
@@ -25,7 +25,7 @@ template <class Body>
   return false;
 }
 
-/// The same for what is done in every cycle: an error is made only if there is one.
+/// Like guarded() above, for work done in every cycle: the error is allocated only when needed.
 template <class Body>
 [[nodiscard]] bool guarded(std::unique_ptr<ActionError>& error, Body&& body) {
   try {
@@ -37,7 +37,7 @@ template <class Body>
 }
 
 /// Memory beyond an agent's limit while it lives: what it takes to report a failure when there is
-/// none left, or what somebody else answers for. The next collection comes at the end of the cycle.
+/// none left, or work on another's account. The next collection comes at the end of the cycle.
 class MemoryReserve {
  public:
   static constexpr std::size_t kForReports = std::size_t{1} << 20U;
@@ -54,7 +54,7 @@ class MemoryReserve {
   std::size_t limit_;
 };
 
-/// No limit while it lives, for what somebody else answers for.
+/// No limit while it lives, for work on another's account.
 class UnlimitedMemory {
  public:
   static constexpr std::size_t kBytes = std::size_t{1} << 62U;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What an agent needs only while it reasons: the machine that answers its queries, and memory for
-// things in passing. Agents of one system share a few of them, since of a million agents few reason
-// at the same time: an agent borrows one when it first needs it and gives it back at the end of its
+// The parts that an agent needs only while it reasons: the machine that answers its queries, and
+// temporary memory. Agents of one system share a few of them, since few of a million agents reason
+// at the same time: an agent borrows one when it first needs it and returns it at the end of its
 // cycle.
 
 #include <array>
@@ -22,7 +22,7 @@ namespace jaywalk {
 
 class Program;
 
-/// What an event's literal says, if it is one.
+/// The arguments of an event's literal, if it is one.
 struct EventArguments {
   bool is_literal = false;
   bool is_open = false;  // it has variables
@@ -31,13 +31,12 @@ struct EventArguments {
 };
 
 /// The event of the formula that is being executed, where the next cycle can be about nothing else:
-/// it does not pass through E. The literal of a goal is made when somebody asks for it
-/// (Agent::literal_of).
+/// it does not pass through E. The literal of a goal is made on demand (Agent::literal_of).
 struct NextEvent {
   Event event;
   const EventCode* code = nullptr;  // of the formula, if it makes just this event
   bool is_pending = false;
-  // Of a goal's literal without annotations.
+  // The goal's literal, without annotations.
   bool is_open = false;  // it has open variables
   Predicate predicate{};
   std::size_t arity = 0;
@@ -123,8 +122,8 @@ struct QueueRemains {
   }
 };
 
-/// What is left of an agent: memory for another one with the same program. Nothing that it believed
-/// or did is in it.
+/// The memory of a finished agent, for another one with the same program. It holds none of the
+/// agent's beliefs or goals.
 struct AgentRemains {
   std::weak_ptr<const Program> program;
   Heap::Remains heap;
@@ -157,7 +156,7 @@ class WorkspacePool {
     for (const auto& workspace : idle_) all += workspace->machine.inferences();
     return all;
   }
-  /// What a query may take of those that are left to the run.
+  /// The inferences that a query may take: the run's remainder.
   [[nodiscard]] std::uint64_t inferences_left() const { return inferences_left_; }
   void set_inferences_left(std::uint64_t left) { inferences_left_ = left; }
 

@@ -22,6 +22,7 @@ void goals(Checking& checking, CheckedFile& file) {
     const int arity = arity_of(*goal);
     const std::set<int> planned = index.planned_goals.arities(goal->text);
     if (planned.empty() || index.planned_goals.contains(goal->text, arity)) continue;
+    if (file.asked.contains(goal_name(*goal))) continue;
     checking.warn(
         file, goal->span,
         fmt::format("no plan for the goal '{}' with {}", goal->text, counted(std::set{arity})),
@@ -37,6 +38,7 @@ void beliefs(Checking& checking, CheckedFile& file) {
     const int arity = arity_of(*belief);
     const std::set<int> known = checking.answers().arities(belief->text);
     if (known.empty() || checking.answers().contains(belief->text, arity)) continue;
+    if (file.asked.contains(belief_name(*belief))) continue;
     const bool percept = entry_of(checking.vocabulary().percepts, belief->text) != nullptr;
     if (!checking.told_everything() && !percept) continue;
     checking.warn(

@@ -5,8 +5,9 @@
 // a program's beliefs, goals and plans may come from other agents. Each warning has a code, a row
 // of checks.def; CHECKS.md and FORMULA_CHECKS.md show when it is given.
 //
-// Comments silence them (support/silenced.h).
+// Comments silence them, and say what a file needs of programs that include it (support/remarks.h).
 
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -44,6 +45,13 @@ struct Vocabulary {
     std::string option = {};
   };
 
+  /// A file that programs may include. Names are written `radius/1`, those of goals `!cross/0`.
+  struct Library {
+    std::string name;  // as in an include, "$jaywalk/crossing/shared/alone.asl"
+    std::set<std::string, std::less<>> defines;
+    std::set<std::string, std::less<>> asks;
+  };
+
   /// Whether the environment is known: its percepts and actions are those below and no others.
   bool environment_known = false;
   std::vector<Entry> percepts;
@@ -53,8 +61,12 @@ struct Vocabulary {
   /// Of messages. Empty: they are not checked.
   std::vector<std::string> performatives = {};
   std::vector<Setting> settings = {};
+  /// Reads the installed libraries, which hints name; null: there are none.
+  std::function<std::vector<Library>()> libraries = nullptr;
   /// Whether the program may be all there is: it is not, if it lies among those of a project.
   bool may_be_alone = true;
+  /// Whether the agent is run without others that could give it a goal.
+  bool begins_by_itself = false;
   /// Whether all agents of the system are known: what the others may post, tell or ask for bears
   /// one of the names below.
   bool others_known = false;

@@ -1,28 +1,49 @@
 #include "interpreter/check/checking.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
-#include "interpreter/support/silenced.h"
+#include <fmt/format.h>
+
+#include "interpreter/support/remarks.h"
 
 namespace jaywalk {
 namespace {
 
 std::set<std::string, std::less<>> allowed_in(const Source& source) {
   std::set<std::string, std::less<>> codes;
-  for (const AllowedCode& allowed : allowed_codes(source)) {
-    if (allowed.in_whole_file) codes.emplace(allowed.code);
+  for (const Remark& remark : remarks(source)) {
+    if (remark.word == Remark::kAllowFile) codes.emplace(remark.item);
   }
   return codes;
+}
+
+bool has_goal(std::span<const ast::Component> components) {
+  return std::ranges::any_of(components, [](const ast::Component& component) {
+    return component.kind == ast::ComponentKind::goal || has_goal(component.inner);
+  });
+}
+
+std::set<std::string_view> asked_in(const Source& source) {
+  std::set<std::string_view> names;
+  for (const Remark& remark : remarks(source)) {
+    if (remark.word == Remark::kAsks && asked_name(remark.item)) names.insert(remark.item);
+  }
+  return names;
 }
 
 }  // namespace
 
 Checking::Checking(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary)
-    : vocabulary_(vocabulary),
+    : program_(program),
+      vocabulary_(vocabulary),
       index_(std::move(words.index)),
       mentions_([&program] { return mentions_in(program); }),
       has_other_agents_([&program] { return shows_other_agents(program); }),
+      libraries_([&vocabulary] {
+        return vocabulary.libraries ? vocabulary.libraries() : std::vector<Vocabulary::Library>();
+      }),
       answers_(index_.beliefs) {
   for (const Vocabulary::Entry& percept : vocabulary.percepts) {
     for (int arity = percept.least_args; arity <= percept.most_args; ++arity) {
@@ -37,12 +58,12 @@ Checking::Checking(const SourceTree& program, ProgramWords words, const Vocabula
                       .uses = std::move(words.uses[i]),
                       .is_main = i == 0,
                       .allowed = allowed_in(*program.files[i]->source),
+                      .asked = asked_in(*program.files[i]->source),
                       .reported = {},
                       .found = {}});
   }
   has_initial_goal_ = std::ranges::any_of(
-      program.main().components,
-      [](const ast::Component& component) { return component.kind == ast::ComponentKind::goal; });
+      program.files, [](const auto& file) { return has_goal(file->components); });
 }
 
 bool Checking::asked_by_nobody() const {
@@ -54,6 +75,19 @@ bool Checking::asked_by_nobody() const {
 
 bool Checking::is_mentioned(std::string_view name) const {
   return mentions().names.contains(name) || vocabulary_.named_by_others.contains(name);
+}
+
+std::string Checking::library_defining(std::string_view name) const {
+  const auto found = std::ranges::find_if(*libraries_, [&](const Vocabulary::Library& library) {
+    return library.defines.contains(name);
+  });
+  return found == libraries_->end() ? "" : fmt::format("include(\"{}\") defines it", found->name);
+}
+
+std::string Checking::library_asking(std::string_view name) const {
+  const auto found = std::ranges::find_if(
+      *libraries_, [&](const Vocabulary::Library& library) { return library.asks.contains(name); });
+  return found == libraries_->end() ? "" : fmt::format("include(\"{}\") asks for it", found->name);
 }
 
 void Checking::warn(CheckedFile& file, Span where, std::string message, std::string hint) {

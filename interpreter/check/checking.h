@@ -25,6 +25,8 @@ struct CheckedFile {
   bool is_main = false;
   /// Codes that a comment silences in the whole file.
   std::set<std::string, std::less<>> allowed;
+  /// Names that a program which includes the file must define, as `radius/1` or `!cross/0`.
+  std::set<std::string_view> asked;
   /// What was reported: by place and code, once each.
   std::set<std::pair<std::uint32_t, std::string_view>> reported;
   Diagnostics found;
@@ -34,6 +36,7 @@ class Checking {
  public:
   Checking(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary);
 
+  [[nodiscard]] const SourceTree& program() const { return program_; }
   [[nodiscard]] const Vocabulary& vocabulary() const { return vocabulary_; }
   [[nodiscard]] const ProgramIndex& index() const { return index_; }
   [[nodiscard]] const Mentions& mentions() const { return *mentions_; }
@@ -48,12 +51,17 @@ class Checking {
   /// Nobody unknown posts goals to the agent or asks it: the other agents are known, or the program
   /// begins by itself and there seem to be none, since it speaks of nobody.
   [[nodiscard]] bool asked_by_nobody() const;
+  [[nodiscard]] bool has_initial_goal() const { return has_initial_goal_; }
   /// Whether plans or goals may come from where the checker cannot look.
   [[nodiscard]] bool may_be_told_plans() const {
     return index_.has_open_goals || vocabulary_.named_by_others.contains("tellHow");
   }
   /// Whether the program, or another agent, mentions the name where it may use it.
   [[nodiscard]] bool is_mentioned(std::string_view name) const;
+  /// A hint to include the installed library that defines a name, or that asks its includer for it
+  /// (`radius/1`, `!cross/0`); empty: there is none.
+  [[nodiscard]] std::string library_defining(std::string_view name) const;
+  [[nodiscard]] std::string library_asking(std::string_view name) const;
 
   /// From here on, warnings have that code.
   void begin(std::string_view code) { code_ = code; }
@@ -67,10 +75,12 @@ class Checking {
   [[nodiscard]] Diagnostics finish();
 
  private:
+  const SourceTree& program_;
   const Vocabulary& vocabulary_;
   ProgramIndex index_;
   Lazy<Mentions> mentions_;
   Lazy<bool> has_other_agents_;
+  Lazy<std::vector<Vocabulary::Library>> libraries_;
   NameSet answers_;
   std::vector<CheckedFile> files_;
   Diagnostics about_settings_;

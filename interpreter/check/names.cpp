@@ -1,6 +1,7 @@
 // Names that mean nothing: goals without plans, queries that nothing answers, actions that are
 // none.
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,9 +23,12 @@ void unknown_goals(Checking& checking) {
   for (CheckedFile& file : checking.files()) {
     for (const Node* goal : file.uses.goals) {
       if (goal->kind != Kind::literal || !index.planned_goals.arities(goal->text).empty()) continue;
-      checking.warn(
-          file, goal->span, fmt::format("no plan for the goal '{}'", goal->text),
-          checking.is_full(file) ? "" : did_you_mean(goal->text, index.planned_goals.names()));
+      if (file.asked.contains(goal_name(*goal))) continue;
+      std::string hint =
+          checking.is_full(file) ? "" : did_you_mean(goal->text, index.planned_goals.names());
+      if (hint.empty()) hint = checking.library_defining(goal_name(*goal));
+      checking.warn(file, goal->span, fmt::format("no plan for the goal '{}'", goal->text),
+                    std::move(hint));
     }
   }
 }
@@ -34,6 +38,7 @@ void unknown_beliefs(Checking& checking) {
   for (CheckedFile& file : checking.files()) {
     for (const Node* belief : file.uses.queries) {
       if (!checking.answers().arities(belief->text).empty()) continue;
+      if (file.asked.contains(belief_name(*belief))) continue;
       if (checking.is_full(file)) break;
       std::vector<std::string> names = checking.answers().names();
       if (!checking.told_everything()) {
@@ -41,6 +46,7 @@ void unknown_beliefs(Checking& checking) {
       }
       std::string hint = did_you_mean(belief->text, names);
       if (hint.empty() && !checking.told_everything()) continue;
+      if (hint.empty()) hint = checking.library_defining(belief_name(*belief));
       checking.warn(file, belief->span,
                     fmt::format("'{}' is neither a belief nor a percept", belief->text),
                     std::move(hint));
@@ -48,13 +54,49 @@ void unknown_beliefs(Checking& checking) {
   }
 }
 
+namespace {
+
+// `wait(500)` for `.wait(500)`.
+bool lacks_dot(const Vocabulary& vocabulary, const Node& action) {
+  return std::ranges::any_of(vocabulary.internal_actions, [&](const Vocabulary::Entry& entry) {
+    return !entry.is_function && entry.name.substr(1) == action.text &&
+           takes(entry, arity_of(action));
+  });
+}
+
+std::string hint_for_dot(const Node& action) {
+  return fmt::format("internal actions begin with a dot: '.{}'", action.text);
+}
+
+// Where nothing is known of the environment, nor taken of it.
+void actions_without_dot(Checking& checking) {
+  const auto is_slip = [&](const Node* action) {
+    return lacks_dot(checking.vocabulary(), *action);
+  };
+  const bool has_environment = std::ranges::any_of(checking.files(), [&](const CheckedFile& file) {
+    return !std::ranges::all_of(file.uses.actions, is_slip);
+  });
+  if (has_environment) return;
+  for (CheckedFile& file : checking.files()) {
+    for (const Node* action : file.uses.actions) {
+      checking.warn(file, action->span,
+                    fmt::format("'{}' is an action of an environment", action->text),
+                    hint_for_dot(*action));
+    }
+  }
+}
+
+}  // namespace
+
 void unknown_actions(Checking& checking) {
   const Vocabulary& vocabulary = checking.vocabulary();
-  if (!vocabulary.environment_known) return;
+  if (!vocabulary.environment_known) return actions_without_dot(checking);
   for (CheckedFile& file : checking.files()) {
     for (const Node* action : file.uses.actions) {
       if (entry_of(vocabulary.actions, action->text) != nullptr) continue;
-      std::string hint = did_you_mean(action->text, names_of(vocabulary.actions));
+      std::string hint = lacks_dot(vocabulary, *action)
+                             ? hint_for_dot(*action)
+                             : did_you_mean(action->text, names_of(vocabulary.actions));
       if (hint.empty() && !checking.index().planned_goals.arities(action->text).empty()) {
         hint = fmt::format("there are plans for it: write '!{}'", action->text);
       }

@@ -34,18 +34,6 @@ bool is_lower_case_atom(const Node& node) {
          is_lower(node.text.front());
 }
 
-/// Calls `visit(formula)` for each formula of the body and of the blocks within.
-template <class Visit>
-void each_formula(std::span<const ast::Formula> formulas, Visit&& visit) {
-  for (const ast::Formula& formula : formulas) {
-    visit(formula);
-    if (formula.node->kind == Kind::body) each_formula(formula.node->formulas, visit);
-    for (const Node* part : formula.node->args) {
-      if (part->kind == Kind::body) each_formula(part->formulas, visit);
-    }
-  }
-}
-
 // --- Results ---------------------------------------------------------------------------------
 
 // `.concat([1],[2],L)` for `L = .concat([1],[2])`.
@@ -156,10 +144,7 @@ Plans plans_for_goals(Checking& checking) {
   for (const CheckedFile& file : checking.files()) {
     for (const ast::Plan* plan : file.uses.plans) {
       const Node& literal = *plan->trigger.literal;
-      if (plan->trigger.kind == ast::TriggerKind::achieve && literal.kind == Kind::literal &&
-          plan->trigger.op == ast::TriggerOperator::add) {
-        plans[{literal.text, literal.args.size()}].push_back(plan);
-      }
+      if (is_for_goal(*plan)) plans[{literal.text, literal.args.size()}].push_back(plan);
     }
   }
   return plans;

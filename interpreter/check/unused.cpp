@@ -137,14 +137,25 @@ void unused_plans(Checking& checking) {
 }
 
 void unused_rules(Checking& checking) {
+  const bool is_passive = !checking.index().has_unread_parts &&
+                          std::ranges::all_of(checking.files(), [](const CheckedFile& file) {
+                            return file.uses.plans.empty();
+                          });
   for (CheckedFile& file : checking.files()) {
     if (!file.is_main) continue;
     for (const Clause& clause : file.uses.clauses) {
       const Node& head = *clause.head;
       if (clause.body == nullptr || is_reserved(head.text)) continue;
-      if (!checking.asked_by_nobody()) return;
+      if (file.reported.contains({head.span.begin, "missing-definition"})) continue;
+      // Without plans nothing asks for anything: a library is missing, if one asks for that rule.
+      const std::string name = belief_name(head);
+      std::string hint = is_passive && checking.library_defining(name).empty()
+                             ? checking.library_asking(name)
+                             : std::string();
+      if (hint.empty() && !checking.asked_by_nobody()) continue;
       if (checking.is_mentioned(head.text)) continue;
-      checking.warn(file, head.span, fmt::format("nothing asks for '{}'", head.text));
+      checking.warn(file, head.span, fmt::format("nothing asks for '{}'", head.text),
+                    std::move(hint));
     }
   }
 }

@@ -61,6 +61,7 @@ class Values {
     const Atoms allowed = atoms_of(values, AtomRole::allowed);
     if (!allowed.empty()) judge_declared(values, allowed);
     judge_inferred(values, allowed);
+    judge_strings(values, allowed);
   }
 
  private:
@@ -142,6 +143,29 @@ class Values {
     std::string_view meant = slip_of(use.atom, wanted);
     if (meant.empty()) meant = slip_of(use.atom, given);
     if (!meant.empty()) warn(use, fmt::format("did you mean '{}'?", meant));
+  }
+
+  // `move("right")`: a string is no atom, so that no value is equal to it.
+  void judge_strings(const ValueClass& values, const Atoms& allowed) {
+    Atoms atoms = atoms_of(values, AtomRole::given);
+    atoms.insert(allowed.begin(), allowed.end());
+    Atoms given;
+    for (const AtomUse& use : values.strings) {
+      if (use.role == AtomRole::given) given.insert(use.atom);
+    }
+    for (const AtomUse& use : values.strings) {
+      const bool is_wanted = use.role == AtomRole::wanted;
+      const bool is_found = is_wanted && given.contains(use.atom);
+      std::string_view meant = atoms.contains(use.atom) ? use.atom : std::string_view();
+      if (meant.empty()) meant = slip_of(use.atom, allowed);
+      const bool is_wrong = allowed.empty() ? is_wanted && !meant.empty()
+                                            : !meant.empty() || (is_wanted && use.is_declared_here);
+      if (!is_wrong || is_found) continue;
+      checking_.warn(*use.file, use.span,
+                     fmt::format("\"{}\" is a string, and the values here are atoms", use.atom),
+                     meant.empty() ? fmt::format("the values are {}", fmt::join(allowed, ", "))
+                                   : fmt::format("write {}, without quotes", meant));
+    }
   }
 
   void warn(const AtomUse& use, std::string hint) {

@@ -49,29 +49,29 @@ std::unique_ptr<const SharedRows> rows_of(const Program& program,
 
 std::vector<Program::Beginning> beginnings_of(const Program& program, Heap& constants,
                                               SymbolTable& symbols) {
-  struct Place {
+  struct Group {
     std::size_t number = 0;
     bool is_heard_of = false;
   };
   std::vector<Program::Beginning> made;
-  std::unordered_map<Predicate, Place> places;
-  const Place* last_heard_of = nullptr;
+  std::unordered_map<Predicate, Group> groups;
+  const Group* last_heard_of = nullptr;
   for (std::size_t i = program.beliefs().size(); i > 0; --i) {
     const Predicate predicate = program.beliefs()[i - 1].predicate;
-    const auto [known, is_new] = places.try_emplace(predicate);
-    Place& place = known->second;
-    if (is_new) place.is_heard_of = is_heard_of(program, predicate, symbols);
+    const auto [known, is_new] = groups.try_emplace(predicate);
+    Group& group = known->second;
+    if (is_new) group.is_heard_of = is_heard_of(program, predicate, symbols);
     // A new group, since events must come in the order of all facts, regardless of their predicate.
-    if (is_new || (place.is_heard_of && last_heard_of != &place)) {
-      place.number = made.size();
+    if (is_new || (group.is_heard_of && last_heard_of != &group)) {
+      group.number = made.size();
       made.push_back({.predicate = predicate, .rows = nullptr, .beliefs = {}});
     }
-    if (place.is_heard_of) last_heard_of = &place;
-    made[place.number].beliefs.push_back(static_cast<std::uint32_t>(i - 1));
+    if (group.is_heard_of) last_heard_of = &group;
+    made[group.number].beliefs.push_back(static_cast<std::uint32_t>(i - 1));
   }
   BeliefBase beliefs(constants, symbols);
   for (Program::Beginning& each : made) {
-    if (!places.at(each.predicate).is_heard_of) each.rows = rows_of(program, each, beliefs);
+    if (!groups.at(each.predicate).is_heard_of) each.rows = rows_of(program, each, beliefs);
   }
   return made;
 }

@@ -31,7 +31,7 @@ class ProgramBuilder {
         symbols_(symbols),
         actions_(actions),
         diagnostics_(diagnostics),
-        fresh_labels_(options.fresh_labels),
+        fresh_names_(options.fresh_names),
         translator_(program.constants_, symbols, actions),
         beliefs_(program.constants_, symbols),
         machine_(program.constants_, symbols, beliefs_, actions) {
@@ -98,7 +98,7 @@ class ProgramBuilder {
     return false;
   }
 
-  // What the agent believes or wants by itself: its source is itself if none is written.
+  // An initial belief or goal: its source is the agent itself if none is written.
   Value own_literal(const ast::Node& node, VariableScope& scope) {
     const Value literal = translator_.literal(node, scope, source_self());
     if (!is_literal(literal) || has_source(literal_parts(literal).annots)) return literal;
@@ -238,16 +238,16 @@ class ProgramBuilder {
     }
     const bool named =
         is_literal(plan.label) && !symbols_.functor(literal_parts(plan.label).predicate).empty();
-    if (!named) plan.label = Value::atom(symbols_.predicate(new_label(), 0));
+    if (!named) plan.label = Value::atom(symbols_.predicate(new_name("p__", labelled_), 0));
     plan.label = with_annotations(constants(), plan.label, annots);
   }
 
-  std::string new_label() {
-    std::string label;
+  std::string new_name(std::string_view before, int& count, std::string_view after = {}) {
+    std::string name;
     do {
-      label = fmt::format("p__{}", ++labelled_);
-    } while (fresh_labels_ && symbols_.knows(label));
-    return label;
+      name = fmt::format("{}{}{}", before, ++count, after);
+    } while (fresh_names_ && symbols_.knows(name));
+    return name;
   }
 
   // A label is one plan's in its library. An equal plan of that label (a file that two others
@@ -316,10 +316,12 @@ class ProgramBuilder {
     if (directive.args.size() > 1) {
       const ast::Node& ns = *directive.args[1];
       translator_.set_namespace(ns.kind == ast::Kind::variable
-                                    ? symbols_.symbol(fmt::format("ns{}", ++anonymous_namespaces_))
+                                    ? own_namespace("ns", anonymous_namespaces_)
                                     : translator_.resolve_namespace(ns.text));
     }
+    Translator::LocalNamespaces local = translator_.exchange_local({});
     add_file(*found->second);
+    translator_.exchange_local(std::move(local));
     translator_.set_namespace(outer);
   }
 
@@ -331,9 +333,12 @@ class ProgramBuilder {
     }
     const Symbol written = symbols_.symbol(directive.args[0]->text);
     if (directive.args.size() > 1 && directive.args[1]->text == "local") {
-      translator_.rename_namespace(
-          written, symbols_.symbol(fmt::format("{}{}{}", kLocalNamespace, ++local_namespaces_,
-                                               directive.args[0]->text)));
+      // A second directive goes on with the file's local namespace.
+      if (translator_.resolve_namespace(directive.args[0]->text) == written) {
+        translator_.rename_namespace(
+            written, own_namespace(std::string_view(&kLocalNamespace, 1), local_namespaces_,
+                                   directive.args[0]->text));
+      }
     } else if (directive.args.size() > 1 && directive.args[1]->text == "global") {
       translator_.rename_namespace(written, written);
     }
@@ -341,6 +346,11 @@ class ProgramBuilder {
     translator_.set_namespace(translator_.resolve_namespace(directive.args[0]->text));
     for (const ast::Component& inner : component.inner) add_component(inner);
     translator_.set_namespace(outer);
+  }
+
+  Symbol own_namespace(std::string_view before, int& count, std::string_view after = {}) {
+    program_.has_own_namespaces_ = true;
+    return symbols_.symbol(new_name(before, count, after));
   }
 
   void add_pattern(const ast::Component& component) {
@@ -359,6 +369,7 @@ class ProgramBuilder {
     auto source = std::make_shared<const Source>("kqmlPlans.asl", std::string(kKqmlPlans));
     expanded_.push_back(std::make_unique<ast::File>(parse_agent(source, diagnostics_)));
     translator_.set_namespace(names::default_ns);
+    translator_.exchange_local({});
     in_standard_plans_ = true;
     add_file(*expanded_.back());
     in_standard_plans_ = false;
@@ -368,7 +379,7 @@ class ProgramBuilder {
   SymbolTable& symbols_;
   const ActionRegistry& actions_;
   Diagnostics& diagnostics_;
-  bool fresh_labels_;
+  bool fresh_names_;
   Translator translator_;
   BeliefBase beliefs_;  // empty: to evaluate arithmetic in facts
   Machine machine_;

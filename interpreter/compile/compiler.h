@@ -16,9 +16,9 @@ namespace jaywalk {
 struct CompileOptions {
   /// The namespace that the program's own literals are in; empty: the default one.
   std::string ns;
-  /// For code that an agent includes while it runs: plans without a label get one that no plan of
-  /// the table's programs has.
-  bool fresh_labels = false;
+  /// For code that an agent includes while it runs: plans without a label, local namespaces and
+  /// those of variables get names that no program of the table has.
+  bool fresh_names = false;
   /// The internal actions and functions that it may use; null: the standard ones. They must outlive
   /// the program and must not change any more.
   const ActionRegistry* actions = nullptr;

@@ -119,7 +119,7 @@ class Expansion {
     return result;
   }
 
-  // What a plan for the directive's goal is to have achieved, in the plan's own terms.
+  // The condition that a plan for the directive's goal must achieve, in the plan's own terms.
   std::string achieved(const ast::Trigger& trigger) {
     const ast::Node& goal = *component_.literal->args[0];
     const bool same = trigger.op == ast::TriggerOperator::add &&

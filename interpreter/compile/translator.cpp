@@ -230,11 +230,23 @@ Predicate Translator::predicate_of(const ast::Node& node) {
   return predicate;
 }
 
+namespace {
+// `.include(File)`, which names no namespace.
+bool is_include(const ast::Node& node) {
+  return node.dotted && node.text == ".include" && node.args.size() == 1;
+}
+}  // namespace
+
 Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
                                     Value unless_annotated) {
   const std::size_t first = args_.size();
   for (const ast::Node* arg : node.args) args_.push_back(term(*arg, scope));
-  const Predicate predicate = predicate_of(node);
+  Predicate predicate = predicate_of(node);
+  if (is_include(node) && namespace_ != names::default_ns) {
+    // As in Jason a module includes a file into itself.
+    args_.push_back(Value::atom(symbols_.predicate(Signature{.functor = namespace_})));
+    predicate = symbols_.predicate(node.text, 2);
+  }
   const bool function = !node.negated && node.dotted && is_function(node.text, node.args.size());
   const Value annots = node.annots == nullptr ? unless_annotated : annotations(node.annots, scope);
   const Value made = heap_.structure(predicate, std::span<const Value>(args_).subspan(first),

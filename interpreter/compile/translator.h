@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "interpreter/logic/action.h"
@@ -28,7 +29,7 @@ class VariableScope {
     const auto found = known_.find(std::string(name));
     return found == known_.end() ? Value() : found->second;
   }
-  /// Of all variables, in the order in which they first came.
+  /// The names of all variables, in the order of their first occurrence.
   [[nodiscard]] std::vector<Symbol>& slot_names() { return slot_names_; }
 
  private:
@@ -67,6 +68,11 @@ class Translator {
   void set_namespace(Symbol ns) { module_ = namespace_ = ns; }
   [[nodiscard]] Symbol current_namespace() const { return module_; }
   void rename_namespace(Symbol written, Symbol meant) { renamed_[written] = meant; }
+  /// What the names of a file's local namespaces stand for. Other files have others.
+  using LocalNamespaces = std::unordered_map<Symbol, Symbol>;
+  LocalNamespaces exchange_local(LocalNamespaces local) {
+    return std::exchange(renamed_, std::move(local));
+  }
   [[nodiscard]] Symbol resolve_namespace(std::string_view written);
   /// Functions of the program itself (`register_function`).
   void add_function(std::string_view name, std::size_t arity);
@@ -89,7 +95,7 @@ class Translator {
   Value plan_with_label(Value label, const ast::Plan& plan, VariableScope& scope);
   Predicate predicate_of(const ast::Node& node);
   Symbol namespace_of(const ast::Node& node, std::size_t arity);
-  // Of a name with a dot.
+  // Whether a name with a dot is that of a function.
   bool is_function(std::string_view name, std::size_t arity) const;
 
   Heap& heap_;
@@ -103,7 +109,7 @@ class Translator {
   Signature last_signature_;
   std::string_view last_functor_;
   Predicate last_predicate_{};
-  std::unordered_map<Symbol, Symbol> renamed_;
+  LocalNamespaces renamed_;
   std::vector<std::pair<std::string, std::size_t>> functions_;
 };
 

@@ -44,7 +44,7 @@ class CoverageObserver : public ReasoningObserver {
   explicit CoverageObserver(const Probes& probes);
 
   [[nodiscard]] const CoverageCounts& counts() const { return counts_; }
-  /// To be called when programs have been added to the probes.
+  /// Call this when programs have been added to the probes.
   void fit();
 
   [[nodiscard]] bool wants_events() const override { return false; }

@@ -30,10 +30,10 @@ h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.1rem; margin-top: 2.5rem; overflo
 /* A shade at each side where the table goes on; strips of the page's colour that scroll with the table
    cover the shades at its ends. */
 .wide {{ overflow-x: auto; background:
-  linear-gradient(to right, var(--paper) 50%, transparent) left / 3rem 100% local,
-  linear-gradient(to left, var(--paper) 50%, transparent) right / 3rem 100% local,
-  linear-gradient(to right, var(--shade), transparent) left / 1.2rem 100%,
-  linear-gradient(to left, var(--shade), transparent) right / 1.2rem 100%; background-repeat: no-repeat; }}
+  linear-gradient(to right, var(--paper) 85%, transparent) left / 1.2rem 100% local,
+  linear-gradient(to left, var(--paper) 85%, transparent) right / 1.2rem 100% local,
+  linear-gradient(to right, var(--shade), transparent) left / 1rem 100%,
+  linear-gradient(to left, var(--shade), transparent) right / 1rem 100%; background-repeat: no-repeat; }}
 table {{ border-collapse: collapse; }}
 .files td, .files th {{ padding: .25rem .8rem .25rem 0; border-bottom: 1px solid var(--line);
   text-align: right; white-space: nowrap; }}
@@ -43,9 +43,13 @@ meter {{ width: 6rem; }}
 .source td {{ padding: 0 .6rem; vertical-align: top; white-space: pre-wrap; overflow-wrap: anywhere; }}
 .source td.n {{ color: var(--quiet); text-align: right; width: 1%; white-space: pre; user-select: none; }}
 .source td.gap {{ white-space: normal; color: var(--quiet); }}
-tr.full td {{ background: var(--full); }} tr.part td {{ background: var(--part); }}
-tr.none td {{ background: var(--none); }}
+tr.full {{ background: var(--full); }} tr.part {{ background: var(--part); }}
+tr.none {{ background: var(--none); }}
 .key span {{ padding: 0 .5rem; margin-right: .5rem; }}
+/* What of a line is not covered stands below it where the screen is narrow. */
+@media (max-width: 40rem) {{ .source, .source tbody {{ display: block; }}
+  .source tr {{ display: grid; grid-template-columns: 3.5rem 3rem 1fr; }} .source td.n {{ width: auto; }}
+  .source td.gap {{ grid-column: 3; }} }}
 @media print {{ .wide {{ background: none; }} tr {{ break-inside: avoid; }} .source {{ font-size: 9px; }} }}
 </style></head><body>
 <h1>Coverage of agents' programs</h1>

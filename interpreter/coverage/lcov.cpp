@@ -29,7 +29,7 @@ void add_functions(std::string& out, const CoveredFile& file) {
   out += fmt::format("FNF:{}\nFNH:{}\n", file.plans.size(), hit);
 }
 
-/// Of each condition the branch 0, it held, and the branch 1, it did not.
+/// Numbers each condition's branches: 0 if it held, 1 if it did not.
 class Branches {
  public:
   explicit Branches(std::string& out) : out_(out) {}

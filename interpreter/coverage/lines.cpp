@@ -47,7 +47,7 @@ Lines covered_lines(const CoveredFile& file) {
   };
   for (const auto& [place, plan] : file.plans) {
     add(lines, place, plan.counts.chosen, gap_of(plan));
-    // What is behind a plan that was not chosen is clear.
+    // The conditions of a plan that was not relevant need no marks.
     add_conditions(plan.counts.relevant > 0 ? plan.conditions : std::vector<CoveredCondition>{});
     for (const CoveredFormula& formula : plan.formulas) {
       add(lines, formula.where, formula.counts.executed,

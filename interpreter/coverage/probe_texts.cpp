@@ -52,7 +52,7 @@ void add_conditions(const ast::Node& node, std::vector<Span>& places) {
 
 void add_formulas(std::span<const ast::Formula> body, std::vector<Span>& places) {
   for (const ast::Formula& formula : body) {
-    // A body in the place of a formula is a part of this one.
+    // A body that stands as a formula is a part of this one.
     if (formula.op == ast::BodyOperator::none && formula.node->kind == ast::Kind::body) {
       add_formulas(formula.node->formulas, places);
       continue;

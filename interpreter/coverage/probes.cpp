@@ -158,8 +158,8 @@ void Probes::add_rule(const Program::Belief& belief, const ActionRegistry& actio
                     .first_condition = conditions_.size()};
   const Structure& source = *rule.source.structure();
   const Value body = deref(source.arg(1));
-  // Values in the head that are to be calculated have got slots of their own behind the written
-  // ones; they get others now.
+  // Computed values in the head had slots of their own behind the written ones; they get others
+  // now.
   Rewriter rewriter(*this, rule.slot_names, rule.slot_count);
   const bool is_true = body.is_atom() && body.atom_id() == predicates::truth;
   const Value rewritten = is_true ? body : rewriter.rewrite(body);

@@ -35,7 +35,7 @@ struct ProbedCondition {
   /// What these make of it stands within an odd number of further negations: the formula wants it
   /// to fail.
   bool negated = false;
-  /// What it asks of the beliefs; empty if it is no literal.
+  /// The predicate that it queries; empty if it is not a literal.
   std::optional<Predicate> asks;
 };
 

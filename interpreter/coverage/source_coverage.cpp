@@ -7,7 +7,7 @@
 namespace jaywalk {
 namespace {
 
-// The same for a file however its path was written.
+// A key that does not depend on how a file's path was written.
 std::string key_of(const Source& source) {
   return std::filesystem::path(source.name()).lexically_normal().string();
 }

@@ -111,14 +111,14 @@ struct ProbeTexts {
 /// Looks the probes' subjects up in the programs' files; `sources` are the texts that are known.
 [[nodiscard]] ProbeTexts find_texts(const Probes& probes, std::span<const SourcePtr> sources);
 
-/// What the counts say of the files whose texts are known.
+/// The coverage of the files whose texts are known.
 [[nodiscard]] SourceCoverage locate(const Probes& probes, const CoverageCounts& counts,
                                     const ProbeTexts& texts);
 
 /// As a listing of code coverage: a table of the files, then each with counts before its lines and
 /// what was not covered below them. 80 columns and more where the text is wider.
 [[nodiscard]] std::string coverage_text(const SourceCoverage& coverage);
-/// The same as a self-contained page; `subject`, a sentence's worth of text, says
+/// The coverage as a self-contained page; `subject`, a sentence's worth of text, names
 /// what ran: the program, or the store, the behaviours and the tests.
 [[nodiscard]] std::string coverage_html(const SourceCoverage& coverage, const std::string& subject);
 /// As a tracefile of LCOV (geninfo(1)): plans are functions, outcomes of conditions are branches,

@@ -107,15 +107,16 @@ Interpreter::Interpreter(MasOptions options, const EnvironmentMaker& make_enviro
   if (make_environment) environment_ = make_environment(*symbols);
   if (!options.load_program) {
     options.load_program = [this](const ProgramRequest& request, SymbolTable&,
-                                  std::string& error) -> std::shared_ptr<const Program> {
-      error = why_denied("read", request.file);
-      if (!error.empty()) return nullptr;
+                                  LoadProblem& problem) -> std::shared_ptr<const Program> {
+      problem.text = why_denied("read", request.file);
+      problem.is_refused = !problem.text.empty();
+      if (problem.is_refused) return nullptr;
       Diagnostics diagnostics;
       const SourceTree tree = load_agent(request.file, include_path_, diagnostics);
       auto program = compiled(tree, std::move(diagnostics),
-                              {.ns = request.ns, .fresh_labels = request.included});
+                              {.ns = request.ns, .fresh_names = request.included});
       if (program) return program.value();
-      error = program.diagnostics().items().front().message;
+      problem.text = program.diagnostics().items().front().message;
       return nullptr;
     };
   }
@@ -152,7 +153,7 @@ Result<std::shared_ptr<const Program>> Interpreter::compiled(const SourceTree& t
                                                              CompileOptions options) {
   options.actions = &actions_;
   auto program = compile(tree, mas_->symbols(), diagnostics, options);
-  // What is left out of a program by `run` (an include with errors) is refused here.
+  // `run` leaves an include with errors out; here it is refused.
   if (program == nullptr || diagnostics.has_errors()) return diagnostics;
   programs_.push_back(program);
   return program;
@@ -301,7 +302,7 @@ Diagnostics Interpreter::include(AgentId agent, const std::string& name, std::st
   Diagnostics diagnostics;
   const auto source = std::make_shared<const Source>(name, std::move(text));
   const SourceTree tree = load_agent(source, {}, diagnostics);
-  auto program = compiled(tree, std::move(diagnostics), {.fresh_labels = true});
+  auto program = compiled(tree, std::move(diagnostics), {.fresh_names = true});
   if (!program) return std::move(program.diagnostics());
   const AtWork work(is_at_work_);
   const bool completed = mas_->intervene(

@@ -1,7 +1,7 @@
 #pragma once
 
-// The interpreter within another program: load agents, run them, ask and tell them. This is the
-// header to begin with; it deals in texts, so that nobody has to know how terms are kept.
+// The interpreter within another program: load agents, run them, query them and send them messages.
+// This is the header to begin with; it deals in texts, so that callers need not know terms.
 // EMBEDDING.md shows it at work.
 //
 //   jaywalk::Interpreter interpreter({.print = [](std::string_view line) { ... }});
@@ -74,8 +74,8 @@ class Interpreter {
   void add_function(FunctionDefinition function);
 
   /// A program, to be run by any number of agents of this interpreter. Errors have their places.
-  /// What it includes, and what agents load and list as they run, is read from its folder and
-  /// where `include_path` says, nowhere else.
+  /// Its includes, and the files that agents load and list as they run, are read from its folder
+  /// and from the folders of `include_path`, nowhere else.
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_file(
       const std::string& path, const IncludePath& include_path = {});
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(

@@ -40,24 +40,24 @@ std::string ProgramLoader::find(const std::string& file) const {
   return file;
 }
 
-bool ProgramLoader::may_read(const std::string& path, std::string& error) const {
+bool ProgramLoader::may_read(const std::string& path, LoadProblem& problem) const {
   const std::string file = include_path_.files.place(path);
   std::error_code ignored;
-  // Of a file that is not there, that is what matters.
+  // A missing file is reported as missing, whatever may be read.
   if (!fs::exists(file, ignored)) return true;
   const auto denial = readable_.denial(file);
-  if (denial) error = fmt::format("cannot read {}: {}", path, denial->text());
+  if (denial) problem = {fmt::format("cannot read {}: {}", path, denial->text()), true};
   return !denial;
 }
 
 std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request,
-                                                   SymbolTable& symbols, std::string& error) {
+                                                   SymbolTable& symbols, LoadProblem& problem) {
   // An agent may be created without a program.
   static const std::string kEmpty;
   const std::string* const text =
       request.file.empty() ? &kEmpty : include_path_.given_text(request.file);
   const std::string path = find(request.file);
-  if (text == nullptr && !may_read(path, error)) return nullptr;
+  if (text == nullptr && !may_read(path, problem)) return nullptr;
   std::error_code ignored;
   const fs::file_time_type changed = fs::last_write_time(path, ignored);
   const std::string key = fmt::format("{}\n{}\n{}", path, request.included, request.ns);
@@ -69,10 +69,10 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
                                            include_path_, diagnostics)
                               : load_agent(path, include_path_, diagnostics);
   auto program =
-      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
-  if (diagnostics.has_errors()) error = first_error(diagnostics);
+      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_names = request.included});
+  if (diagnostics.has_errors()) problem.text = first_error(diagnostics);
   if (program == nullptr) return nullptr;
-  loaded_[key] = {changed, program};
+  if (!request.included || !program->has_own_namespaces()) loaded_[key] = {changed, program};
   return program;
 }
 

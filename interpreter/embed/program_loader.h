@@ -22,10 +22,11 @@ class ProgramLoader {
   ProgramLoader(const std::string& folder, IncludePath include_path);
 
   /// Compiles a file into `symbols`, which must be the same table in every call. A file that has
-  /// not changed is read once. Null after setting `error`; a program with an error as well has been
-  /// loaded without the included file that has it.
+  /// not changed is read once, unless it is included and has namespaces of its own. Null after
+  /// setting `problem`; a program with a problem as well has been loaded without the included file
+  /// that has it.
   [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
-                                                    SymbolTable& symbols, std::string& error);
+                                                    SymbolTable& symbols, LoadProblem& problem);
 
  private:
   struct Loaded {
@@ -35,7 +36,7 @@ class ProgramLoader {
 
   [[nodiscard]] std::string find(const std::string& file) const;
 
-  [[nodiscard]] bool may_read(const std::string& path, std::string& error) const;
+  [[nodiscard]] bool may_read(const std::string& path, LoadProblem& problem) const;
 
   std::vector<std::string> folders_;
   IncludePath include_path_;

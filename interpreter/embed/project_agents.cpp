@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/read_program.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/syntax/project/project.h"
 
@@ -18,15 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Java classes that do what every agent of ours does.
-constexpr std::array<std::string_view, 8> kOwnClasses = {"Agent",
-                                                         "jason.asSemantics.Agent",
-                                                         "AgArch",
-                                                         "jason.architecture.AgArch",
-                                                         "DefaultBeliefBase",
-                                                         "jason.bb.DefaultBeliefBase",
-                                                         "Local",
-                                                         "Centralised"};
+/// Java classes that do what every agent of ours does, or nothing that a program can see: Jason's
+/// belief updates pass by the keys of IndexedBB, and controls and inspectors only look on.
+constexpr std::array<std::string_view, 13> kOwnClasses = {"Agent",
+                                                          "jason.asSemantics.Agent",
+                                                          "AgArch",
+                                                          "jason.architecture.AgArch",
+                                                          "jason.architecture.MindInspectorAgArch",
+                                                          "DefaultBeliefBase",
+                                                          "jason.bb.DefaultBeliefBase",
+                                                          "jason.bb.IndexedBB",
+                                                          "jason.control.ExecutionControl",
+                                                          "jason.control.ExecutionControlGUI",
+                                                          "jason.environment.Environment",
+                                                          "Local",
+                                                          "Centralised"};
 
 bool needs_java(const ProjectClass& java_class) {
   return std::ranges::find(kOwnClasses, java_class.name) == kOwnClasses.end();
@@ -79,7 +86,7 @@ std::string find_program(const ProjectAgent& agent, const fs::path& folder,
     const fs::path candidate = (fs::path(each) / file).lexically_normal();
     if (fs::exists(candidate, ignored)) return candidate.string();
   }
-  // What a path is written like from the working folder is how plans name their place.
+  // Plans name their place by a path from the working folder.
   return folder.empty() ? file : (folder / file).lexically_normal().string();
 }
 
@@ -171,7 +178,7 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
                                                               const IncludePath& include_path,
                                                               JavaParts java,
                                                               Diagnostics& diagnostics) {
-  auto source = read_source(path);
+  auto source = read_any_encoding(path, diagnostics);
   if (!source) {
     diagnostics.append(std::move(source.diagnostics()));
     return std::nullopt;

@@ -1,13 +1,13 @@
 #pragma once
 
-// What one agent perceives, look by look. An environment reports all of it in every look, but most
-// of it is as it was. So each report is compared, literal by literal and in order, with that of the
-// in the last look, two words for each argument:
+// One agent's percepts, look by look. An environment reports all of them in every look, but most
+// are unchanged. So each report is compared, literal by literal and in order, with that of the
+// last look, two words for each argument:
 //
 //   last look:   tick(1)  at(2,5)  av(3)  grid(10,60)
 //   this look:   tick(2)  at(2,6)  av(3)  grid(10,60)       news: 0, 1    gone: tick(1), at(2,5)
 //
-// Where a predicate is another than in the last look, what is left of that is gone and what comes
+// From the first predicate that differs, the rest of the last look is gone and the rest of this one
 // is news, less the end that both have in common. So an environment does best to report things in
 // the same order every time, those that come and go last.
 
@@ -21,7 +21,7 @@
 
 namespace jaywalk {
 
-/// What one agent perceives in one look: ground literals without annotations, whose arguments are
+/// One agent's percepts in one look: ground literals without annotations, whose arguments are
 /// numbers and atoms. Written by the environment, read by belief update.
 class Percepts {
  public:
@@ -69,13 +69,13 @@ class Percepts {
   void end_look();
   /// How many looks there have been.
   [[nodiscard]] std::uint64_t looks() const { return looks_; }
-  /// What was not reported in the last look, in order, as indices; a literal may be among them that
-  /// has only changed its place.
+  /// The literals that the last look did not report, in order, as indices; a literal that only
+  /// changed its place may be among them.
   [[nodiscard]] std::span<const std::uint32_t> news() const { return news_; }
-  /// The first of the news, so many, stand where the first of what is gone stood, with the same
+  /// How many of the first news stand where the first of the gone literals stood, with the same
   /// predicates.
   [[nodiscard]] std::size_t changed_size() const { return changed_; }
-  /// What the last look reported and this one does not, in its place.
+  /// The number of literals of the last look that this one reports no more.
   [[nodiscard]] std::size_t gone_size() const { return gone_.size(); }
   [[nodiscard]] Predicate gone_predicate(std::size_t index) const { return gone_[index].predicate; }
   [[nodiscard]] std::span<const Value> gone_args(std::size_t index) const {

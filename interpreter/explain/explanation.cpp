@@ -15,7 +15,7 @@
 namespace jaywalk {
 namespace {
 
-// Of a plan; those of rules that are asked for one condition of a context.
+// The most beliefs kept of a plan, and of the rules queried for one condition of a context.
 constexpr std::size_t kMostAsked = 10'000;
 constexpr std::size_t kMostInRules = 200;
 constexpr std::size_t kMostBeliefs = 20;  // of a predicate
@@ -27,7 +27,7 @@ std::string short_text(Value term, const SymbolTable& symbols) {
   return text;
 }
 
-// Who a belief is from, by the first of its annotations source(Who).
+// A belief's source, by the first of its annotations source(Name).
 std::string source_of(Value literal, const SymbolTable& symbols) {
   for (Value a = literal_parts(literal).annots; a.is_pair(); a = deref(a.pair()->tail)) {
     const Value annot = deref(a.pair()->head);
@@ -256,7 +256,7 @@ void ExplainingObserver::formula_failed(Agent& agent, const Intention& intention
       });
   Deliberation added{.agent = agent.name(), .tick = tick_};
   added.failure = std::move(failed);
-  // What is being deliberated stays the last.
+  // The deliberation under way stays the last.
   const auto place = deliberations_.end() - (recording_ ? 1 : 0);
   deliberations_.insert(place, std::move(added));
 }
@@ -278,7 +278,7 @@ void ExplainingObserver::add_candidates(Agent& agent, const Event& event) {
     ordered.push_back(std::move(tried));
     tried.where.clear();
   }
-  // What is left are sub-plans, which come before the program's.
+  // The remaining plans are sub-plans, which come before the program's.
   std::erase_if(entries, [](const TriedPlan& tried) { return tried.where.empty(); });
   entries.insert(entries.end(), std::make_move_iterator(ordered.begin()),
                  std::make_move_iterator(ordered.end()));
@@ -298,7 +298,7 @@ void ExplainingObserver::add_beliefs(Agent& agent) {
         const Row& row = relation->row(seq);
         if (row.fact.is_unset() || ++shown > kMostBeliefs) continue;
         deliberation.beliefs.push_back(
-            {short_text(row.fact, agent.symbols()), origin_of(agent, row.fact)});
+            {rounded_text(row.fact, agent.symbols(), kMostText), origin_of(agent, row.fact)});
       }
     }
   }

@@ -19,7 +19,7 @@ namespace jaywalk {
 
 /// A condition of a context, or of a rule that the context asked.
 struct AskedCondition {
-  /// Of the probes.
+  /// The probe's number.
   std::size_t number = 0;
   /// As written, with the `not` before it.
   std::string text;
@@ -60,7 +60,7 @@ struct TriedPlan {
 /// A choice among options of a policy (agent/surroundings/learned_choice.h).
 struct DrawnChoice {
   std::string policy;
-  /// What was observed.
+  /// The observed features.
   std::vector<double> features;
   /// The options' labels and how probable each was.
   std::vector<std::pair<std::string, double>> options;
@@ -95,10 +95,10 @@ struct Deliberation {
   std::string event;
   std::optional<FailedFormula> failure;
   std::vector<TriedPlan> plans;
-  /// What was chosen was drawn, by a policy or by chance.
+  /// The draw, if a policy or chance made the choice.
   std::optional<DrawnChoice> drawn;
   std::vector<AskedBelief> beliefs;
-  /// Of an event that has no plan: a plan that the programmer may have meant.
+  /// For an event without a plan: a plan that the programmer may have meant.
   std::string hint;
 
   /// Null: nothing was chosen.
@@ -114,7 +114,7 @@ class ExplainingObserver : public ReasoningObserver {
   };
   ExplainingObserver(const Probes& probes, const ProbeTexts& texts, Wanted wanted);
 
-  /// To be called before each tick.
+  /// Call this before each tick.
   void set_tick(std::uint32_t tick) { tick_ = tick; }
   [[nodiscard]] const std::vector<Deliberation>& deliberations() const { return deliberations_; }
 

@@ -20,7 +20,7 @@ class ActionCall;
 class Heap;
 class SymbolTable;
 
-/// What came of a call.
+/// The result of a call.
 enum class Outcome : std::uint8_t {
   failed,  // false: the formula fails with ia_failed, the query has no solution
   succeeded,
@@ -31,7 +31,7 @@ enum class Outcome : std::uint8_t {
 
 using ActionFunction = Outcome (*)(ActionCall& call);
 
-/// What of a formula goes by an action's name, but is a goal of its own kind (Goal::Kind::probe).
+/// Formulas written like an action that are goals of their own kind (Goal::Kind::probe).
 enum class Probe : std::uint8_t { none, asked, answered };
 
 struct ActionDefinition {
@@ -75,7 +75,7 @@ struct FunctionDefinition {
 
 /// What error_msg says when an action is called with another number of arguments.
 [[nodiscard]] std::string wrong_number_of_arguments(const ActionDefinition& action);
-/// Whether it can be called with so many.
+/// Whether it takes `count` arguments.
 [[nodiscard]] bool takes(const ActionDefinition& action, std::size_t count);
 
 /// All known actions and functions, by name. Immutable once programs are compiled against it. What

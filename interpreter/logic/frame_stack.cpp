@@ -11,7 +11,7 @@ void FrameStack::enter_chunk(std::size_t index) {
   end_ = begin_ + chunks_[index].size;
 }
 
-// What is left of a chunk is not used for a frame that does not fit.
+// The rest of a chunk stays unused if the frame does not fit.
 void FrameStack::next_chunk(std::size_t words) {
   std::size_t index = begin_ == nullptr ? 0 : chunk_ + 1;
   while (index < chunks_.size() && chunks_[index].size < words) ++index;

@@ -49,7 +49,7 @@ class Machine::Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
   [[nodiscard]] std::size_t base() const { return base_; }
-  /// What the run has bound stays; else it is undone at its end, also when a limit ends it.
+  /// Keeps the run's bindings; else they are undone at its end, also when a limit ends it.
   void keep_bindings() { keeps_bindings_ = true; }
 
  private:
@@ -230,8 +230,8 @@ bool Machine::run(std::size_t base) {
   }
 }
 
-// What a query takes beside its terms, whatever room earlier queries, perhaps of other agents, have
-// left. The trail doubles when it is full.
+// A query's memory beside its terms, whatever room earlier queries, perhaps of other agents, have
+// reserved. The trail doubles when it is full.
 std::size_t Machine::stack_bytes() const {
   return frames_.words() * sizeof(std::uint64_t) + choices_.size() * sizeof(ChoicePoint) +
          unifier_.mark() * sizeof(Value*) * 3;
@@ -279,7 +279,7 @@ void Machine::pop() {
   unifier_.set_young(choices_.empty() ? run_young_ : std::max(run_young_, choices_.back().young));
 }
 
-// Gives up the choice points but for so many.
+// Drops all choice points but the first `kept`.
 void Machine::cut(std::size_t kept) {
   choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(kept), choices_.end());
   choice_count_ = static_cast<std::uint32_t>(kept);

@@ -50,7 +50,7 @@ struct QueryLimit {
   ReachedLimit limit = ReachedLimit::memory;
 };
 
-/// What a machine's queries know of the world around their agent.
+/// The services that queries need from the agent and its world.
 class MachineSurroundings {
  public:
   virtual ~MachineSurroundings() = default;
@@ -101,7 +101,7 @@ class Machine : public FunctionCaller {
   [[nodiscard]] bool solve(const Goal* entry, Value* slots) {
     return solve_over(entry, slots, Frame::restored);
   }
-  /// The same over a frame at which nobody looks again if there is no solution.
+  /// Like solve(), but the frame's contents are unspecified if there is no solution.
   [[nodiscard]] bool solve_context(const Goal* entry, Value* slots) {
     return solve_over(entry, slots, Frame::given_up);
   }
@@ -121,11 +121,11 @@ class Machine : public FunctionCaller {
   /// Matches a head with arguments; the unifier has the names of its slots. What is bound is on the
   /// trail; slots that are set are not.
   bool match_head(const HeadCode& code, Value* slots, const Value* args);
-  /// The same, where a look at each argument is enough. What is bound is to be undone if the head
-  /// does not match, or is left open.
+  /// Like match_head(), where one look at each argument is enough. The caller must undo the
+  /// bindings if the head does not match, or stays open.
   HeadMatch match_head_at_once(const HeadCode& code, Value* slots, const Value* args);
   /// Whether a constant of a head has been matched with one that has annotations since this was
-  /// last asked: then the head does not tell what it has been matched with.
+  /// last call: then the head does not show which value it was matched with.
   [[nodiscard]] bool has_lost_annotations() {
     return head_loses_annotations_ && std::exchange(head_loses_annotations_, false);
   }
@@ -174,7 +174,7 @@ class Machine : public FunctionCaller {
   /// Throws QueryLimit if what is being made, `bytes` beside the terms, is too much for the memory
   /// allowed.
   void check_memory(std::size_t bytes);
-  /// To be called between queries now and then: drops code of formulas made at run time.
+  /// Call this between queries now and then: drops code of formulas made at run time.
   void forget_temporary_code() {
     if (!temporary_.empty()) temporary_.clear();
   }
@@ -194,7 +194,7 @@ class Machine : public FunctionCaller {
     std::uint32_t slots_recorded;  // by the unifier, then
     std::size_t trail;             // then
   };
-  /// Of the caller's frame: choice points or not, its bindings are recorded.
+  /// Marks the caller's frame: its bindings are recorded even without choice points.
   static constexpr std::uint32_t kOutside = 0xFFFF'FFFFU;
   struct AnnotatedQuery {
     Relation* relation;
@@ -225,7 +225,7 @@ class Machine : public FunctionCaller {
     std::unique_ptr<ActionCall> call;  // solutions
   };
 
-  /// What becomes of a frame over which a formula has no solution.
+  /// The state of a frame over which a formula has no solution.
   enum class Frame : std::uint8_t { restored, given_up };
   bool solve_goals(const Goal* entry, Value* slots, Frame frame);
   // One comparison or unification is mostly decided by its operands.
@@ -385,7 +385,7 @@ class Machine : public FunctionCaller {
   FrameStack frames_;
   std::vector<Value> registers_;        // the arguments of a query
   std::vector<Value> spare_registers_;  // memory for those of one within it
-  /// What a run keeps of the one within which it is.
+  /// The state that a run keeps of the enclosing run.
   struct Outer {
     const Goal* goal;
     Environment* environment;
@@ -399,7 +399,7 @@ class Machine : public FunctionCaller {
   std::vector<std::unique_ptr<FormulaCode>> temporary_;
   std::uint64_t inferences_ = 0;
   std::uint64_t query_start_ = 0;
-  std::uint64_t next_check_ = 0;  // when the limits are to be looked at again
+  std::uint64_t next_check_ = 0;  // when to check the limits again
   std::uint64_t max_inferences_ = 1'000'000'000;
   int nesting_ = 0;
   bool has_grown_ = false;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What nearly every query and every trigger of a plan passes through, in line: the head, matched
+// The inline parts of nearly every query and every trigger of a plan: the head, matched
 // step by step (code/head_code.h); the frame of a rule, made and left; the arguments of a query.
-// For the files of the machine, and for who chooses a plan.
+// For the files of the machine, and for plan selection.
 
 #include "interpreter/logic/machine.h"
 
@@ -89,8 +89,8 @@ template <HeadStep::Kind kHead>
   }
 }
 
-// The same for a head of variables and constants; a constant that meets another value than a
-// variable, number or atom is left open. So no limit can be met.
+// Like match_head(), for a head of variables and constants; the result is open if a constant meets
+// another value than a variable, number or atom. So no limit can be met.
 [[gnu::always_inline]] inline HeadMatch Machine::match_head_at_once(const HeadCode& code,
                                                                     Value* slots,
                                                                     const Value* args) {
@@ -125,7 +125,7 @@ template <HeadStep::Kind kHead>
   frames_.release(reinterpret_cast<FrameStack::Mark>(const_cast<Environment*>(&frame)));
 }
 
-// What is set in a frame that no choice point goes back to need not be undone.
+// Values set in a frame that no choice point goes back to need not be undone.
 [[gnu::always_inline]] inline void Machine::use_frame(const Environment& frame) {
   unifier_.set_slot_names({frame.names, frame.slot_count});
   if (frame.choice_points == choice_count_) {
@@ -144,7 +144,7 @@ template <HeadStep::Kind kHead>
   use_frame(*environment_);
 }
 
-// The last goal of a rule takes the place of the rule's frame.
+// The last goal of a rule replaces the rule's frame.
 [[gnu::always_inline]] inline bool Machine::enter_framed(const RuleCode& rule, const Goal& goal,
                                                          const Value* args) {
   Environment* parent = environment_;

@@ -15,14 +15,14 @@
 namespace jaywalk {
 namespace {
 
-// Of an argument; unset: a slot without a value.
+// An argument's value; unset: a slot without a value.
 Value value_of(Value arg, const Value* slots) {
   return deref(arg.is_slot() ? slots[arg.slot_index()] : arg);
 }
 
 }  // namespace
 
-// The same without variables for slots that have no value.
+// Like make_arguments(), but makes no variables for slots without a value.
 [[gnu::always_inline]] inline const Value* Machine::look_at_arguments(const Goal& goal) {
   const std::span<const Value> terms = goal.args();
   Value* const registers = registers_for(goal);
@@ -32,8 +32,8 @@ Value value_of(Value arg, const Value* slots) {
   return registers;
 }
 
-// Where an argument of a fact meets an unset one, the slot in its place in the goal gets it. False:
-// something may have been bound.
+// Where an argument of a fact meets an unset one, the goal's slot gets its value. False:
+// bindings may remain.
 [[gnu::always_inline]] inline bool Machine::match_argument(Value known, Value wanted, Value term) {
   if (wanted.is_unset()) {
     unifier_.set_slot(environment_->slots + term.slot_index(), known);
@@ -148,7 +148,7 @@ bool Machine::take_answer(std::span<const Value> answer, const Goal& goal) {
   return match_fact(row.fact, args, goal.args());
 }
 
-// A choice point for what is left of a cursor. Arguments that have been made are kept, others are
+// A choice point for the rest of a cursor. Arguments that have been made are kept, others are
 // looked at again.
 void Machine::push_rows(const Relation& relation, const Relation::Cursor& cursor, const Goal& goal,
                         const Value* args) {
@@ -179,7 +179,7 @@ bool Machine::retry_rows() {
   }
 }
 
-// The last row, or null, without the choice point, and in its place.
+// Takes the last row, or null, and drops the choice point.
 bool Machine::leave_rows(const Row* row, const Goal& goal, const Value* saved) {
   if (saved != nullptr) {
     std::copy_n(saved, goal.args().size(), registers_for(goal));

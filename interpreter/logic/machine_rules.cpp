@@ -10,7 +10,7 @@ namespace {
 
 using head_values::may_be_taken;
 
-// Of a rule the annotations of the query must be among those of the head, of a plan the reverse.
+// For a rule the query's annotations must be among those of the head, for a plan the reverse.
 Unifier::Direction direction_of(const HeadCode& code) {
   return code.is_of_plan() ? Unifier::Direction::template_first : Unifier::Direction::value_first;
 }

@@ -17,9 +17,9 @@ Value compared_with(Value left, Value right, Heap& heap, SymbolTable& symbols) {
 
 }  // namespace
 
-// Whether a rule that stands in the place of a query may be asked there, and its head matches:
-// arguments that have no value get a variable, as where it is called. An agent that has other
-// rules, or beliefs, asks the query itself.
+// Whether a rule unfolded into a context may be used there, and its head matches: arguments without
+// a value get a variable, as in a call. An agent with other rules, or with beliefs, asks the query
+// itself.
 bool Machine::enter_unfolded(const Goal& goal) {
   Relation* const relation = beliefs_->find(goal.predicate);
   if (relation == nullptr || relation->rule_table() != goal.table) return query(goal);
@@ -91,7 +91,7 @@ bool Machine::compare_values(const Goal& goal, Value left, Value right) {
   }
 }
 
-// Holds, and is no inference: a query that somebody looks at takes as many as any other.
+// Holds, and is no inference: an observed query takes as many as any other.
 void Machine::probe(const Goal& goal, Value* slots) {
   const std::span<const Value> args = goal.args();
   const auto number = static_cast<std::size_t>(args[0].as_number());
@@ -107,7 +107,7 @@ void Machine::probe(const Goal& goal, Value* slots) {
   unifier_.set_slot(slots + args[1].slot_index(), Value::number(static_cast<double>(asked)));
 }
 
-// A comparison by itself, which somebody looks at. False: nothing has been told.
+// An observed comparison by itself. False: nothing was reported to the observer.
 bool Machine::decide_between_probes(const Goal& asked, Value* slots, bool& holds) {
   const Goal& test = *asked.next;
   if (test.kind != Goal::Kind::compare || !compare_numbers(test, slots, holds)) return false;

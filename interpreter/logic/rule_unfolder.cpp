@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kDeepest = 8;     // rules within rules
 constexpr std::size_t kMostSlots = 64;  // of a frame
 
-// Rules may take the place of a query with these arguments: what a slot holds is known only later.
+// Whether rules may replace a query with these arguments: a slot's value is known only later.
 bool are_usual(std::span<const Value> args) {
   return std::ranges::all_of(args, [](Value arg) {
     return arg.is_slot() || (arg.is_closed() && !Unifier::is_of_other_namespace(arg));
@@ -67,7 +67,7 @@ bool RuleUnfolder::is_usual(Value formula) const {
   }
 }
 
-// The same with what stands for the rule's variables; those that have nothing get a slot.
+// The term with replacements for the rule's variables; those without one get a slot.
 Value RuleUnfolder::replaced(Value term, std::span<const Symbol> names, Slots& slots) {
   if (term.is_slot()) {
     Value& known = slots[term.slot_index()];

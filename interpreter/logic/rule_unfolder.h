@@ -1,6 +1,6 @@
 #pragma once
 
-// Puts rules in the place of queries in contexts. Asked as near(A), `near(X) :- at(Y) & X - Y < 3`
+// Replaces queries in contexts by rules. Asked as near(A), `near(X) :- at(Y) & X - Y < 3`
 // becomes `at(Y) & A - Y < 3` over the asking frame, which gets a slot for Y: then neither
 // arguments nor a frame have to be made for the rule. A goal that is unfolded so
 // (Goal::Kind::unfolded) names the table of rules for which that is right; an agent with other
@@ -31,9 +31,9 @@ class RuleUnfolder {
     Value body;
     const RuleTable* table = nullptr;
   };
-  /// What stands in the place of a query until leave(); none if its predicate has another number of
-  /// rules than one, the query is within that rule already, the rule is large, or it says more than
-  /// queries, comparisons and unifications of the usual kinds do.
+  /// The replacement of a query until leave(); none if its predicate has another number of rules
+  /// than one, the query is within that rule already, the rule is large, or it has more than
+  /// queries, comparisons and unifications of the usual kinds.
   [[nodiscard]] std::optional<Unfolded> enter(Predicate predicate, std::span<const Value> args);
   void leave() { entered_.pop_back(); }
   [[nodiscard]] bool has_unfolded() const { return has_unfolded_; }

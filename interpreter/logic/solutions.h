@@ -21,8 +21,8 @@ class MadeSolutions : public Solutions {
   Next next_;
 };
 
-/// What an action returns whose solutions `next(call)` makes, one after another. It keeps what it
-/// needs itself: it is called long after the action has returned.
+/// The outcome of an action whose solutions `next(call)` makes, one after another. `next` must own
+/// its data: it is called long after the action has returned.
 template <class Next>
 [[nodiscard]] Outcome each(ActionCall& call, Next next) {
   return call.many(std::make_unique<MadeSolutions<Next>>(std::move(next)));

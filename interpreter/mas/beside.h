@@ -24,7 +24,7 @@ void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, 
                                         IsDone is_done) {
   // So many blocks for each thread, so that none waits long for the last one.
   constexpr std::size_t kBlocksPerWorker = 8;
-  // Where outboxes hold more, nobody else begins a turn before they are emptied.
+  // Where outboxes hold more, no other agent begins a turn before they are emptied.
   constexpr std::size_t kMostHeld = std::size_t{16} << 20U;
   const std::size_t workers = workers_->count();
   const std::size_t size = std::max<std::size_t>(1, numbers.size() / (workers * kBlocksPerWorker));

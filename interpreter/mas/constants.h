@@ -1,7 +1,8 @@
 #pragma once
 
-// What the environment says is the same for all agents as long as the run lasts, and what follows
-// from it for their programs. Kept from run to run, as long as the environment says the same.
+// The percepts that the environment declares constant and equal for all agents of a run, and the
+// answers of rules that follow from them. Kept from run to run while the environment declares the
+// same.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Messages, from whom sends them to the mailboxes of whom they are for. They arrive when a round is
-// over, in the order in which they were sent. Up to then their contents are in heaps of their own:
-// what an agent has room for in a round must not depend on who reasons before it.
+// Message delivery, from sender to recipients' mailboxes. Messages arrive when a round is over, in
+// the order in which they were sent. Until then their contents are in heaps of their own: an
+// agent's room in a round must not depend on the agents that reason before it.
 
 #include <array>
 
@@ -26,9 +26,9 @@ Value copy_content(Value content, Heap& heap, std::size_t most) {
 
 }  // namespace
 
-// What is sent in a round counts for its sender, as far as it can tell in this round; then for its
-// receiver. One that has no room left is sent no more: so much is known of it from one round to the
-// next, whoever reasons before whom and on whatever thread.
+// Messages sent in a round count towards their sender's memory during this round, then towards the
+// receiver's. A receiver without room gets no more messages; whether it has room is settled between
+// rounds, so that neither order nor threads matter.
 void Mas::Implementation::require_room_for_message(Resident& sender, const Resident& receiver) {
   if (receiver.is_full) {
     throw QueryLimit{
@@ -81,8 +81,8 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   copy.performative = message.performative;
   copy.id = message.id;
   copy.in_reply_to = message.in_reply_to;
-  // What it takes counts for the sender, who may send no more than an agent may have: terms that
-  // share their parts are larger as copies.
+  // The message's size counts towards the sender's limit: terms that share their parts are larger
+  // as copies.
   if (Beside* const beside = this->beside(sender)) {
     Outbox& outbox = beside->outbox;
     const std::size_t before = outbox.heap.bytes();

@@ -38,9 +38,10 @@ class OptionPolicies;
 class Program;
 class ReasoningObserver;
 struct Customisation;
+struct LoadProblem;
 struct ProgramRequest;
 
-/// A belief given from outside: it takes the place of the program's initial beliefs of that name
+/// A belief given from outside: it replaces the program's initial beliefs of that name
 /// and arity (`radius(15)`: radius/1). Arguments are numbers and atoms.
 struct Parameter {
   Predicate predicate{};
@@ -69,11 +70,11 @@ struct MasOptions {
   std::uint32_t max_rounds = 10'000;
   /// Agents that live at the same time; beyond, `.create_agent` fails.
   std::size_t max_agents = 1'000'000;
-  /// What one agent may own, in bytes: terms (twice, since they are copied when garbage is
+  /// The memory limit of one agent, in bytes: terms (twice, since they are copied when garbage is
   /// collected), beliefs, plans of its own, goals, intentions, events and messages. A step that
-  /// asks for more fails, unless `at_memory_limit` says otherwise.
+  /// exceeds it fails, unless `at_memory_limit` says otherwise.
   std::uint64_t max_agent_bytes = std::uint64_t{1} << 30U;
-  /// The same for all agents of the system together; 0: half of the machine's memory. It is summed
+  /// The memory limit of all agents together; 0: half of the machine's memory. Use is summed
   /// up between rounds: in one round each agent may take what was left before it. Where nothing is
   /// left, an agent that asks for more fails unless it owns less than an eighth of an equal share.
   std::uint64_t max_system_bytes = 0;
@@ -86,10 +87,10 @@ struct MasOptions {
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
   /// Loads a program during the run (of an agent that is created, or for `.include`) into the run's
-  /// own symbols; null after setting `error`. With a program, `error` is what was left out of it.
+  /// own symbols; null after setting `problem`, which with a program is what was left out of it.
   /// Not set: that is not possible.
   std::function<std::shared_ptr<const Program>(const ProgramRequest& request, SymbolTable& symbols,
-                                               std::string& error)>
+                                               LoadProblem& problem)>
       load_program;
   /// Writes a file for `.save_agent`; false after setting `error`. Not set: nothing can be written.
   std::function<bool(const std::string& file, const std::string& text, std::string& error)>
@@ -102,15 +103,15 @@ struct MasOptions {
   std::function<void(std::string_view text)> write;
   /// Warnings and errors of the run (an intention that failed, an unknown action).
   std::function<void(std::string_view line)> log;
-  /// Threads on which agents reason beside each other; what comes of a run does not depend on it.
+  /// Threads on which agents reason in parallel; the result does not depend on their number.
   /// An observer, and functions of `customisation`, are called on the thread that runs the system.
   std::size_t threads = 1;
   /// With fewer active agents in a round they reason one after another.
   std::size_t fewest_beside = 64;
   /// Measures the CPU time that agents spend reasoning (metric M5); off, no clock is read.
   bool measure_cpu = false;
-  /// Looks at all agents as they reason (agent/surroundings/observer.h); must outlive the system.
-  /// Null: nobody.
+  /// Observes all agents as they reason (agent/surroundings/observer.h); must outlive the system.
+  /// Null: unobserved.
   ReasoningObserver* observer = nullptr;
   /// Says how probable options are that are labelled learned(P)
   /// (agent/surroundings/learned_choice.h); must outlive the system. Null: one is as probable as
@@ -183,7 +184,7 @@ class Mas {
   [[nodiscard]] const Agent& agent(AgentId id) const;
   /// This and what follows is empty of an agent that is not alive.
   [[nodiscard]] const std::string& agent_name(AgentId id) const;
-  /// What an agent is after, for people: each intention's goals, the outermost first
+  /// An agent's goals, for people: those of each intention, the outermost first
   /// ("test_av > cross > step(right)"), in the order of the intentions.
   [[nodiscard]] std::vector<std::string> describe_intentions(AgentId id) const;
   /// The agent's beliefs as texts, in the order of the belief base.

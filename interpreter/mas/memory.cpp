@@ -1,9 +1,8 @@
-// What the agents of a system own together. What an agent owns is known after each of its turns;
-// the sum is looked at when a round is over, so that what is left to an agent in the next round
-// does not depend on threads. So are the names that agents have made by then. Terms count once
-// here: not all agents collect theirs at the same time. Where nothing is left, no agent gets more
-// than it has, but for those that have less than an eighth of an equal share: they have not filled
-// the memory.
+// The memory of all agents of a system together. Each agent's share is known after each of its
+// turns; the sum is taken when a round is over, so that an agent's room in the next round does not
+// depend on threads. The names that agents have made are counted then, too. Terms count once here:
+// not all agents collect theirs at the same time. When no memory is left, only agents that own less
+// than an eighth of an equal share get more: they have not filled it.
 
 #include <algorithm>
 #include <fstream>
@@ -15,7 +14,7 @@
 namespace jaywalk {
 namespace {
 
-// What the group of processes may have; 0: no limit.
+// The memory limit of the process's control group; 0: no limit.
 std::uint64_t memory_of_group() {
   std::uint64_t bytes = 0;
   std::ifstream file("/sys/fs/cgroup/memory.max");

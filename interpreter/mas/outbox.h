@@ -46,7 +46,7 @@ class Outbox {
     order_.push_back(Kind::timer);
     timers_.push_back(timer);
   }
-  /// What it holds, without what the contents of letters need beside their terms.
+  /// Its size, without the overhead of the letters' contents beside their terms.
   [[nodiscard]] std::size_t bytes() const {
     return text_bytes_ + heap.bytes() + letters_.size() * sizeof(Letter) +
            timers_.size() * sizeof(Timer);

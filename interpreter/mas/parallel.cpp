@@ -2,7 +2,7 @@
 // after another.
 //
 // In a round every active agent takes a turn, in the order of numbers. Agents share nothing but the
-// system, so turns are independent as far as nobody asks it for anything. What they mostly ask can
+// system, so turns are independent as long as none makes requests to it. Most requests can
 // wait for the end of the round: messages arrive only then anyway, timers fire later, lines are
 // written for people. So a thread takes the turns of a block of agents that stand one behind
 // another and puts what they ask for into the block's outbox; afterwards the outboxes are emptied,
@@ -12,7 +12,7 @@
 //   outbox   [print, letter] | [timer] | ...   emptied from the left
 //
 // Where an agent ends the run, the turns behind it have not been taken, as it were: what they asked
-// for is dropped with their outboxes, and nobody looks at these agents any more.
+// for is dropped with their outboxes, and these agents take no further turns.
 //
 // Agents whose turn others could notice within the round (reach.h) do not reason beside others.
 // They split the round: all before them have their turns, then they, then all behind them.

@@ -101,7 +101,7 @@ class Reader {
     if (is_far(functor, args.size())) reach_.is_far = true;
   }
 
-  // Of the actions of a program that embeds the interpreter nobody knows what they do.
+  // The effects of host-defined actions are unknown.
   [[nodiscard]] bool is_far(std::string_view functor, std::size_t arity) const {
     if (const ActionDefinition* const action = program_.actions().action(functor)) {
       const ActionDefinition* const standard = standard_actions().action(functor);

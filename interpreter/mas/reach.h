@@ -8,8 +8,8 @@
 // Programs are judged by their text: does an internal action with such a reach stand anywhere in
 // it? A program that executes terms (a variable as formula, as goal or as waiting condition) can be
 // informed about such an action by another, so it counts as one if any program of the system has a
-// far reach or makes terms from texts. Where plans are sent (tellHow, askHow), nobody reasons
-// beside others.
+// far reach or makes terms from texts. Where plans are sent (tellHow, askHow), agents reason one
+// after another.
 
 #include <cstddef>
 #include <cstdint>

@@ -25,25 +25,24 @@ struct Resident {
   std::unique_ptr<Agent> agent;  // null once it has left
   /// Kept as long as the run, since terms that were sent refer to its constants.
   std::shared_ptr<const Program> program;
-  /// Its name as an atom and as a text that outlives it; none as long as nobody has asked for them.
+  /// Its name as an atom and as a text that outlives it; made when first needed.
   std::optional<Predicate> name;
   std::string_view name_text;
   std::uint32_t number = 0;
-  /// What it perceives of the environment, which knows it; null: it has no body there.
+  /// Its percepts of the environment; null: it has no body there.
   std::unique_ptr<Percepts> percepts;
   bool is_listed = false;  // as awake, or to be from the next round on
   bool is_asleep = false;  // it was informed (jag_sleeping)
   bool has_mail = false;
-  bool is_full = false;  // has no memory for more messages, until it is looked at again
-  std::uint32_t look_after =
-      0;                      // so many deliveries, twice as many each time that it still has none
-  std::uint64_t look_at = 0;  // at this delivery
+  bool is_full = false;           // has no memory for more messages, until it is looked at again
+  std::uint32_t look_after = 0;   // deliveries to wait, doubled each time that it still has none
+  std::uint64_t look_at = 0;      // at this delivery
   std::uint64_t sent_before = 0;  // the delivery of the messages sent last, and their size
   std::size_t sent_bytes = 0;
   std::size_t known_bytes = 0;    // what the agent owned after it reasoned last
   bool is_leaving = false;        // has stopped reasoning
   bool is_near = false;           // can reason beside others (reach.h), as judged when
-  std::size_t reach_version = 0;  // there were so many programs
+  std::size_t reach_version = 0;  // the number of programs then
   std::uint64_t period = 0;       // for which cycles_before holds
   std::uint64_t cycles_before = 0;
 };
@@ -88,8 +87,8 @@ class Residents {
     return active_.size() == 1 ? &all_[active_.front()] : nullptr;
   }
   [[nodiscard]] bool has_leaving() const { return !leaving_.empty(); }
-  /// One round: those who may have something to do, in the order of numbers. Whoever is woken until
-  /// its end takes part in the next one.
+  /// Begins a round: the agents that may have something to do, in the order of numbers. An agent
+  /// woken during the round takes part in the next one.
   [[nodiscard]] std::span<const std::uint32_t> begin_round();
   /// Those who have nothing left to do no longer take part.
   void end_round();

@@ -23,7 +23,7 @@ constexpr std::uint64_t kStepsPerMs = 1000;
 /// How long a step may sleep in real time; between steps the run can be interrupted.
 constexpr double kLongestSleepMs = 20;
 
-/// After so many cycles of one agent the run's limits are looked at.
+/// The cycles of one agent between two checks of the run's limits.
 constexpr std::uint64_t kCyclesBetweenLooks = 4096;
 
 double thread_cpu_s() {
@@ -114,7 +114,7 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
   if (options_.max_cycles > agent.cycles()) {
     most = std::min(most, options_.max_cycles - agent.cycles());
   }
-  // The outside is to be heard, and limits are to be looked at, now and then.
+  // Interrupts and limits are checked now and then.
   if (options_.interrupted || options_.max_run_inferences != 0) {
     most = std::min(most, kCyclesBetweenLooks);
   }
@@ -162,8 +162,8 @@ std::uint64_t Mas::Implementation::inferences() const {
   return all - std::min(all, inferences_before_);
 }
 
-// What is left for queries; the run ends if that is nothing. Agents that reason beside each other
-// may each take what was left before.
+// Counts inferences against the run's limit, and ends the run when it is reached. Agents that
+// reason in parallel may each take the remainder before the round.
 void Mas::Implementation::count_inferences(std::string agent) {
   const std::uint64_t most = options_.max_run_inferences;
   const std::uint64_t taken = most == 0 ? 0 : inferences();
@@ -360,7 +360,7 @@ void Mas::Implementation::free_step(std::uint64_t most) {
   }
 }
 
-// Timers that nobody waits for any more are not worth waiting for.
+// Timers without a waiting agent are dropped.
 void Mas::Implementation::drop_stale_timers() {
   while (!timers_.empty()) {
     const Timer& next = timers_.next();

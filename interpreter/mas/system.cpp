@@ -129,15 +129,15 @@ std::string Mas::Implementation::problem_with_more_agents() const {
 }
 
 std::shared_ptr<const Program> Mas::Implementation::load(const ProgramRequest& request,
-                                                         std::string& error) {
+                                                         LoadProblem& problem) {
   if (!options_.load_program) {
-    error = "programs cannot be loaded in this run";
+    problem.text = "programs cannot be loaded in this run";
     return nullptr;
   }
-  auto program = options_.load_program(request, symbols_, error);
-  if (program != nullptr && !error.empty() && options_.log) {
-    put_out(Outbox::Kind::log, error);  // of an included file that is left out
-    error.clear();
+  auto program = options_.load_program(request, symbols_, problem);
+  if (program != nullptr && !problem.text.empty() && options_.log) {
+    put_out(Outbox::Kind::log, problem.text);  // of an included file that is left out
+    problem.text.clear();
   }
   if (program != nullptr) loaded_.insert(program);
   if (program != nullptr && workers_ != nullptr) reaches_.add(*program, symbols_);
@@ -159,9 +159,9 @@ std::string Mas::Implementation::why_not_list(const std::string& folder) {
 Society::Creation Mas::Implementation::create(const std::string& name, const std::string& file) {
   if (std::string problem = problem_with_more_agents(); !problem.empty()) return {{}, problem};
   AgentSpec spec;
-  std::string error;
-  spec.program = load({.file = file, .included = false, .ns = {}}, error);
-  if (spec.program == nullptr) return {{}, error};
+  LoadProblem trouble;
+  spec.program = load({.file = file, .included = false, .ns = {}}, trouble);
+  if (spec.program == nullptr) return {{}, trouble.text};
   Agent& agent = *settle(name, spec.program).agent;
   start(agent, spec);
   return {agent.name(), {}};

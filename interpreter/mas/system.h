@@ -25,8 +25,8 @@
 
 namespace jaywalk {
 
-/// What a system is made of that the next one can be made of, too: names above those of the
-/// programs, and memory. It does not depend on what the previous system did.
+/// The parts of a system that the next one can reuse: names above those of the programs, and
+/// memory. They do not depend on what the previous system did.
 struct SystemStock {
   explicit SystemStock(const std::shared_ptr<const SymbolTable>& base)
       : symbols(base), constants(base->predicate_count()) {}
@@ -76,7 +76,7 @@ class Mas::Implementation : public AgentHost, public Society {
   // Society
   [[nodiscard]] std::vector<std::string> names() const override;
   [[nodiscard]] std::shared_ptr<const Program> load(const ProgramRequest& request,
-                                                    std::string& error) override;
+                                                    LoadProblem& problem) override;
   [[nodiscard]] bool save(const std::string& file, const std::string& text,
                           std::string& error) override;
   [[nodiscard]] std::string why_not_list(const std::string& folder) override;
@@ -105,13 +105,13 @@ class Mas::Implementation : public AgentHost, public Society {
   // Several steps at once (ahead.cpp).
   void look_whether_solitary(const Program& program);
   [[nodiscard]] bool can_run_ahead(std::uint64_t most) const;
-  /// Who reasons for several steps in a row, and what has been logged meanwhile.
+  /// The agent that reasons for several steps in a row, and what it has logged meanwhile.
   struct Ahead {
     struct Line {
       std::uint64_t step;
       std::string text;
     };
-    const Agent* agent = nullptr;  // null: nobody
+    const Agent* agent = nullptr;  // null: none
     std::uint64_t since = 0;       // its cycles before
     std::vector<Line> lines;
     std::uint64_t longest = 0;  // cycles that an agent has taken
@@ -211,11 +211,11 @@ class Mas::Implementation : public AgentHost, public Society {
   std::uint64_t period_ = 1;      // counts the ticks, or the times when all agents were idle
   std::uint64_t busy_steps_ = 0;  // since time passed
   std::uint64_t steps_ = 0;       // ever; no agent has reasoned for more cycles
-  std::vector<std::uint32_t> receivers_;  // of messages that are to be delivered
+  std::vector<std::uint32_t> receivers_;  // of messages not yet delivered
   std::vector<std::uint32_t> full_;       // agents without memory for messages
   std::uint64_t deliveries_ = 1;
-  // What all agents own, and what was left of their limit, in all and for one that has little, when
-  // a round last ended.
+  // The memory of all agents, and the remainder of their limit, in all and for an agent that owns
+  // little, when a round last ended.
   std::int64_t owned_bytes_ = 0;
   std::size_t left_bytes_ = 0;
   std::size_t least_bytes_ = 0;

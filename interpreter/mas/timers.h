@@ -1,6 +1,6 @@
 #pragma once
 
-// What is to happen at a later time, in the order of time and, at the same time, of asking.
+// Timers, ordered by time and, at the same time, by when they were requested.
 
 #include <cstdint>
 #include <functional>

@@ -26,7 +26,7 @@ Workers::Workers(std::size_t count) {
     try {
       threads_.emplace_back([this, worker] { wait_for_work(worker); });
     } catch (const std::system_error&) {
-      break;  // there are no more to be had; what comes of a run does not depend on it
+      break;  // no more threads can be started; results do not depend on their number
     }
   }
 }

@@ -16,7 +16,7 @@
 namespace jaywalk {
 namespace {
 
-/// Of the column that names instructions.
+/// Width of the column that names instructions.
 constexpr std::size_t kNameWidth = 19;
 
 std::string named(std::string_view name) { return fmt::format("{:<{}}", name, kNameWidth); }
@@ -113,7 +113,7 @@ class CodeWriter {
     std::string text;
   };
 
-  // Of a line that is an instruction.
+  // The number of the instruction on a line.
   [[nodiscard]] std::size_t number_of(std::ptrdiff_t line) const {
     const auto index = static_cast<std::size_t>(line);
     const void* const code = lines_[index].goal != nullptr

@@ -24,8 +24,8 @@ struct PlanHead {
   /// It is a literal without annotations, whose arguments are matched step by step; else the
   /// unifier matches it as a whole.
   bool is_decoded = false;
-  /// The goal of a means can be told from the trigger and the frame: all arguments are variables,
-  /// numbers, atoms, and lists of a variable and a variable.
+  /// The goal of a means can be rebuilt from the trigger and the frame: all arguments are
+  /// variables, numbers, atoms, and lists of a variable and a variable.
   bool tells_goal = false;
   Predicate predicate{};
   HeadCode code;
@@ -49,10 +49,10 @@ struct EventCode {
   const PlanList* plans = nullptr;
 };
 
-/// Of a plan with this trigger, a template; `inherits` are the slots that have a value before.
+/// Decodes a plan's trigger, a template; `inherits` are the slots that have a value before.
 [[nodiscard]] PlanHead decode_head(Value trigger, std::span<const Symbol> slot_names,
                                    std::span<const std::uint32_t> inherits = {});
-/// Of the literal of a goal or a change of belief.
+/// Decodes the literal of a goal or a change of belief.
 [[nodiscard]] EventCode decode_event(Value term);
 
 }  // namespace jaywalk

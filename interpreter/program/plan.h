@@ -47,7 +47,7 @@ struct Step {
   StepPlace place;
   /// The formula as a term of form step, for programs as data.
   Value source;
-  /// Of a goal or a change of belief: its literal, decoded; else null.
+  /// The decoded literal of a goal or a change of belief; else null.
   const EventCode* event = nullptr;
   /// Of variable: its operator.
   Kind variable_kind = Kind::action;
@@ -85,7 +85,7 @@ struct BodyCode {
   }
 };
 
-/// What a plan or rule that was made at run time takes with its code, roughly.
+/// The rough size of a plan or rule made at run time, with its code, in bytes.
 inline constexpr std::size_t kPlanBytes = 2048;
 
 struct Plan {
@@ -118,7 +118,7 @@ struct Plan {
   Value policy;
   /// It belongs to every agent (the plans for messages), not to the program.
   bool is_standard = false;
-  /// Of a sub-plan: which slots have the value of which slot of the enclosing plan.
+  /// In a sub-plan: which slots have the value of which slot of the enclosing plan.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> inherited;
   /// Sub-plans of AgentSpeak(ER); null if there are none.
   std::unique_ptr<PlanLibrary> subplans;

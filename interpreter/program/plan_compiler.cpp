@@ -7,6 +7,7 @@
 #include "interpreter/logic/beliefs/belief_base.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/program_terms.h"
 
 namespace jaywalk {
 namespace {
@@ -57,7 +58,7 @@ const Body* BodyCompiler::compile(Value body) {
 void BodyCompiler::compile_steps(const Structure& body, Body& made) {
   for (Value step : body.arg_span()) {
     step = deref(step);
-    // A body in the place of a formula (a variable had it as its value) is a part of this one.
+    // A body that stands as a formula (a variable's value) is a part of this one.
     const bool plain = is_form(step, Form::step) &&
                        symbols_.signature(step.structure()->predicate()).functor == names::empty;
     const Value inner = plain ? deref(step.structure()->arg(0)) : Value();
@@ -261,7 +262,7 @@ bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts) 
   } else {
     return false;
   }
-  parts.literal = deref(term.structure()->arg(0));
+  parts.literal = as_literal(deref(term.structure()->arg(0)));
   return true;
 }
 

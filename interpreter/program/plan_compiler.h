@@ -46,7 +46,8 @@ struct TriggerParts {
   TriggerKind kind = TriggerKind::belief;
   Value literal;
 };
-/// Of a term of form trigger, or of a body with the single formula `+b` or `-b`. False: neither.
+/// Takes a term of form trigger, or a body with the single formula `+b` or `-b`, apart. False:
+/// neither.
 [[nodiscard]] bool trigger_parts(Value term, const SymbolTable& symbols, TriggerParts& parts);
 
 /// `+!`, `-`, `^?`, ...: how a trigger begins.

@@ -25,7 +25,7 @@ class Program {
     Predicate predicate{};
     SourceSpan where;
   };
-  /// What an agent begins to believe of a predicate.
+  /// An agent's initial beliefs of one predicate.
   struct Beginning {
     Predicate predicate{};
     /// Null: plans hear of it, so that each agent comes to believe it by itself.
@@ -54,10 +54,13 @@ class Program {
   [[nodiscard]] const PlanLibrary& library() const { return library_; }
   [[nodiscard]] const std::vector<RuleFunction>& functions() const { return functions_; }
   [[nodiscard]] const ActionRegistry& actions() const { return *actions_; }
+  /// It has local namespaces, or one for a variable: an agent that includes it a second time is to
+  /// have them a second time.
+  [[nodiscard]] bool has_own_namespaces() const { return has_own_namespaces_; }
   /// The text of one of its files, by the name that its plans have (Plan::file); null: none of its.
   [[nodiscard]] SourcePtr find_source(std::string_view file) const;
-  /// There are initial goals, and nobody notices whether an agent starts at once or only when it
-  /// first reasons: it makes no variables and cannot fail, since all goals are ground.
+  /// There are initial goals, and it makes no difference whether an agent starts at once or only
+  /// when it first reasons: it makes no variables and cannot fail, since all goals are ground.
   [[nodiscard]] bool can_start_later() const;
 
  private:
@@ -74,6 +77,7 @@ class Program {
   PlanLibrary library_;
   std::vector<RuleFunction> functions_;
   std::vector<SourcePtr> sources_;
+  bool has_own_namespaces_ = false;
 };
 
 }  // namespace jaywalk

@@ -37,7 +37,7 @@ std::span<const Value> args_of(Value literal) {
   return literal.is_structure() ? literal.structure()->arg_span() : std::span<const Value>();
 }
 
-/// What the answers to queries of a predicate depend on.
+/// Finds the predicates on which the answers to a predicate's queries depend.
 class Dependencies {
  public:
   Dependencies(const Program& program, const ConstantPercepts& constants)
@@ -129,7 +129,7 @@ class Dependencies {
   bool of_percepts_ = false;
 };
 
-/// An agent's beliefs that nobody has changed.
+/// An agent's unchanged initial beliefs.
 class UnchangedBeliefs {
  public:
   UnchangedBeliefs(const Program& program, SymbolTable& symbols)

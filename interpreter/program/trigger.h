@@ -11,8 +11,8 @@ namespace jaywalk {
 enum class TriggerOperator : std::uint8_t { add, remove, goal_state };  // + - ^
 enum class TriggerKind : std::uint8_t { belief, achieve, test };        // (none) ! ?
 
-/// What an event is about, as far as plans can be looked up by it: Jason's trigger indicator, in
-/// which strong negation does not count.
+/// The key by which plans are looked up for an event: Jason's trigger indicator, in which strong
+/// negation does not count.
 struct TriggerKey {
   TriggerOperator op = TriggerOperator::add;
   TriggerKind kind = TriggerKind::belief;

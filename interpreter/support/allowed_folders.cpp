@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/markup.h"
+
 namespace jaywalk {
 namespace {
 
@@ -42,12 +44,22 @@ bool is_plain(const fs::path& path) {
   return (fs::is_regular_file(status) || fs::is_directory(status)) && !is_made_up(path);
 }
 
-/// The option with the folder that would do.
-std::string granting(const std::string& option, const std::string& path) {
+fs::path folder_of(const fs::path& path) {
   std::error_code ignored;
-  const fs::path folder =
-      fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
-  return fmt::format("{} {} allows it", option, folder.empty() ? "." : folder.string());
+  if (fs::is_directory(path, ignored)) return path;
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// The option with the folder that would do, as it was written unless links lead elsewhere: `found`
+/// is the path without them.
+std::string granting(const std::string& option, const std::string& path, const fs::path& found) {
+  std::error_code ignored;
+  fs::path folder = folder_of(found);
+  const bool exists = fs::is_directory(folder, ignored);
+  const fs::path written = folder_of(path);
+  if (without_links(written.string()) == folder) folder = written;
+  return fmt::format("{} {} allows it{}", option, shell_quoted(folder.string()),
+                     exists ? "" : ", once there is such a folder");
 }
 
 }  // namespace
@@ -68,14 +80,15 @@ void AllowedFolders::add(const AllowedFolders& others) {
 
 std::optional<Denial> AllowedFolders::denial(const std::string& path) const {
   const fs::path found = without_links(path);
-  const bool inside = !found.empty() && std::ranges::any_of(folders_, [&](const fs::path& each) {
-    return lies_in(found, each);
-  });
-  if (!found.empty() && !is_plain(found)) {
+  if (found.empty()) return Denial{"it is no path that can be followed", {}};
+  const bool inside =
+      std::ranges::any_of(folders_, [&](const fs::path& each) { return lies_in(found, each); });
+  if (!is_plain(found)) {
     return Denial{"it is a device, a pipe or the system's own, not a plain file", {}};
   }
   if (inside) return std::nullopt;
-  return Denial{"it lies outside the folders that the program may use", granting(option_, path)};
+  return Denial{"it lies outside the folders that the program may use",
+                granting(option_, path, found)};
 }
 
 }  // namespace jaywalk

@@ -30,7 +30,7 @@ class AllowedFolders {
   /// not exist adds nothing.
   void add(const std::string& folder);
   void add(const AllowedFolders& others);
-  /// Of a file or folder, which need not exist; nothing if it may be touched.
+  /// Why a file or folder, which need not exist, may not be touched; nothing if it may.
   [[nodiscard]] std::optional<Denial> denial(const std::string& path) const;
 
  private:

@@ -8,7 +8,7 @@
 
 #include "interpreter/support/excerpt.h"
 #include "interpreter/support/markup.h"
-#include "interpreter/support/silenced.h"
+#include "interpreter/support/remarks.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is wrong with something the user wrote: collected, not thrown, and rendered as
+// Errors and warnings about the user's input: collected, not thrown, and rendered as
 // `file:line:column: error: message`, the line, a caret and a hint.
 
 #include <optional>

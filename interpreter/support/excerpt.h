@@ -16,7 +16,7 @@ namespace jaywalk {
 /// Where a place begins; the end of its line, or of the text, if there is no such place.
 [[nodiscard]] std::uint32_t offset_of(const Source& source, Source::Position position);
 
-/// The same, with errors in place of the warnings with that code; `hint` is added to theirs.
+/// The diagnostics with the warnings of that code turned into errors; `hint` is added to theirs.
 [[nodiscard]] Diagnostics with_errors(const Diagnostics& diagnostics, std::string_view code,
                                       std::string_view hint);
 

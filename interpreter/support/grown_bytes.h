@@ -1,14 +1,14 @@
 #pragma once
 
-// What a container takes, from the number of its elements alone.
+// The memory of a container, computed from the number of its elements alone.
 
 #include <bit>
 #include <cstddef>
 
 namespace jaywalk {
 
-/// What so many elements take in a container whose memory doubles when it is full; of many, the
-/// most of it that is in use: old and new memory while it grows.
+/// The bytes of `count` elements in a container whose memory doubles when it is full; for many
+/// elements the peak: old and new memory while it grows.
 [[nodiscard]] constexpr std::size_t grown_bytes(std::size_t count, std::size_t each) {
   constexpr std::size_t kMany = 4096;
   if (count == 0) return 0;

@@ -1,6 +1,11 @@
 #include "interpreter/support/markup.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+
+#include "interpreter/support/characters.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -63,6 +68,20 @@ std::string escaped_xml(std::string_view text) {
   return result;
 }
 
+std::string escaped_uri(std::string_view path) {
+  std::string result;
+  for (const char c : path) {
+    const bool stays = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (stays) {
+      result += c;
+    } else {
+      result += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+  }
+  return result;
+}
+
 std::string in_script(std::string_view json) {
   std::string result;
   for (const char c : json) {
@@ -91,6 +110,33 @@ std::string visible(std::string_view text, LineBreaks breaks) {
     }
   }
   return result;
+}
+
+std::string shell_quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+bool is_identifier(std::string_view text) {
+  constexpr std::size_t kLongest = 100;
+  return !text.empty() && text.size() <= kLongest && text.front() != '-' &&
+         std::ranges::all_of(text, [](char c) { return is_name_character(c) || c == '-'; });
+}
+
+bool is_label(std::string_view text) {
+  constexpr std::size_t kLongest = 200;
+  constexpr std::string_view kNotInFront = "=+-@ ";
+  if (text.empty() || text.size() > kLongest ||
+      kNotInFront.find(text.front()) != std::string_view::npos)
+    return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\0' || text[i] == '\t' || control_at(text, i) != 0) return false;
+  }
+  return !first_bad_byte(text);
 }
 
 std::string visible_with_colours(std::string_view lines) {

@@ -14,7 +14,8 @@
 #include "interpreter/support/input/missing_file.h"
 #include "interpreter/support/input/read_pipe.h"
 #include "interpreter/support/read_program.h"
-#include "interpreter/support/silenced.h"
+#include "interpreter/support/remarks.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -60,19 +61,6 @@ bool is_ascii_word(std::string_view text, std::size_t at) {
   return (word & kHighBits) == 0;
 }
 
-std::optional<std::size_t> first_bad_byte(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    if (is_ascii_word(text, at)) {
-      at += sizeof(std::uint64_t);
-      continue;
-    }
-    const std::size_t length = character_length(text, at);
-    if (length == 0) return at;
-    at += length;
-  }
-  return std::nullopt;
-}
-
 // The text with U+FFFD for each byte that is not part of a character.
 std::string with_replacements(std::string_view text) {
   constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
@@ -85,7 +73,7 @@ std::string with_replacements(std::string_view text) {
   return replaced;
 }
 
-// Reads at most one byte more than `max_bytes`; works for devices, too, whose size nobody knows.
+// Reads at most one byte more than `max_bytes`; works for devices, too, whose size is unknown.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
@@ -116,7 +104,7 @@ Result<std::string> read_bytes(const std::string& path, std::size_t max_bytes) {
   return text;
 }
 
-// What is wrong with a byte, and its line.
+// Describes an invalid byte and its line.
 std::string encoding_problem(std::string_view text, std::size_t bad) {
   const auto value = static_cast<unsigned>(static_cast<unsigned char>(text[bad]));
   return fmt::format(
@@ -132,6 +120,19 @@ SourcePtr as_source(const std::string& path, std::string text) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> first_bad_byte(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    if (is_ascii_word(text, at)) {
+      at += sizeof(std::uint64_t);
+      continue;
+    }
+    const std::size_t length = character_length(text, at);
+    if (length == 0) return at;
+    at += length;
+  }
+  return std::nullopt;
+}
 
 Result<SourcePtr> read_source(const std::string& path, std::size_t max_bytes) {
   Result<std::string> text = read_bytes(path, max_bytes);

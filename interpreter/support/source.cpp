@@ -29,7 +29,7 @@ std::string_view Source::text(Span span) const {
   return std::string_view(text_).substr(begin, end - begin);
 }
 
-// Of a very long line, characters are not counted from its begin for each of its positions.
+// In a very long line, characters are not counted from its beginning for each position.
 std::size_t Source::characters_before(std::uint32_t offset) const {
   const std::size_t mark = offset / kBetweenMarks;
   const auto begin = static_cast<std::uint32_t>(mark * kBetweenMarks);

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a folder holds, sorted; nothing if it cannot be read.
+/// A folder's entries, sorted; none if it cannot be read.
 std::vector<fs::directory_entry> entries_of(const fs::path& folder) {
   std::vector<fs::directory_entry> entries;
   std::error_code error;
@@ -28,12 +28,28 @@ bool stays_below(std::string_view path) {
   return !normal.empty() && !normal.is_absolute() && *normal.begin() != "..";
 }
 
-/// Unit tests lie in a folder `tests` below the programs that they test.
-std::optional<std::string> tested_folder(const std::string& folder) {
+constexpr int kHighest = 4;
+
+fs::path absolute_folder(const std::string& folder) {
   std::error_code error;
   fs::path own = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
-  if (error) return std::nullopt;
   if (!own.has_filename()) own = own.parent_path();  // of `folder/`
+  return own;
+}
+
+/// The folder `agents` that a folder lies in or is: programs of one collection share what lies in
+/// it, whoever's copy of it they are in.
+std::optional<std::string> collection_of(const std::string& folder) {
+  fs::path above = absolute_folder(folder);
+  for (int i = 0; i < kHighest; ++i, above = above.parent_path()) {
+    if (above.filename() == "agents") return above.string();
+  }
+  return std::nullopt;
+}
+
+/// Unit tests lie in a folder `tests` below the programs that they test.
+std::optional<std::string> tested_folder(const std::string& folder) {
+  const fs::path own = absolute_folder(folder);
   if (own.filename() != "tests") return std::nullopt;
   return own.parent_path().string();
 }
@@ -45,9 +61,27 @@ SourceFiles::SourceFiles(std::span<const SourcePtr> copies) : copies_(std::in_pl
 }
 
 std::string SourceFiles::place(const std::string& path) const {
-  if (library_.empty() || !path.starts_with(kLibraryPrefix)) return path;
-  const std::string below = path.substr(kLibraryPrefix.size());
-  return stays_below(below) ? (fs::path(library_) / below).string() : path;
+  const bool is_list = !assertions_.empty() && path.starts_with(kAssertionsPrefix);
+  const std::string& folder = is_list ? assertions_ : library_;
+  const std::string_view prefix = is_list ? kAssertionsPrefix : kLibraryPrefix;
+  if (folder.empty() || !path.starts_with(prefix)) return path;
+  const std::string below = path.substr(prefix.size());
+  return stays_below(below) ? (fs::path(folder) / below).string() : path;
+}
+
+std::string SourceFiles::installed_folder() const {
+  return library_.empty() ? std::string() : (fs::path(library_).parent_path() / "").string();
+}
+
+SourcePtr SourceFiles::find_copy(const std::string& path) const {
+  const bool is_absolute = fs::path(path).is_absolute();
+  for (std::size_t begin = 0; begin != std::string::npos;) {
+    const auto copy = copies_->find(path.substr(begin));
+    if (copy != copies_->end()) return copy->second;
+    const std::size_t slash = is_absolute ? path.find('/', begin) : std::string::npos;
+    begin = slash == std::string::npos ? slash : slash + 1;
+  }
+  return nullptr;
 }
 
 AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
@@ -56,12 +90,13 @@ AllowedFolders SourceFiles::readable_from(const std::string& folder) const {
   readable.add(own);
   if (const auto project = find_project_folder(own)) readable.add(*project);
   if (const auto tested = tested_folder(own)) readable.add(*tested);
+  if (const auto collection = collection_of(own)) readable.add(*collection);
   if (!library_.empty()) readable.add(library_);
   return readable;
 }
 
 bool SourceFiles::has(const std::string& path) const {
-  if (copies_) return copies_->contains(path);
+  if (copies_) return find_copy(path) != nullptr;
   std::error_code error;
   return fs::is_regular_file(place(path), error);
 }
@@ -73,8 +108,7 @@ Result<SourcePtr> SourceFiles::read(const std::string& path, std::size_t max_byt
     if (!source || file == path) return source;
     return std::make_shared<const Source>(path, std::string(source.value()->text()));
   }
-  const auto found = copies_->find(path);
-  if (found != copies_->end()) return found->second;
+  if (SourcePtr copy = find_copy(path)) return copy;
   Diagnostics diagnostics;
   diagnostics.error(path, "no copy of this file was kept");
   return diagnostics;
@@ -112,10 +146,8 @@ std::vector<std::string> SourceFiles::installed_in(std::string_view folder) cons
 }
 
 std::optional<std::string> find_project_folder(const std::string& folder) {
-  constexpr int kHighest = 4;
   std::error_code error;
-  fs::path above = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal();
-  if (!above.has_filename()) above = above.parent_path();  // of `folder/`
+  fs::path above = absolute_folder(folder);
   for (int i = 0; i < kHighest && !error; ++i, above = above.parent_path()) {
     for (fs::directory_iterator entry(above, error), end; !error && entry != end;
          entry.increment(error)) {

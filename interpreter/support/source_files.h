@@ -1,9 +1,10 @@
 #pragma once
 
 // Where the texts of files are read from: the disk, or copies that were kept of them, so that what
-// was once read can be read again wherever the files are now. Programs that are installed with
-// Jaywalk have names of their own, `$jaywalk/crossing/proximity.asl`, which are the same wherever
-// it is installed; that is how copies of them are named, too.
+// was once read can be read again wherever the files are now. Programs and lists of assertions that
+// are installed with Jaywalk have names of their own, `$jaywalk/crossing/proximity.asl` and
+// `$jaywalk/assertions/crossing.yaml`, which are the same wherever it is installed; that is how
+// copies of them are named, too.
 
 #include <map>
 #include <optional>
@@ -19,22 +20,25 @@ namespace jaywalk {
 
 /// How the names of installed programs begin; a folder for each world follows.
 inline constexpr std::string_view kLibraryPrefix = "$jaywalk/";
+inline constexpr std::string_view kAssertionsPrefix = "$jaywalk/assertions/";
 
 class SourceFiles {
  public:
   /// The disk, without installed programs.
   SourceFiles() = default;
-  /// The disk; the installed programs are in the folder `library`.
-  explicit SourceFiles(std::string library) : library_(std::move(library)) {}
+  /// The disk; the installed programs are in the folder `library`, lists of assertions in another.
+  explicit SourceFiles(std::string library, std::string assertions = {})
+      : library_(std::move(library)), assertions_(std::move(assertions)) {}
   /// These, by their names, and no others.
   explicit SourceFiles(std::span<const SourcePtr> copies);
 
   /// Programs may read what lies in this folder, besides their own (`--allow-read`).
   void allow_reading(const std::string& folder) { readable_.add(folder); }
   /// What a program in `folder` may read of the disk: what lies there, in the project that the
-  /// folder belongs to, among the installed programs and where allow_reading() says.
+  /// folder belongs to, in a folder `agents` that it lies in, among the installed programs and
+  /// where allow_reading() says.
   [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
-  /// Whether that matters: copies may be read by everybody.
+  /// Whether that matters: copies may always be read.
   [[nodiscard]] bool are_on_disk() const { return !copies_; }
 
   /// There is a file (not a folder) of this name.
@@ -44,6 +48,9 @@ class SourceFiles {
                                        std::size_t max_bytes = std::size_t{64} << 20U) const;
   /// The file on the disk that a name means. REQUIRES: there are no copies.
   [[nodiscard]] std::string place(const std::string& path) const;
+  /// The folder of all that is installed with Jaywalk, with a slash at its end; empty: there is
+  /// none.
+  [[nodiscard]] std::string installed_folder() const;
 
   /// The name of the installed program of that path below the folder of some world:
   /// `$jaywalk/crossing/shared/steps.asl` for `shared/steps.asl`.
@@ -52,8 +59,13 @@ class SourceFiles {
   [[nodiscard]] std::vector<std::string> installed_in(std::string_view folder) const;
 
  private:
+  /// The copy of that name. An absolute path, as a text may have it, means the copy whose name it
+  /// ends with (PortableNames). Null: there is none.
+  [[nodiscard]] SourcePtr find_copy(const std::string& path) const;
+
   std::optional<std::map<std::string, SourcePtr>> copies_;
-  std::string library_;  // empty: none
+  std::string library_;     // empty: none
+  std::string assertions_;  // empty: none
   AllowedFolders readable_;
 };
 

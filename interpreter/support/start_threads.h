@@ -9,8 +9,8 @@
 
 namespace jaywalk {
 
-/// Starts threads that call `work`, up to so many in all; the result is how many there are. Fewer
-/// are started where the system has no more. Throws std::system_error if it has none at all.
+/// Starts threads that call `work`, up to `count` in all, and returns their number. Fewer are
+/// started where the system has no more. Throws std::system_error if it has none at all.
 template <class Thread, class Work>
 std::size_t start_threads(std::vector<Thread>& threads, std::size_t count, Work work) {
   threads.reserve(count);

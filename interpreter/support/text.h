@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,9 @@ namespace jaywalk {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 
+/// Where the text stops being UTF-8 (RFC 3629); nothing if all of it is.
+[[nodiscard]] std::optional<std::size_t> first_bad_byte(std::string_view text);
+
 inline constexpr std::string_view kBlanks = " \t\r\n";
 
 /// Without blanks at its begin and end.
@@ -33,6 +38,11 @@ inline constexpr std::string_view kBlanks = " \t\r\n";
   if (text.size() <= most) return std::string(text);
   while (most > 0 && !begins_character(text[most])) --most;
   return std::string(text.substr(0, most)) + "...";
+}
+
+/// "1 agent", "2 agents"
+[[nodiscard]] inline std::string counted(std::uint64_t count, std::string_view noun) {
+  return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
 }
 
 /// Without their line breaks; a break at the end begins no further line.

@@ -139,10 +139,11 @@ void Builder::check_target(BodyOperator op, const Node& node) {
     check_formula(node);
     return;
   }
-  const bool in_braces = node.kind == Kind::plan || node.kind == Kind::rule ||
-                         node.kind == Kind::trigger || node.kind == Kind::body;
+  const bool in_braces =
+      node.kind == Kind::plan || node.kind == Kind::trigger || node.kind == Kind::body;
   const bool belief = (node.kind == Kind::literal && !is_internal(node)) ||
-                      node.kind == Kind::variable || (in_braces && op != BodyOperator::replace);
+                      node.kind == Kind::variable || node.kind == Kind::rule ||
+                      (in_braces && op != BodyOperator::replace);
   if (!belief) {
     error(node.span,
           fmt::format("{} cannot be added or removed as a belief", description_of(node)));

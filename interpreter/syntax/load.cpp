@@ -172,6 +172,11 @@ class Loader {
                                     [this](const fs::path& path) { return is_file(path); });
     if (found != candidates.end()) return found->generic_string();
     if (auto installed = find_installed(name, where)) return installed;
+    if (const std::string named = "$" + name; named.starts_with(kLibraryPrefix) && is_file(named)) {
+      warn(where, fmt::format("cannot find '{}', which is included here", name),
+           fmt::format("did you mean '{}'?", named));
+      return std::nullopt;
+    }
     std::string places = fmt::format("looked for {}", candidates.front().generic_string());
     for (std::size_t i = 1; i < candidates.size(); ++i) {
       places += fmt::format(", {}", candidates[i].generic_string());

@@ -252,6 +252,7 @@ class Reporter {
 
   [[nodiscard]] std::string hint_for(const Token& token) const {
     if (std::string hint = hint_for_block(); !hint.empty()) return hint;
+    if (std::string hint = hint_for_clause(token); !hint.empty()) return hint;
     if (token.kind == comma && error_.expected.starts_with('\'')) return hint_for_comma();
     if (is_closing(token.kind) && place_.brackets.empty()) {
       return fmt::format("there is no bracket that this {} could close", name_of(token.kind));
@@ -283,6 +284,44 @@ class Reporter {
       return "goals belong in the body of a plan, not in its context";
     }
     return place_.brackets.empty() ? std::string() : hint_for_bracket(token);
+  }
+
+  // For a token outside all brackets with which a clause cannot go on.
+  [[nodiscard]] std::string hint_for_clause(const Token& token) const {
+    if (!place_.brackets.empty() || error_.expected != "'.'") return {};
+    if (token.kind == end_of_text) return "each clause ends with '.'";
+    const bool is_condition =
+        place_.part == Place::Part::context || place_.part == Place::Part::rule;
+    const bool begins_formula = token.kind == atom || token.kind == variable || token.kind == open;
+    if (is_condition && begins_formula && text_[token.span.begin] != '.') {
+      return "conjunctions are written with '&'";
+    }
+    const TokenKind first = error_.clause->kind;
+    if (first == bang && token.kind == rule) return "the head of a rule is a belief, without '!'";
+    if (place_.part != Place::Part::head || (first != atom && first != tilde)) return {};
+    if (token.kind == arrow) return "a plan begins with '+' or '-'; a rule is written with ':-'";
+    if (token.kind == colon) {
+      return has_arrow() ? "a plan begins with '+' or '-'" : "a rule is written with ':-'";
+    }
+    return token.kind == minus ? hint_for_hyphen(token) : std::string();
+  }
+
+  // Whether the clause goes on with the body of a plan.
+  [[nodiscard]] bool has_arrow() const {
+    const Token* at = error_.found;
+    while (at->kind != stop && at->kind != end_of_text && at->kind != arrow) ++at;
+    return at->kind == arrow;
+  }
+
+  // `time-to-cross` for `time_to_cross`.
+  [[nodiscard]] std::string hint_for_hyphen(const Token& token) const {
+    const Token* at = &token;
+    std::string name(text_of(at[-1]));
+    for (; at->kind == minus && at[-1].kind == atom && at[1].kind == atom; at += 2) {
+      if (at->span.begin != at[-1].span.end || at[1].span.begin != at->span.end) return {};
+      name += fmt::format("_{}", text_of(at[1]));
+    }
+    return at == &token ? std::string() : fmt::format("names have no '-': write '{}'", name);
   }
 
   // What `:=` at an offset of the clause is meant for.

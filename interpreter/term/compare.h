@@ -29,7 +29,7 @@ enum class Annotations { compare, ignore };
 /// The annotations as a sorted set: sorted by compare_terms, duplicates dropped; an open tail
 /// stays.
 [[nodiscard]] Value sorted_set(Heap& heap, Value list, const SymbolTable& symbols);
-/// The same of elements, before a tail.
+/// Like sorted_set() above, for elements that precede a tail.
 [[nodiscard]] Value sorted_set(Heap& heap, std::vector<Value> elements, Value tail,
                                const SymbolTable& symbols);
 /// Appends a list's elements; the result is its tail, or the term if it is no list.

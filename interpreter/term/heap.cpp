@@ -71,7 +71,7 @@ void Heap::grow(std::size_t words) {
   end_ = top_ + size;
 }
 
-// What is left to terms.
+// The bytes that terms may take.
 std::size_t Heap::most_bytes() const {
   // Half of it: a collection copies what is alive, and needs as much room again for a moment.
   return (limit_bytes_ - std::min(limit_bytes_, beside_)) / 2;
@@ -90,7 +90,7 @@ void Heap::give_up() {
   throw HeapExhausted{limit_is_of_all_};
 }
 
-// There is to be a count before the limit is reached.
+// Makes sure that memory is counted before the limit is reached.
 void Heap::look_sooner(std::size_t limit) {
   const std::size_t all = all_bytes();
   count_at_ = std::min(count_at_, beside_ + (limit - std::min(limit, all)));
@@ -112,7 +112,7 @@ void Heap::set_beside(std::size_t bytes) {
   // before the limit is reached.
   const std::size_t room = limit_bytes_ - std::min(limit_bytes_, all);
   count_at_ = bytes + std::min(std::max(all, kLeast), std::max(room / 2, all / 16 + 256));
-  // Where nothing is left, the next count may be far away, but nothing more is to be had.
+  // Without room the next count may be far away, but no request succeeds.
   ask_at_ = room == 0 ? 0 : std::min(count_at_, bytes + room);
   // Terms have less room than there was when they were collected.
   const std::size_t before_limit = live_bytes_ / 2 + most_bytes() / 2;
@@ -326,7 +326,7 @@ void Heap::Relocator::drain() {
     }
     const auto [first, count] = pending_.back();
     pending_.pop_back();
-    // Of a list the tail first: it is pending below the head, which is soon done with.
+    // A list's tail is pushed first: it waits below the head, which is soon finished.
     for (std::size_t i = count; i > 0; --i) move(first[i - 1]);
   }
 }

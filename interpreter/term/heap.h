@@ -24,8 +24,8 @@
 
 namespace jaywalk {
 
-/// What a structure stands for. Everything but a literal is made by the language itself:
-/// unevaluated expressions and programs as data.
+/// The kind of a structure. All but literals are made by the language itself: unevaluated
+/// expressions and programs as data.
 enum class Form : std::uint8_t {
   literal,
   expression,  // arithmetic not evaluated yet: `X+1`
@@ -46,7 +46,7 @@ struct Structure {
   std::uint16_t info;
 
   static constexpr std::uint16_t kAnnotated = 0x100;
-  /// Of a plan's own trigger and body: printed without braces.
+  /// Marks a plan's own trigger and body, which are printed without braces.
   static constexpr std::uint16_t kBare = 0x200;
 
   [[nodiscard]] Predicate predicate() const { return static_cast<Predicate>(predicate_id); }
@@ -98,7 +98,7 @@ struct ObjectCell {
   Object* object;
 };
 
-/// What is bound to what: follows variables to a value or an unbound variable.
+/// Dereferences: follows variables to a value or an unbound variable.
 [[nodiscard]] inline Value deref(Value value) {
   while (value.is_variable()) {
     const Value next = value.variable()->value;
@@ -138,9 +138,8 @@ class Heap {
   /// Nothing has been made here yet.
   [[nodiscard]] bool is_unused() const { return chunks_.empty(); }
 
-  // Most agents are soon done, and little is left of what they have made until then. So an agent's
-  // heap begins in a nursery that is lent to it, and later moves out into a chunk of just the size
-  // of what is alive.
+  // Most agents finish soon, and few of their terms survive. So an agent's heap begins in a
+  // borrowed nursery, and later moves out into a chunk of just the size of its live terms.
   /// Begins in the nursery, which is made if there is none. REQUIRES: is_unused().
   void enter(Remains& nursery);
   /// Leaves the nursery; nothing happens if the heap has grown out of it. While it is found out how
@@ -227,7 +226,7 @@ class Heap {
   void protect() { floor_ = mark(); }
 
   [[nodiscard]] std::size_t bytes() const { return full_bytes_ + used_in_current(); }
-  /// Of all collections, without the terms in them.
+  /// The size of all collections, without the terms in them.
   [[nodiscard]] std::size_t object_bytes() const;
 
   // The limit holds for all that the owner has: its terms, twice, since while they are collected
@@ -248,15 +247,15 @@ class Heap {
   void require_room() {
     if (beside_ > ask_at_) require_bytes(0);
   }
-  /// The same for so many bytes.
+  /// Like require_room(), before the owner gets `bytes` bytes.
   void require_bytes(std::size_t bytes);
-  /// What the owner has beside terms, counted.
+  /// Sets the bytes that the owner has beside terms.
   void set_beside(std::size_t bytes);
   /// Something has failed for want of memory lately, and what there is has not been counted since.
   [[nodiscard]] bool is_short() const { return full_at_ != 0; }
-  /// What there is is to be collected and counted, however little has come.
+  /// Requests a collection and a count, however little was allocated.
   void look_again() { collect_at_ = count_at_ = ask_at_ = 0; }
-  /// So much has been noted that it is to be counted.
+  /// Enough was noted since the last count to need another.
   [[nodiscard]] bool wants_count() const { return beside_ > count_at_; }
   /// Enough has been allocated since the last collection to make another worth while.
   [[nodiscard]] bool wants_collection() const { return bytes() > collect_at_; }
@@ -339,7 +338,7 @@ class Heap {
   std::size_t beside_ = 0;
   std::size_t count_at_ = 16 * 1024;
   std::size_t ask_at_ = count_at_;  // beyond it the limit may be reached
-  // After so many failures for want of memory it is looked what has become free meanwhile.
+  // The failures for want of memory after which memory is counted again.
   std::uint32_t failures_ = 0;
   std::uint32_t patience_ = 1;
   bool limit_is_of_all_ = false;

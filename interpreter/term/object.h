@@ -2,7 +2,7 @@
 
 // Mutable collections that terms refer to: sets, maps and queues. They are shared by reference and
 // live as long as a reachable term names them. Sets and maps are in the order of terms (compare.h).
-// What is put into them must be protected from being released (Heap::protect).
+// Terms put into them must be protected from being released (Heap::protect).
 
 #include <cstdint>
 #include <deque>
@@ -16,7 +16,7 @@
 
 namespace jaywalk {
 
-/// Of an empty collection, roughly.
+/// The rough size of an empty collection, in bytes.
 inline constexpr std::size_t kObjectBytes = 128;
 
 class Object {

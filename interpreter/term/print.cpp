@@ -1,28 +1,77 @@
 #include "interpreter/term/print.h"
 
 #include <algorithm>
+#include <charconv>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "interpreter/support/text.h"
+#include "interpreter/term/circles.h"
 #include "interpreter/term/walk.h"
 
 namespace jaywalk {
 namespace {
 
+double rounded(double number) {
+  const std::string text = fmt::format("{:.12g}", number);
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
 class Printer {
  public:
   enum class Strings { as_they_are, escaped };
+  enum class Numbers { exact, rounded };
   Printer(std::string& out, const SymbolTable& symbols, Strings strings = Strings::as_they_are,
-          std::size_t most = kMaxTextBytes)
-      : out_(out), symbols_(symbols), strings_(strings), most_(most) {}
+          std::size_t most = kMaxTextBytes, Numbers numbers = Numbers::exact)
+      : out_(out), symbols_(symbols), strings_(strings), most_(most), numbers_(numbers) {}
+
+  void whole(Value value) {
+    const std::size_t begin = out_.size();
+    try {
+      term(value);
+    } catch (const TermTooDeep&) {
+      circles_ = circles_of(value);
+      if (circles_.empty()) throw;
+      out_.resize(begin);
+      unnamed_.clear();
+      is_cut_ = false;
+      term(value);
+    }
+  }
 
   void term(Value value) {
     value = deref(value);
+    if (!circles_.empty()) {
+      const auto circle = circles_.find(value.bits());
+      if (circle != circles_.end()) return circular(value, *circle->second);
+    }
+    parts(value);
+  }
+
+  /// Something was left out, for want of room.
+  [[nodiscard]] bool is_cut() const { return is_cut_; }
+
+ private:
+  // As Jason has it, "...f(X)/X": the term f(X) that is the value of its X.
+  void circular(Value value, const Variable& name) {
+    const bool is_within = std::ranges::find(within_, value.bits()) != within_.end();
+    if (!is_within) {
+      within_.push_back(value.bits());
+      out_ += "...";
+      parts(value);
+      out_ += '/';
+      within_.pop_back();
+    }
+    variable(name);
+  }
+
+  void parts(Value value) {
     switch (value.kind()) {
       case Value::Kind::number:
-        append_number(out_, value.as_number());
+        append_number(out_,
+                      numbers_ == Numbers::exact ? value.as_number() : rounded(value.as_number()));
         return;
       case Value::Kind::atom:
         name(value.atom_id());
@@ -45,7 +94,7 @@ class Printer {
     }
     if (is_enough()) return;
     // Bounds the depth, and with it the stack.
-    const TermWalk::Level level(walk_);
+    const TermWalk::Level level(walk_, value.is_object() ? Value() : value);
     if (value.is_object()) {
       object(*value.object()->object);
     } else if (value.is_pair()) {
@@ -55,10 +104,6 @@ class Printer {
     }
   }
 
-  /// Something was left out, for want of room.
-  [[nodiscard]] bool is_cut() const { return is_cut_; }
-
- private:
   // A term that shares its parts may be small, and its text longer than any memory. What would
   // stand behind the limit is left out; an exception would take its time through all levels of the
   // term.
@@ -68,9 +113,9 @@ class Printer {
     return is_long;
   }
 
-  // What has no name gets a number, in the order of the text: the number of its making would show
-  // how the engine came to it, which differs with and without observers. Not in line: the stack it
-  // takes would be taken on every level of a term.
+  // A variable without a name gets a number, in the order of the text: the number of its creation
+  // would depend on the engine's way, which differs with and without observers. Not in line: its
+  // stack space would be taken on every level of a term.
   [[gnu::noinline]] void variable(const Variable& variable) {
     if (variable.name() != names::unnamed) {
       out_ += symbols_.text(variable.name());
@@ -118,6 +163,7 @@ class Printer {
     bool first = true;
     ListWalk walk;
     for (value = deref(value); value.is_pair(); value = deref(value.pair()->tail)) {
+      if (!first && circles_.contains(value.bits())) break;
       // A list that contains itself would never end (walk.h).
       walk.visit(value);
       walk_.visit();
@@ -256,7 +302,7 @@ class Printer {
     }
   }
 
-  // The body that a variable has become in the place of a formula: it is a part of the one around.
+  // A variable's body that stands as a formula: it is a part of the enclosing one.
   [[nodiscard]] Value body_of(Value step) const {
     step = deref(step);
     const bool is_step = is_form(step, Form::step) &&
@@ -266,7 +312,7 @@ class Printer {
     return is_part ? formula : Value();
   }
 
-  // What is to be read again has its braces.
+  // Text that must be readable again keeps its braces.
   [[nodiscard]] bool is_bare(const Structure& s) const {
     return (s.info & Structure::kBare) != 0 && strings_ == Strings::as_they_are;
   }
@@ -336,17 +382,27 @@ class Printer {
   const SymbolTable& symbols_;
   Strings strings_;
   std::size_t most_;
+  Numbers numbers_;
   bool is_cut_ = false;
   TermWalk walk_;
   std::vector<const Variable*> unnamed_;
+  Circles circles_;  // of a term that has some
+  std::vector<std::uint64_t> within_;
 };
 
-}  // namespace
-
-namespace {
+std::string beginning(Value term, const SymbolTable& symbols, std::size_t most,
+                      Printer::Numbers numbers) {
+  std::string out;
+  try {
+    Printer(out, symbols, Printer::Strings::as_they_are, most, numbers).whole(term);
+  } catch (const HeapExhausted&) {
+    return out + "...";  // a walk that is too long, not a text
+  }
+  return shortened(out, most);
+}
 
 void print_whole(Printer printer, Value term) {
-  printer.term(term);
+  printer.whole(term);
   if (printer.is_cut()) throw HeapExhausted{};
 }
 
@@ -363,13 +419,11 @@ std::string term_text(Value term, const SymbolTable& symbols) {
 }
 
 std::string brief_text(Value term, const SymbolTable& symbols, std::size_t most) {
-  std::string out;
-  try {
-    Printer(out, symbols, Printer::Strings::as_they_are, most).term(term);
-  } catch (const HeapExhausted&) {
-    return out + "...";  // a walk that is too long, not a text
-  }
-  return shortened(out, most);
+  return beginning(term, symbols, most, Printer::Numbers::exact);
+}
+
+std::string rounded_text(Value term, const SymbolTable& symbols, std::size_t most) {
+  return beginning(term, symbols, most, Printer::Numbers::rounded);
 }
 
 std::string source_text(Value term, const SymbolTable& symbols) {

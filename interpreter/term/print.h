@@ -33,6 +33,10 @@ inline constexpr std::size_t kLongestLogged = 1000;
 [[nodiscard]] std::string brief_text(Value term, const SymbolTable& symbols,
                                      std::size_t most = kLongestLogged);
 
+/// Like brief_text(), with numbers rounded to 12 significant digits: 0.3 for 0.30000000000000004.
+[[nodiscard]] std::string rounded_text(Value term, const SymbolTable& symbols,
+                                       std::size_t most = kLongestLogged);
+
 /// The term as it would be written in a program: strings are escaped so that they read back.
 [[nodiscard]] std::string source_text(Value term, const SymbolTable& symbols);
 

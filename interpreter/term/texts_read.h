@@ -12,15 +12,15 @@ namespace jaywalk {
 
 class TextsRead {
  public:
-  /// An agent begins a turn; so much is left of the memory of all.
+  /// An agent begins a turn; `left_of_all` is the remainder of the memory of all.
   void begin_turn(std::size_t left_of_all) {
     bytes_ = 0;
     left_of_all_ = left_of_all;
   }
 
-  /// Before a text of so many bytes is read. Throws HeapExhausted if what was read in this turn
-  /// could take more than is left, to all or to the owner of the heap: names remain when the terms
-  /// of an agent that owns little are gone.
+  /// Call this before a text of `bytes` bytes is read. Throws HeapExhausted if the texts read in
+  /// this turn could take more than the remainder, of all or of the heap's owner: names remain when
+  /// the terms of an agent that owns little are gone.
   void require_room(Heap& heap, std::size_t bytes) {
     // A name of one letter takes that many: its texts, entries of tables, and before all that the
     // syntax tree.

@@ -38,10 +38,10 @@ class TermWalk {
     if (++parts_ > kMaxTermParts) throw HeapExhausted{};
   }
   [[nodiscard]] int depth() const { return depth_; }
-
- private:
+  /// Down to here no walk asks whether it goes round in a circle.
   static constexpr int kShallow = 64;
 
+ private:
   // Goes down to kMaxTermDepth only if it has to: the way back takes an exception through all
   // levels, which is slow. Remembers the term of a level, and of one that is twice as deep, and so
   // on (Brent 1980), until the walk has come back above that level.

@@ -1,8 +1,8 @@
 #pragma once
 
-// What a program under test finds besides its own plans: the assertion goals of Jason's framework,
-// mock agents, and the goal that runs the test. They are AgentSpeak, and leave what they find in
-// beliefs of the namespace jaywalk_test:
+// The plans added to a program under test: the assertion goals of Jason's framework, mock agents,
+// and the goal that runs the test. They are AgentSpeak, and leave their findings in beliefs of the
+// namespace jaywalk_test:
 //
 //   result(Number, Assertion, Verdict, Line, File, Expected, Actual)   Verdict: passed or failed
 //   finished                                                           the test's goal is achieved

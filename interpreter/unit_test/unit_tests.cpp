@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What else goes on in the program under test ends so many steps after the test's goal.
+/// The steps after the test's goal at which everything else in the program under test ends.
 constexpr std::uint64_t kStepsAfterTest = 10'000;
 constexpr std::uint64_t kStepsBetweenLooksOfTests = 64;
 constexpr std::size_t kMaxOutputLines = 1000;
@@ -234,8 +234,8 @@ class TestRun {
     const fs::path folder = fs::path(test_.file).parent_path();
     options.load_program =
         [loader = std::make_shared<ProgramLoader>(folder.string(), include_path_)](
-            const ProgramRequest& request, SymbolTable& symbols, std::string& error) {
-          return loader->load(request, symbols, error);
+            const ProgramRequest& request, SymbolTable& symbols, LoadProblem& problem) {
+          return loader->load(request, symbols, problem);
         };
     return options;
   }

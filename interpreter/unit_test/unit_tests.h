@@ -36,7 +36,7 @@ struct UnitTestLimits {
   std::uint64_t max_cycles = 1'000'000;
   /// Seconds of the wall clock.
   double timeout_s = 60;
-  /// What of the program is used is counted.
+  /// Whether coverage of the program is counted.
   bool coverage = false;
 };
 
@@ -57,7 +57,7 @@ struct UnitTestReport {
   Verdict verdict = Verdict::passed;
   std::uint64_t assertions = 0;
   std::vector<Failure> failures;
-  /// What the agents printed and logged, by lines.
+  /// The lines that the agents printed and logged.
   std::vector<std::string> output;
   /// Virtual seconds.
   double seconds = 0;

@@ -18,7 +18,7 @@ constexpr int kTries = 100;
 void change_some(Genes& genes, Random& random) {
   const std::size_t most =
       genes.size() > 2 * kLeastChanged ? genes.size() - kLeastChanged : (genes.size() + 1) / 2;
-  // Of a short road at most half is changed, so that it keeps something of its parent.
+  // At most half of a short road is changed, so that it keeps something of its parent.
   const std::size_t least = std::min(kLeastChanged, most);
   std::vector<std::size_t> places(genes.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;

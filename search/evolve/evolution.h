@@ -13,8 +13,7 @@ namespace jaywalk::search {
 
 using Genes = std::vector<double>;
 
-/// Which numbers evolve: so many curvatures of a road or, where the space has vectors alone, a
-/// vector.
+/// The numbers that evolve: a road's curvatures or, where the space has only vectors, a vector.
 class Genome {
  public:
   Genome(const SearchSpace& space, std::size_t curvatures);

@@ -1,7 +1,7 @@
 #pragma once
 
 // NSGA-II (Deb, Pratap, Agarwal and Meyarivan 2002, "A fast and elitist multiobjective genetic
-// algorithm: NSGA-II") for two objectives that are to be large.
+// algorithm: NSGA-II") that maximises two objectives.
 
 #include <array>
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace jaywalk::search {
 
-/// What an individual is worth. `lacks`: by how much it misses what is required; any that misses
-/// less dominates, whatever its objectives are.
+/// An individual's fitness. `lacks`: by how much it misses the constraints; an individual that
+/// misses less dominates, whatever its objectives are.
 struct Worth {
   std::array<double, 2> objectives{};
   double lacks = 0;
@@ -21,7 +21,7 @@ struct Worth {
 
 [[nodiscard]] bool dominates(const Worth& a, const Worth& b);
 
-/// Where an individual stands among others: in which front (0: nobody dominates it), and how far
+/// An individual's place among others: its front (0: not dominated), and how far
 /// its neighbours in that front are (the more the better).
 struct Standing {
   std::size_t front = 0;
@@ -31,7 +31,7 @@ struct Standing {
 
 [[nodiscard]] std::vector<Standing> rank(std::span<const Worth> worths);
 
-/// The indices of the best so many, the best first.
+/// The indices of the best `count` individuals, the best first.
 [[nodiscard]] std::vector<std::size_t> survivors(std::span<const Standing> standings,
                                                  std::size_t count);
 

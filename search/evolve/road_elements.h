@@ -11,7 +11,7 @@
 
 namespace jaywalk::search {
 
-/// A piece of road: straight for so many metres, or a turn by so many degrees on a circle of 20 m.
+/// A piece of road: straight for some metres, or a turn by some degrees on a circle of 20 m.
 struct RoadElement {
   enum class Kind { straight, right, left };
 
@@ -24,7 +24,7 @@ using RoadElements = std::vector<RoadElement>;
 
 /// A kind by chance with a value by chance: whole, 5 to 30 m or 10 to 85 degrees.
 [[nodiscard]] RoadElement draw_element(Random& random);
-/// The same of another kind.
+/// Draws an element of another kind.
 [[nodiscard]] RoadElement draw_other(const RoadElement& element, Random& random);
 
 /// Where the elements begin and end, from the middle of the map upwards; as far as that stays

@@ -19,16 +19,6 @@ OrderedJson point_list(const lane::Polyline& points) {
   return list;
 }
 
-/// Only these letters come into file names.
-std::string file_stem(const SearchRun& run, std::size_t number) {
-  std::string name = run.generator;
-  for (char& c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (!plain && c != '-' && c != '_') c = '_';
-  }
-  return fmt::format("{}-{:02}-{:04}", name, run.repetition, number);
-}
-
 }  // namespace
 
 std::string to_competition_json(const TestRow& row, const lane::Polyline& points, std::size_t id) {
@@ -63,14 +53,15 @@ std::optional<std::string> export_failures(const std::string& folder,
     for (std::size_t i = 0; i < run.tests.size(); ++i) {
       if (!run.tests[i].test.failed) continue;
       const lane::Polyline points = space->road_points(run.tests[i].test.input);
-      const std::string stem = file_stem(run, i);
-      const std::string path = (std::filesystem::path(folder) / stem).string();
+      const std::string path =
+          output_path(folder, fmt::format("{}-{:02}-{:04}", run.generator, run.repetition, i));
+      const std::string stem = std::filesystem::path(path).filename().string();
       const std::pair<std::string, std::string> files[] = {
           {".xodr", to_opendrive(points, stem)},
           {".xosc", to_openscenario(points, stem + ".xodr", drive)},
           {".json", to_competition_json(run.tests[i], points, i)}};
       for (const auto& [ending, text] : files) {
-        if (const auto why = write_file(path + ending, text)) return why;
+        if (const auto why = write_file(path + ending, text, Links::replaced)) return why;
       }
     }
   }

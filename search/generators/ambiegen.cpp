@@ -129,8 +129,8 @@ class AmbieGen : public Generator {
     }
   }
 
-  /// What the simplified car makes of it, and how it differs from the best. Without an input, and
-  /// worth nothing, if it is no valid road.
+  /// The road with the simplified car's result and its difference from the best. Without an input,
+  /// and of no value, if it is not a valid road.
   Road judged(RoadElements elements, std::span<const Road> best, Asking& asking) {
     Road road{std::move(elements), {Form::points, {}}, {{}, values_[kLeastDeviation]}};
     const lane::Polyline points = element_points(road.elements, values_[kMap]);

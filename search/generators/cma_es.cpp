@@ -155,7 +155,7 @@ class CmaEs : public Generator {
     const bool moves = step_path_.norm() / settled < (1.4 + 2 / (n_ + 1)) * c.expected_norm;
     path_ *= 1 - c.c_c;
     if (moves) path_ += std::sqrt(c.c_c * (2 - c.c_c) * c.effective) * shift;
-    // What the path lost by waiting is made up for by keeping more of the covariance.
+    // Keeping more of the covariance makes up for the path's loss by waiting.
     const double lost = moves ? 0 : c.c_1 * c.c_c * (2 - c.c_c);
     covariance_ *= 1 - c.c_1 - c.c_mu + lost;
     covariance_ += c.c_1 * path_ * path_.transpose();

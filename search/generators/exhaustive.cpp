@@ -1,7 +1,7 @@
-// Goes through the whole space of vectors, each point once, so that what it does not find is not
-// there: of dimensions with so many distinct values one of each, of continuous ones a raster. The
-// order is fixed, and spreads over the space from the first test on: a step is the golden section
-// of all points, so that a search that ends early has seen something of everything.
+// Goes through the whole space of vectors, each point once, so that a point that it does not find
+// does not exist: all values of discrete dimensions, a raster of continuous ones. The order is
+// fixed, and spreads over the space from the first test on: a step is the golden section of all
+// points, so that a search that ends early has seen something of every part.
 
 #include <array>
 #include <cmath>

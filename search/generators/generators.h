@@ -1,6 +1,6 @@
 #pragma once
 
-// What each generator's file defines, from the table.
+// Declares the function that each generator's file defines, from the table.
 
 #include "search/generator.h"
 

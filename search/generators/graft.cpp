@@ -50,7 +50,7 @@ struct Stretch {
   double uses = 1;
 };
 
-/// What an invalid candidate costs its stretch, in tests that passed.
+/// The cost of an invalid candidate to its stretch, in tests that passed.
 constexpr double kInvalidCost = 0.02;
 
 /// A test that did not fail: those near to failing are varied until one fails.

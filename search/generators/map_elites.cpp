@@ -30,7 +30,7 @@ constexpr std::array kParameters = {
 
 /// 36 directions of ten degrees, as the competition counts.
 constexpr int kDirections = 36;
-/// What the largest curvature of a road is measured by: the least radius that is valid, in 1/m.
+/// The unit for a road's largest curvature: that of the least valid radius, in 1/m.
 constexpr double kMostCurvature = 0.07;
 
 using Cell = std::pair<int, int>;

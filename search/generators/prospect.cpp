@@ -66,8 +66,8 @@ constexpr double kNearMiss = 0.75;
 constexpr double kFailed = 1.05;
 constexpr int kAttempts = 3;
 constexpr double kElsewhere = 0.5;
-/// What sparseness gains is in these units, and counts up to so many of them: the model is least
-/// sure of the roads that promise most.
+/// The unit of gains in sparseness, and the most units that count: the model is least sure of the
+/// roads that promise most.
 constexpr double kUnlike_m = 10;
 constexpr double kMostUnlike = 3;
 /// A third of the random roads is hardly longer than it must be.
@@ -81,7 +81,7 @@ struct Candidate {
   bool valid = false;
 };
 
-/// What was executed: where it failed or came nearest to it.
+/// An executed test: the place where it failed or came nearest to failing.
 struct Find {
   Site site;
   double severity = 0;
@@ -116,7 +116,7 @@ class Prospect : public Generator {
     if (!test.outcome.executed() || test.input.form != natural) return;
     const Find find{{test.input, worst_place(test)}, severity(test)};
     model_.add(view_.features(find.site), find.severity);
-    // What was expected to fail passed, even if another place was the worst.
+    // The place expected to fail passed, even if another place was the worst.
     if (expected_ && !test.failed && std::abs(expected_->at() - find.site.at()) > 1) {
       model_.add(view_.features(*expected_), find.severity);
     }
@@ -275,7 +275,7 @@ class Prospect : public Generator {
     return core;
   }
 
-  /// What comes before `next`: the parent's last of `have` values, varied, or new ones.
+  /// The values before `next`: the parent's last of `have` values, varied, or new ones.
   Values lead(const Site& parent, int have, double next, double most) {
     int count = random_.between(0, static_cast<int>(values_[kMostLead]));
     Values values;

@@ -197,7 +197,7 @@ class Rilast : public Generator {
         for (std::size_t i = 0; i < count; ++i) {
           some.col(static_cast<Eigen::Index>(i)) = all.col(order[from + i]);
         }
-        // What it returns is the loss, of which nothing depends.
+        // The returned loss is not needed.
         (void)coder_->train(some, random_);
       }
     }

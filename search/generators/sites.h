@@ -26,8 +26,8 @@ class SiteView {
  public:
   explicit SiteView(const SearchSpace& space) : space_(space), sequences_(space.sequences()) {}
 
-  /// Of a sequence: the values from eight before the place to one after it, 0 where there are none,
-  /// how far the end is and how far the beginning. Of a vector: its values.
+  /// For a sequence: the values from eight before the place to one after it, 0 where there are
+  /// none, and the distances to its end and to its beginning. For a vector: its values.
   [[nodiscard]] std::vector<double> features(const Site& site) const;
   /// Of these features: what lies farther back matters less.
   [[nodiscard]] std::vector<learn::FeatureLength> lengths() const;

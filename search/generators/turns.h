@@ -26,8 +26,8 @@ class KnownTurns {
  public:
   void add(const Turns& turns);
   /// By how much such a failure raises the sum over all failures of the distance to the most
-  /// different one, less the mean of that: so many times the number of failures does sparseness
-  /// grow. Estimated from some of them; 0 if none is known.
+  /// different one, less its mean: this times the number of failures is the growth of sparseness.
+  /// Estimated from some of them; 0 if none is known.
   [[nodiscard]] double gain(const Turns& turns) const;
 
  private:

@@ -54,7 +54,7 @@ class TestMaker {
   Vector shift_gradient_;
   Vector running_mean_;
   Vector running_variance_;
-  // Of the last forward pass.
+  // Values of the last forward pass.
   Matrix normalised_;
   Vector inverse_deviation_;
   Matrix output_;

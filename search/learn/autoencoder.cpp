@@ -59,7 +59,7 @@ float Autoencoder::add_loss_gradient(const Matrix& samples, const Matrix& noise)
   const Matrix d3 = through(decoder2_.input_gradient(d4), h3);
   decoder1_.accumulate(d3, latent);
   const Matrix d_latent = decoder1_.input_gradient(d3);
-  // Of the divergence: -1/2 sum(1 + v - m² - exp v) / count.
+  // Gradients of the divergence -1/2 sum(1 + v - m² - exp v) / count.
   const Matrix d_mean = d_latent + mean / count;
   const Matrix d_log_variance = 0.5F * d_latent.array() * noise.array() * deviation.array() +
                                 0.5F / count * (log_variance.array().exp() - 1);

@@ -20,7 +20,7 @@ class Autoencoder {
 
   /// One step on a column for each sample, from -1 to 1; returns the loss before it.
   float train(const Matrix& samples, Random& random);
-  /// What it makes of latent variables, a column for each.
+  /// The decoded samples, a column for each column of latent variables.
   [[nodiscard]] Matrix decode(const Matrix& latent) const;
   /// The means of the latent variables of samples.
   [[nodiscard]] Matrix encode(const Matrix& samples) const;

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What is assumed of a place like none that is known: it passes.
+/// The severity assumed of a place unlike all known ones: it passes.
 constexpr double kPriorSeverity = 0.6;
 /// Observations between two adaptations, and how many of the newest they look at.
 constexpr Index kAdaptEvery = 20;
@@ -160,7 +160,7 @@ Eigen::ArrayXd SeverityModel::failure_probability(const Places& places) const {
   }
   Eigen::ArrayXd probability(places.cols());
   for (Index i = 0; i < places.cols(); ++i) {
-    // Of an observation there, its noise included; a test fails at a severity of 1.
+    // The variance of an observation there, noise included; a test fails at a severity of 1.
     const double variance = variance_ * (scale_.noise + std::max(0.0, unexplained(i)));
     probability(i) = normal_cdf((mean(i) - 1) / std::sqrt(variance));
   }

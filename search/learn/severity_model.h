@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests executed so far say about one that was not: a Gaussian process over the features
-// of the places where tests failed or came nearest to it (Rasmussen and Williams 2006, "Gaussian
+// Predicts the severity of a test from the executed ones: a Gaussian process over the features of
+// the places where tests failed or came nearest to failing (Rasmussen and Williams 2006, "Gaussian
 // processes for machine learning", algorithm 2.1), with a squared-exponential kernel whose length
 // differs from feature to feature.
 
@@ -33,7 +33,7 @@ class SeverityModel {
   [[nodiscard]] Eigen::ArrayXd failure_probability(const Places& places) const;
 
  private:
-  /// What is adapted.
+  /// The adapted parameters.
   struct Scale {
     double unit = 0.8;
     double growth = 0.25;
@@ -41,7 +41,7 @@ class SeverityModel {
   };
 
   [[nodiscard]] Eigen::ArrayXd inverse_lengths(const Scale& scale) const;
-  /// Of the last `count` observations.
+  /// The log evidence of the last `count` observations.
   [[nodiscard]] double log_evidence(const Scale& scale, Eigen::Index count) const;
   void adapt();
   void forget();

@@ -75,8 +75,9 @@ std::string clusters_html(const GeneratorResults& generator, const SutModel& mod
   RoadPictures roads(model, number);
   for (std::size_t i = 0; i < groups.size() && !roads.full(); ++i) {
     const Failure& founder = failures[groups[i].front()];
-    roads.add(founder.row(), fmt::format("{} tests; repetition {}, test {}", groups[i].size(),
-                                         founder.run->repetition, founder.number));
+    roads.add(founder.row(),
+              fmt::format("{}; repetition {}, test {}", reporting::plural(groups[i].size(), "test"),
+                          founder.run->repetition, founder.number));
   }
   return html + roads.html();
 }

@@ -8,9 +8,10 @@
 
 namespace jaywalk::search {
 
-/// Of all repetitions; `number`: the generator's number, which gives the colour. Tests on roads are
-/// the same if the stretches on which they failed are within a metre of each other
-/// (failing_stretch.h), others if their signatures are nearer than half the median distance.
+/// The clusters of failures in all repetitions; `number` is the generator's, which gives the
+/// colour. Tests on roads are the same if the stretches on which they failed are within a metre of
+/// each other (failing_stretch.h), others if their signatures are nearer than half the median
+/// distance.
 [[nodiscard]] std::string clusters_html(const GeneratorResults& generator, const SutModel& model,
                                         std::size_t number);
 

@@ -144,7 +144,7 @@ std::string fitness(const Generators& generators) {
          reporting::gallery(reporting::figure("mean fitness", reporting::curves(axes, series)));
 }
 
-/// What is said of one generator: hidden where the legend's switch is off.
+/// One generator's part of the page: hidden where the legend's switch is off.
 std::string of_generator(const GeneratorResults& generator, std::size_t number,
                          const std::string& html) {
   return fmt::format("<div data-series=\"{}\">\n<h3 {}>{}</h3>\n{}</div>\n", number,

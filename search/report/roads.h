@@ -1,6 +1,6 @@
 #pragma once
 
-// Roads as small pictures side by side, in their generator's colour, with a bar of so many metres.
+// Roads as small pictures side by side, in their generator's colour, with a scale bar in metres.
 
 #include <string>
 #include <string_view>

@@ -9,7 +9,7 @@
 namespace jaywalk::search {
 namespace {
 
-using reporting::grouped;
+using reporting::plural;
 using reporting::term;
 
 std::string sut_terms(const SutModel& model) {
@@ -41,9 +41,9 @@ std::string budget_text(const Budget& budget) {
                     "of overhead and what generating it costs",
                     budget.virtual_s, budget.overhead_s));
   }
-  if (budget.tests > 0) parts.push_back(fmt::format("{} tests", grouped(budget.tests)));
+  if (budget.tests > 0) parts.push_back(plural(budget.tests, "test"));
   if (budget.failures > 0) {
-    parts.push_back(fmt::format("{} failing tests", grouped(budget.failures)));
+    parts.push_back(plural(budget.failures, "failing test"));
   }
   return fmt::format("{} for each search", fmt::join(parts, ", or "));
 }
@@ -57,12 +57,11 @@ std::string fitness_text(const SearchExperiment& experiment) {
 }
 
 std::string command(const SearchExperiment& experiment) {
-  std::string text = "jaywalk search " + reporting::shell_quoted(experiment.name);
+  std::string text = "jaywalk search " + shell_quoted(experiment.name);
   const SearchOptions& options = experiment.options;
-  for (const std::string& set : options.sets) text += " --set " + reporting::shell_quoted(set);
+  for (const std::string& set : options.sets) text += " --set " + shell_quoted(set);
   if (!options.generators.empty()) {
-    text += " --generators " +
-            reporting::shell_quoted(fmt::format("{}", fmt::join(options.generators, ",")));
+    text += " --generators " + shell_quoted(fmt::format("{}", fmt::join(options.generators, ",")));
   }
   return text + fmt::format(" --repetitions {} --seed {}", experiment.plan.repetitions,
                             experiment.plan.seed);

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "experiment/judge/csv_line.h"
+
 namespace jaywalk::search {
 namespace {
 
@@ -128,7 +130,7 @@ std::string to_csv(const std::vector<GeneratorResults>& generators) {
   for (const GeneratorResults& generator : generators) {
     for (std::size_t i = 0; i < generator.runs.size(); ++i) {
       const SearchRun& run = *generator.runs[i];
-      text += fmt::format("{},{},{}", generator.name, run.repetition, run.seed);
+      text += fmt::format("{},{},{}", csv_quoted(generator.name), run.repetition, run.seed);
       for (const SummaryColumn& column : summary_columns()) {
         const double value = generator.summaries[i].*column.value;
         text += std::isnan(value) ? "," : fmt::format(",{:.6g}", value);

@@ -24,7 +24,7 @@ struct GeneratorResults {
 [[nodiscard]] std::vector<GeneratorResults> group(const SearchExperiment& experiment,
                                                   const SearchResults& results);
 
-/// What a table says of generators, and what its cells are: mean and standard deviation.
+/// A row of a table of generators; its cells are mean and standard deviation.
 struct ResultRow {
   std::string_view title;
   /// In the order of the generators; `-` for one without a complete search.

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <mutex>
 
@@ -11,8 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/results/store/database.h"
+#include "experiment/results/store/geometry.h"
+#include "experiment/results/store/geopackage.h"
+#include "experiment/results/store/new_file.h"
 #include "experiment/results/store/store_file.h"
-#include "experiment/results/store/store_tables.h"
 #include "experiment/results/store/stored_inputs.h"
 
 namespace jaywalk::search {
@@ -20,31 +21,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The format's application id, "GPKG", and version (OGC 12-128r17, requirement 2), and the tables
-/// that every GeoPackage has. Coordinates are metres of no place on earth: srs -1.
-constexpr std::string_view kGeoPackage = R"(
-PRAGMA application_id = 0x47504B47;
-PRAGMA user_version = 10300;
-CREATE TABLE gpkg_spatial_ref_sys (
-  srs_name TEXT NOT NULL, srs_id INTEGER PRIMARY KEY, organization TEXT NOT NULL,
-  organization_coordsys_id INTEGER NOT NULL, definition TEXT NOT NULL, description TEXT);
-INSERT INTO gpkg_spatial_ref_sys VALUES
-  ('Undefined Cartesian', -1, 'NONE', -1, 'undefined', 'metres'),
-  ('Undefined geographic', 0, 'NONE', 0, 'undefined', NULL),
-  ('WGS 84', 4326, 'EPSG', 4326,
-   'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
-   || 'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]', NULL);
-CREATE TABLE gpkg_contents (
-  table_name TEXT NOT NULL PRIMARY KEY, data_type TEXT NOT NULL, identifier TEXT UNIQUE,
-  description TEXT DEFAULT '',
-  last_change DATETIME NOT NULL DEFAULT (strftime('%Y-%m-%dT%H:%M:%fZ', 'now')),
-  min_x DOUBLE, min_y DOUBLE, max_x DOUBLE, max_y DOUBLE,
-  srs_id INTEGER REFERENCES gpkg_spatial_ref_sys(srs_id));
-CREATE TABLE gpkg_geometry_columns (
-  table_name TEXT NOT NULL, column_name TEXT NOT NULL, geometry_type_name TEXT NOT NULL,
-  srs_id INTEGER NOT NULL, z TINYINT NOT NULL, m TINYINT NOT NULL,
-  PRIMARY KEY (table_name, column_name), UNIQUE (table_name));
-)";
+/// Changes with the tables. A store of another version is refused.
+constexpr std::int64_t kVersion = 1;
 
 constexpr std::string_view kTables = R"(
 CREATE TABLE search_experiment (
@@ -60,30 +38,25 @@ CREATE TABLE search_tests (
   simulated_s DOUBLE NOT NULL, measures TEXT NOT NULL, signature TEXT NOT NULL, fitness DOUBLE NOT NULL,
   failed INTEGER NOT NULL, candidates INTEGER NOT NULL, invalid INTEGER NOT NULL,
   generation_s DOUBLE NOT NULL, execution_s DOUBLE NOT NULL, UNIQUE (run, number));
-INSERT INTO gpkg_contents (table_name, data_type, identifier, description, srs_id) VALUES
-  ('search_experiment', 'attributes', 'search_experiment', 'what was searched', NULL),
-  ('inputs', 'attributes', 'inputs', 'every file that the tests were made from', NULL),
-  ('search_runs', 'attributes', 'search_runs', 'one generator, one repetition', NULL),
-  ('search_tests', 'features', 'search_tests', 'executed tests; failing roads as lines', -1);
-INSERT INTO gpkg_geometry_columns VALUES ('search_tests', 'geom', 'LINESTRING', -1, 0, 0);
 )";
 
-template <class T>
-void append(std::vector<unsigned char>& bytes, T value) {
-  std::array<unsigned char, sizeof(T)> raw{};
-  std::memcpy(raw.data(), &value, sizeof(T));
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
+constexpr std::array kListed = {
+    ListedTable{"search_experiment", "what was searched"},
+    ListedTable{"search_runs", "one generator, one repetition"},
+    ListedTable{"search_tests", "executed tests; failing roads as lines", "LINESTRING"},
+};
+
+void create_tables(Database& database) {
+  create_geopackage(database, "metres");
+  database.execute(std::string(kTables));
+  list_tables(database, kListed, -1);
 }
 
-/// A GeoPackage line: header without an envelope, little endian, then well-known binary.
-std::vector<unsigned char> line_string(const std::vector<double>& xy) {
-  std::vector<unsigned char> bytes{'G', 'P', 0, 1};
-  append<std::int32_t>(bytes, -1);
-  bytes.push_back(1);
-  append<std::uint32_t>(bytes, 2);
-  append<std::uint32_t>(bytes, static_cast<std::uint32_t>(xy.size() / 2));
-  for (const double value : xy) append(bytes, value);
-  return bytes;
+StoreKind search_store() {
+  return {.name = "store of searches",
+          .table = "search_experiment",
+          .version = kVersion,
+          .create = create_tables};
 }
 
 /// A list of finite numbers; nothing if the text is none.
@@ -100,35 +73,11 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text) {
   return numbers;
 }
 
-void create_tables(Database& database) {
-  database.execute(std::string(kGeoPackage));
-  database.execute(std::string(kTables));
-  database.execute(std::string(kInputsTable));
-}
-
-/// Why the file is no store of searches that can be read.
-std::optional<std::string> objection(const std::string& path) {
-  if (auto why = why_no_store_file(path)) return why;
-  Database database(path, Database::Mode::read);
-  const bool ours =
-      database.number("SELECT 1 FROM sqlite_master WHERE name = 'search_experiment'") == 1;
-  if (database.failure()) return trouble_with(database);
-  if (!ours) return "is no store of searches";
-  auto why = foreign_object(database, create_tables);
-  if (!why) why = table_difference(database, create_tables);
-  if (database.failure()) return trouble_with(database);
-  return why;
-}
-
-Diagnostics wrong(const std::string& path, std::string message, std::string hint = {}) {
-  Diagnostics diagnostics;
-  diagnostics.error(path, std::move(message), std::move(hint));
-  return diagnostics;
-}
+constexpr std::string_view kDamaged = "the store is damaged: it has tests that its plan lacks";
 
 constexpr std::string_view kRows =
     "SELECT run, form, input, error, simulated_s, measures, fitness, failed, candidates, invalid, "
-    "generation_s, execution_s, signature FROM search_tests ORDER BY run, number";
+    "generation_s, execution_s, signature, number FROM search_tests ORDER BY run, number";
 
 /// A test of a search with this SUT; nothing if it cannot be one.
 std::optional<TestRow> read_row(const Statement& rows, const SutModel& model) {
@@ -152,39 +101,72 @@ std::optional<TestRow> read_row(const Statement& rows, const SutModel& model) {
   return row;
 }
 
+/// By search, as TestLog::finished() numbers them.
+using FinishedTests = std::vector<std::vector<TestRow>>;
+
+/// Nothing if a test has another number than it should, or is not of the plan.
+std::optional<FinishedTests> read_finished(Database& database, const SearchPlan& plan) {
+  FinishedTests finished(plan.searches());
+  Statement rows(database, kRows);
+  while (rows.step()) {
+    const auto run = rows.integer<std::size_t>(0);
+    if (run >= finished.size()) return std::nullopt;
+    auto row = read_row(rows, plan.model_of(plan.generators[run / plan.repetitions]));
+    if (!row || rows.integer<std::size_t>(13) != finished[run].size()) return std::nullopt;
+    finished[run].push_back(std::move(*row));
+  }
+  return finished;
+}
+
+/// What keeps the store from being continued by this experiment. Its files may have other names
+/// now: the folder may have been moved.
+std::optional<std::string> mismatch(Database& database, const SearchExperiment& experiment) {
+  const auto origin = database.text("SELECT origin FROM search_experiment");
+  const auto seed = database.text("SELECT seed FROM search_experiment");
+  const auto repetitions = database.number("SELECT repetitions FROM search_experiment");
+  const std::vector<StoredInput> before = read_inputs(database);
+  const std::vector<StoredInput> now = stored_inputs(experiment.inputs);
+  if (origin != experiment.origin || seed != std::to_string(experiment.plan.seed) ||
+      repetitions != std::int64_t{experiment.plan.repetitions} || before.size() != now.size()) {
+    return "the store holds another experiment";
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (before[i].sha256 == now[i].sha256) continue;
+    return fmt::format("the store holds tests that were made from another text of '{}'",
+                       now[i].path);
+  }
+  return std::nullopt;
+}
+
+void write_experiment(Database& database, const SearchExperiment& experiment) {
+  const SearchPlan& plan = experiment.plan;
+  write_versions(database, kVersion, JAYWALK_VERSION);
+  Statement(database, "INSERT INTO search_experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?)")
+      .run(experiment.name, experiment.origin, experiment.sut, experiment.measure,
+           plan.fitness.fails_at, std::to_string(plan.seed), plan.repetitions);
+  write_inputs(database, stored_inputs(experiment.inputs));
+  Statement insert(database, "INSERT INTO search_runs VALUES (?, ?, ?, 0)");
+  std::uint64_t id = 0;
+  for (const GeneratorSpec& generator : plan.generators) {
+    for (std::uint32_t repetition = 0; repetition < plan.repetitions; ++repetition) {
+      insert.run(id++, generator.name, repetition);
+    }
+  }
+}
+
 class Store : public SearchStore {
  public:
-  Store(const std::string& path, const SearchExperiment& experiment, bool exists)
-      : database_(path, exists ? Database::Mode::write : Database::Mode::create),
-        plan_(experiment.plan),
-        finished_(experiment.plan.searches()) {
-    if (!exists) create(experiment);
-  }
-
-  [[nodiscard]] std::optional<std::string> failure() const { return database_.failure(); }
-
-  /// Why the store does not belong to the experiment; empty if it does.
-  std::string read(const SearchExperiment& experiment) {
-    database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-    const auto origin = database_.text("SELECT origin FROM search_experiment");
-    const auto seed = database_.text("SELECT seed FROM search_experiment");
-    if (database_.failure() || !origin || !seed) return "is no store of searches";
-    if (*origin != experiment.origin || *seed != std::to_string(plan_.seed) ||
-        database_.number("SELECT repetitions FROM search_experiment") !=
-            std::int64_t{plan_.repetitions}) {
-      return "holds another experiment";
-    }
-    if (std::string why = changed_input(experiment); !why.empty()) return why;
-    Statement rows(database_, kRows);
-    while (rows.step()) {
-      const auto run = rows.integer<std::size_t>(0);
-      if (run >= finished_.size()) return "is damaged";
-      auto row = read_row(rows, plan_.model_of(plan_.generators[run / plan_.repetitions]));
-      if (!row) return "is damaged";
-      finished_[run].push_back(std::move(*row));
-      ++had_;
-    }
-    return database_.failure().value_or("");
+  Store(std::string path, std::unique_ptr<Database> database, const SearchPlan& plan,
+        FinishedTests finished)
+      : path_(std::move(path)),
+        database_(std::move(database)),
+        plan_(plan),
+        finished_(std::move(finished)),
+        insert_(*database_,
+                "INSERT INTO search_tests (geom, run, number, form, input, error, simulated_s, "
+                "measures, fitness, failed, candidates, invalid, generation_s, execution_s, "
+                "signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)") {
+    for (const std::vector<TestRow>& tests : finished_) had_ += tests.size();
   }
 
   [[nodiscard]] const std::vector<TestRow>& finished(std::size_t search) const override {
@@ -192,79 +174,41 @@ class Store : public SearchStore {
   }
   [[nodiscard]] std::size_t had() const override { return had_; }
 
-  std::string add(std::size_t search, std::size_t number, const TestRow& row) override {
+  Continue add(std::size_t search, std::size_t number, const TestRow& row) override {
     const std::scoped_lock lock(mutex_);
-    if (!insert_) {
-      insert_ = std::make_unique<Statement>(
-          database_,
-          "INSERT INTO search_tests (geom, run, number, form, input, error, simulated_s, measures, "
-          "fitness, failed, candidates, invalid, generation_s, execution_s, signature) "
-          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    }
     const ExecutedTest& test = row.test;
     std::vector<unsigned char> line;
     std::optional<Blob> geometry;
     if (test.failed) {
       const SutModel& model = plan_.model_of(plan_.generators[search / plan_.repetitions]);
       const TestInput points = model.space().as_points(test.input);
-      if (model.road_space() != nullptr) line = line_string(points.values);
+      if (model.road_space() != nullptr) line = line_blob(points.values);
       if (!line.empty()) geometry = Blob{line};
     }
-    insert_->run(geometry, static_cast<std::uint64_t>(search), static_cast<std::uint64_t>(number),
-                 name(test.input.form), Json(test.input.values).dump(), test.outcome.error,
-                 test.outcome.simulated_s, Json(test.outcome.measures).dump(), test.fitness,
-                 test.failed ? 1 : 0, row.candidates, row.invalid, row.generation_s,
-                 row.execution_s, Json(test.outcome.signature).dump());
-    return database_.failure().value_or("");
+    insert_.run(geometry, static_cast<std::uint64_t>(search), static_cast<std::uint64_t>(number),
+                name(test.input.form), Json(test.input.values).dump(), test.outcome.error,
+                test.outcome.simulated_s, Json(test.outcome.measures).dump(), test.fitness,
+                test.failed ? 1 : 0, row.candidates, row.invalid, row.generation_s, row.execution_s,
+                Json(test.outcome.signature).dump());
+    return database_->failure() ? Continue::no : Continue::yes;
   }
 
-  std::string finish(const SearchResults& results) override {
-    insert_.reset();
+  std::optional<std::string> finish(const SearchResults& results) override {
     for (std::size_t i = 0; i < results.runs.size(); ++i) {
-      database_.execute(fmt::format("UPDATE search_runs SET complete = {} WHERE id = {}",
-                                    results.runs[i].complete ? 1 : 0, i));
+      database_->execute(fmt::format("UPDATE search_runs SET complete = {} WHERE id = {}",
+                                     results.runs[i].complete ? 1 : 0, i));
     }
-    database_.execute("PRAGMA journal_mode = DELETE");
-    return database_.failure().value_or("");
+    return finish_log(*database_, path_);
   }
 
  private:
-  /// Files may have other names now: the folder may have been moved.
-  std::string changed_input(const SearchExperiment& experiment) {
-    const std::vector<StoredInput> before = read_inputs(database_);
-    const std::vector<StoredInput> now = stored_inputs(experiment.inputs);
-    if (before.size() != now.size()) return "holds another experiment";
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      if (before[i].sha256 == now[i].sha256) continue;
-      return fmt::format("holds tests that were made from another text of '{}'", now[i].path);
-    }
-    return {};
-  }
-
-  void create(const SearchExperiment& experiment) {
-    database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-    database_.execute("BEGIN");
-    create_tables(database_);
-    Statement(database_, "INSERT INTO search_experiment VALUES (1, ?, ?, ?, ?, ?, ?, ?)")
-        .run(experiment.name, experiment.origin, experiment.sut, experiment.measure,
-             plan_.fitness.fails_at, std::to_string(plan_.seed), plan_.repetitions);
-    write_inputs(database_, stored_inputs(experiment.inputs));
-    Statement insert(database_, "INSERT INTO search_runs VALUES (?, ?, ?, 0)");
-    std::uint64_t id = 0;
-    for (const GeneratorSpec& generator : plan_.generators) {
-      for (std::uint32_t repetition = 0; repetition < plan_.repetitions; ++repetition) {
-        insert.run(id++, generator.name, repetition);
-      }
-    }
-    database_.execute("COMMIT");
-  }
-
-  Database database_;
+  std::string path_;
+  std::unique_ptr<Database> database_;
   const SearchPlan& plan_;
-  std::vector<std::vector<TestRow>> finished_;
+  FinishedTests finished_;
   std::size_t had_ = 0;
-  std::mutex mutex_;
-  std::unique_ptr<Statement> insert_;
+  std::mutex mutex_;  // guards the database
+  Statement insert_;
 };
 
 /// The options that follow the experiment's text (experiment.cpp puts them there).
@@ -290,36 +234,31 @@ SearchOptions options_in(std::string& origin) {
 
 }  // namespace
 
-bool is_search_store(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  Database database(path, Database::Mode::read);
-  return database.number("SELECT 1 FROM sqlite_master WHERE name = 'search_experiment'") == 1;
-}
+bool is_search_store(const std::string& path) { return is_store(path, search_store()); }
 
 Result<StoredSearches> read_search_store(const std::string& path) {
-  if (auto why = objection(path)) return wrong(path, std::move(*why));
-  Database database(path, Database::Mode::read);
+  auto opened = open_to_read(path, search_store(), Scrutiny::header);
+  if (!opened) return std::move(opened.diagnostics());
+  Database& database = *opened.value();
+  const auto damaged = [&] { return store_error(path, std::string(kDamaged)); };
   const auto name = database.text("SELECT name FROM search_experiment");
   auto origin = database.text("SELECT origin FROM search_experiment");
   const auto seed = database.text("SELECT seed FROM search_experiment");
   const auto repetitions = database.number("SELECT repetitions FROM search_experiment");
-  if (database.failure() || !name || !origin || !seed || !repetitions) {
-    return wrong(path, database.failure().value_or("is no store of searches"));
-  }
   const std::vector<StoredInput> inputs = read_inputs(database);
-  if (auto why = database.failure()) return wrong(path, std::move(*why));
-  if (auto why = damage_of(inputs)) return wrong(path, std::move(*why));
+  if (database.failure()) return store_error(path, trouble_with(database));
+  if (!name || !origin || !seed || !repetitions) return damaged();
+  if (auto why = damage_of(inputs)) return store_error(path, std::move(*why));
   SearchOptions options = options_in(*origin);
   options.files = copies_of(inputs);
-  // Whoever made the store chose what the experiment names: nothing of it is run.
+  // The store's author chose the commands that the experiment names: none of them is run.
   options.sut_check = SutCheck::omitted;
   auto experiment = parse_search(std::make_shared<const Source>(*name, *origin), options);
   if (!experiment) return std::move(experiment.diagnostics());
   StoredSearches stored{.experiment = std::move(experiment).value(), .results = {}};
   SearchPlan& plan = stored.experiment.plan;
   plan.seed = std::strtoull(seed->c_str(), nullptr, 10);
-  if (*repetitions < 1 || *repetitions > kMostRepetitions) return wrong(path, "is damaged");
+  if (*repetitions < 1 || *repetitions > kMostRepetitions) return damaged();
   plan.repetitions = static_cast<std::uint32_t>(*repetitions);
   stored.results.complete = true;
   Statement runs(database, "SELECT generator, repetition, complete FROM search_runs ORDER BY id");
@@ -331,40 +270,46 @@ Result<StoredSearches> read_search_store(const std::string& path) {
     const std::size_t place = (stored.results.runs.size() - 1) / plan.repetitions;
     if (place >= plan.generators.size() ||
         plan.generators[place].name != stored.results.runs.back().generator) {
-      return wrong(path, "is damaged");
+      return damaged();
     }
   }
-  Statement rows(database, kRows);
-  while (rows.step()) {
-    const auto run = rows.integer<std::size_t>(0);
-    if (run >= stored.results.runs.size()) return wrong(path, "is damaged");
-    auto row = read_row(rows, plan.model_of(plan.generators[run / plan.repetitions]));
-    if (!row) return wrong(path, "is damaged");
-    stored.results.runs[run].tests.push_back(std::move(*row));
+  auto finished = read_finished(database, plan);
+  if (database.failure()) return store_error(path, trouble_with(database));
+  if (!finished || stored.results.runs.size() != finished->size()) return damaged();
+  for (std::size_t run = 0; run < finished->size(); ++run) {
+    stored.results.runs[run].tests = std::move((*finished)[run]);
   }
-  if (database.failure()) return wrong(path, *database.failure());
   return stored;
 }
 
 Result<std::unique_ptr<SearchStore>> SearchStore::open(const std::string& path, Mode mode,
                                                        const SearchExperiment& experiment) {
   std::error_code error;
-  const bool exists = std::filesystem::exists(path, error);
+  const bool exists = std::filesystem::exists(std::filesystem::symlink_status(path, error));
   if (exists && mode == Mode::create) {
-    return wrong(path, "the file exists", "--resume goes on with it");
+    return store_error(path, "the file exists",
+                       "--resume continues a store; otherwise choose another name");
   }
-  if (exists) {
-    if (auto why = objection(path)) return wrong(path, std::move(*why));
+  if (!exists) {
+    const auto fill = [&](Database& database) {
+      create_tables(database);
+      write_experiment(database, experiment);
+    };
+    if (auto failure = create_store_file(path, fill)) return std::move(*failure);
   }
-  auto store = std::make_unique<Store>(path, experiment, exists);
-  if (const auto why = store->failure()) return wrong(path, *why);
-  if (exists) {
-    if (std::string why = store->read(experiment); !why.empty()) {
-      return wrong(path, std::move(why),
-                   "the experiment, its options and the seed must be the same as before");
-    }
+  auto opened = open_to_write(path, search_store());
+  if (!opened) return std::move(opened.diagnostics());
+  Database& database = *opened.value();
+  if (auto why = mismatch(database, experiment); why && !database.failure()) {
+    return store_error(path, std::move(*why),
+                       "the experiment, its options and the seed must be the same as before");
   }
-  return std::unique_ptr<SearchStore>(std::move(store));
+  auto finished = read_finished(database, experiment.plan);
+  if (!finished) database.fail(std::string(kDamaged));
+  start_log(database);
+  if (database.failure()) return store_error(path, trouble_with(database));
+  return std::unique_ptr<SearchStore>(std::make_unique<Store>(
+      path, std::move(opened).value(), experiment.plan, std::move(*finished)));
 }
 
 }  // namespace jaywalk::search

@@ -6,6 +6,7 @@
 // has the format's reasons. Read search.h before.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "search/search_experiment.h"
@@ -22,14 +23,14 @@ class SearchStore : public TestLog {
   [[nodiscard]] static Result<std::unique_ptr<SearchStore>> open(
       const std::string& path, Mode mode, const SearchExperiment& experiment);
 
-  /// Notes which searches are finished and makes the store one plain file. Why that failed, if it
-  /// did.
-  [[nodiscard]] virtual std::string finish(const SearchResults& results) = 0;
+  /// Notes which searches are finished and makes the store one plain file. Why that failed, or why
+  /// tests could not be kept, if so.
+  [[nodiscard]] virtual std::optional<std::string> finish(const SearchResults& results) = 0;
   /// How many tests it had when it was opened.
   [[nodiscard]] virtual std::size_t had() const = 0;
 };
 
-/// What a store of searches says of itself; `results` has what is finished.
+/// A store's experiment and results; `results` has the finished repetitions.
 struct StoredSearches {
   SearchExperiment experiment;
   SearchResults results;

@@ -45,6 +45,9 @@ class CrossingModel : public SutModel {
             {"dimensions of the search", std::to_string(space_->dimension())}};
   }
   [[nodiscard]] std::vector<SourcePtr> inputs() const override { return settings_.inputs; }
+  [[nodiscard]] const Scenario* scenario() const override {
+    return settings_.parsed_scenario.get();
+  }
   [[nodiscard]] std::vector<std::string> defects() const override { return defects_; }
   [[nodiscard]] std::shared_ptr<const SutModel> with_defect(std::size_t index) const override {
     CrossingSettings settings = settings_;
@@ -212,6 +215,7 @@ class CrossingReader {
     if (settings_.behaviour.empty()) settings_.behaviour = name;
     if (settings_.assertions.empty()) settings_.assertions = scenario.value().assertions;
     settings_.feedback = scenario.value().experiment.feedback;
+    settings_.parsed_scenario = std::make_shared<const Scenario>(scenario.value());
     const CrossingSpec* const crossing = find_crossing(*scenario.value().world);
     if (crossing == nullptr) {
       reader_.error(setup_.node.origin,
@@ -238,7 +242,7 @@ class CrossingReader {
     keep(prepared.ok() ? prepared.value()->inputs() : scenario.sources);
   }
 
-  /// What is the same in all tests.
+  /// The settings common to all tests.
   [[nodiscard]] std::vector<std::string> fixed_settings() const {
     std::vector<std::string> sets;
     for (const CrossingDimension& each : dimensions_) {

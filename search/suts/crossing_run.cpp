@@ -18,7 +18,7 @@ namespace {
 
 /// What stands for a metric or a robustness that does not exist or is infinite.
 constexpr double kNone = 1e6;
-/// A pedestrian's last so many seconds show how a test went.
+/// The number of a pedestrian's last ticks that make a test's signature.
 constexpr std::size_t kSignatureTicks = 8;
 
 double bounded(double value) { return std::clamp(value, -kNone, kNone); }
@@ -56,9 +56,11 @@ std::string first_of(const Diagnostics& diagnostics) {
   return diagnostics.empty() ? "the test cannot be run" : diagnostics.items().front().message;
 }
 
-/// The robustness of what the AV is to blame for: nothing that was unavoidable counts.
+/// How near the AV came to a failure: a test that cannot fail, since no driver could have kept the
+/// requirement, is not near one.
 double margin(const Judgement& judgement) {
-  if (!judgement.robustness || judgement.verdict == Verdict::unavoidable) return kNone;
+  const bool can_fail = judgement.verdict == Verdict::fail || !judgement.excused;
+  if (!judgement.robustness || !can_fail) return kNone;
   return bounded(*judgement.robustness);
 }
 

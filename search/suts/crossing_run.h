@@ -21,6 +21,8 @@ namespace jaywalk::search {
 
 struct CrossingSettings {
   SourcePtr scenario;
+  /// That, with what is the same in all tests.
+  std::shared_ptr<const Scenario> parsed_scenario;
   /// The texts of all files that tests are made from, the scenario's among them; without those of
   /// its programs if no test is run.
   std::vector<SourcePtr> inputs;
@@ -36,7 +38,7 @@ struct CrossingSettings {
   std::vector<std::string> policies;
   /// Where programs are looked for.
   SourceFiles files;
-  /// Of each test, in place of the scenario's: as `--set` has them.
+  /// Each test's limits, which replace the scenario's; in the form of `--set`.
   std::vector<std::string> limits;
   IncludeFolders include;
   /// Those that the AV is searched with, one after another, and the index of the one that it has
@@ -54,7 +56,7 @@ struct CrossingSettings {
 [[nodiscard]] std::optional<std::string> objection_to(const SourcePtr& policy,
                                                       const PreparedScenario& prepared);
 
-/// What a SUT with these settings measures, in the order of its outcomes.
+/// The measures of a SUT with these settings, in the order of its outcomes.
 class CrossingMeasures {
  public:
   explicit CrossingMeasures(const CrossingSettings& settings);
@@ -91,14 +93,14 @@ class CrossingRun : public Sut {
   const CrossingSpace& space_;
   const CrossingSettings& settings_;
   const CrossingMeasures& measures_;
-  // Of the last test: most of the next one differ in what TestSetup says alone.
+  // Kept from the last test: the next one mostly differs in its TestSetup only.
   std::vector<std::string> sets_;
   std::shared_ptr<const PreparedScenario> prepared_;
   std::unique_ptr<TestRunner> runner_;
   Ground ground_;
-  /// Of this search's tests so far.
+  /// The situations covered by this search's tests so far.
   SituationCoverage covered_;
-  /// What the agents of this generation of tests believe of it.
+  /// The agents' beliefs about that coverage in this generation of tests.
   std::vector<CoveredBin> feedback_;
 };
 

@@ -80,7 +80,7 @@ CrossingSpace::CrossingSpace(std::vector<CrossingDimension> dimensions, std::str
 }
 
 std::vector<std::size_t> CrossingSpace::distinct_values() const {
-  // What has no dimension at all is one test.
+  // A space without dimensions is a single test.
   return distinct_.empty() ? std::vector<std::size_t>{1} : distinct_;
 }
 

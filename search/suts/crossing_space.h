@@ -30,10 +30,10 @@ struct CrossingStarts {
   /// How many pedestrians' starts are searched.
   std::uint32_t searched = 0;
   std::vector<int> rows;
-  /// Of each of the rows; none is empty.
+  /// The start cells of each of the rows; none is empty.
   std::vector<std::vector<int>> cells;
   std::vector<std::vector<Position>> given;
-  /// What the pedestrian of each of these does, as `scripted` takes it; none: that is not given.
+  /// The pedestrian's moves for each of these, in the form that `scripted` takes; none: not given.
   std::vector<std::string> moves;
 };
 

@@ -22,7 +22,7 @@ class CrossingStartsReader {
   /// A word, `{rows: [1, 10], cells: [28, 44, 55]}`: some cells, or `{walks: FILE}`.
   void read(const ConfigNode& node, const std::string& path);
 
-  /// Where so many pedestrians may start; nothing after reporting that they cannot start there.
+  /// Where `agents` pedestrians may start; nothing after reporting that they cannot start there.
   [[nodiscard]] std::optional<CrossingStarts> space(const CrossingSpec& crossing,
                                                     std::uint32_t agents) const;
   /// The file of walks; null if there is none.
@@ -40,7 +40,7 @@ class CrossingStartsReader {
   const SutSetup& setup_;
   const ConfigReader& reader_;
   enum class Starts { searched, spawn, chance, given } starts_ = Starts::searched;
-  // Of those that are searched: all, unless given.
+  // The searched rows and cells: all, unless given.
   std::vector<int> rows_;
   std::vector<int> cells_;
   ValueOrigin origin_;

@@ -28,7 +28,7 @@ struct ExternalSettings {
 };
 
 /// How long a program that does not repeat the test's number is watched, after an answer, for lines
-/// that nobody asked for.
+/// without a request.
 constexpr std::chrono::milliseconds kSettling{20};
 
 /// Numbers beyond these are absurd, and sums of them would be infinite. The time: a year.
@@ -51,12 +51,10 @@ class ExternalProgram : public Sut {
         settings_(settings),
         process_({.command = settings.command,
                   .folder = settings.folder,
-                  .errors = LineProcess::Errors::quoted,
                   .key = "test",
                   .settling = kSettling}) {}
 
   Outcome run(const TestInput& input, std::size_t test) override {
-    test_ = test;
     const std::chrono::milliseconds limit(std::lround(1000 * settings_.timeout_s));
     const JsonAnswer answer = process_.ask(request(space_, input), test, limit);
     if (answer.error.empty()) return read(answer.json);
@@ -65,7 +63,7 @@ class ExternalProgram : public Sut {
 
  private:
   Outcome failed(const std::string& what, double seconds = 0) {
-    return {.error = fmt::format("{}, test {}: {}", fmt::join(settings_.command, " "), test_, what),
+    return {.error = fmt::format("{}: {}", fmt::join(settings_.command, " "), what),
             .simulated_s = seconds};
   }
 
@@ -104,7 +102,6 @@ class ExternalProgram : public Sut {
   const RoadSpace& space_;
   const ExternalSettings& settings_;
   NumberedProcess process_;
-  std::size_t test_ = 0;
 };
 
 class External : public SutModel {

@@ -10,7 +10,7 @@ namespace jaywalk::search {
 void read_road_space(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
                      RoadSpaceSettings& space);
 
-/// The same in words.
+/// The road space in words.
 [[nodiscard]] SutSetting road_setting(const RoadSpaceSettings& space);
 
 }  // namespace jaywalk::search

@@ -11,11 +11,11 @@ namespace jaywalk::search {
 /// The measures' names.
 [[nodiscard]] std::vector<std::string> situation_measures();
 
-/// What a test measures of these: the number of the bin that it met, from 1; 0: none.
+/// Appends a test's measures of these: the number of the bin that it met, from 1; 0: none.
 void add_situations(const SituationBins& bins, std::vector<double>& measures);
 
-/// What was measured so; nothing if the SUT does not measure situations. A test without a result
-/// met none.
+/// Reads add_situations' measures back; nothing if the SUT does not measure situations. A test
+/// without a result met none.
 [[nodiscard]] std::optional<SituationBins> situation_bins(const Outcome& outcome,
                                                           std::span<const MeasureKind> measures);
 

@@ -37,7 +37,7 @@ struct SutSetup {
   /// Where the programs of agents are looked for.
   SourceFiles files;
   IncludeFolders include;
-  /// That the AV is to be searched with, one after another.
+  /// The AV's defects to search with, one after another.
   std::span<const VehicleDefect> defects;
   /// No test may be run to see whether it can be.
   bool untried = false;

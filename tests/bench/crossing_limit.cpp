@@ -30,7 +30,7 @@ struct Ending {
   friend bool operator==(const Ending&, const Ending&) = default;
 };
 
-/// What of the world does not change.
+/// The constant parts of the world.
 struct HandWorld {
   explicit HandWorld(const CrossingParameters& parameters)
       : own(parameters),

@@ -53,7 +53,7 @@ void Unify(benchmark::State& state) {
 }
 BENCHMARK(Unify);
 
-// One belief is added to so many others, and removed.
+// One belief is added to many others, and removed.
 void AddAndRemoveBelief(benchmark::State& state) {
   test::Terms terms;
   for (std::int64_t i = 0; i < state.range(0); ++i) {

@@ -48,7 +48,7 @@ Recording recording() {
   return result;
 }
 
-/// CPU seconds for a store of so many tests; 0 after saying why there is none.
+/// CPU seconds for a store of `tests` tests; 0 after saying why there is none.
 double write(const std::string& path, std::uint64_t tests) {
   const ExperimentDescription description{.scenario = "bench.yaml",
                                           .behaviours = {{.name = "bench"}},

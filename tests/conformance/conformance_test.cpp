@@ -49,22 +49,29 @@ std::string end_text(RunEnd end) {
   return "unknown";
 }
 
+/// What programs can include: the test's own files.
+IncludePath includes_of(const ProgramFile& file) {
+  IncludePath includes;
+  includes.given.assign(file.files.begin(), file.files.end());
+  return includes;
+}
+
 /// Files are read from, and written to, the test's own.
 void keep_files_in_memory(ProgramFile& file) {
   file.options.load_program = [&file](const ProgramRequest& request, SymbolTable& symbols,
-                                      std::string& error) -> std::shared_ptr<const Program> {
+                                      LoadProblem& problem) -> std::shared_ptr<const Program> {
     file.files.try_emplace("");  // an agent may be created without a program
     const auto found = file.files.find(request.file);
     if (found == file.files.end()) {
-      error = request.file + ": no such file";
+      problem.text = request.file + ": no such file";
       return nullptr;
     }
     Diagnostics diagnostics;
     const auto source = std::make_shared<const Source>(found->first, found->second);
-    const SourceTree tree = load_agent(source, {}, diagnostics);
+    const SourceTree tree = load_agent(source, includes_of(file), diagnostics);
     auto program =
-        compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_labels = request.included});
-    if (program == nullptr) error = diagnostics.render();
+        compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_names = request.included});
+    if (program == nullptr) problem.text = diagnostics.render();
     return program;
   };
   file.options.why_not_list = [](const std::string&) { return std::string(); };
@@ -90,7 +97,7 @@ TEST_P(Conformance, DoesAsItsCommentsSay) {
       file.on_board
           ? run_agents(file.agents, file.options,
                        [](SymbolTable& symbols) { return std::make_unique<Board>(symbols); })
-          : run_agents(file.agents, file.options);
+          : run_agents(file.agents, file.options, {}, Steps::many, includes_of(file));
   EXPECT_EQ(run.errors, file.errors) << path;
   if (!run.errors.empty()) return;
   auto printed = file.printed;  // agents that are created while it runs among them
@@ -120,7 +127,7 @@ AgentRun run_on_threads(const std::string& path, std::size_t threads,
   if (file.on_board) {
     world = [](SymbolTable& symbols) { return std::make_unique<Board>(symbols); };
   }
-  return run_agents(file.agents, file.options, world);
+  return run_agents(file.agents, file.options, world, Steps::many, includes_of(file));
 }
 
 TEST_P(Conformance, DoesTheSameOnSeveralThreads) {

@@ -12,7 +12,7 @@ namespace jaywalk::test {
 
 struct ProgramFile {
   std::vector<NamedProgram> agents;
-  /// What `.include` and `.create_agent` can read.
+  /// What `include`, `.include` and `.create_agent` can read.
   std::map<std::string, std::string> files;
   /// What each agent is to print.
   std::map<std::string, std::vector<std::string>> printed;

@@ -20,7 +20,7 @@ Recording drive(const PreparedScenario& prepared, const TestSetup& setup) {
   return recording;
 }
 
-/// They touch within so many ticks.
+/// Whether they touch within `ticks` ticks.
 bool collides(const TestView& view, ActorIndex actor, std::size_t ticks) {
   const auto touched = view.values(SignalId::collision, actor);
   const auto within = touched.first(std::min(ticks, touched.size()));
@@ -65,7 +65,7 @@ Counts judge_collisions(const JudgedWorld& world, const std::vector<std::string>
     for (const ActorIndex user : view.road_users()) {
       if (!collides(view, user, view.ticks())) continue;
       const bool avoidable = view.values(SignalId::avoidable, user).front() != 0;
-      // Who drives more slowly may meet somebody else after the judged drive has come to its end.
+      // A slower driver may meet another actor after the judged drive has ended.
       const bool avoided = !collides(competent_view, user, view.careful_drive().size());
       ++(avoidable ? counts.avoidable : counts.unavoidable);
       if (avoidable != avoided) {

@@ -321,7 +321,7 @@ TEST(Exhaustive, GoesThroughTheWholeSpaceOnceAndEnds) {
     for (const double number : {-1.0, 0.0, 1.0}) all.emplace(choice, number);
   }
   EXPECT_EQ(seen, all);
-  // What is skipped counts as a candidate.
+  // Skipped inputs count as candidates.
   std::uint64_t invalid = 0;
   for (const TestRow& row : results.runs[0].tests) invalid += row.invalid;
   EXPECT_GT(invalid, 0U);

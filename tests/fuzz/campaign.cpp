@@ -33,10 +33,10 @@ extern "C" const char* __ubsan_default_options() {
 namespace jaywalk::fuzz {
 namespace {
 
-/// A process makes so many cases, then another one takes its place: memory that libraries keep
-/// does not count as the last case's.
+/// The cases of one process before another one replaces it, so that memory kept by libraries does
+/// not count as the last case's.
 constexpr std::uint64_t kCasesOfProcess = 500;
-/// A campaign that has found so many reproducers has found enough.
+/// The reproducers after which a campaign ends.
 constexpr int kMostFindings = 20;
 /// How many smaller inputs are tried, and the largest file that is made smaller.
 constexpr int kTriesToShrink = 400;
@@ -44,7 +44,7 @@ constexpr std::size_t kLargestToShrink = 1U << 16U;
 /// The exit code of a process whose case ended in a way that run_case() complains about.
 constexpr int kComplaint = 99;
 
-/// What the process that runs cases shares with the one that watches it.
+/// The data shared by the process that runs cases and the one that watches it.
 struct Progress {
   std::uint64_t number = 0;
   std::uint64_t slowest = 0;
@@ -166,7 +166,7 @@ class Campaign {
 
   std::string run_one(const Case& made) {
     if (ftruncate(STDERR_FILENO, 0) != 0) {
-      // What the case before has written stays: no more than a longer report.
+      // The previous case's output stays: it only makes the report longer.
     }
     limit_time();
     return run_case(made, case_folder());
@@ -178,7 +178,7 @@ class Campaign {
     std::_Exit(kComplaint);
   }
 
-  /// What came of `work` in a process of its own: empty if it ended well.
+  /// The problem of `work`, run in a process of its own; empty if it ended well.
   template <class Work>
   std::string watch(const Work& work) {
     std::fflush(stdout);

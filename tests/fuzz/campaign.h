@@ -21,7 +21,7 @@ struct CampaignOptions {
   double seconds = 10;
   /// The number of the first case.
   std::uint64_t first = 0;
-  /// Ends after so many cases; 0: no limit.
+  /// The number of cases; 0: no limit.
   std::uint64_t cases = 0;
   /// Where reproducers are written to.
   std::string findings = "fuzz-findings";

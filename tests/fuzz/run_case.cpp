@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <set>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -88,6 +90,50 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+using Names = std::set<std::string>;
+
+/// The names in a folder that begin in some way.
+Names names_in(const std::filesystem::path& folder, std::string_view begin = {}) {
+  Names names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::string name = entry->path().filename().string();
+    if (name.starts_with(begin)) names.insert(std::move(name));
+  }
+  return names;
+}
+
+/// Around the folder of a case: beside it, and where absolute paths lead.
+class Surroundings {
+ public:
+  explicit Surroundings(const std::string& folder)
+      : beside_(std::filesystem::path(folder).parent_path()), before_(names_in(beside_)) {}
+
+  /// A file that the case has made where it should not; empty if it has made none.
+  [[nodiscard]] std::string stray(const Case& made) const {
+    if (made.outputs.empty()) return {};
+    for (const std::string& name : names_in(beside_)) {
+      if (before_.contains(name)) continue;
+      std::filesystem::remove_all(beside_ / name);  // so that the case does the same again
+      return "../" + name;
+    }
+    for (const std::string& name : names_in(".")) {
+      const auto begins = [&](const std::string& output) { return name.starts_with(output); };
+      if (name == kInput || made.files.contains(name)) continue;
+      if (std::ranges::none_of(made.outputs, begins)) return name;
+    }
+    const std::filesystem::path outside(kOutside);
+    const Names there = names_in(outside.parent_path(), outside.filename().string());
+    for (const std::string& name : there) std::filesystem::remove(outside.parent_path() / name);
+    return there.empty() ? std::string() : (outside.parent_path() / *there.begin()).string();
+  }
+
+ private:
+  std::filesystem::path beside_;
+  Names before_;
+};
+
 }  // namespace
 
 int run_command(std::span<const std::string> words) {
@@ -107,6 +153,7 @@ std::string run_case(const Case& made, const std::string& folder) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directory(folder);
   std::filesystem::current_path(folder);
+  const Surroundings surroundings(folder);
   write_files(made);
   try {
     run_programs(made);
@@ -120,7 +167,8 @@ std::string run_case(const Case& made, const std::string& folder) {
   } catch (const std::exception& error) {
     return std::string("internal error: ") + error.what();
   }
-  return {};
+  const std::string stray = surroundings.stray(made);
+  return stray.empty() ? stray : "exit with a file outside: " + stray;
 }
 
 void write_case(const Case& made, const std::string& folder) {

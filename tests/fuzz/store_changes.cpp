@@ -18,6 +18,8 @@ namespace {
 struct Table {
   std::string name;
   std::vector<std::string> columns;
+  /// Those of its columns that hold texts.
+  std::vector<std::string> texts;
 };
 
 std::string read_bytes(const std::string& path) {
@@ -54,7 +56,9 @@ class Connection {
     for (std::string& name :
          texts("SELECT name FROM sqlite_master WHERE type='table' ORDER BY name")) {
       auto columns = texts("SELECT name FROM pragma_table_info('" + name + "')");
-      tables.push_back({std::move(name), std::move(columns)});
+      auto with_texts =
+          texts("SELECT name FROM pragma_table_info('" + name + "') WHERE type='TEXT'");
+      tables.push_back({std::move(name), std::move(columns), std::move(with_texts)});
     }
     return tables;
   }
@@ -109,6 +113,35 @@ std::string_view odd_value(Choices& choices, std::string& column) {
   return value;
 }
 
+/// A text that would do harm as a part of a path, on a terminal or in a table.
+std::string hostile_text(Choices& choices) {
+  const std::string outside = "'" + std::string(kOutside) + "'";
+  const std::string_view text =
+      choices.one_of({"'..'", "'../x'", "'../../x'", "'../x'||char(0)", "char(0)",
+                      "'x'||char(0)||'/../../y'", "'a/../../x'", "'.'", "'.x'", "''",
+                      "char(27)||'[2J'", "'x'||char(10)||'y'", "'=HYPERLINK(1)'", "'=1,\"2'",
+                      "'-1+1'", "'<x y=\"'", "x'ff'", "outside", "outside||char(0)"});
+  if (!text.starts_with("outside")) return std::string(text);
+  return outside + std::string(text.substr(std::string_view("outside").size()));
+}
+
+/// Some text becomes a hostile one in every column of texts that has it, so that names still agree.
+std::string other_name(Choices& choices, const std::vector<Table>& tables) {
+  const Table& table = tables[choices.below(tables.size())];
+  if (table.texts.empty()) return {};
+  const std::string column = '"' + table.texts[choices.below(table.texts.size())] + '"';
+  std::string sql = "CREATE TEMP TABLE was AS SELECT " + column + " AS text FROM \"" + table.name +
+                    "\" LIMIT 1 OFFSET " + std::to_string(choices.below(4)) + ";\n";
+  const std::string text = hostile_text(choices);
+  for (const Table& each : tables) {
+    for (const std::string& name : each.texts) {
+      sql += "UPDATE \"" + each.name + "\" SET \"" + name + "\"=" + text + " WHERE \"" + name +
+             "\"=(SELECT text FROM was);\n";
+    }
+  }
+  return sql + "DROP TABLE was;\n";
+}
+
 /// An input of the experiment with another text, and its digest with it.
 std::string other_input(Choices& choices, Connection& store) {
   const auto texts = store.texts("SELECT text FROM inputs ORDER BY id");
@@ -129,6 +162,7 @@ std::string statement(Choices& choices, Connection& store, const std::vector<Tab
   std::string column = '"' + table.columns[choices.below(table.columns.size())] + '"';
   const std::string row = " WHERE rowid=(SELECT rowid FROM " + name + " LIMIT 1 OFFSET " +
                           std::to_string(choices.below(4)) + ")";
+  if (choices.once_in(3)) return other_name(choices, tables);
   switch (choices.below(16)) {
     case 0:
       return "DELETE FROM " + name + row + ";\n";

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a target of fuzzing makes: cases, each a function of its number alone. targets.def has a row
+// A fuzzing target makes cases, each a function of its number alone. targets.def has a row
 // for each target; campaign.h runs them.
 
 #include <map>
@@ -24,6 +24,9 @@ struct Case {
   std::vector<std::vector<std::string>> commands;
   /// The commands' standard input.
   std::string input;
+  /// The beginnings of names in the folder under which the commands may write. It does harm if they
+  /// make another file there, or one beside the folder; empty: files are not looked at.
+  std::vector<std::string> outputs = {};
 };
 
 struct Target {

@@ -29,7 +29,7 @@ inline std::vector<std::string> percept_texts(const Percepts& percepts, const Sy
   return texts;
 }
 
-/// What the world says is constant now.
+/// The percepts that the world declares constant now.
 inline std::vector<std::string> constant_texts(const Environment& world,
                                                const SymbolTable& symbols) {
   Percepts constants;
@@ -37,7 +37,7 @@ inline std::vector<std::string> constant_texts(const Environment& world,
   return percept_texts(constants, symbols, constants);
 }
 
-/// What an agent perceives now of the predicates of which the world says that they are constant.
+/// An agent's percepts now of the predicates that the world declares constant.
 inline std::vector<std::string> perceived_constants(const Environment& world, std::size_t agent,
                                                     const SymbolTable& symbols) {
   Percepts constants;

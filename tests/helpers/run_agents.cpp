@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "interpreter/compile/compiler.h"
-#include "interpreter/syntax/load.h"
 
 namespace jaywalk::test {
 namespace {
@@ -26,14 +25,15 @@ std::vector<std::string> AgentRun::printed_by(std::string_view agent) const {
 }
 
 AgentRun run_agents(const std::vector<NamedProgram>& programs, MasOptions options,
-                    const EnvironmentMaker& make_environment, Steps steps) {
+                    const EnvironmentMaker& make_environment, Steps steps,
+                    const IncludePath& includes) {
   AgentRun run;
   const auto symbols = std::make_shared<SymbolTable>();
   std::vector<AgentSpec> agents;
   for (const NamedProgram& program : programs) {
     Diagnostics diagnostics;
     const auto source = std::make_shared<const Source>(program.name + ".asl", program.text);
-    const SourceTree tree = load_agent(source, {}, diagnostics);
+    const SourceTree tree = load_agent(source, includes, diagnostics);
     const auto compiled = compile(tree, *symbols, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.items()) {
       if (diagnostic.severity == Severity::error) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/mas/mas.h"
+#include "interpreter/syntax/load.h"
 
 namespace jaywalk::test {
 
@@ -20,14 +21,14 @@ struct NamedProgram {
 };
 
 struct AgentRun {
-  /// What was printed, as `[agent] text`, and what was logged.
+  /// The printed lines, as `[agent] text`, and the logged ones.
   std::vector<std::string> printed;
   std::vector<std::string> logged;
   RunOutcome outcome;
   /// `line:column: message` of the errors for which a program was refused; then nothing ran.
   std::vector<std::string> errors;
 
-  /// What one agent printed.
+  /// The lines that one agent printed.
   [[nodiscard]] std::vector<std::string> printed_by(std::string_view agent) const;
 };
 
@@ -40,7 +41,7 @@ enum class Steps : std::uint8_t { many, one };
 [[nodiscard]] AgentRun run_agents(const std::vector<NamedProgram>& programs,
                                   MasOptions options = {},
                                   const EnvironmentMaker& make_environment = {},
-                                  Steps steps = Steps::many);
+                                  Steps steps = Steps::many, const IncludePath& includes = {});
 
 /// Runs one agent, called `agent`; what it printed, without its name.
 [[nodiscard]] std::vector<std::string> printed_by(std::string_view program,

@@ -48,7 +48,7 @@ class Terms {
   SymbolTable symbols;
   BeliefBase beliefs{heap, symbols};
   Machine machine;
-  /// What the machine had to complain about.
+  /// The machine's warnings.
   std::vector<std::string> warnings;
 
  private:

@@ -1,4 +1,4 @@
-// Pedestrians who are told an assertion to go for exercise it more than others (F1).
+// Pedestrians directed at an assertion exercise it more than others (F1).
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,8 @@ TEST(SeveralAssertions, AreExercisedMostByThoseWhoAreToldTo) {
   EXPECT_GT(counts("recovery", "recovery").exercised(), 50U);
   EXPECT_LT(counts("collision_avoidance", "recovery").exercised(), 20U);
 
-  // Whoever stands in the AV's way in good time shows that it does not brake when it could.
+  // A pedestrian who stands in the AV's way early enough shows that it does not brake when it
+  // could.
   EXPECT_EQ(counts("avoidability", "avoidability").of(Verdict::unavoidable), 0U);
   EXPECT_GT(counts("avoidability", "avoidability").exercised(), 100U);
 }

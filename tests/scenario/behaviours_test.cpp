@@ -38,7 +38,7 @@ Direction step_between(Position from, Position to) {
   return Direction::forward;
 }
 
-// What the specification says, given the ways in which the agents set out.
+// The path that the specification gives, for the ways in which the agents set out.
 Path expected_path(Behaviour kind, const PreparedScenario& prepared, const Path& observed) {
   SymbolTable symbols;
   const CrossingVocabulary vocabulary(symbols);

@@ -1,5 +1,5 @@
-// What the test bench has beyond the paper's small world (case study, section 7): each scenario
-// that shows something is run, and what it shows has an effect.
+// The test bench beyond the paper's small world (case study, section 7): each scenario that shows a
+// feature is run, and the feature has an effect.
 
 #include <algorithm>
 #include <cmath>

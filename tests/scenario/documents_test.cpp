@@ -1,4 +1,4 @@
-// What is written about worlds and scenarios agrees with what they are.
+// Documents about worlds and scenarios agree with them.
 
 #include <filesystem>
 #include <set>

@@ -43,7 +43,7 @@ inline double accuracy(double probability, std::size_t agents) {
   return 1 - std::pow(1 - probability, static_cast<double>(agents));
 }
 
-/// Half the 99.9 % interval of a proportion estimated from so many tests.
+/// Half the 99.9 % interval of a proportion estimated from `tests` tests.
 inline double tolerance(double accuracy, std::uint64_t tests) {
   constexpr double kDeviations = 3.2905;
   return kDeviations * std::sqrt(accuracy * (1 - accuracy) / static_cast<double>(tests));

@@ -1,4 +1,4 @@
-// Controllers of one's own: what they are told, what becomes of their answers, how long they live.
+// External controllers: their views, the effect of their answers, how long they live.
 
 #include <algorithm>
 #include <cmath>
@@ -248,7 +248,7 @@ TEST_F(ExternalController, CannotAskForMoreThanAVehicleCanDo) {
   const TestRun result = run_test(*prepared, {.agents = 1}, {.record = &recording});
   const double lost_mps = recording.scene(0)[0].speed_mps - recording.scene(1)[0].speed_mps;
   EXPECT_NEAR(lost_mps, 9.80665 * 0.2, 1e-6);
-  EXPECT_THAT(result.note, HasSubstr("asked for -1000 m/s2; a vehicle does -9.807 to 5"));
+  EXPECT_THAT(result.notes.front(), HasSubstr("asked for -1000 m/s2; a vehicle does -9.807 to 5"));
 }
 
 TEST_F(ExternalController, IsNamedByItsScriptWhenItFails) {

@@ -32,8 +32,8 @@ TEST(HandWorked, Proximity) {
   expect(outcome(*prepared, "proximity", 1), 4, 22, 88);
 }
 
-// The same with the radius 17: near in tick 2 already. To (2,21), zone 7 to 12; tick 3: (3,21),
-// zone 13 to 18; tick 4: (4,21), zone 19 to 24, hit. Costs 1 + 5 + 5 + 5.
+// Like the test above with the radius 17: near in tick 2 already. To (2,21), zone 7 to 12; tick 3:
+// (3,21), zone 13 to 18; tick 4: (4,21), zone 19 to 24, hit. Costs 1 + 5 + 5 + 5.
 TEST(HandWorked, ProximityWithAnotherRadius) {
   const auto prepared =
       paper_from({{1, 20}}, {forward("proximity"), "behaviours.proximity.parameters.radius=17"});

@@ -1,4 +1,4 @@
-// Programs of one's own in a scenario: what goes wrong with them is said in the user's words.
+// User-provided programs in a scenario: their errors are reported in the user's words.
 
 #include <filesystem>
 #include <fstream>
@@ -37,7 +37,7 @@ class ProgramsTest : public testing::Test {
     return text;
   }
 
-  /// What the agents print and what is logged in one test.
+  /// Runs one test and collects what agents print and log.
   TestRun run(const PreparedScenario& prepared, std::uint32_t agents) {
     TestOptions options;
     options.print = [&](std::string_view line) { printed_.emplace_back(line); };

@@ -64,7 +64,7 @@ class Pedestrians {
                                  const std::vector<Position>& start, std::uint64_t seed,
                                  std::optional<Direction> way = {});
 
-/// One tick in which everybody steps as said.
+/// One tick in which each agent takes the given step.
 void tick(Crossing& world, const CrossingVocabulary& vocabulary, const std::vector<Step>& steps);
 
 }  // namespace jaywalk::reference

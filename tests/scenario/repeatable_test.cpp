@@ -65,7 +65,7 @@ TEST(TestRuns, GiveTheSameResultsOnSeveralThreads) {
   EXPECT_EQ(again, alone);
 }
 
-// What they were built of has run other tests before, other behaviours, and more agents.
+// Their memory has been used by other tests before, other behaviours, and more agents.
 TEST(TestRuns, GiveTheSameResultsWhereOneRunnerRunsAll) {
   for (const std::string name : {"paper", "traffic", "zebra", "features", "team", "negotiation"}) {
     Result<Scenario> read =

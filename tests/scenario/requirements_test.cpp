@@ -1,4 +1,4 @@
-// What the case study asks of judging and logging (section 7): each is shown by a scenario.
+// The case study's requirements on judging and logging (section 7): a scenario shows each.
 
 #include <cmath>
 

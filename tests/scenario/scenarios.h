@@ -28,7 +28,7 @@ namespace jaywalk::testing_scenario {
 /// scenarios/paper.yaml with settings; a test that asks for more than there is fails.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> paper(const ScenarioOptions& options = {});
 
-/// The same with start cells instead of chance, for test 0.
+/// Like paper(), with start cells instead of chance, for test 0.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> paper_from(
     const std::vector<Position>& start, std::vector<std::string> sets = {});
 
@@ -38,7 +38,7 @@ namespace jaywalk::testing_scenario {
 /// Gives start cells to a scenario of the crossing.
 void start_from(Scenario& scenario, StartCells cells);
 
-/// Keeps what has come of a test of the crossing. `result` must outlive the test.
+/// Keeps the result of a test of the crossing. `result` must outlive the test.
 [[nodiscard]] TestObserver observing(CrossingResult& result);
 
 /// Runs a test that must come to its end.
@@ -49,11 +49,11 @@ struct Seen {
   CrossingResult outcome;
   Recording recording;
 };
-/// The same with any seed, and what could be seen of it.
+/// Runs a test with any seed and returns its observable parts.
 [[nodiscard]] Seen run(const PreparedScenario& prepared, const std::string& name,
                        std::uint32_t agents, std::uint64_t test, std::uint64_t seed = 0);
 
-/// In how many of so many tests a behaviour's pedestrians have led to each verdict.
+/// In how many of `tests` tests a behaviour's pedestrians have led to each verdict.
 [[nodiscard]] VerdictCounts verdicts(const PreparedScenario& prepared, const std::string& name,
                                      std::string_view assertion, std::uint64_t tests,
                                      std::uint32_t agents = 1);

@@ -27,7 +27,7 @@ TEST(Signals, SeeThePreconditionWhenTheWorldDoes) {
       successes += run.outcome.success ? 1 : 0;
       for (ActorIndex user = 1; user <= 4; ++user) {
         const auto inside = view.values(SignalId::in_zone, user);
-        // A test ends when somebody gets into the zone.
+        // A test ends when a pedestrian enters the zone.
         EXPECT_TRUE(std::ranges::all_of(inside.first(last), [](double in) { return in == 0; }));
         const bool hit = std::ranges::count(run.outcome.met_by, user - 1) > 0;
         if (hit) {

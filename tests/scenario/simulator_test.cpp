@@ -93,8 +93,10 @@ TEST(ASimulator, ThatPromisesNoRepeatabilityIsNoted) {
     const auto prepared = testing_scenario::paper({.sets = {simulator_of(constant(promise))}});
     const TestRun result = run_test(*prepared, {.agents = 1});
     ASSERT_EQ(result.message, "");
-    EXPECT_EQ(result.note.find("does not promise the same results") != std::string::npos,
-              !promise.empty());
+    EXPECT_EQ(result.notes.empty(), promise.empty());
+    for (const std::string& note : result.notes) {
+      EXPECT_THAT(note, HasSubstr("does not promise the same results"));
+    }
   }
 }
 

@@ -34,14 +34,14 @@ std::vector<std::string> installed_pedestrians() {
   return names;
 }
 
-/// What is decided anew in every tick by chance, or at a tick of a given number.
+/// Whether a behaviour decides by chance in every tick, or at a tick of a given number.
 bool reckons_in_ticks(const std::string& name) {
   return name == "random_action" || name == "random_behaviour" || name == "scripted" ||
          name.starts_with("learner");
 }
 
-/// What is timed to tenths of a second, as the AV's braking is, comes too late at ticks of a
-/// second.
+/// Whether a behaviour times its steps to tenths of a second, as the AV does its braking: it comes
+/// too late at ticks of a second.
 bool needs_short_ticks(const std::string& name) {
   return name == "crowd" || name == "decoy_and_runner" || name == "hunter";
 }

@@ -81,6 +81,7 @@ ExitCode execute(const Command& command, const Arguments& arguments, const Comma
     console.report(diagnostics);
   } else if (can_write_outputs(arguments, options, console)) {
     code = command.execute(arguments, console);
+    if (!arguments.has(option::kQuiet)) console.tell_written();
   }
   if (!console.finish() && code == ExitCode::success) code = ExitCode::failed;
   return code;
@@ -137,6 +138,13 @@ void reserve_standard_streams() {
   }
 }
 
+/// fmt::print() would throw if standard error is full or closed.
+void report_internal(const std::exception& error) {
+  const std::string text =
+      fmt::format("internal error: {}\n  please report it with the command\n", error.what());
+  std::fputs(text.c_str(), stderr);
+}
+
 }  // namespace
 }  // namespace jaywalk
 
@@ -156,9 +164,9 @@ int main(int argc, char** argv) {
       std::fputs("error: no thread can be started: the system has none left\n", stderr);
       return static_cast<int>(jaywalk::ExitCode::failed);
     }
-    fmt::print(stderr, "internal error: {}\n  please report it with the command\n", error.what());
+    jaywalk::report_internal(error);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "internal error: {}\n  please report it with the command\n", error.what());
+    jaywalk::report_internal(error);
   }
   return static_cast<int>(jaywalk::ExitCode::internal);
 }

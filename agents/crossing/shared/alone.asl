@@ -1,5 +1,5 @@
 // A pedestrian who acts alone: it walks along its pavement until it is time to cross the road. When
-// that is, the program that includes this file says by its rules for time_to_cross.
+// that is, the program that includes this file says by its rules. jaywalk: asks time_to_cross/0
 
 { include("steps.asl") }
 
@@ -7,5 +7,5 @@
 
 +!exercise_av <- !set_out; !walk_until_time; !cross_road.
 
-+!walk_until_time : time_to_cross.  // jaywalk: allow unknown-belief
++!walk_until_time : time_to_cross.
 +!walk_until_time <- !walk; !walk_until_time.

@@ -1,4 +1,5 @@
 // Who is with whom: in the first tick everybody tells the others where it stands.
+// jaywalk: asks av_seen/3, side/1, y/1, !along_to/1, !get/1, !wait/0, !watch/0
 
 +!tell_where_i_stand : id(Me) & side(Side) & y(Y)
   <- .broadcast(tell, stood(Me, Side, Y));

@@ -1,6 +1,6 @@
 // Meetings with the AV: in a row of its way, so many cells ahead of it, walking across, along or
-// standing; which are possible, and how to bring one about. Include shared/steps.asl,
-// shared/prediction.asl and shared/reckoning.asl before.
+// standing; which are possible, and how to bring one about.
+// jaywalk: asks across/2, free/1, rows_to/4, ticks_to_walk/2, way_across/1, !cross/1, !cross_road/0
 
 // Walk, or wait, until crossing leads to the meeting.
 +!meet(Meeting) : slack(Meeting, S) & used_up(S) & Meeting = meeting(Row, _, How) & way_across(Way)
@@ -14,12 +14,13 @@
 +!step(Way)  <- move(Way).
 
 +!cross_to(Row) : at(X, _) & walking_speed(W) & math.abs(X - Row) <= W / 2.
-+!cross_to(Row) : at(X, _) & X < Row <- move(right); !cross_to(Row).
-+!cross_to(Row)                      <- move(left); !cross_to(Row).
++!cross_to(Row) : at(X, _) & X < Row & across(right, Step) <- move(Step); !cross_to(Row).
++!cross_to(Row) : at(X, _) & X > Row & across(left, Step)  <- move(Step); !cross_to(Row).
++!cross_to(_).
 
 +!go_on(across).
-+!go_on(standing) <- stay.
-+!go_on(along)    <- move(forward).
++!go_on(along) : free(forward) <- move(forward).
++!go_on(_)                     <- stay.
 
 // Meetings that can still be brought about.
 possible(meeting(Row, Ahead, How)) :-

@@ -1,4 +1,4 @@
-// How far away the AV is, and whether that is near.
+// How far away the AV is, and whether that is near. jaywalk: asks rows_to/4
 
 radius(15).               // what is near, in cells
 radius_limit(exclusive).  // whether the radius itself is: exclusive, inclusive, inclusive_alone

@@ -1,5 +1,5 @@
 // When a pedestrian who starts to cross the road now would be in the precondition zone, provided
-// that the AV keeps its speed.
+// that the AV keeps its speed. jaywalk: asks rows_to/4
 
 // It is in one of the zone's rows T ticks from now; who is there already will be in the next tick.
 in_zone_rows_in(T) :-

@@ -1,4 +1,4 @@
-// Reckoning in seconds: what holds for ticks and steps of any length. Include steps.asl, too.
+// Reckoning in seconds: what holds for ticks and steps of any length. jaywalk: asks rows_to/4
 
 // Seconds that walking N cells takes; a step that is begun takes its tick.
 seconds_to_walk(N, S) :- ticks_to_walk(N, T) & tick_length(Tick) & S = T * Tick.

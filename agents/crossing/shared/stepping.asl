@@ -25,7 +25,7 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 // The same by the place's name, seen from the side that one came from. On a zebra the AV would wait
 // before it, whatever one does.
 +!set_out_across <- !watch; !turn_round; !step_aside.
-+!step_aside : in_the_way(Y) | off_the_zebra(Y) <- !along_to(Y).
++!step_aside : (y(M) & in_the_way(M, Y)) | off_the_zebra(Y) <- !along_to(Y).
 +!step_aside.
 +!turn_round : side(Side) <- -+home(Side).
 +!to(Name) : home(Side) & place(Name, Side, X)  <- !step_to(X).
@@ -44,9 +44,10 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 -!along(_, _) <- !watch.
 +!along(Way, M) : step(D) & cell_length(C) <- move(Way, math.min(D, M) / C); !watch.
 
-// A parked car between oneself and the AV's path, and where one can pass behind it.
-in_the_way(Y) :-
-  side(Side) & parked(Side, From, To) & y(M) & body(B) & M > From - B & M < To + B & Y = To + B.
+// A parked car between the AV's path and oneself with one's middle at M, and where one can pass
+// behind it.
+in_the_way(M, To + B) :-
+  side(Side) & parked(Side, From, To) & body(B) & M > From - B / 2 & M < To + B / 2.
 
 // Where a zebra ends that one is on.
 off_the_zebra(To + B) :- on_the_zebra(To) & body(B) & time_to_walk(beside, To + B).
@@ -105,8 +106,9 @@ leaves_path(right, S) :-
 +!wait_for_the_brink <- !come_to_the_brink; !wait_for_the_brink.
 
 // The AV comes so far in a tick: a little towards it, and the last moment is that in which a tick begins.
-+!come_to_the_brink : slack(M) & M > 0.02 & free(back) <- !along(back, M).
-+!come_to_the_brink                                    <- !wait.
++!come_to_the_brink : slack(M) & M > 0.02 & free(back) & y(Y) & not in_the_way(Y - M, _)
+  <- !along(back, M).
++!come_to_the_brink <- !wait.
 slack(M) :-
   driver(F, V, _) & cruise(Most) & V > Most - 0.01 & side(Side) & enters_lane(Side, In) &
   way_to_stop(In, Way) & margin(Least) & near(N) & tick_length(L) & Left = N - F - Way - Least &

@@ -37,3 +37,13 @@ at(1.5 - 1 / 6, 30).  // beside the lane, 45.5 m along the road
      !assert_false(on_the_brink);
      !the_av_is_at(36.5, 4, 0);
      !assert_true(on_the_brink).
+
+@[test]
++!it_does_not_move_beside_a_parked_car
+  <- +obstacle(2, 2, 26, 29);
+     !the_av_is_at(15.5, 9, 0);
+     ?slack(M);
+     !assert_true(M > 0.5);
+     !try(wait_for_the_brink);
+     !assert_false(did(along(back)));
+     !assert_true(did(wait)).

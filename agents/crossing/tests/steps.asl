@@ -54,3 +54,21 @@ zone_rows(4, 6).
      !cross_road;
      !assert_true(crossed(right));
      !assert_equals(1, .count(crossed(_))).
+
+@[test]
++!no_way_leads_into_what_blocks_it
+  <- +at(1, 30);
+     +blocked(right);
+     .findall(Way, free(Way), Ways);
+     !assert_equals([left, back, forward], Ways).
+
+@[test]
++!a_step_across_leads_past_what_blocks_it
+  <- +at(1, 30);
+     ?across(right, Straight);
+     !assert_equals(right, Straight);
+     +blocked(right);
+     ?across(right, Along);
+     !assert_equals(forward, Along);
+     +blocked(forward);
+     !assert_false(across(right, _)).

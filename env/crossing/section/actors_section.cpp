@@ -72,8 +72,8 @@ class ActorsReader : CrossingPart {
                                                      {"back", Direction::back},
                                                      {"left", Direction::left},
                                                      {"right", Direction::right}})},
-               {"speed", number(actor.speed, kSpeed)},
-               {"speed_mps", optional_number(mps, kSpeed)},
+               {"speed", speed(actor.speed, kSpeed, "speed_mps")},
+               {"speed_mps", speed(mps, kSpeed, "speed_mps")},
                {"crosswalk", integer(crosswalk, {1, static_cast<std::int64_t>(kMaxItems)})},
                {"parameters", [&](const ConfigNode& value, const std::string&) {
                   read_parameters(value, reader_, program.parameters);

@@ -25,17 +25,11 @@ class AvReader : VehicleSection {
         {"carry_over", choice<bool>(av.carry_over, {{"true", true}, {"false", false}})},
     };
     add_keys(av.vehicle, av.twin, keys);
-    keys.push_back({"speed", [&](const ConfigNode& value, const std::string&) {
-                      if (const auto speed = reader_.number(value, kSpeed)) {
-                        av.speed = *speed;
-                        draft_.speed_mps.reset();
-                      }
+    keys.push_back({"speed", [&](const ConfigNode& value, const std::string& key) {
+                      speed(av.speed, kSpeed, "speed_mps")(value, key);
+                      draft_.speed_mps.reset();
                     }});
-    keys.push_back({"speed_mps", [&](const ConfigNode& value, const std::string&) {
-                      if (const auto speed = reader_.number(value, kSpeed)) {
-                        draft_.speed_mps = *speed;
-                      }
-                    }});
+    keys.push_back({"speed_mps", speed(draft_.speed_mps, kSpeed, "speed_mps")});
     read_keys(node, path, keys);
   }
 

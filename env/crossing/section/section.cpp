@@ -183,8 +183,8 @@ class CrossingReader : CrossingPart {
     read_keys(
         node, path,
         {
-            {"speed", number(pedestrians.speed, kPace)},
-            {"speed_mps", optional_number(draft_.pedestrian_mps, kPace)},
+            {"speed", speed(pedestrians.speed, kPace, "speed_mps")},
+            {"speed_mps", speed(draft_.pedestrian_mps, kPace, "speed_mps")},
             {"sight", number(pedestrians.sight, {0, 1e6})},
             {"features", choice<bool>(pedestrians.features, {{"true", true}, {"false", false}})},
         });
@@ -206,6 +206,11 @@ class CrossingSection final : public WorldSection {
     for (std::size_t i = 0; i < draft_.actor_mps.size(); ++i) {
       if (draft_.actor_mps[i]) world.actors[i].speed = *draft_.actor_mps[i] * mps_to_cells;
     }
+    warn_of_speed(world.av.speed / mps_to_cells,
+                  draft_.speed_mps ? "world.av.speed_mps" : "world.av.speed",
+                  fmt::format("'speed' is in cells of {:g} m and ticks of {:g} s", world.cell_m,
+                              world.tick_s),
+                  context);
     std::vector<ParameterProblem> found = problems(world);
     if (!world.simulator.name.empty()) {
       std::optional<SimulatedSite> site;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What each controller's file defines, from the table.
+// Declares the function that each controller's file defines, from the table.
 
 #include "env/lane/controller.h"
 

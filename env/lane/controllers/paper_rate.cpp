@@ -127,7 +127,7 @@ class PurePursuit : public Controller {
   std::span<const double> values_;
   double speed_limit_;
   Path path_;
-  /// Of the speeds at which curves are to be driven, at each point.
+  /// Square of the speed at which to drive the curve, at each point.
   std::vector<double> squared_speeds_;
   std::size_t near_ = 0;
 };

@@ -25,7 +25,7 @@ class PathFollower {
   };
   static constexpr std::size_t kParameters = kSteeringRate + 1;
 
-  /// What the setup refers to must outlive the follower.
+  /// The objects that the setup refers to must outlive the follower.
   PathFollower(const ControllerSetup& setup, const Polyline& path);
 
   /// The car, or the part of it that is to follow the path, is there now.
@@ -35,7 +35,7 @@ class PathFollower {
   /// The path's point beside it, and its direction there.
   [[nodiscard]] std::size_t near() const { return near_; }
   [[nodiscard]] double heading() const { return path_.heading(near_); }
-  /// How far it is to the left of the path.
+  /// The distance to the path; positive to the left of it.
   [[nodiscard]] double lateral_m() const;
 
   /// Steers as far as the vehicle can, and accelerates as planned.

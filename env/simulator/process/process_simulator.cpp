@@ -99,10 +99,17 @@ class ProcessSimulator final : public Simulator {
     return more;
   }
 
-  [[nodiscard]] std::string note() const override {
-    if (!identity_ || identity_->deterministic) return {};
-    return fmt::format("the simulator '{}' does not promise the same results for the same seed",
-                       identity_->name);
+  [[nodiscard]] std::vector<std::string> take_notes() override {
+    std::vector<std::string> notes;
+    if (identity_ && !identity_->deterministic) {
+      notes.push_back(
+          fmt::format("the simulator '{}' does not promise the same results for the same seed",
+                      identity_->name));
+    }
+    if (std::string errors = process_.take_errors(); !errors.empty()) {
+      notes.push_back(fmt::format("the simulator wrote to standard error:\n{}", errors));
+    }
+    return notes;
   }
 
  private:

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "env/simulator/sumo/sumo_network.h"
+#include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
 namespace {
@@ -17,6 +19,7 @@ constexpr double kBeforeM = 150;
 constexpr double kBeyondM = 600;
 // Lanes within a junction between two edges: more are no way of anybody.
 constexpr int kMostLanesOfAJunction = 20;
+constexpr std::size_t kMostListed = 40;
 
 SumoWay way_of(const SumoLane& lane, const SumoNetworkPlan& plan) {
   return {.edges = lane.edges,
@@ -58,10 +61,53 @@ double length_of(const std::vector<TraciPoint>& line) {
   return length_m;
 }
 
+}  // namespace
+
 /// Follows lanes on a map that a SUMO has loaded.
 class LaneWalker {
  public:
   explicit LaneWalker(SumoProcess& sumo) : sumo_(sumo) {}
+
+  /// The edges of routes that the map does not have.
+  void find_missing(const SumoSettings& settings, std::vector<SettingProblem>& problems) {
+    std::string problem;
+    const std::vector<std::string> edges = edges_of_map(problem);
+    if (!problem.empty()) return problems.push_back({"net", std::move(problem)});
+    const auto look_up = [&](std::string_view key, const std::vector<std::string>& route) {
+      for (const std::string& edge : route) {
+        if (std::ranges::find(edges, edge) != edges.end()) continue;
+        std::string hint = did_you_mean(edge, edges);
+        if (hint.empty()) hint = listed(edges);
+        problems.push_back({std::string(key), fmt::format("the map has no edge '{}'", edge), hint});
+      }
+    };
+    look_up("route", settings.route);
+    for (const SumoFlow& flow : settings.traffic) look_up("traffic", flow.route);
+  }
+
+  /// Where vehicles begin faster than SUMO lets them: it gives up then.
+  void find_too_fast(const SumoSettings& settings, const SumoWay& av_way, double av_mps,
+                     std::vector<SettingProblem>& problems) {
+    const auto compare = [&](std::string_view key, std::string_view who, const std::string& edge,
+                             double wanted_mps, std::string_view hint) {
+      std::string problem;
+      const double allowed_mps = fastest(edge, problem);
+      if (!problem.empty()) return problems.push_back({std::string(key), std::move(problem)});
+      if (wanted_mps <= allowed_mps) return;
+      problems.push_back(
+          {std::string(key),
+           fmt::format("{} begins at {:g} m/s on the edge '{}', which allows {:g} m/s", who,
+                       wanted_mps, edge, allowed_mps),
+           std::string(hint)});
+    };
+    compare("route", "the AV", av_way.edges.front(), av_mps,
+            "lower world.av.speed_mps, or begin on another edge");
+    for (const SumoFlow& flow : settings.traffic) {
+      compare("traffic", "a flow", flow.route.front(), flow.speed_mps,
+              "lower the flow's speed, or begin its route with another edge");
+      if (flow.lane > 0) find_closed_lane(flow, problems);
+    }
+  }
 
   /// The places along lanes that lead from edge to edge. Why there are none.
   std::string walk(const std::vector<std::string>& edges, std::vector<TraciPoint>& line,
@@ -90,8 +136,59 @@ class LaneWalker {
   }
 
  private:
+  void find_closed_lane(const SumoFlow& flow, std::vector<SettingProblem>& problems) {
+    const std::string& edge = flow.route.front();
+    std::string problem;
+    const bool open = has_lane(edge, flow.lane - 1, problem) &&
+                      lets_in("passenger", lane_name(edge, flow.lane - 1), problem);
+    if (!problem.empty()) return problems.push_back({"traffic", std::move(problem)});
+    if (open) return;
+    problems.push_back(
+        {"traffic", fmt::format("cars may not drive in lane {} of the edge '{}'", flow.lane, edge),
+         "lanes are counted from the edge's outer side, pavements with them"});
+  }
+
   static std::string lane_name(const std::string& edge, int lane) {
     return fmt::format("{}_{}", edge, lane);
+  }
+
+  /// In SUMO's order, without those within junctions.
+  std::vector<std::string> edges_of_map(std::string& problem) {
+    TraciMessage message;
+    message.get(TraciCommand::edge_get, TraciVariable::ids, {});
+    const TraciAnswer answer = sumo_.ask(message);
+    problem = answer.error;
+    if (!problem.empty() || answer.objects.empty()) return {};
+    const TraciValue* const found =
+        answer.objects.front().find(TraciVariable::ids, TraciType::texts);
+    if (found == nullptr) return {};
+    std::vector<std::string> edges = found->texts;
+    std::erase_if(edges, [](const std::string& edge) { return edge.starts_with(':'); });
+    return edges;
+  }
+
+  static std::string listed(const std::vector<std::string>& edges) {
+    const std::size_t shown = std::min(edges.size(), kMostListed);
+    return fmt::format(
+        "its edges are {}{}", fmt::join(edges.begin(), edges.begin() + shown, ", "),
+        shown < edges.size() ? fmt::format(" and {} others", edges.size() - shown) : "");
+  }
+
+  /// How fast the fastest lane of an edge lets cars be.
+  double fastest(const std::string& edge, std::string& problem) {
+    double mps = 0;
+    for (int lane = 0; has_lane(edge, lane, problem); ++lane) {
+      if (!lets_in("passenger", lane_name(edge, lane), problem)) continue;
+      TraciMessage message;
+      message.get(TraciCommand::lane_get, TraciVariable::max_speed, lane_name(edge, lane));
+      const TraciAnswer answer = sumo_.ask(message);
+      problem = answer.error;
+      if (!problem.empty() || answer.objects.empty()) return 0;
+      const TraciValue* const found =
+          answer.objects.front().find(TraciVariable::max_speed, TraciType::real);
+      if (found != nullptr) mps = std::max(mps, found->number);
+    }
+    return mps;
   }
 
   bool has_lane(const std::string& edge, int lane, std::string& problem) {
@@ -173,8 +270,6 @@ class LaneWalker {
   SumoProcess& sumo_;
 };
 
-}  // namespace
-
 WayPlace place_on(const SumoWay& way, double position_m) {
   WayPlace place{.edge = 0, .along_m = position_m};
   for (std::size_t i = 1; i < way.begins_m.size(); ++i) {
@@ -241,17 +336,27 @@ std::string SumoMap::prepare_bands(const SimulatedTest& test, bool& changed) {
   return problem;
 }
 
-std::string SumoMap::survey(const SimulatedTest& test, SumoProcess& sumo) {
-  if (settings_.net.empty() || surveyed_) return {};
+std::vector<SettingProblem> SumoMap::survey(const SimulatedTest& test, SumoProcess& sumo) {
+  std::vector<SettingProblem> problems;
+  if (settings_.net.empty() || surveyed_) return problems;
+  LaneWalker walker(sumo);
+  walker.find_missing(settings_, problems);
+  if (!problems.empty()) return problems;
+  if (auto problem = find_way(test, walker)) return {std::move(*problem)};
+  walker.find_too_fast(settings_, av_way_, test.cruise_mps, problems);
+  surveyed_ = problems.empty();
+  return problems;
+}
+
+std::optional<SettingProblem> SumoMap::find_way(const SimulatedTest& test, LaneWalker& walker) {
   std::vector<TraciPoint> line;
   std::vector<WayEdge> ways;
-  LaneWalker walker(sumo);
   std::string problem = walker.walk(settings_.route, line, ways);
   if (problem.empty()) walking_edge_ = walker.walkable(settings_.route, problem);
-  if (!problem.empty()) return problem;
+  if (!problem.empty()) return SettingProblem{"route", std::move(problem)};
   if (walking_edge_.empty()) {
-    return "no edge of the route lets pedestrians onto it (netconvert --sidewalks.guess makes "
-           "some)";
+    return SettingProblem{"net", "no edge of the route lets pedestrians onto it",
+                          "netconvert --sidewalks.guess makes pavements"};
   }
   frame_ = RoadFrame(line, settings_.begin_m, test.av_start.x_m);
   // The edge on which the AV begins.
@@ -264,12 +369,10 @@ std::string SumoMap::survey(const SimulatedTest& test, SumoProcess& sumo) {
   av_way_.zero_m = settings_.begin_m - ways[first].begin_m;
   av_way_.length_m = frame_.length_m();
   const double needed_m = settings_.begin_m + test.road.length_m;
-  if (frame_.length_m() < needed_m) {
-    return fmt::format("the route is {:.1f} m long, the scenario's road ends at {:.1f} m of it",
-                       frame_.length_m(), needed_m);
-  }
-  surveyed_ = true;
-  return {};
+  if (frame_.length_m() >= needed_m) return std::nullopt;
+  return SettingProblem{
+      "route", fmt::format("the route is {:.1f} m long, the scenario's road ends at {:.1f} m of it",
+                           frame_.length_m(), needed_m)};
 }
 
 }  // namespace jaywalk

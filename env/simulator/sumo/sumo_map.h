@@ -3,6 +3,7 @@
 // The ground that SUMO simulates a test on: a network made from the bands, or a given map with the
 // AV's way through it. Says where the world's road lies on it.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct WayPlace {
 /// Of a place so far along a way. Between two edges there is none: it is at the end of the first.
 [[nodiscard]] WayPlace place_on(const SumoWay& way, double position_m);
 
+class LaneWalker;
+
 class SumoMap {
  public:
   /// The scenario's part, which must outlive it.
@@ -49,8 +52,9 @@ class SumoMap {
   /// Makes ready the network of a test. Why that failed, if it did. `changed`: the network is
   /// another one than that of the test before.
   [[nodiscard]] std::string prepare(const SimulatedTest& test, bool& changed);
-  /// Finds the AV's way on a given map, with a SUMO that has loaded it. Why there is none.
-  [[nodiscard]] std::string survey(const SimulatedTest& test, SumoProcess& sumo);
+  /// Finds the AV's way on a given map, with a SUMO that has loaded it. What the scenario asks of
+  /// the map that it does not have; usually nothing.
+  [[nodiscard]] std::vector<SettingProblem> survey(const SimulatedTest& test, SumoProcess& sumo);
 
   [[nodiscard]] std::string path() const;
   [[nodiscard]] const SumoWay& av_way() const { return av_way_; }
@@ -64,6 +68,9 @@ class SumoMap {
 
  private:
   [[nodiscard]] std::string prepare_bands(const SimulatedTest& test, bool& changed);
+  /// The AV's way, once all edges are there.
+  [[nodiscard]] std::optional<SettingProblem> find_way(const SimulatedTest& test,
+                                                       LaneWalker& walker);
 
   const SumoSettings& settings_;
   MemoryFile made_;

@@ -253,7 +253,7 @@ std::string convert_to_sumo_network(const std::string& map, bool left_hand,
   std::vector<std::string> inputs{"--node-files", map, "--edge-files", map};
   std::string_view known;
   if (map.ends_with(".xodr")) {
-    inputs = {"--opendrive-files", map};
+    inputs = {"--opendrive-files", map, "--sidewalks.guess", "true"};
     known = kOpenDriveTypes;
   } else if (map.ends_with(".osm") || map.ends_with(".osm.xml")) {
     inputs = {"--osm-files", map};

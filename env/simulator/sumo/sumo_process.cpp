@@ -1,7 +1,10 @@
 #include "env/simulator/sumo/sumo_process.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
+#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -54,8 +57,26 @@ std::string last_words(const std::string& text) {
   return last.substr(0, kMostWords);
 }
 
-std::string start_of_package(const std::vector<std::string>& command, ChildStreams streams,
+/// Where the data lies of the SUMO that PATH finds: its types of lanes and schemas. Empty: nowhere.
+std::string data_folder() {
+  namespace fs = std::filesystem;
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders{path == nullptr ? "" : path};
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::error_code error;
+    const fs::path program = fs::canonical(fs::path(folder) / "sumo", error);
+    if (error) continue;
+    const fs::path home = program.parent_path().parent_path() / "share" / "sumo";
+    return fs::is_directory(home / "data", error) ? home.string() : "";
+  }
+  return {};
+}
+
+/// Without SUMO_HOME its programs do without their data, or look for it on the web.
+std::string start_of_package(std::vector<std::string> command, ChildStreams streams,
                              GuardedChild& child) {
+  const std::string home = std::getenv("SUMO_HOME") == nullptr ? data_folder() : "";
+  if (!home.empty()) command.insert(command.begin(), {"env", "SUMO_HOME=" + home});
   std::string problem = start_guarded(command, {}, streams, child);
   if (problem.empty()) return {};
   return problem + "; it is part of the Debian package 'sumo' (apt-get install sumo)";

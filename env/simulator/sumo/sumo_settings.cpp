@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -185,13 +186,14 @@ void check_bands(const SumoSettings& settings, const SimulatedSite& site,
     return;
   }
   const std::vector<RoadBand> lanes = lanes_of(site.road);
-  const double middle = (site.av_left_m + site.av_right_m) / 2;
+  const double middle = site.av_start.x_m;
+  const double half = site.av.width_m / 2;
   if (std::ranges::none_of(lanes, [&](const RoadBand& lane) {
         return !lane.oncoming && lane.left_m <= middle && middle <= lane.right_m;
       })) {
     problems.push_back({"av.rows", "SUMO's AV drives in a lane that leads forward", {}, true});
   }
-  std::vector<DrivenStrip> driven{{site.av_left_m, site.av_right_m}};
+  std::vector<DrivenStrip> driven{{middle - half, middle + half}};
   for (const SumoFlow& flow : settings.traffic) check_flow_lane(flow, lanes, driven, problems);
   for (const Rectangle& obstacle : site.road.ground.obstacles) {
     if (std::ranges::none_of(driven, [&](const DrivenStrip& strip) {
@@ -208,6 +210,10 @@ void check_bands(const SumoSettings& settings, const SimulatedSite& site,
 
 void check_site(const SumoSettings& settings, const SimulatedSite& site,
                 std::vector<SettingProblem>& problems) {
+  if (sumo_steps(site.tick_s, settings.step_s) == 0) {
+    problems.push_back(
+        {"tick", "SUMO's steps are whole milliseconds, so a tick has to be", {}, true});
+  }
   if (settings.net.empty()) return check_bands(settings, site, problems);
   if (std::ranges::any_of(site.road.ground.crosswalks,
                           [](const GroundCrosswalk& each) { return !each.zebra; })) {
@@ -218,6 +224,14 @@ void check_site(const SumoSettings& settings, const SimulatedSite& site,
 }
 
 }  // namespace
+
+int sumo_steps(double tick_s, double step_s) {
+  const auto tick_ms = std::lround(tick_s * 1000);
+  if (tick_ms < 1 || std::fabs(tick_s * 1000 - static_cast<double>(tick_ms)) > 1e-6) return 0;
+  int steps = steps_of(tick_s, step_s);
+  while (tick_ms % steps != 0) ++steps;
+  return steps;
+}
 
 std::span<const SettingKey> sumo_keys() { return kSumoKeys; }
 

@@ -50,6 +50,10 @@ struct SumoSettings {
   double begin_m = 0;
 };
 
+/// The steps of a tick: SUMO counts in milliseconds, so as many as wanted or a few more. 0: the
+/// tick is not a whole number of milliseconds.
+[[nodiscard]] int sumo_steps(double tick_s, double step_s);
+
 /// Of parameters without problems.
 [[nodiscard]] SumoSettings sumo_settings(const SimulatorParameters& parameters);
 

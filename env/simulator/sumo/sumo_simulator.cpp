@@ -54,27 +54,19 @@ double to_micrometres(double metres) {
   return std::round(metres * kMicrometres) / kMicrometres + 0.0;
 }
 
-/// The steps of a tick: SUMO counts in milliseconds, so as many as wanted or a few more.
-int sumo_steps(double tick_s, double step_s) {
-  const auto tick_ms = std::lround(tick_s * 1000);
-  if (tick_ms < 1 || std::fabs(tick_s * 1000 - static_cast<double>(tick_ms)) > 1e-6) return 0;
-  int steps = steps_of(tick_s, step_s);
-  while (tick_ms % steps != 0) ++steps;
-  return steps;
-}
-
 class SumoSimulator final : public Simulator {
  public:
   explicit SumoSimulator(const SimulatorParameters& parameters)
       : settings_(sumo_settings(parameters)), map_(settings_) {}
 
   std::string identify(SimulatorIdentity& identity) override;
+  std::vector<SettingProblem> survey(const SimulatedSite& site) override;
   std::string begin(const SimulatedTest& test, SimulatedStart& start) override;
   std::string advance(const SimulatedTick& tick, std::vector<SimulatedScene>& scenes) override;
 
  private:
   [[nodiscard]] std::vector<std::string> options(const SimulatedTest& test) const;
-  [[nodiscard]] std::string make_ready(const SimulatedTest& test);
+  [[nodiscard]] std::vector<SettingProblem> make_ready(const SimulatedTest& test);
   [[nodiscard]] std::string write_routes(const SimulatedTest& test);
   [[nodiscard]] TraciMessage first_message(const SimulatedTest& test) const;
   [[nodiscard]] bool is_hidden(const ActorState& state) const;
@@ -139,19 +131,39 @@ std::string SumoSimulator::write_routes(const SimulatedTest& test) {
 }
 
 /// Has the network made, SUMO started on it and the AV's way found, unless that was done before.
-std::string SumoSimulator::make_ready(const SimulatedTest& test) {
+std::vector<SettingProblem> SumoSimulator::make_ready(const SimulatedTest& test) {
+  const std::string net = settings_.net.empty() ? "" : "net";
   bool changed = false;
   std::string problem = map_.prepare(test, changed);
-  if (!problem.empty()) return problem;
+  if (!problem.empty()) return {{net, std::move(problem)}};
   if (changed) sumo_.end();
   if (sumo_.is_running()) return {};
   // By our process and this object: nobody else has it.
   token_ = routes_.path();
   if (!routes_.write(fmt::format("<routes><vType id=\"{}\"/></routes>\n", token_))) {
-    return "there is no memory for SUMO's routes";
+    return {{net, "there is no memory for SUMO's routes"}};
   }
   problem = sumo_.start(options(test), token_);
-  return problem.empty() ? map_.survey(test, sumo_) : problem;
+  if (!problem.empty()) return {{net, std::move(problem)}};
+  return map_.survey(test, sumo_);
+}
+
+std::vector<SettingProblem> SumoSimulator::survey(const SimulatedSite& site) {
+  // A network that is made from bands is as the scenario wants it.
+  if (settings_.net.empty()) return {};
+  const SimulatedTest test{.test = 0,
+                           .seed = 0,
+                           .behaviour = {},
+                           .agents = 0,
+                           .tick_s = site.tick_s,
+                           .road = site.road,
+                           .av = site.av,
+                           .av_start = site.av_start,
+                           .cruise_mps = site.av_start.speed_mps,
+                           .vehicle = site.vehicle,
+                           .actors = {},
+                           .starts = {}};
+  return make_ready(test);
 }
 
 TraciMessage SumoSimulator::first_message(const SimulatedTest& test) const {
@@ -168,9 +180,8 @@ TraciMessage SumoSimulator::first_message(const SimulatedTest& test) const {
 
 std::string SumoSimulator::begin(const SimulatedTest& test, SimulatedStart& start) {
   steps_ = sumo_steps(test.tick_s, settings_.step_s);
-  if (steps_ == 0) return "SUMO's steps are whole milliseconds, so a tick has to be";
-  std::string problem = make_ready(test);
-  if (problem.empty()) problem = write_routes(test);
+  if (auto problems = make_ready(test); !problems.empty()) return problems.front().message;
+  std::string problem = write_routes(test);
   if (!problem.empty()) return problem;
   actors_.assign(test.actors.begin(), test.actors.end());
   obstacles_ = test.road.ground.obstacles;

@@ -38,6 +38,7 @@ enum class TraciVariable : std::uint8_t {
   ids = 0x00,
   lamps = 0x20,
   speed = 0x40,
+  max_speed = 0x41,
   position = 0x42,
   angle = 0x43,
   shape = 0x4e,

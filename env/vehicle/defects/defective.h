@@ -1,7 +1,7 @@
 #pragma once
 
-// What defects are made of: a controller around another one that changes what that one sees or what
-// becomes of its answers.
+// The base of all defects: a controller around another one that changes what the inner one sees
+// or how its answers are carried out.
 
 #include <cmath>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// What of a view a defect can change.
+/// The parts of a view that a defect can change.
 struct Sensed {
   std::vector<SeenActor> actors;
   std::vector<StopLine> stop_lines;
@@ -37,7 +37,7 @@ class Defective : public VehicleController {
   }
   void begin(const DriveBriefing& briefing) override { inner_->begin(briefing); }
   void end(const DriveEnd& end) override { inner_->end(end); }
-  [[nodiscard]] std::string note() const override { return inner_->note(); }
+  [[nodiscard]] std::vector<std::string> take_notes() override { return inner_->take_notes(); }
   [[nodiscard]] double longest_period_s() const override { return inner_->longest_period_s(); }
   [[nodiscard]] std::string failure() const override { return inner_->failure(); }
 
@@ -78,7 +78,7 @@ std::unique_ptr<VehicleController> unseeing(std::unique_ptr<VehicleController> i
 
 /// Times are sums of periods: what is as long but for rounding is as long.
 inline constexpr double kTimeRoundingS = 1e-9;
-/// Whoever is slower stands.
+/// Slower actors count as standing.
 inline constexpr double kStandingMps = 0.1;
 /// Weaker braking than this is coasting.
 inline constexpr double kCoastingMps2 = 0.1;
@@ -96,7 +96,7 @@ inline constexpr double kCoastingMps2 = 0.1;
 /// How far the vehicle has come since the first view, so that places can be remembered.
 class Odometer {
  public:
-  /// To be called once in every period.
+  /// Call this once in every period.
   double driven_m(const VehicleView& view) {
     if (time_s_) driven_m_ += (speed_mps_ + view.speed_mps) / 2 * (view.time_s - *time_s_);
     time_s_ = view.time_s;

@@ -1,4 +1,4 @@
-// Defects of perception: somebody is not seen, or seen late or elsewhere.
+// Defects of perception: an actor is not seen, or seen late or elsewhere.
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ class FrozenFrames final : public Defective {
   Sensed last_;
 };
 
-/// Whoever was there when the drive began has been tracked before.
+/// Actors present when the drive begins count as tracked.
 class SlowTracking final : public Defective {
  public:
   using Defective::Defective;
@@ -81,7 +81,7 @@ class SlowTracking final : public Defective {
   std::map<std::uint32_t, double> since_s_;
 };
 
-/// The number of somebody is what a controller remembers them by.
+/// A controller remembers an actor by its number.
 class ClassChange final : public Defective {
  public:
   using Defective::Defective;

@@ -1,4 +1,4 @@
-// Defects of prediction: somebody who is seen is expected elsewhere.
+// Defects of prediction: a seen actor is expected elsewhere.
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,7 @@ class StopsAtKerb final : public Defective {
   }
 };
 
-/// Whoever stands in between has not turned back.
+/// An actor that stands in between has not turned back.
 class ForgetsTurners final : public Defective {
  public:
   using Defective::Defective;
@@ -132,7 +132,7 @@ class ForgetsTurners final : public Defective {
   std::map<std::uint32_t, Walk> walks_;
 };
 
-/// Who belongs to whom is decided once; they stay together for as long as both are seen.
+/// Groups are formed once; members stay together for as long as both are seen.
 class GroupAsFirst final : public Defective {
  public:
   using Defective::Defective;
@@ -143,7 +143,7 @@ class GroupAsFirst final : public Defective {
     std::map<std::uint32_t, Member> members;
     for (std::size_t i = 0; i < actors.size(); ++i) {
       for (std::size_t first = 0; first < i; ++first) {
-        // Who follows somebody leads nobody, so that there are no chains.
+        // A follower leads no other actor, so that there are no chains.
         if (members.contains(actors[first].id)) continue;
         const std::optional<Member> member = member_of(actors[first], actors[i]);
         if (!member) continue;

@@ -34,7 +34,8 @@ std::string to_kills_csv(const KillMatrix& matrix) {
       const std::size_t end = std::min(defect.find('='), defect.size());
       const std::string severity = end < defect.size() ? defect.substr(end + 1) : "";
       text += fmt::format("{},{},{},{}{}\n", csv_quoted(row.behaviour), row.agents,
-                          defect.substr(0, end), severity, fields_of(row.cells[i]));
+                          csv_quoted(defect.substr(0, end)), csv_quoted(severity),
+                          fields_of(row.cells[i]));
     }
   }
   return text;

@@ -11,6 +11,7 @@
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/judge/csv_line.h"
 #include "experiment/test_run/tested_vehicles.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -84,13 +85,20 @@ class KillsParser {
     const auto tests = number(fields[kTests], kMaxTests);
     const auto kills = number(fields[kKills], tests.value_or(kMaxTests));
     const auto defect = read_defect_of(fields);
+    const std::string& behaviour = fields[kBehaviour].text;
+    if (!is_identifier(behaviour)) {
+      error(fields[kBehaviour].where,
+            fmt::format("'{}' cannot be the name of a behaviour", behaviour),
+            std::string(kIdentifierHint));
+      return;
+    }
     std::optional<std::uint64_t> median;
     if (!fields[kFirstMedian].text.empty()) {
       median = number(fields[kFirstMedian], tests.value_or(kMaxTests));
       if (!median) return;
     }
     if (!agents || !tests || !kills || !defect) return;
-    KillLine line{.behaviour = fields[kBehaviour].text,
+    KillLine line{.behaviour = behaviour,
                   .agents = static_cast<std::uint32_t>(*agents),
                   .defect = *defect,
                   .tests = *tests,

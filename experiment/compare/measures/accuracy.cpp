@@ -2,7 +2,9 @@
 
 namespace jaywalk::estimates {
 
-Estimate errored(const Summary& results) { return {.value = static_cast<double>(results.errored)}; }
+Estimate errored(const Summary& results) {
+  return {.value = static_cast<double>(results.errored), .is_count = true};
+}
 
 Estimate accuracy(const Summary& results) {
   if (results.judged() == 0) return {};

@@ -14,7 +14,7 @@ Estimate cpu(const Summary& results) { return {.value = mean_estimate(results.cp
 Estimate wall(const Summary& results) { return {.value = mean_estimate(results.wall_us).value}; }
 
 Estimate code_lines(const Summary& results) {
-  return {.value = static_cast<double>(results.code_lines)};
+  return {.value = static_cast<double>(results.code_lines), .is_count = true};
 }
 
 }  // namespace jaywalk::estimates

@@ -15,6 +15,7 @@ struct Estimate {
   std::optional<double> value;
   std::optional<double> low;
   std::optional<double> high;
+  bool is_count = false;  // a whole number of things
 };
 
 struct Measure {

@@ -66,6 +66,10 @@ constexpr std::array<std::string_view, 1> kRepeated = {
 
 }  // namespace
 
+bool is_shown(const PublishedRows& rows, const Measure& measure) {
+  return rows.world || measure.name != "combined_normalised";
+}
+
 bool has_published_figures(std::string_view behaviour) {
   return std::ranges::any_of(
       figures(), [&](const auto& each) { return std::get<1>(each.first) == behaviour; });

@@ -22,6 +22,8 @@ enum class PublishedQuirks { left_out, repeated };
 
 /// Which rows of a comparison the published figures may stand beside.
 struct PublishedRows {
+  /// The world is one that was published, so that the paper's own measures are shown.
+  bool world = false;
   /// Behaviours whose world, program and parameters are those that were published.
   std::vector<std::string> behaviours;
   /// Why those of others are left out, in one line; empty if the paper has none of the others.
@@ -40,6 +42,9 @@ struct PublishedRows {
                                                        const Measure& measure,
                                                        std::string_view behaviour,
                                                        std::uint32_t agents);
+
+/// Whether tables and pictures have the measure: some make sense in the paper's world alone.
+[[nodiscard]] bool is_shown(const PublishedRows& rows, const Measure& measure);
 
 /// Whether the paper has figures for behaviours of that name.
 [[nodiscard]] bool has_published_figures(std::string_view behaviour);

@@ -30,9 +30,11 @@ std::vector<std::string> published_presets() {
   return names;
 }
 
-/// The setting of that preset for behaviours of these names.
+/// The setting of that preset for behaviours of these names, or of any one.
 PublishedSetting setting_of(const Preset& preset, const std::vector<std::string>& behaviours) {
-  const auto text = fmt::format("behaviours: [{}.asl]\n", fmt::join(behaviours, ".asl, "));
+  const auto text =
+      fmt::format("behaviours: [{}.asl]\n",
+                  behaviours.empty() ? "any" : fmt::format("{}", fmt::join(behaviours, ".asl, ")));
   ScenarioOptions options;
   options.preset = preset.name;
   auto scenario = parse_scenario(std::make_shared<const Source>("published", text), options);
@@ -130,8 +132,9 @@ PublishedRows published_rows(const PreparedScenario& prepared) {
   for (const PreparedBehaviour& behaviour : prepared.behaviours()) {
     if (has_published_figures(behaviour.name)) names.push_back(behaviour.name);
   }
-  if (names.empty()) return rows;
   const auto setting = setting_with(*prepared.scenario().world, names);
+  rows.world = setting.has_value();
+  if (names.empty()) return rows;
   rows.left_out = setting ? why_none(prepared.scenario())
                           : fmt::format("the world is not a published one (presets {})",
                                         fmt::join(published_presets(), ", "));

@@ -92,6 +92,8 @@ class Export {
     }
     for (const auto& [stem, batch] : batches_) write_batch(stem, batch, world, plan);
     if (diagnostics_.has_errors()) return diagnostics_;
+    // Otherwise it merges places nearer than 0.1 m and leaves out pauses shorter than a second.
+    exported_.note = "esmini plays them as recorded with --traj_filter 0";
     return exported_;
   }
 

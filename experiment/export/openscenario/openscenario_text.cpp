@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/markup.h"
+
 namespace jaywalk {
 namespace {
 
@@ -74,11 +76,11 @@ std::string_view lights(std::string_view colour) {
 
 std::string ScenarioText::entity(std::size_t actor) const {
   if (actor == 0 && dialect_ == ScenarioDialect::carla) return "hero";
-  return recording_.actors()[actor].name;
+  return escaped_xml(recording_.actors()[actor].name);
 }
 
 std::string ScenarioText::parameter(std::size_t actor, std::string_view what) const {
-  return fmt::format("{}_{}", recording_.actors()[actor].name, what);
+  return fmt::format("{}_{}", escaped_xml(recording_.actors()[actor].name), what);
 }
 
 ScenarioText::Vertex ScenarioText::vertex(std::size_t actor, const Waypoint& point) const {
@@ -282,7 +284,7 @@ std::string ScenarioText::signals(double stop_s) const {
       if (recording_.actors()[*event.actor].name != each.name) continue;
       // What it shows in a tick it shows from the beginning of that tick.
       end_phase((event.tick - 1) * recording_.tick_s());
-      colour = event.text;
+      colour = escaped_xml(event.text);
     }
     end_phase(std::max(stop_s, begin) + recording_.tick_s());
     text += fmt::format(

@@ -18,6 +18,7 @@ class RecordedTrace final : public stl::Trace {
 
   [[nodiscard]] std::size_t ticks() const override { return view_.ticks(); }
   [[nodiscard]] double tick_s() const override { return view_.tick_s(); }
+  [[nodiscard]] double tolerance() const override { return view_.recording().tolerance(); }
   [[nodiscard]] std::span<const std::uint32_t> road_users() const override {
     return view_.road_users();
   }
@@ -88,11 +89,10 @@ Judgement judge_one(const Assertion& assertion, const RecordedTrace& trace, Acto
   if (!precondition.holds) return result;
   const stl::Truth requirement = at_begin(assertion.requirement, trace, self);
   result.robustness = requirement.robustness;
-  result.verdict = requirement.holds ? Verdict::pass : Verdict::fail;
-  if (assertion.unavoidable && at_begin(*assertion.unavoidable, trace, self).holds) {
-    result.verdict = Verdict::unavoidable;
-  }
+  result.excused = assertion.unavoidable && at_begin(*assertion.unavoidable, trace, self).holds;
+  result.verdict = Verdict::pass;
   if (!requirement.holds) {
+    result.verdict = result.excused ? Verdict::unavoidable : Verdict::fail;
     result.tick = static_cast<std::uint32_t>(
         stl::first_violation(assertion.requirement, assertion.requirement.root, trace, self, 0));
   }
@@ -120,6 +120,7 @@ void merge(Judgement& whole, Judgement one) {
   if (one.verdict == Verdict::vacuous) return;
   if (whole.robustness) one.robustness = std::min(*whole.robustness, *one.robustness);
   whole.robustness = one.robustness;
+  whole.excused = whole.excused || one.excused;
   if (gravity(one.verdict) < gravity(whole.verdict)) return;
   if (gravity(one.verdict) > gravity(whole.verdict)) {
     whole.verdict = one.verdict;

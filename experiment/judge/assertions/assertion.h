@@ -40,8 +40,8 @@ struct Assertion {
   [[nodiscard]] bool is_about_one() const;
 };
 
-/// `vacuous`: the precondition was not met. `unavoidable`: it was, but no driver could have kept
-/// the requirement.
+/// `vacuous`: the precondition was not met. `unavoidable`: the requirement was violated, but no
+/// driver could have kept it.
 enum class Verdict : std::uint8_t { vacuous, pass, fail, unavoidable };
 
 inline constexpr std::size_t kVerdictCount = 4;
@@ -55,6 +55,8 @@ struct Judgement {
   /// Of the requirement, the least of those for whom the precondition was met: 0 or less if it is
   /// violated. Empty if the verdict is vacuous.
   std::optional<double> robustness;
+  /// No driver could have kept the requirement (for some road user), whether this AV did or not.
+  bool excused = false;
   /// Of the precondition, the greatest: how near the test came to exercising the assertion.
   double exercised = 0;
   /// The first that violates the requirement; empty unless the verdict is fail or unavoidable.

@@ -17,20 +17,23 @@ double difference(double a, double b) { return a == b ? 0 : a - b; }
 /// No operation leaves a NaN behind: what is undefined is 0.
 double defined(double value) { return std::isnan(value) ? 0 : value; }
 
-Truth compared(NodeKind kind, double a, double b) {
+Truth compared(NodeKind kind, double a, double b, double tolerance) {
+  if (std::abs(difference(a, b)) <= tolerance) b = a;
+  const double more = difference(a, b);
+  const double less = difference(b, a);
   switch (kind) {
     case NodeKind::less:
-      return {difference(b, a), a < b};
+      return {less, less > 0};
     case NodeKind::less_equal:
-      return {difference(b, a), a <= b};
+      return {less, less >= 0};
     case NodeKind::greater:
-      return {difference(a, b), a > b};
+      return {more, more > 0};
     case NodeKind::greater_equal:
-      return {difference(a, b), a >= b};
+      return {more, more >= 0};
     case NodeKind::equal:
-      return {-std::abs(difference(a, b)), a == b};
+      return {-std::abs(more), more == 0};
     case NodeKind::not_equal:
-      return {std::abs(difference(a, b)), a != b};
+      return {std::abs(more), more != 0};
     default:
       std::abort();
   }
@@ -178,7 +181,7 @@ class Evaluator {
     const Numbers right = numbers(node.operands[1]);
     Truths result(left.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
-      result[i] = compared(node.kind, left[i], right[i]);
+      result[i] = compared(node.kind, left[i], right[i], trace_.tolerance());
     }
     return result;
   }

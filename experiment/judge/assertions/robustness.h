@@ -53,6 +53,8 @@ class Trace {
   [[nodiscard]] virtual std::size_t ticks() const = 0;
   /// Seconds from one tick to the next.
   [[nodiscard]] virtual double tick_s() const = 0;
+  /// The sides of a comparison are equal if they differ by no more than this.
+  [[nodiscard]] virtual double tolerance() const { return 0; }
   /// The road users that `forall` and `exists` go through, as numbers for `self` below.
   [[nodiscard]] virtual std::span<const std::uint32_t> road_users() const = 0;
   /// The signal's values, one for each tick; those of a condition are 1 and 0. An infinity stands

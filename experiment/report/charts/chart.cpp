@@ -203,6 +203,11 @@ std::string render_svg(const Comparison& comparison) {
             .measure = find_measure("combined_normalised"),
             .left = kLeft + kPanelDistance},
   };
+  if (!is_shown(comparison.published, *panels[1].measure)) {
+    panels[1].title = "combined";
+    panels[1].explanation = "score × accuracy / 1000";
+    panels[1].measure = find_measure("combined");
+  }
   std::string body;
   std::vector<Series> all;
   for (Panel& panel : panels) {

@@ -4,14 +4,15 @@
 
 #include "experiment/report/player/player.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 
 std::string name_of(const ResultsReader& store, const StoredTest& test) {
   const ExperimentDescription& of = store.description();
   std::string name =
-      fmt::format("{}, {} agent{}, seed {}, test {}", of.behaviours[test.test.behaviour].name,
-                  test.test.agents, test.test.agents == 1 ? "" : "s", of.seed, test.test.number);
+      fmt::format("{}, {}, seed {}, test {}", of.behaviours[test.test.behaviour].name,
+                  counted(test.test.agents, "agent"), of.seed, test.test.number);
   if (of.vehicles.size() > 1) name += fmt::format(", AV {}", of.vehicles[test.test.vehicle]);
   return name;
 }

@@ -1,5 +1,5 @@
-// The paper's figures, each against the number of agents, ours beside the published values, and the
-// same numbers as a table.
+// The measures, each against the number of agents, and the same numbers as a table; in the paper's
+// world beside the published values.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 namespace jaywalk::reporting {
 namespace {
 
-struct PaperFigure {
+struct MeasureFigure {
   std::string_view measure;
   std::string_view title;
   std::string_view explanation;
@@ -27,15 +27,15 @@ struct PaperFigure {
 };
 
 constexpr std::array kFigures = {
-    PaperFigure{"accuracy", "Accuracy, %", "tests that met the precondition; bars: 95 %, Wilson", 1,
-                Scale::linear, 0, 100},
-    PaperFigure{"score", "Score", "of successful tests; bars: 95 %, Student’s t", 2},
-    PaperFigure{"combined_normalised", "combined_normalised",
-                "score × accuracy / 1000, normalised as the paper draws it", 3},
-    PaperFigure{"cpu", "CPU time, µs per test", "spent reasoning; logarithmic", 1,
-                Scale::logarithmic},
-    PaperFigure{"ticks_all", "Time to test, ticks", "mean of all tests; bars: 95 %, Student’s t", 2,
-                Scale::linear, 0},
+    MeasureFigure{"accuracy", "Accuracy, %", "tests that met the precondition; bars: 95 %, Wilson",
+                  1, Scale::linear, 0, 100},
+    MeasureFigure{"score", "Score", "of successful tests; bars: 95 %, Student’s t", 2},
+    MeasureFigure{"combined_normalised", "combined_normalised",
+                  "score × accuracy / 1000, normalised as the paper draws it", 3},
+    MeasureFigure{"cpu", "CPU time, µs per test", "spent reasoning; logarithmic", 1,
+                  Scale::logarithmic},
+    MeasureFigure{"ticks_all", "Time to test, ticks", "mean of all tests; bars: 95 %, Student’s t",
+                  2, Scale::linear, 0},
 };
 
 std::vector<PlotSeries> series_of(const Comparison& comparison, const Measure& measure) {
@@ -72,9 +72,11 @@ std::string numbers(const Comparison& comparison) {
   Table table;
   const bool shown = !comparison.published.behaviours.empty();
   table.column("agents");
-  for (const PaperFigure& figure : kFigures) {
+  for (const MeasureFigure& figure : kFigures) {
+    const Measure& measure = *find_measure(figure.measure);
+    if (!is_shown(comparison.published, measure)) continue;
     table.column(figure.title);
-    if (!find_measure(figure.measure)->low_column.empty()) table.column("95 % interval");
+    if (!measure.low_column.empty()) table.column("95 % interval");
     if (shown) table.column("published");
   }
   for (const std::string& behaviour : behaviours_of(comparison)) {
@@ -83,8 +85,9 @@ std::string numbers(const Comparison& comparison) {
       const Summary* summary = find_summary(comparison, behaviour, agents);
       if (summary == nullptr) continue;
       std::vector<std::string> cells{std::to_string(agents)};
-      for (const PaperFigure& figure : kFigures) {
+      for (const MeasureFigure& figure : kFigures) {
         const Measure& measure = *find_measure(figure.measure);
+        if (!is_shown(comparison.published, measure)) continue;
         const Estimate ours = measure.estimate(*summary);
         cells.push_back(decimal(ours.value, figure.decimals));
         if (!measure.low_column.empty()) cells.push_back(interval(ours, figure.decimals));
@@ -117,8 +120,9 @@ std::string section::figures(const ReportData& data) {
   const Comparison& comparison = data.comparison;
   if (comparison.summaries.empty()) return {};
   std::string figures;
-  for (const PaperFigure& each : kFigures) {
+  for (const MeasureFigure& each : kFigures) {
     const Measure& measure = *find_measure(each.measure);
+    if (!is_shown(comparison.published, measure)) continue;
     const PlotAxes axes{.x_title = "agents",
                         .y_title = std::string(each.title),
                         .scale = each.scale,

@@ -78,7 +78,8 @@ std::string best_table(const Comparison& comparison) {
   table.column("lines of code");
   table.column("best accuracy, %");
   table.column("best score");
-  table.column("best combined_normalised");
+  const bool normalised = is_shown(comparison.published, *find_measure("combined_normalised"));
+  if (normalised) table.column("best combined_normalised");
   table.column("fewest ticks to test");
   table.column("least CPU time, µs");
   for (const std::string& behaviour : behaviours_of(comparison)) {
@@ -86,12 +87,16 @@ std::string best_table(const Comparison& comparison) {
     for (const Summary& summary : comparison.summaries) {
       if (summary.behaviour == behaviour) any = &summary;
     }
-    table.row({escaped(behaviour), std::to_string(any->code_lines),
-               with_agents(best_of(comparison, behaviour, "accuracy", Wanted::most), 1),
-               with_agents(best_of(comparison, behaviour, "score", Wanted::most), 2),
-               with_agents(best_of(comparison, behaviour, "combined_normalised", Wanted::most), 3),
-               with_agents(best_of(comparison, behaviour, "ticks_all", Wanted::least), 2),
-               with_agents(best_of(comparison, behaviour, "cpu", Wanted::least), 1)});
+    std::vector<std::string> cells{escaped(behaviour), std::to_string(any->code_lines)};
+    const auto add = [&](std::string_view measure, Wanted wanted, int decimals) {
+      cells.push_back(with_agents(best_of(comparison, behaviour, measure, wanted), decimals));
+    };
+    add("accuracy", Wanted::most, 1);
+    add("score", Wanted::most, 2);
+    if (normalised) add("combined_normalised", Wanted::most, 3);
+    add("ticks_all", Wanted::least, 2);
+    add("cpu", Wanted::least, 1);
+    table.row(std::move(cells));
   }
   return table.html() +
          "<p class=\"note\">Small print: the number of agents at which it is "

@@ -73,7 +73,7 @@ std::string section::replays(const ReportData& data) {
                                     escaped(data.description.behaviours[link.test.behaviour].name),
                                     plural(link.test.agents, "agent"), link.test.number);
     if (!link.page.empty()) {
-      title = fmt::format("<a href=\"{}\">{}</a>", escaped(link.page), title);
+      title = fmt::format("<a href=\"{}\">{}</a>", escaped_uri(link.page), title);
     }
     std::string picture;
     if (link.recording.scenes() > 0) {

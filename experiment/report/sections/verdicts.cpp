@@ -94,7 +94,7 @@ std::string test_cell(const ReportData& data, const Violation& violation) {
   const ReplayLink* replay = find_replay(data, violation.test);
   if (replay == nullptr || replay->page.empty()) return number;
   const std::string tick = violation.tick ? fmt::format("#tick={}", *violation.tick) : "";
-  return fmt::format("<a href=\"{}{}\">{}</a>", escaped(replay->page), tick, number);
+  return fmt::format("<a href=\"{}{}\">{}</a>", escaped_uri(replay->page), tick, number);
 }
 
 std::string violations(const ReportData& data) {

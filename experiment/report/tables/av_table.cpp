@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 namespace {
 
@@ -44,7 +46,8 @@ std::string render_avs(const AvRanking& ranking) {
   }
   std::uint64_t errored = 0;
   for (const RankedAv& av : ranked(ranking)) errored += av.all.errored;
-  if (errored > 0) text += fmt::format("\n{} tests ended errored and are left out\n", errored);
+  if (errored > 0)
+    text += fmt::format("\nwithout {} that ended errored\n", counted(errored, "test"));
   return text;
 }
 

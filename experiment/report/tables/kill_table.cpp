@@ -7,6 +7,7 @@
 
 #include "experiment/compare/kills/predictors.h"
 #include "experiment/compare/measures/statistics.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -61,9 +62,9 @@ std::string errored_lines(const KillMatrix& matrix) {
   for (const KillRow& row : matrix.rows) {
     if (row.errored() == 0) continue;
     text += fmt::format(
-        "{}: {} tests ended errored, with the healthy AV or the defective one, and "
-        "are left out\n",
-        row_name(row), row.errored());
+        "{}: without {} that ended errored, with the healthy AV or the "
+        "defective one\n",
+        row_name(row), counted(row.errored(), "test"));
   }
   return text.empty() ? text : '\n' + text;
 }
@@ -73,8 +74,8 @@ std::string predictor_lines(const Comparison& comparison) {
   std::uint32_t agents = 0;
   for (const Predictor& each : predictors(comparison)) {
     if (each.agents != agents) {
-      text += fmt::format("{}rank correlation with kill %, {} agent{}:", text.empty() ? "" : "\n",
-                          each.agents, each.agents == 1 ? "" : "s");
+      text += fmt::format("{}rank correlation with kill %, {}:", text.empty() ? "" : "\n",
+                          counted(each.agents, "agent"));
     }
     text += fmt::format("{} {} {:.2f} ({})", each.agents == agents ? "," : "", each.measure->name,
                         each.rank_correlation, each.behaviours);

@@ -30,8 +30,11 @@ std::string estimate_cell(const Estimate& estimate) {
 std::string to_markdown(const Comparison& comparison) {
   std::string heading = "| behaviour | agents | tests | successes |";
   std::string rule = "|---|--:|--:|--:|";
+  const auto has = [&](const Measure& measure) {
+    return !measure.column.empty() && is_shown(comparison.published, measure);
+  };
   for (const Measure& measure : measures()) {
-    if (measure.column.empty()) continue;
+    if (!has(measure)) continue;
     heading += fmt::format(" {} |", measure.column);
     rule += "--:|";
   }
@@ -40,7 +43,7 @@ std::string to_markdown(const Comparison& comparison) {
     text += fmt::format("| {} | {} | {} | {} |", cell_text(summary.behaviour), summary.agents,
                         summary.tests, summary.successes);
     for (const Measure& measure : measures()) {
-      if (!measure.column.empty()) {
+      if (has(measure)) {
         text += fmt::format(" {} |", estimate_cell(measure.estimate(summary)));
       }
     }

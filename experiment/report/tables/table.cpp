@@ -50,10 +50,11 @@ std::string interval_text(const Estimate& estimate, int decimals) {
   return fmt::format("{:.{}f} to {:.{}f}", *estimate.low, decimals, *estimate.high, decimals);
 }
 
-std::string heading(Paper paper, Errored errored) {
+std::string heading(const PublishedRows& published, Paper paper, Errored errored) {
   std::string line = fmt::format("{:>{}}", "agents", kAgentsWidth);
   if (errored == Errored::shown) line += fmt::format("  {:>{}}", "errored", kErroredWidth);
   for (const Column& column : kColumns) {
+    if (!is_shown(published, *find_measure(column.measure))) continue;
     line += fmt::format("  {:>{}}", column.title, column.width);
     if (column.interval == Interval95::shown) {
       line += fmt::format("  {:>{}}", "95 % interval", kIntervalWidth);
@@ -68,6 +69,7 @@ std::string row(const Summary& summary, const PublishedRows& published, Errored 
   if (errored == Errored::shown) line += fmt::format("  {:>{}}", summary.errored, kErroredWidth);
   for (const Column& column : kColumns) {
     const Measure& measure = *find_measure(column.measure);
+    if (!is_shown(published, measure)) continue;
     const Estimate ours = measure.estimate(summary);
     line += fmt::format("  {:>{}}", decimal(ours.value, column.decimals), column.width);
     if (column.interval == Interval95::shown) {
@@ -96,7 +98,7 @@ std::string render_table(const Comparison& comparison) {
       behaviour = &summary.behaviour;
       if (!table.empty()) table += '\n';
       table += fmt::format("{} ({} lines of AgentSpeak)\n", *behaviour, summary.code_lines);
-      table += heading(paper, errored);
+      table += heading(published, paper, errored);
     }
     table += row(summary, published, errored);
   }

@@ -4,23 +4,17 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 namespace {
 
 constexpr std::size_t kMostCausesShown = 5;
 
-std::string counted_agents(std::uint64_t count) {
-  return fmt::format("{} agent{}", count, count == 1 ? "" : "s");
-}
-
-std::string counted_tests(std::uint64_t count) {
-  return fmt::format("{} test{}", count, count == 1 ? "" : "s");
-}
-
 std::string error_lines(const std::vector<SharedError>& errors) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kMostCausesShown, errors.size()); ++i) {
-    text += fmt::format("    {}, the first is {}: {}\n", counted_tests(errors[i].tests),
+    text += fmt::format("    {}, the first is {}: {}\n", counted(errors[i].tests, "test"),
                         errors[i].first_test, errors[i].message);
   }
   if (errors.size() > kMostCausesShown) {
@@ -50,12 +44,11 @@ std::vector<std::string> trouble_sentences(const Troubles& troubles) {
   std::vector<std::string> sentences;
   if (troubles.errored > 0) {
     sentences.push_back(fmt::format("{} ended errored; the measures are of the others",
-                                    counted_tests(troubles.errored)));
+                                    counted(troubles.errored, "test")));
   }
   if (troubles.never_acted()) {
-    sentences.push_back(
-        fmt::format("its agents never acted: no action of {} agent{} was carried out",
-                    troubles.pedestrians, troubles.pedestrians == 1 ? "" : "s"));
+    sentences.push_back(fmt::format("its agents never acted: no action of {} was carried out",
+                                    counted(troubles.pedestrians, "agent")));
   } else if (troubles.idle > 0) {
     sentences.push_back(
         fmt::format("{} of {} agents never acted", troubles.idle, troubles.pedestrians));
@@ -77,7 +70,7 @@ std::string render_troubles(const std::vector<BehaviourTroubles>& behaviours) {
     text += error_lines(troubles.errors);
     for (std::size_t i = 0; i < std::min(kMostCausesShown, troubles.causes.size()); ++i) {
       const auto& [cause, agents] = troubles.causes[i];
-      text += fmt::format("    {}: {}\n", counted_agents(agents), describe(cause));
+      text += fmt::format("    {}: {}\n", counted(agents, "agent"), describe(cause));
       if (cause.goals.find(" > ") != std::string::npos) {
         text += fmt::format("      goals: {}\n", cause.goals);
       }

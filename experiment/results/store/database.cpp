@@ -1,6 +1,5 @@
 #include "experiment/results/store/database.h"
 
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/store/descriptor_vfs.h"
+#include "interpreter/support/markup.h"
 
 namespace jaywalk {
 namespace {
@@ -56,17 +56,8 @@ int flags_of(Database::Mode mode) {
 
 std::string file_uri(const std::string& path, std::string_view query) {
   std::error_code error;
-  std::string uri = "file:";
-  for (const char c : std::filesystem::absolute(path, error).generic_string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    // Everything else is escaped: `?` and `#` would begin another part of the URI.
-    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
-      uri += c;
-    } else {
-      uri += fmt::format("%{:02X}", byte);
-    }
-  }
-  return fmt::format("{}?{}", uri, query);
+  const std::string absolute = std::filesystem::absolute(path, error).generic_string();
+  return fmt::format("file:{}?{}", escaped_uri(absolute), query);
 }
 
 void Database::Close::operator()(sqlite3* connection) const { sqlite3_close(connection); }
@@ -224,6 +215,19 @@ std::string Statement::text(int column) const {
   const void* const bytes = sqlite3_column_blob(statement_.get(), column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   return bytes == nullptr ? std::string() : std::string(static_cast<const char*>(bytes), size);
+}
+
+std::string Statement::identifier(int column) const {
+  std::string name = text(column);
+  if (!is_identifier(name)) damaged(column, fmt::format("'{}', which is no name", name));
+  return name;
+}
+
+std::string Statement::label(int column) const {
+  std::string name = text(column);
+  if (!name.empty() && !is_label(name))
+    damaged(column, fmt::format("'{}', which is no name", name));
+  return name;
 }
 
 void Statement::set(int index, std::int64_t value) {

@@ -108,7 +108,12 @@ class Statement {
   [[nodiscard]] double any_real(int column) const;
   /// A number of things or the index of one: less than 2³¹.
   [[nodiscard]] std::uint32_t count(int column) const;
+  /// Any bytes.
   [[nodiscard]] std::string text(int column) const;
+  /// Names (markup.h); where the column has another text the database fails as damaged.
+  [[nodiscard]] std::string identifier(int column) const;
+  /// Or nothing.
+  [[nodiscard]] std::string label(int column) const;
   template <class T>
   [[nodiscard]] T integer(int column) const {
     const std::int64_t value = number(column);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The tables of a store. A GeoPackage (OGC 12-128, version 1.3) is a SQLite file with some tables
-// that say which others are layers; README.md beside this file describes all of them.
+// The tables of a results store beside those of every store (geopackage.h); README.md of the folder
+// above describes all of them.
 
 #include <array>
 #include <cstdint>
@@ -10,14 +10,12 @@
 
 #include "experiment/results/store/database.h"
 #include "experiment/results/store/placement.h"
+#include "experiment/results/store/store_tables.h"
 
 namespace jaywalk {
 
 /// Changes with the tables. A store of another version is refused.
 inline constexpr std::int64_t kStoreVersion = 3;
-
-/// The four bytes `GPKG` in the header of a SQLite file.
-inline constexpr std::uint32_t kGeoPackageId = 0x47504B47;
 
 /// The moment of tick 0 in the column `time`, the same for every test.
 inline constexpr std::string_view kTimeOfTick0 = "2000-01-01T00:00:00.000Z";
@@ -38,6 +36,9 @@ inline constexpr std::array<std::string_view, 6> kTablesOfTests = {
 
 /// Creates all tables in an empty file.
 void create_tables(Database& database, const Placement& placement);
+
+/// Stores with these tables, and no others.
+[[nodiscard]] StoreKind results_store();
 
 /// `2000-01-01T00:00:12.500Z`: the moment so many seconds after tick 0.
 [[nodiscard]] std::string time_text(double seconds);

@@ -11,8 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/results/store/schema.h"
-#include "experiment/results/store/store_tables.h"
+#include "experiment/results/store/geopackage.h"
 
 namespace jaywalk {
 namespace {
@@ -51,14 +50,14 @@ std::optional<std::string> cut_off(const std::string& path, const Header& header
   return fmt::format("it is cut off: {} of {} bytes are there", bytes, wanted);
 }
 
-}  // namespace
-
-std::optional<std::string> why_no_store_file(const std::string& path) {
+/// Why a file cannot be a store, by its first bytes: it is no SQLite file, no GeoPackage, cut off;
+/// nothing if it can.
+std::optional<std::string> why_no_store_file(const std::string& path, std::string_view kind) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return "no such file";
   if (std::filesystem::is_directory(status))
-    return "this is a folder, a results store was expected";
+    return fmt::format("this is a folder, a {} was expected", kind);
   if (!std::filesystem::is_regular_file(status)) return "this is no regular file";
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -67,34 +66,12 @@ std::optional<std::string> why_no_store_file(const std::string& path) {
   file.read(reinterpret_cast<char*>(header.data()), kHeaderBytes);
   const bool whole = file.gcount() == static_cast<std::streamsize>(kHeaderBytes);
   if (!whole || std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0) {
-    return "not a results store: it is no SQLite file";
+    return fmt::format("not a {}: it is no SQLite file", kind);
   }
   if (number_at(header, kApplicationIdAt) != kGeoPackageId) {
-    return "not a results store: a SQLite file, but no GeoPackage";
+    return fmt::format("not a {}: a SQLite file, but no GeoPackage", kind);
   }
   return cut_off(path, header);
-}
-
-namespace {
-
-/// Why its tables are not those of a store of our version.
-std::optional<std::string> objection(Database& database) {
-  const bool ours =
-      database.number("SELECT count(*) FROM sqlite_master WHERE name = 'versions'") == 1;
-  if (database.failure()) return std::nullopt;
-  if (!ours) return "not a results store: a GeoPackage with other tables";
-  const auto create = [](Database& wanted) {
-    create_tables(wanted, Placement(std::nullopt));
-    complete_tables(wanted);
-  };
-  if (auto foreign = foreign_object(database, create)) return foreign;
-  const auto version = database.text("SELECT version FROM versions WHERE subject = 'store'");
-  if (database.failure()) return std::nullopt;
-  if (version != fmt::format("{}", kStoreVersion)) {
-    return fmt::format("its tables have version {}, this jaywalk knows version {}",
-                       version.value_or("unknown"), kStoreVersion);
-  }
-  return table_difference(database, create);
 }
 
 /// Why not all of its pages are sound.
@@ -105,31 +82,21 @@ std::optional<std::string> damage(Database& database, Scrutiny scrutiny) {
   return fmt::format("the store is damaged: {}", found.value_or("it cannot be checked"));
 }
 
-/// Lets SQLite undo what a process was writing when it was killed, if the file is a store of ours.
-void undo_interrupted(const std::string& path) {
+/// Lets SQLite undo what a process was writing when it was killed, if the file is a store.
+void undo_interrupted(const std::string& path, const StoreKind& kind) {
   Database untouched(path, Database::Mode::untouched);
-  if (objection(untouched) || untouched.failure()) return;
+  if (objection(untouched, kind) || untouched.failure()) return;
   Database database(path, Database::Mode::write);
   (void)database.number("SELECT count(*) FROM versions");
 }
 
-std::unique_ptr<Database> readable(const std::string& path) {
+std::unique_ptr<Database> readable(const std::string& path, const StoreKind& kind) {
   auto database = std::make_unique<Database>(path, Database::Mode::read);
   (void)database->number("SELECT count(*) FROM sqlite_master");
   if (database->trouble() != DatabaseTrouble::interrupted) return database;
   database.reset();
-  undo_interrupted(path);
+  undo_interrupted(path, kind);
   return std::make_unique<Database>(path, Database::Mode::read);
-}
-
-Result<std::unique_ptr<Database>> checked(const std::string& path, Scrutiny scrutiny) {
-  if (auto why = why_no_store_file(path)) return store_error(path, std::move(*why));
-  auto database = readable(path);
-  auto why = objection(*database);
-  if (!why && !database->failure()) why = damage(*database, scrutiny);
-  if (database->failure()) return store_error(path, trouble_with(*database));
-  if (why) return store_error(path, std::move(*why));
-  return database;
 }
 
 }  // namespace
@@ -159,24 +126,46 @@ std::string trouble_with(const Database& database) {
   return database.failure().value_or("unknown failure");
 }
 
-Result<OpenStore> open_to_read(const std::string& path, Scrutiny scrutiny) {
-  auto database = checked(path, scrutiny);
-  if (!database) return std::move(database.diagnostics());
-  auto description = read_description(*database.value(), path);
-  if (!description) return std::move(description.diagnostics());
-  return OpenStore{std::move(database).value(), std::move(description).value()};
+bool is_store(const std::string& path, const StoreKind& kind) {
+  if (why_no_store_file(path, kind.name)) return false;
+  Database database(path, Database::Mode::untouched);
+  return is_store(database, kind);
 }
 
-Result<std::unique_ptr<Database>> open_to_write(const std::string& path) {
+Result<std::unique_ptr<Database>> open_to_read(const std::string& path, const StoreKind& kind,
+                                               Scrutiny scrutiny) {
+  if (auto why = why_no_store_file(path, kind.name)) return store_error(path, std::move(*why));
+  auto database = readable(path, kind);
+  auto why = objection(*database, kind);
+  if (!why && !database->failure()) why = damage(*database, scrutiny);
+  if (database->failure()) return store_error(path, trouble_with(*database));
+  if (why) return store_error(path, std::move(*why));
+  return database;
+}
+
+Result<std::unique_ptr<Database>> open_to_write(const std::string& path, const StoreKind& kind) {
+  if (auto sound = open_to_read(path, kind, Scrutiny::all); !sound) {
+    return std::move(sound.diagnostics());
+  }
   auto database = std::make_unique<Database>(path, Database::Mode::write);
   // Kept from the first transaction on, until it is closed.
   database->execute("PRAGMA locking_mode = EXCLUSIVE");
-  database->execute("BEGIN IMMEDIATE; COMMIT");
-  database->execute("PRAGMA journal_mode = WAL");
-  database->execute("BEGIN IMMEDIATE; COMMIT");
-  database->execute("PRAGMA synchronous = NORMAL");
+  database->execute("BEGIN EXCLUSIVE; COMMIT");
   if (database->failure()) return store_error(path, trouble_with(*database));
   return database;
+}
+
+void start_log(Database& database) {
+  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+}
+
+std::optional<std::string> finish_log(Database& database, const std::string& path) {
+  database.execute("PRAGMA journal_mode = DELETE");
+  if (database.failure()) return trouble_with(database);
+  // A reader of a store that was killed left it; no other process has the store open now.
+  std::error_code error;
+  std::filesystem::remove(path + "-shm", error);
+  return std::nullopt;
 }
 
 }  // namespace jaywalk

@@ -9,26 +9,30 @@
 
 #include "experiment/results/description.h"
 #include "experiment/results/store/database.h"
+#include "experiment/results/store/store_tables.h"
 
 namespace jaywalk {
 
-/// How closely a store is looked at: its header and versions, or every page of it.
+/// How closely a store is looked at: its header and tables, or every page of it.
 enum class Scrutiny { header, all };
 
-struct OpenStore {
-  std::unique_ptr<Database> database;
-  ExperimentDescription description;
-};
+[[nodiscard]] bool is_store(const std::string& path, const StoreKind& kind);
 
-/// Opens a store for reading. Errors: there is no file, it is no store, it is damaged or cut off,
-/// it has another version, it is in use, its description makes no sense.
-[[nodiscard]] Result<OpenStore> open_to_read(const std::string& path, Scrutiny scrutiny);
-/// Opens for writing what was seen to be sound and was closed again; nobody else can open it then.
-[[nodiscard]] Result<std::unique_ptr<Database>> open_to_write(const std::string& path);
+/// Opens a store for reading. Errors: there is no file, it is no store of this kind, it is damaged
+/// or cut off, it has another version, another process is writing it.
+[[nodiscard]] Result<std::unique_ptr<Database>> open_to_read(const std::string& path,
+                                                             const StoreKind& kind,
+                                                             Scrutiny scrutiny);
+/// Opens a store for writing, if all of it is sound; no other process can open it until it is
+/// closed. Not a byte is changed before start_log().
+[[nodiscard]] Result<std::unique_ptr<Database>> open_to_write(const std::string& path,
+                                                              const StoreKind& kind);
 
-/// Why a file cannot be a store of any kind, by its first bytes: it is no SQLite file, no
-/// GeoPackage, cut off; nothing if it can.
-[[nodiscard]] std::optional<std::string> why_no_store_file(const std::string& path);
+/// From here on each transaction is appended to a log beside the file, and is kept if the process
+/// is killed.
+void start_log(Database& database);
+/// Makes it one file without a log, which can be read from anywhere. Why that failed, if it did.
+[[nodiscard]] std::optional<std::string> finish_log(Database& database, const std::string& path);
 
 /// Why a database could not be used, in words. REQUIRES: it failed.
 [[nodiscard]] std::string trouble_with(const Database& database);
@@ -39,8 +43,16 @@ void write_description(Database& database, const ExperimentDescription& descript
 /// What add_judging() made of the description in the store.
 void write_judging(Database& database, const ExperimentDescription& before,
                    const ExperimentDescription& now);
-/// Errors: what is there cannot be read, or makes no sense.
-[[nodiscard]] Result<ExperimentDescription> read_description(Database& database,
-                                                             const std::string& path);
+
+/// A results store and what it says of its experiment.
+struct ResultsStore {
+  std::unique_ptr<Database> database;
+  ExperimentDescription description;
+};
+
+/// Reads the description in what was opened. Errors: those of opening it; the description cannot be
+/// read, or makes no sense.
+[[nodiscard]] Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened,
+                                             const std::string& path);
 
 }  // namespace jaywalk

@@ -5,8 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "experiment/results/store/geopackage.h"
+
 namespace jaywalk {
 namespace {
+
+bool has_table(Database& database, std::string_view name) {
+  Statement found(database, "SELECT 1 FROM sqlite_master WHERE name = ?");
+  found.bind(name);
+  return found.step();
+}
 
 constexpr std::string_view kObjects =
     "SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY name";
@@ -27,9 +35,9 @@ std::map<std::string, std::string> objects_of(Database& database) {
   return objects;
 }
 
-std::map<std::string, std::string> objects_by(const CreateTables& create) {
+std::map<std::string, std::string> objects_by(const StoreKind& kind) {
   Database wanted("", Database::Mode::memory);
-  create(wanted);
+  kind.create(wanted);
   return objects_of(wanted);
 }
 
@@ -40,32 +48,42 @@ std::string_view in_words(std::string_view kind) {
   return kind == "INDEX" ? "index" : "object";
 }
 
-}  // namespace
-
-std::optional<std::string> foreign_object(Database& database, const CreateTables& create) {
-  const auto own = objects_by(create);
+std::optional<std::string> foreign_object(Database& database, const StoreKind& kind) {
+  const auto own = objects_by(kind);
   Statement row(database, kObjects);
   while (row.step()) {
     const std::string sql = row.text(2);
-    const std::string_view kind = kind_of(sql);
-    if (kind == "TABLE" && row.text(0) == "table") continue;
+    const std::string_view made = kind_of(sql);
+    if (made == "TABLE" && row.text(0) == "table") continue;
     const auto found = own.find(row.text(1));
     if (found != own.end() && found->second == sql) continue;
-    return fmt::format("not a store as jaywalk writes it: it has the {} '{}'", in_words(kind),
+    return fmt::format("not a store as jaywalk writes it: it has the {} '{}'", in_words(made),
                        row.text(1));
   }
   return std::nullopt;
 }
 
-std::optional<std::string> table_difference(Database& database, const CreateTables& create) {
+/// Why its tables have another version.
+std::optional<std::string> version_difference(Database& database, const StoreKind& kind) {
+  std::string version = "unknown";
+  if (has_table(database, "versions")) {
+    version =
+        database.text("SELECT version FROM versions WHERE subject = 'store'").value_or(version);
+  }
+  if (database.failure() || version == fmt::format("{}", kind.version)) return std::nullopt;
+  return fmt::format("its tables have version {}, this jaywalk knows version {}", version,
+                     kind.version);
+}
+
+std::optional<std::string> table_difference(Database& database, const StoreKind& kind) {
   const auto version = database.number("PRAGMA user_version");
   if (!database.failure() && version != kGeoPackageVersion) {
-    return fmt::format("not a results store: its user_version is {}, that of a GeoPackage {}",
+    return fmt::format("not a {}: its user_version is {}, that of a GeoPackage {}", kind.name,
                        version.value_or(0), kGeoPackageVersion);
   }
   const auto there = objects_of(database);
   if (database.failure()) return std::nullopt;
-  for (const auto& [name, sql] : objects_by(create)) {
+  for (const auto& [name, sql] : objects_by(kind)) {
     if (name.starts_with("sqlite_") || kind_of(sql) != "TABLE") continue;
     const auto found = there.find(name);
     if (found == there.end())
@@ -76,6 +94,20 @@ std::optional<std::string> table_difference(Database& database, const CreateTabl
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+bool is_store(Database& database, const StoreKind& kind) { return has_table(database, kind.table); }
+
+std::optional<std::string> objection(Database& database, const StoreKind& kind) {
+  if (!is_store(database, kind)) {
+    if (database.failure()) return std::nullopt;
+    return fmt::format("not a {}: a GeoPackage with other tables", kind.name);
+  }
+  if (auto why = foreign_object(database, kind)) return why;
+  if (auto why = version_difference(database, kind)) return why;
+  return table_difference(database, kind);
 }
 
 }  // namespace jaywalk

@@ -3,27 +3,33 @@
 // Whether a database has the tables that it should have, and nothing that does something by itself:
 // looked at before anything is read of a file that may come from anywhere.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "experiment/results/store/database.h"
 
 namespace jaywalk {
 
-/// The version of GeoPackage that stores have, 1.3, in a SQLite file's `user_version`.
-inline constexpr std::int64_t kGeoPackageVersion = 10300;
+/// Stores of a kind: those of tests, and those of searches (search/store).
+struct StoreKind {
+  /// In messages, after "a".
+  std::string_view name;
+  /// A table that no other kind has.
+  std::string_view table;
+  /// Changes with the tables.
+  std::int64_t version;
+  /// Makes everything that such a store may have beside tables of others.
+  std::function<void(Database&)> create;
+};
 
-/// Makes all that a database of that kind may have beside tables of others.
-using CreateTables = std::function<void(Database&)>;
+[[nodiscard]] bool is_store(Database& database, const StoreKind& kind);
 
-/// Why it has more than that: a view, a trigger, a virtual table, an index. Tables that others have
-/// added (styles of a GIS) are ignored.
-[[nodiscard]] std::optional<std::string> foreign_object(Database& database,
-                                                        const CreateTables& create);
-
-/// Why its tables are not those that `create` makes, each column as it makes it.
-[[nodiscard]] std::optional<std::string> table_difference(Database& database,
-                                                          const CreateTables& create);
+/// Why it is no store of this kind and version that Jaywalk wrote: it lacks a table, or one has
+/// other columns; it has a view, a trigger, a virtual table or an index of its own. Tables that
+/// others have added (styles of a GIS) are ignored. Nothing, too, if the database failed.
+[[nodiscard]] std::optional<std::string> objection(Database& database, const StoreKind& kind);
 
 }  // namespace jaywalk

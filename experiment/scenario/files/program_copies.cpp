@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "experiment/scenario/files/write_file.h"
+
 namespace jaywalk {
 namespace {
 
@@ -35,8 +37,8 @@ bool is_as_it_was(const Source& kept) {
 
 Result<std::string> ProgramCopies::add(const Source& program) {
   // The file keeps its name, by which an interpreter may know what it is; a folder each.
-  const fs::path path =
-      fs::path(folder_.path()) / std::to_string(count_++) / fs::path(program.name()).filename();
+  const fs::path path = output_path((fs::path(folder_.path()) / std::to_string(count_++)).string(),
+                                    fs::path(program.name()).filename().string());
   std::error_code error;
   if (folder_.path().empty() || !fs::create_directory(path.parent_path(), error)) {
     return cannot_write(program.name());

@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".part";
 constexpr std::size_t kRandomLetters = 6;
+/// Names at random that are tried before it is given up: one that exists is rare.
+constexpr int kMostNames = 100;
 constexpr mode_t kUsualRights = 0666;
 
 /// The rights that programs give their new files, of which the user's mask takes some away.
@@ -82,6 +84,10 @@ void remove_abandoned(const std::string& path) {
 }  // namespace
 
 PartFile::PartFile(std::string path, Naming naming) : path_(std::move(path)) {
+  if (path_.find('\0') != std::string::npos) {  // the system would read the path up to there
+    errno = EINVAL;
+    return;
+  }
   if (naming == Naming::unnamed_if_possible) descriptor_ = open_nameless(folder_of_file(path_));
   if (descriptor_ < 0) open_named();
   if (descriptor_ >= 0 && !is_named_) name_ = link_of(descriptor_);
@@ -129,8 +135,8 @@ bool PartFile::replace() {
   if (!is_named_) {
     if (link_to(path_)) return true;
     // What is there is replaced by a name; the file has one for that moment alone.
-    for (std::string name = path_; errno == EEXIST && !is_named_;) {
-      name = path_ + "." + random_letters() + std::string(kEnding);
+    for (int i = 0; i < kMostNames && errno == EEXIST && !is_named_; ++i) {
+      const std::string name = path_ + "." + random_letters() + std::string(kEnding);
       is_named_ = link_to(name);
       if (is_named_) name_ = name;
     }

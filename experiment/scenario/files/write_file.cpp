@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario/files/temporary.h"
+#include "interpreter/support/characters.h"
 
 namespace jaywalk {
 namespace {
@@ -53,17 +54,33 @@ std::string replaced_file(const std::string& path) {
   return error ? path : target.string();
 }
 
-std::optional<std::string> write_file(const std::string& path, std::string_view text) {
-  return write_file(path, [text](const TextSink& sink) {
-    sink(text);
-    return true;
-  });
+std::string output_path(const std::string& folder, std::string_view name) {
+  std::string file(name);
+  for (char& c : file) {
+    if (!is_name_character(c) && c != '-' && c != '.') c = '_';
+  }
+  if (file.starts_with('.')) file[0] = '_';
+  return folder + '/' + (file.empty() ? "_" : file);
 }
 
-std::optional<std::string> write_file(const std::string& path, const TextSource& source) {
+std::optional<std::string> write_file(const std::string& path, std::string_view text, Links links) {
+  return write_file(
+      path,
+      [text](const TextSink& sink) {
+        sink(text);
+        return true;
+      },
+      links);
+}
+
+std::optional<std::string> write_file(const std::string& path, const TextSource& source,
+                                      Links links) {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return "it is a folder";
-  const std::string replaced = replaced_file(path);
+  const bool follows = links == Links::followed;
+  const auto status = follows ? fs::status(path, ignored) : fs::symlink_status(path, ignored);
+  if (fs::is_directory(status)) return "it is a folder";
+  const std::string replaced = follows ? replaced_file(path) : path;
   if (replaced.empty()) return write_text(path, source);
 
   PartFile part(replaced);

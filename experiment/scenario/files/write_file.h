@@ -12,14 +12,26 @@ using TextSink = std::function<void(std::string_view)>;
 /// Gives a text piece by piece; false if it gave up half-way.
 using TextSource = std::function<bool(const TextSink&)>;
 
-/// Writes a whole file or nothing: the text goes to a file beside it, which then takes its name.
-/// What is not a regular file (/dev/stdout, a pipe) is written to directly. Returns why it could
-/// not be done, for people, if so.
-[[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text);
+/// The path of a file in a folder whose name others may have given, which cannot lead out of the
+/// folder: what is no letter, digit, `.`, `-` or `_` becomes `_`, as does a full stop at the
+/// beginning. An identifier (markup.h) stays as it is.
+[[nodiscard]] std::string output_path(const std::string& folder, std::string_view name);
 
-/// The same of a text that is too long for memory. The reason is empty if the source gave up.
+/// What happens to a link that is at the path already. Only a path that the user has written is
+/// followed.
+enum class Links { followed, replaced };
+
+/// Writes a whole file or nothing: the text goes to a file beside it, which then takes its name.
+/// What is not a regular file (/dev/stdout, a pipe) is written to directly where links are
+/// followed, else replaced. Returns why it could not be done, for people, if so.
+[[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text,
+                                                    Links links = Links::followed);
+
+/// Like the other write_file(), for a text that is too long for memory. The reason is empty if the
+/// source gave up.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path,
-                                                    const TextSource& source);
+                                                    const TextSource& source,
+                                                    Links links = Links::followed);
 
 /// The file that is replaced when a path is written to: a link stays a link, and what it points to
 /// is replaced. Empty: what is there is written to directly, as is what a link in /dev points to.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an agent has going on, in the words of Jason's operational semantics: events (E), intentions
+// An agent's circumstance, in the words of Jason's operational semantics: events (E), intentions
 // (I), pending actions and their feedback (PA, FA), the mailbox (MB).
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Event {
   Value literal;
   /// The intention that waits for it; null: an external event, which starts an intention.
   Intention* intention = nullptr;
-  /// Of a failure, `-!g`: see IntendedMeans::keeps.
+  /// For a failure, `-!g`: see IntendedMeans::keeps.
   std::size_t keeps = 0;
   /// The intention's top means has been chosen for it already.
   bool has_means = false;
@@ -37,7 +37,7 @@ struct Wait {
   Value trigger;  // a literal or a variable
   bool has_formula = false;
   Value formula;
-  /// What the time waited is unified with; unset: a timeout fails.
+  /// The term to unify with the time waited; unset: a timeout fails.
   Value elapsed;
   double start_ms = 0;
   double ms = -1;  // how long at most; negative: for ever

@@ -7,9 +7,9 @@
 
 namespace jaywalk {
 
-/// What the rounds of an intention's loops have bound, and what bodies have bound in the goals that
-/// they were called for, is free while this lives: the copy of the stack needs the places as well
-/// as the values, so that a failure can free them there, too.
+/// While this lives, the variables bound by the rounds of an intention's loops, and those bound by
+/// bodies in their goals, are free: the copy of the stack needs the places as well as the values,
+/// so that a failure can free them there, too.
 class FreedRounds {
  public:
   explicit FreedRounds(Intention& intention) : intention_(intention) {

@@ -34,9 +34,9 @@ using ScopePtr = std::shared_ptr<Scope>;
 /// A loop in progress. Bindings made in a round are undone before the next and at the end.
 struct Loop {
   const Step* step = nullptr;
-  /// What the round has bound: variables, and slots of the frame.
+  /// The bindings of the round: variables, and slots of the frame.
   std::vector<Value> bound;
-  /// What satisfies a conjunct of a `for`'s condition together with a solution of those before.
+  /// The solutions of a conjunct of a `for`'s condition together with a solution of those before.
   struct Level {
     /// Every solution as pairs (variable or slot, value), one after another.
     std::vector<Value> solutions;
@@ -75,11 +75,11 @@ struct IntendedMeans {
   TriggerOperator op = TriggerOperator::add;
   TriggerKind kind = TriggerKind::belief;
   /// The event's literal. Unset: it is the plan's trigger with what the frame has in its slots
-  /// (Agent::goal_of), which is made when somebody asks.
+  /// (Agent::goal_of), which is made on demand.
   Value trigger;
   std::size_t frame = 0;    // index into the intention's values
   std::size_t returns = 0;  // values behind the frame: pairs of the open call
-  /// Of a means for a failure, `-!g`: how many means below stay when it is done. Those above them
+  /// In a means for a failure, `-!g`: how many means below stay when it is done. Those above them
   /// are of the goal that failed.
   std::size_t keeps = 0;
   Boxed<MeansExtras> extras;
@@ -91,7 +91,7 @@ struct IntendedMeans {
   [[nodiscard]] const Step& step() const { return *current; }
   [[nodiscard]] bool is_goal() const { return kind != TriggerKind::belief; }
   [[nodiscard]] bool is_goal_addition() const { return is_goal() && op == TriggerOperator::add; }
-  /// Of the event's literal, if it is one.
+  /// The predicate of the event's literal, if it is one.
   [[nodiscard]] std::optional<Predicate> predicate() const {
     if (trigger.is_unset()) return plan->head.predicate;
     return is_literal(trigger) ? std::optional(predicate_of(trigger)) : std::nullopt;
@@ -152,7 +152,7 @@ class Intention {
     for (const Value value : slots) *slot++ = value;
     if (plan.atomic) ++atomic_means;
   }
-  /// The same in the place of the top means.
+  /// Like push(), but replaces the top means.
   [[gnu::always_inline]] void replace(const Plan& plan, std::span<const Value> slots) {
     IntendedMeans& means = stack.back();
     if (means.plan->atomic) --atomic_means;
@@ -171,7 +171,7 @@ class Intention {
     values.cut(stack.back().frame);
     stack.pop_back();
   }
-  /// Removes so many means from the bottom, with their frames. REQUIRES: it has more.
+  /// Removes `count` means from the bottom, with their frames. REQUIRES: it has more.
   void forget_bottom(std::size_t count);
   /// Goes on behind the current step of the top means.
   void advance() { go_on_at(stack.back().current->next); }
@@ -201,15 +201,15 @@ class Intention {
   /// Intentions that are made later have greater ones.
   std::uint32_t id;
   State state = State::running;
-  /// What it waits for, as `.suspended` reports it.
+  /// The reason for waiting, as `.suspended` reports it.
   std::string reason;
   /// It was suspended by name while it was waiting.
   bool also_suspended = false;
   /// It suspended itself: resumed, it goes on behind its formula.
   bool suspended_itself = false;
-  /// Of a branch, which handles an external event by a sub-plan of another intention: the other
-  /// one's number, and how many means are copies of that one's. When no more than those are left,
-  /// the branch is done. 0: it is no branch.
+  /// For a branch, which handles an external event by a sub-plan of another intention: the other
+  /// one's number, and how many means are copies of that one's. When no more than those remain,
+  /// the branch is done. 0: it is not a branch.
   std::uint32_t origin = 0;
   std::size_t shared = 0;
   /// An event of it may be in the event queue.

@@ -12,7 +12,7 @@
 
 namespace jaywalk {
 
-/// What an agent calls a message of its own, "mid7", or a question whose answers it waits for,
+/// The name of an agent's own message, "mid7", or of a question whose answers it waits for,
 /// "samid7".
 struct MessageId {
   enum class Kind : std::uint8_t { none, message, question };
@@ -26,7 +26,7 @@ struct MessageId {
 /// "" for none.
 [[nodiscard]] std::string text_of(MessageId id);
 /// The question that a message says it answers; none if it names no question. The name of a
-/// question that nobody can have asked, "samid007", is a question with number 0.
+/// question that no agent can have asked, "samid007", is a question with number 0.
 [[nodiscard]] MessageId question_named(std::string_view text);
 
 struct Message {

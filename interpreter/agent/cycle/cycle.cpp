@@ -66,7 +66,7 @@ void Agent::abandon_cycle(const ActionError& error) {
   log(shortened(error.message, kLongestLogged));
   report_limit(error, executing_ == nullptr ? std::string() : formula_place(*executing_));
   if (executing_ != nullptr && executing_->state != Intention::State::finished) {
-    ActionError ignored;  // a goal may be nested too deeply to be told
+    ActionError ignored;  // a goal may be nested too deeply to be printed
     (void)guarded(ignored, [&] {
       (void)note_drop(executing_, error, Value());
       return true;
@@ -130,7 +130,7 @@ void Agent::deliberate() {
       (void)no_plan(event);
     return;
   }
-  // Rule SelEv1: the oldest event. External events that nobody wants do not cost a cycle.
+  // Rule SelEv1: the oldest event. External events without a plan do not cost a cycle.
   while (!c.events.empty()) {
     Event event;
     if (customisation_ != nullptr && customisation_->select_event) {
@@ -150,11 +150,11 @@ void Agent::deliberate() {
   // Rule SelEv2: no event.
 }
 
-// What becomes of an event without a plan. False: another one may be selected in this cycle.
+// Handles an event without a plan. False: another one may be selected in this cycle.
 bool Agent::no_plan(const Event& event) {
   if (event.kind != TriggerKind::belief && event.op != TriggerOperator::goal_state) {
     (void)literal_of(event);
-    const Event failed = event;  // another one may take its place in the workspace
+    const Event failed = event;  // another one may replace it in the workspace
     const bool had_candidates = work().had_candidates;
     ActionError error;
     error.id = had_candidates ? "no_applicable" : "no_relevant";
@@ -189,7 +189,7 @@ void Agent::queue_next_event(Intention& intention) {
   circumstance_.events.push_front(next.event);
 }
 
-// The intention that is held takes its place in I if it is ready.
+// The held intention returns to I if it is ready.
 void Agent::release_held() {
   if (!std::exchange(goes_on_, false)) return;
   circumstance_.running.push_back(held_);

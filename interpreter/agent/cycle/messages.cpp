@@ -14,13 +14,14 @@
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
+#include "interpreter/term/program_terms.h"
 
 namespace jaywalk {
 namespace {
 
 constexpr std::string_view kMessagePrefix = "mid";
 constexpr std::string_view kQuestionPrefix = "samid";
-// The texts become atoms, which are never forgotten: so there are only so many.
+// The texts become atoms, which are never freed: so their number is limited.
 constexpr std::uint32_t kMessageIds = 65'536;
 constexpr std::string_view kWaitsForAnswer = "waiting_ask";
 
@@ -61,33 +62,40 @@ void Agent::process_message() {
   report_limit(*error, fmt::format("a message of {}", message.sender));
 }
 
+// The usual performatives, for an agent without plans of its own for messages. False: another one.
+bool Agent::handle_at_once(Symbol performative, Value content, Value sender) {
+  const bool is_rule = is_form(content, Form::rule);
+  const auto told = [&] { return add_source(as_literal(content), sender); };
+  if (performative == names::achieve_text) {
+    add_goal(told());
+  } else if (performative == names::tell_text && is_rule) {
+    add_rule(add_source(content, sender), Place::front);
+  } else if (performative == names::tell_text) {
+    add_belief(told(), Place::front, nullptr);
+  } else if (performative == names::untell_text && is_rule) {
+    remove_like(told());
+  } else if (performative == names::untell_text) {
+    (void)remove_belief(told(), nullptr);
+  } else if (performative == names::signal_text) {
+    const Value literal = told();
+    const Value signal = Value::atom(symbols_.predicate("signal", 0));
+    const Value annots = union_of(heap_, literal_parts(literal).annots,
+                                  heap_.pair(signal, Value::empty_list()), symbols_);
+    add_event({TriggerOperator::add, TriggerKind::belief, with_annotations(heap_, literal, annots),
+               nullptr, 0});
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void Agent::handle_message(const Message& message) {
   const Value sender = Value::atom(message.sender_atom);
-  // The usual performatives are done at once unless the agent has its own plans for messages.
   heap_.require_room();
-  if (is_literal(message.content) && !settings_.messages_by_plans &&
-      !library_->has_own_message_plans()) {
-    if (message.performative == names::achieve_text) {
-      add_goal(add_source(message.content, sender));
-      return;
-    }
-    if (message.performative == names::tell_text) {
-      add_belief(add_source(message.content, sender), Place::front, nullptr);
-      return;
-    }
-    if (message.performative == names::untell_text) {
-      (void)remove_belief(add_source(message.content, sender), nullptr);
-      return;
-    }
-    if (message.performative == names::signal_text) {
-      const Value told = add_source(message.content, sender);
-      const Value signal = Value::atom(symbols_.predicate("signal", 0));
-      const Value annots = union_of(heap_, literal_parts(told).annots,
-                                    heap_.pair(signal, Value::empty_list()), symbols_);
-      add_event({TriggerOperator::add, TriggerKind::belief, with_annotations(heap_, told, annots),
-                 nullptr, 0});
-      return;
-    }
+  if (is_literal(as_literal(message.content)) && !settings_.messages_by_plans &&
+      !library_->has_own_message_plans() &&
+      handle_at_once(message.performative, message.content, sender)) {
+    return;
   }
   const std::string id = text_of(message.id);
   const std::array<Value, 4> args{
@@ -209,11 +217,12 @@ void Agent::end_ask(const PendingAsk& ask, Value answer) {
 }
 
 Value Agent::add_source(Value literal, Value sender) {
-  if (is_form(literal, Form::plan)) {  // its label has its sources
-    const Structure& plan = *literal.structure();
-    std::vector<Value> parts(plan.arg_span().begin(), plan.arg_span().end());
+  // A plan's label has its sources, a rule's head those of the rule.
+  if (is_form(literal, Form::plan) || is_form(literal, Form::rule)) {
+    const Structure& code = *literal.structure();
+    std::vector<Value> parts(code.arg_span().begin(), code.arg_span().end());
     parts[0] = add_source(deref(parts[0]), sender);
-    return heap_.structure(plan.predicate(), parts, plan.annots(), Form::plan);
+    return heap_.structure(code.predicate(), parts, code.annots(), code.form());
   }
   if (!is_literal(literal)) return literal;
   if (literal_parts(literal).annots.is_empty_list()) {

@@ -1,7 +1,6 @@
-// What the agent does with what the environment shows it: belief update
-// (logic/beliefs/belief_update.cpp) and its events, first of what has gone, then of what is new.
-// Where no plan could take up such an event, none is made, and a percept that has only changed its
-// arguments is changed in its place.
+// Perception: belief update (logic/beliefs/belief_update.cpp) and its events, first those of
+// percepts that are gone, then those of new ones. Where no plan could handle such an event, none is
+// made, and a percept that has only changed its arguments is overwritten.
 
 #include "interpreter/agent/agent.h"
 
@@ -59,7 +58,7 @@ bool Agent::hears_of_percepts() const {
          settings_.unwanted != ReasoningSettings::Unwanted::discard;
 }
 
-// The same as believe_changes, without events.
+// Like believe_changes, without events.
 void Agent::believe_quietly(const Percepts& percepts) {
   const std::span<const std::uint32_t> news = percepts.news();
   const std::size_t gone = percepts.gone_size();

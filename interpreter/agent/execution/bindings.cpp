@@ -1,5 +1,5 @@
-// What a round of a loop binds is undone before the next, and a fork gives each branch a copy of
-// the whole stack: here is how frames and variables are saved, restored and copied.
+// Saves, restores and copies frames and variables: the bindings of a loop's round are undone before
+// the next, and a fork gives each branch a copy of the whole stack.
 
 #include <algorithm>
 
@@ -138,7 +138,7 @@ void Agent::execute_join(Intention& intention) {
   go_on(intention);
 }
 
-// A branch has failed and no plan above the fork handles it. True: nothing else is to be done.
+// A branch has failed and no plan above the fork handles it. True: the failure is settled.
 bool Agent::leave_failed_branch(Intention& intention) {
   const std::shared_ptr<Fork> fork = intention.fork;
   --fork->open;

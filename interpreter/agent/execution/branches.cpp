@@ -48,8 +48,8 @@ void Agent::start_branch(Intention& intention, const Plan& plan, const Event& ev
   add_event(chosen);
 }
 
-// A copied goal has ended in a branch, which takes the place of the intention below that goal; not
-// if that intention itself is past it.
+// A copied goal has ended in a branch, which replaces the intention below that goal, unless that
+// intention itself is past it.
 void Agent::take_over(Intention& branch) {
   const std::size_t count = branch.stack.size();
   Intention* const origin = find_intention(branch.origin);

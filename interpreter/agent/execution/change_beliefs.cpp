@@ -29,12 +29,18 @@ bool Agent::forget_one(Predicate predicate) {
 void Agent::forget_for(Value literal) {
   const LiteralParts parts = literal_parts(literal);
   if (parts.annots.same_as(source_self()) && forget_one(parts.predicate)) return;
-  std::vector<Value> args(parts.args.size());
-  for (Value& arg : args) arg = heap_.variable();
   Unifier& unifier = machine().unifier();
   const std::size_t trail = unifier.mark();
-  (void)remove_belief(heap_.structure(parts.predicate, args, parts.annots), nullptr);
+  (void)remove_belief(any_like(literal), nullptr);
   unifier.undo(trail);
+}
+
+// The literal with open arguments.
+Value Agent::any_like(Value literal) {
+  const LiteralParts parts = literal_parts(literal);
+  std::vector<Value> args(parts.args.size());
+  for (Value& arg : args) arg = heap_.variable();
+  return heap_.structure(parts.predicate, args, parts.annots);
 }
 
 // `+b`, `-b` and `-+b` with a ground b that has no other source than the agent itself, without

@@ -1,4 +1,4 @@
-// Rule ClrInt: what becomes of means that are finished, and of the values that they return.
+// Rule ClrInt: removes finished means and returns their values.
 
 #include "interpreter/agent/agent.h"
 
@@ -66,6 +66,7 @@ void Agent::return_values(Intention& intention) {
       }
       continue;
     }
+    const Unifier::KeepCircles keep(unifier);
     const Value value = returned.is_closed() ? returned : unifier.fresh_copy(returned);
     (void)unifier.unify(pairs[i], value);
   }
@@ -103,7 +104,7 @@ void Agent::clear_intention(Intention& intention) {
     }
     finish_means(intention);
   }
-  // When an atomic plan is done, its intention stays in its place for one step more, as in Jason.
+  // When an atomic plan is done, its intention stays in I for one step more, as in Jason.
   if (intention.is_finished()) drop(intention);
 }
 

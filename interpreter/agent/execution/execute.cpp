@@ -102,7 +102,7 @@ void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
   means.returns = 2;
 }
 
-// The goal of a formula, in the workspace. False: its literal is to be made in the general way.
+// The goal of a formula, in the workspace. False: its literal must be made in the general way.
 [[gnu::always_inline]] inline bool Agent::put_goal(Intention& intention, const EventCode& code) {
   NextEvent& next = workspace_->next;
   const Value* const frame = intention.frame(intention.top());
@@ -156,6 +156,7 @@ inline void require_room_on(const Intention& intention, Heap& heap) {
 [[gnu::noinline]] void Agent::achieve(Intention& intention, Value term, Step::Kind kind) {
   heap_.require_room();
   const bool new_focus = kind == Step::Kind::achieve_new_focus;
+  const Unifier::KeepCircles keep(machine().unifier());
   Value goal = prepare_for_event(intention, term, !new_focus);
   if (!is_literal(goal)) {
     fail(intention, make_error("body_var_not_literal", "a goal must be a literal"));
@@ -182,6 +183,7 @@ inline void require_room_on(const Intention& intention, Heap& heap) {
 
 // A test that no belief and no rule answers: the plans for it are asked.
 void Agent::fail_test(Intention& intention, const Step& step) {
+  const Unifier::KeepCircles keep(machine().unifier());
   const std::size_t trail = machine().unifier().mark();
   const Value term = machine().unifier().instantiate(step.term, intention.frame(intention.top()));
   record_bindings(intention, trail);
@@ -338,8 +340,8 @@ inline bool Agent::is_alone() {
          (unusual_ & (kCustomised | kSeldomLooks)) == 0 && (!attention_ || !has_unusual_business());
 }
 
-// What comes after a formula: the next one, for which another cycle has begun; the cycle's SelInt;
-// or nothing more in this cycle.
+// Decides what follows a formula: the next one, for which another cycle has begun; the cycle's
+// SelInt; or nothing more in this cycle.
 [[gnu::always_inline]] inline Agent::Next Agent::go_on_alone(Intention& intention) {
   NextEvent& next = workspace_->next;
   while (next.is_pending) {

@@ -6,6 +6,7 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/program_terms.h"
 
 namespace jaywalk {
 
@@ -68,7 +69,7 @@ Value Agent::prepare_for_event(Intention& intention, Value term, bool returns) {
       }
     }
   }
-  Value literal = unifier.instantiate(term, frame);
+  Value literal = as_literal(unifier.instantiate(term, frame));
   record_bindings(intention, 0);
   if (!literal.is_closed()) {
     literal = unifier.rename(literal, returns ? &work().renamed : nullptr);

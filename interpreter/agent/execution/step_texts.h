@@ -14,8 +14,7 @@ namespace jaywalk {
 [[nodiscard]] std::string text_as_written(Unifier& unifier, const Plan& plan, const Step& step);
 
 /// error(constraint_failed) of the intention's current formula. As in Jason the message has the
-/// formulas that are left of the body and what the plan's variables are; they are in the order of
-/// the text.
+/// remaining formulas of the body and the values of the plan's variables, in the order of the text.
 [[nodiscard]] ActionError constraint_failure(Unifier& unifier, Intention& intention);
 
 }  // namespace jaywalk

@@ -34,6 +34,7 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
   const auto annot = [&](Predicate name, Value arg) {
     return heap_.structure(name, std::span(&arg, 1));
   };
+  const Unifier::KeepCircles keep(machine().unifier());
   literal = machine().unifier().apply(literal);
   const bool has_message = std::ranges::any_of(error.annots, [](Value annotation) {
     return annotation.is_structure() &&
@@ -87,9 +88,9 @@ void Agent::report_limit(const ActionError& error, std::string where) {
   if (error.limit != ReachedLimit::none) host_.limit_reached(*this, error.limit, std::move(where));
 }
 
-// What the body of a means has bound in its goal is free again for the goal's failure plan, whose
-// values are returned instead. What the head or the context has bound stays in the goal, but is not
-// returned.
+// Frees the variables of a goal that the body of its means has bound, for the goal's failure plan,
+// whose values are returned instead. Bindings by the head or the context stay in the goal, but are
+// not returned.
 void Agent::free_goal(Intention& intention, std::size_t depth) {
   const IntendedMeans& goal = intention.stack[depth];
   if (!goal.trigger.is_unset()) {
@@ -110,7 +111,7 @@ void Agent::free_goal(Intention& intention, std::size_t depth) {
   }
 }
 
-// The same with annotations that do not change when variables are freed.
+// The error with annotations that do not change when variables are freed.
 ActionError Agent::applied(ActionError error) {
   for (Value& annot : error.annots) annot = machine().unifier().apply(annot);
   return error;
@@ -218,7 +219,7 @@ std::string_view reason_of(const ActionError& error) {
 
 }  // namespace
 
-// The goals on the stack, the top first; none if nobody wants to know.
+// The goals on the stack, the top first; none if neither observers nor plans need them.
 std::vector<Agent::OpenGoal> Agent::open_goals(const Intention& intention) {
   std::vector<OpenGoal> goals;
   if (!library_->has_goal_state_plans()) return goals;
@@ -280,6 +281,7 @@ void Agent::fail_event(const Event& event, const ActionError& error) {
   }
   if (intention.is_atomic()) circumstance_.atomic_suspended = false;
   const std::uint32_t line = intention.top().is_finished() ? 0 : intention.top().step().place.line;
+  const Unifier::KeepCircles keep(machine().unifier());
   const Value goal = machine().unifier().fresh_copy(event.literal);
   if (has_failure_plan(event.kind, predicate_of(event.literal), intention.top().scope().get())) {
     signal_failure({{event.kind, event.literal}}, error, true);

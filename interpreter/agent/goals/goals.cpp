@@ -142,6 +142,7 @@ void Goals::fail_top(Intention& intention, Value failed, const ActionError* reas
   const Value trigger = agent_.goal_of(intention, intention.top());
   agent_.signal_goal_state(kind, trigger, "failed", "fail_goal");
   agent_.free_goal(intention, depth);
+  const Unifier::KeepCircles keep(agent_.machine().unifier());
   if (failed.is_unset()) failed = agent_.machine().unifier().apply(trigger);
   if (reason != nullptr) failed = agent_.failure_literal(failed, error, Value(), 0, nullptr);
   agent_.pop_means(intention);
@@ -169,6 +170,7 @@ std::optional<std::size_t> Goals::find(const Intention& intention, Value goal) {
 
 void Goals::end(Value goal, End end, const Intention* except) {
   Unifier& unifier = agent_.machine().unifier();
+  const Unifier::KeepCircles keep(unifier);
   for (Intention* const intention : all_intentions()) {
     if (intention == except || intention->is_finished()) continue;
     const std::size_t trail = unifier.mark();

@@ -14,7 +14,7 @@ namespace jaywalk {
 class Agent;
 struct ActionError;
 
-/// What an agent is after. A view, for internal actions and the reasoning cycle: it holds nothing.
+/// An agent's goals. A view, for internal actions and the reasoning cycle: it holds no data.
 class Goals {
  public:
   enum class End { succeed, fail };

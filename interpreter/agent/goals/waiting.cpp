@@ -202,6 +202,7 @@ void Agent::signal_goal_state(TriggerKind kind, Value goal, std::string_view sta
   const Value name = Value::atom(symbols_.predicate(state, 0));
   const Value annot = heap_.structure(symbols_.predicate("state", 1), std::span(&name, 1),
                                       heap_.pair(why, Value::empty_list()));
+  const Unifier::KeepCircles keep(machine().unifier());
   goal = machine().unifier().fresh_copy(goal);
   const Value all =
       union_of(heap_, literal_parts(goal).annots, heap_.pair(annot, Value::empty_list()), symbols_);

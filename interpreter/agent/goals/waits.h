@@ -9,8 +9,8 @@ namespace jaywalk {
 
 class Agent;
 
-/// What an agent's intentions wait for. A view, for internal actions and the reasoning cycle: it
-/// holds nothing.
+/// The waits of an agent's intentions. A view, for internal actions and the reasoning cycle: it
+/// holds no data.
 class Waits {
  public:
   explicit Waits(Agent& agent) : agent_(agent) {}
@@ -28,7 +28,7 @@ class Waits {
   /// An event has been added: does an intention wait for one like it? Plans for it need not exist.
   void check_event(const Event& event);
   void check_formulas();
-  /// What was put off to the beginning of this deliberation.
+  /// Runs the tasks deferred to the beginning of this deliberation.
   void run_tasks();
 
  private:

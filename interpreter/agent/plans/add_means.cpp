@@ -11,6 +11,7 @@ namespace jaywalk {
 // open in it, the body may bind, and a failure frees again (free_goal).
 Value Agent::settled_literal(const Event& event) {
   work().binds_event = false;
+  const Unifier::KeepCircles keep(machine().unifier());
   Value settled;
   try {
     settled = machine().unifier().apply(literal_of(event));
@@ -63,7 +64,7 @@ void Agent::fill_rare(IntendedMeans& means, const ScopePtr& scope) {
   if (plan.atomic) circumstance_.atomic_suspended = false;
 }
 
-// Who looks, and plans for goal states, hear of it.
+// Informs the observer, and plans for goal states.
 void Agent::announce_means(const Plan& plan, const Event& event, Intention& intention,
                            bool replaces) {
   if (replaces) hand_over(intention, intention.top());
@@ -86,7 +87,7 @@ Value Agent::literal_of(const Event& event) {
   return next.event.literal = heap_.literal_of(made, !next.is_open);
 }
 
-// The same, where queries that are given up do not take it away.
+// Like literal_of(), but the literal survives queries that are given up.
 void Agent::keep_literal(const Event& event) {
   (void)literal_of(event);
   heap_.protect();

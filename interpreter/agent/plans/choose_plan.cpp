@@ -35,8 +35,8 @@ constinit const ScopePtr kNoScope;  // of the library alone
   return &event == &next.event ? next.code : nullptr;
 }
 
-// Of an open event: whether the context has bound something in it; what the head has bound, the
-// goal has from there (goal_of), unless its literal has been made.
+// Whether the context has bound a variable of an open event; values bound by the head reach the
+// goal from there (goal_of), unless its literal has been made.
 bool is_event_bound(const Event& event, std::size_t matched, const Workspace& workspace) {
   if (!event.literal.is_unset()) return true;
   const std::vector<Value>& frame = workspace.frame;
@@ -131,7 +131,7 @@ void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, H
   report_limit(error, where);
 }
 
-// Rule ApplPl for a plan that is relevant, where somebody looks.
+// Rule ApplPl for a relevant plan, with an observer.
 bool Agent::observed_context_holds(const Plan& plan, const Event& event, Value* frame) {
   observer_->plan_relevant(*this, plan, event, {frame, plan.slot_count});
   const bool found = machine().solve_context(observer_->context_of(plan), frame);
@@ -180,8 +180,8 @@ bool Agent::applies_in_general(const Plan& plan, const Event& event, const Event
   return applicable;
 }
 
-// Of an event that had candidates. Jason takes the rules one by one for atomic intentions and where
-// options are selected by rules, and RelPl looks at the triggers.
+// Whether an event that had candidates had relevant plans. Jason takes the rules one by one for
+// atomic intentions and where options are selected by rules, and RelPl looks at the triggers.
 bool Agent::were_relevant(const Event& event) {
   const bool is_atomic = event.intention != nullptr && event.intention->is_atomic();
   if (!is_atomic && !selects_by_rules()) return true;
@@ -327,9 +327,9 @@ inline bool Agent::selects_by_rules() {
   return selecting != nullptr && selecting->has_rules();
 }
 
-// Where somebody looks, options are selected in another way, or goals are below a plan with
-// sub-plans: these look there first, then, if none is applicable, further out, last in the agent's
-// library.
+// For observed agents, for agents that select options in another way, and for goals below a plan
+// with sub-plans: these are searched first, then, if none is applicable, the plans further out, and
+// last the agent's library.
 bool Agent::find_unusual_option(const Event& event) {
   const bool by_rules = selects_by_rules();
   if (by_rules || (unusual_ & (kShowsEvents | kCustomised)) != 0) (void)literal_of(event);

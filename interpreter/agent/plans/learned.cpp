@@ -49,7 +49,7 @@ bool Agent::try_learned(const PlanList& plans, const Event& event, const ScopePt
   return !options.empty() && choose_learned(options, event);
 }
 
-// A choice that cannot be made fails the goal: no other plan takes its place.
+// A choice that cannot be made fails the goal: no other plan replaces it.
 bool Agent::choose_learned(std::vector<Option>& options, const Event& event) {
   const Plan& first = *options.front().plan;
   const std::string policy = term_text(first.policy, symbols_);

@@ -11,6 +11,7 @@
 #include "interpreter/support/width.h"
 #include "interpreter/term/compare.h"
 #include "interpreter/term/print.h"
+#include "interpreter/term/program_terms.h"
 #include "interpreter/term/width.h"
 
 namespace jaywalk {
@@ -210,7 +211,7 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
   const Place place = kind == Step::Kind::add_end ? Place::back : Place::front;
   ActionError error;
   if (is_rule) {
-    add_rule(code, place);
+    change_rules(code, kind);
   } else if (removes) {
     const Plan* const known = plan_with_label(plan_parts(code).label);
     if (known != nullptr) remove_plan_source(*known, Value::atom(predicates::self));
@@ -222,6 +223,22 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
   return true;
 }
 
+// As in Jason the body of a rule that goes does not matter, and there is no event.
+void Agent::change_rules(Value rule, Step::Kind kind) {
+  const Value head = as_literal(rule);
+  const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;
+  if (removes && is_literal(head)) remove_like(head);
+  if (kind == Step::Kind::replace && is_literal(head)) remove_like(any_like(head));
+  if (!removes) add_rule(rule, kind == Step::Kind::add_end ? Place::back : Place::front);
+}
+
+void Agent::remove_like(Value head) {
+  Unifier& unifier = machine().unifier();
+  const std::size_t trail = unifier.mark();
+  (void)beliefs_.remove_like(with_own_source(head), unifier);
+  unifier.undo(trail);
+}
+
 // A rule that was data.
 void Agent::add_rule(Value rule, Place place) {
   heap_.require_room();
@@ -230,10 +247,7 @@ void Agent::add_rule(Value rule, Place place) {
   const Value made = as_template(rule, names);
   Value head = made.structure()->arg(0);
   if (!is_literal(head)) return;
-  if (!has_source(literal_parts(head).annots)) {
-    head = with_annotations(heap_, head,
-                            union_of(heap_, literal_parts(head).annots, source_self(), symbols_));
-  }
+  head = with_own_source(head);
   if (predicate_of(head) == predicates::select_option) unusual_ |= kSelectsByRules;
   beliefs_.add_rule(make_rule(head, made.structure()->arg(1), std::move(names), heap_,
                               machine().actions(), symbols_),

@@ -1,9 +1,9 @@
 #pragma once
 
-// What makes an agent unlike others: the functions that Jason lets an agent class override. Each is
-// optional; one that is not set costs nothing, and the agent does what all agents do. They are
-// called between the steps of the reasoning cycle, on the thread that runs the system. Values that
-// they see are good until they return; they must not run the agent.
+// Customises an agent by the functions that Jason lets an agent class override. Each is optional;
+// one that is not set costs nothing, and the agent behaves by default. They are called between the
+// steps of the reasoning cycle, on the thread that runs the system. Values that they see are valid
+// until they return; they must not run the agent.
 //
 // The choice of an agent should depend on nothing but what it is given (and its own random stream,
 // `Agent::random`), so that a run can be repeated.
@@ -80,7 +80,7 @@ struct Customisation {
   /// nothing: none in this cycle. Not asked while an atomic intention exists.
   /// REQUIRES: less than `events.size()`; so do the other selection functions.
   std::function<std::optional<std::size_t>(Agent& agent, const Ring<Event>& events)> select_event;
-  /// SelAppl: which option is to be intended, of at least one, in the order of the plans; nothing:
+  /// SelAppl: selects the option to intend, of at least one, in the order of the plans; nothing:
   /// the event is handled as if no plan were applicable. With it, the contexts of all relevant
   /// plans are solved, not only up to the first that holds.
   std::function<std::optional<std::size_t>(Agent& agent, const Event& event,
@@ -90,10 +90,10 @@ struct Customisation {
   /// cycle. Not asked while an atomic intention exists.
   std::function<std::optional<std::size_t>(Agent& agent, const Ring<Intention*>& ready)>
       select_intention;
-  /// Belief revision, Jason's brf: decides what becomes of each belief that is to be added or
-  /// removed, but for percepts. What it does not accept does not happen.
+  /// Belief revision, Jason's brf: accepts or changes each addition or removal of a belief, but for
+  /// percepts. A change that it does not accept is not made.
   std::function<void(BeliefRevision& revision)> revise_beliefs;
-  /// Social acceptance, Jason's socAcc: whether a message is to be processed. Answers to questions
+  /// Social acceptance, Jason's socAcc: whether to process a message. Answers to questions
   /// of the agent's own are always accepted.
   std::function<bool(Agent& agent, const Message& message)> accepts_message;
 };

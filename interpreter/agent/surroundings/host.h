@@ -1,6 +1,6 @@
 #pragma once
 
-// What an agent needs of the system that it lives in. Implemented by the multi-agent system
+// The services that an agent needs from its system. Implemented by the multi-agent system
 // (mas/system.h).
 
 #include <cstdint>
@@ -26,8 +26,8 @@ class ServiceDirectory;
 /// A message as its sender gives it. The content is copied when it is sent.
 struct OutgoingMessage {
   std::string_view receiver;  // `self`: the sender
-  /// The same as an atom of the default namespace, if it was written so; then there need be no
-  /// text.
+  /// The receiver as an atom of the default namespace, if it was written so; then no text is
+  /// needed.
   std::optional<Predicate> receiver_atom;
   Symbol performative{};
   Value content;
@@ -39,10 +39,18 @@ struct OutgoingMessage {
 /// A program to be loaded while agents run.
 struct ProgramRequest {
   std::string file;
-  /// It is to be part of an agent that runs already (`.include`), with its literals in the
+  /// The program is included into a running agent (`.include`), with its literals in the
   /// namespace `ns`; empty: the default one.
   bool included = false;
   std::string ns;
+};
+
+/// Why a program was not loaded, or what was left out of it.
+struct LoadProblem {
+  std::string text;  // empty: there is none
+  /// The agents may not read the file, so that `.include` fails; one that is missing or wrong it
+  /// leaves out.
+  bool is_refused = false;
 };
 
 /// The agents that live together: who there is, who comes and goes.
@@ -58,10 +66,10 @@ class Society {
 
   /// The agents' names, in the order of their creation.
   [[nodiscard]] virtual std::vector<std::string> names() const = 0;
-  /// The program in a file, for agents of this run; null after setting `error`. It lives as long as
-  /// the run.
+  /// The program in a file, for agents of this run; null after setting `problem`. It lives as long
+  /// as the run.
   [[nodiscard]] virtual std::shared_ptr<const Program> load(const ProgramRequest& request,
-                                                            std::string& error) = 0;
+                                                            LoadProblem& problem) = 0;
   /// Writes a program to a file; false after setting `error`.
   [[nodiscard]] virtual bool save(const std::string& file, const std::string& text,
                                   std::string& error) = 0;
@@ -110,9 +118,9 @@ class AgentHost {
   virtual void limit_reached(Agent& /*agent*/, ReachedLimit /*limit*/, std::string /*where*/) {}
   /// Whether the run is to end at once. Asked within queries and long actions.
   [[nodiscard]] virtual bool interrupted() { return false; }
-  /// Who says how probable the options of policies are; null: each is as probable as the others.
+  /// Gives the probabilities of the options of policies; null: all are equally probable.
   [[nodiscard]] virtual OptionPolicies* policies() { return nullptr; }
-  /// Who looks at the agents as they reason; null: nobody.
+  /// The observer of the agents as they reason; null: none.
   [[nodiscard]] virtual ReasoningObserver* observer() { return nullptr; }
 };
 

@@ -15,7 +15,7 @@ namespace jaywalk {
 
 class Agent;
 
-/// What a policy is asked. Everything is good until the call returns.
+/// A question to a policy. All of it is valid until the call returns.
 struct LearnedChoice {
   const Agent& agent;
   /// P of learned(P).
@@ -27,9 +27,9 @@ struct LearnedChoice {
   std::span<const std::string> options;
 };
 
-/// What became of a choice.
+/// The result of a choice.
 struct DrawnOption {
-  /// Of each option; they add up to 1.
+  /// Each option's probability; they add up to 1.
   std::span<const double> probabilities;
   std::size_t chosen = 0;
 };

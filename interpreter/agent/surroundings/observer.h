@@ -31,9 +31,9 @@ class ReasoningObserver {
   /// events that it is given may be unset, and event_selected and event_posted say nothing to it.
   [[nodiscard]] virtual bool wants_events() const { return true; }
 
-  /// What is solved in place of a plan's context or used in place of a rule: the same formula,
-  /// perhaps with goals between its parts that report how far the query comes. It must
-  /// outlive the run.
+  /// The formula to solve instead of a plan's context, or the rule to use instead of a rule: the
+  /// same formula, perhaps with goals between its parts that report how far the query comes. It
+  /// must outlive the run.
   [[nodiscard]] virtual const Goal* context_of(const Plan& plan) { return plan.context; }
   [[nodiscard]] virtual const RuleCode& rule_for(const RuleCode& rule) { return rule; }
   /// Told by such goals (coverage/probes.h): a condition, by its number, is asked, with the values

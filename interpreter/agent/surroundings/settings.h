@@ -7,8 +7,8 @@
 namespace jaywalk {
 
 struct ReasoningSettings {
-  /// `events`: what becomes of an external event that no plan is for, and of the event of a belief
-  /// whose plan has failed.
+  /// `events`: whether an external event without a plan, or the event of a belief whose plan has
+  /// failed, is discarded or queued again.
   enum class Unwanted : std::uint8_t { discard, requeue };
   Unwanted unwanted = Unwanted::discard;
   /// `intBels = sameFocus`: the plan for `+b` runs before the next formula; else on its own.

@@ -1,8 +1,8 @@
 #pragma once
 
-// What an agent reasons with while it has its turn, and what it makes known meanwhile. Agents that
-// have their turns one after another share one; where several threads reason, each has its own for
-// the agents of its block (mas/parallel.cpp).
+// The tools and outputs of an agent during its turn. Agents that have their turns one after another
+// share one; where several threads reason, each has its own for the agents of its block
+// (mas/parallel.cpp).
 
 #include "interpreter/term/texts_read.h"
 

@@ -80,20 +80,23 @@ class ValueFlow {
     if (is_new) found->second = new_id();
     return found->second;
   }
-  void note(Id id, AtomUse use) {
+  enum class Written : std::uint8_t { as_atom, as_string };
+
+  void note(Id id, AtomUse use, Written written = Written::as_atom) {
     use.is_declared_here = declared_.contains(id);
-    uses_.emplace_back(id, use);
+    uses_.push_back({id, use, written});
   }
 
   std::vector<ValueClass> classes() {
     std::map<Id, std::size_t> numbers;
     std::vector<ValueClass> classes;
-    for (const auto& [id, use] : uses_) {
+    for (const auto& [id, use, written] : uses_) {
       // Roots are only known once all is united, so that classes are numbered here, in the order of
       // uses.
       const auto [number, is_new] = numbers.try_emplace(root(id), classes.size());
       if (is_new) classes.emplace_back();
-      classes[number->second].uses.push_back(use);
+      ValueClass& of_id = classes[number->second];
+      (written == Written::as_string ? of_id.strings : of_id.uses).push_back(use);
     }
     return classes;
   }
@@ -242,6 +245,9 @@ class ValueFlow {
       unite(id, variable_id(node.text));
     } else if (is_atom(node)) {
       note(id, {.atom = node.text, .role = role, .file = file_, .span = node.span});
+    } else if (node.kind == Kind::string) {
+      note(id, {.atom = node.text, .role = role, .file = file_, .span = node.span},
+           Written::as_string);
     } else if (node.kind == Kind::literal && !ast::is_internal(node)) {
       literal(What::structure, node, role);
     } else {
@@ -304,7 +310,12 @@ class ValueFlow {
   Id last_arguments_ = 0;
   std::map<std::string_view, Id> variables_;
   std::set<Id> declared_;
-  std::vector<std::pair<Id, AtomUse>> uses_;
+  struct Noted {
+    Id id = 0;
+    AtomUse use;
+    Written written = Written::as_atom;
+  };
+  std::vector<Noted> uses_;
 };
 
 }  // namespace

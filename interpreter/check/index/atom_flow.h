@@ -13,7 +13,7 @@
 
 namespace jaywalk {
 
-/// An atom in an argument.
+/// An atom in an argument, or a string.
 struct AtomUse {
   enum class Role : std::uint8_t {
     given,    // it becomes a value there: facts, heads of rules, `+b`, posted goals, `X = a`
@@ -21,7 +21,7 @@ struct AtomUse {
     allowed,  // the environment declares it
   };
 
-  std::string_view atom;
+  std::string_view atom;  // of a string its content
   Role role = Role::given;
   /// The argument of a percept or action that declares its values, not just shares them.
   bool is_declared_here = false;
@@ -34,9 +34,11 @@ struct AtomUse {
 /// The arguments that exchange values, with their atoms.
 struct ValueClass {
   std::vector<AtomUse> uses;
+  std::vector<AtomUse> strings;
 };
 
-/// All classes that have an atom, in the order in which their first ones stand in the program.
+/// All classes that have an atom or string, in the order in which their first ones stand in the
+/// program.
 [[nodiscard]] std::vector<ValueClass> value_classes(Checking& checking);
 
 }  // namespace jaywalk

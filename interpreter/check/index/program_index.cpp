@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include <fmt/format.h>
+
 #include "interpreter/actions/table/action_traits.h"
 #include "interpreter/syntax/node.h"
 
@@ -57,19 +59,13 @@ class Indexer {
     const Node& literal = *component.literal;
     if (literal.text == "include") {
       // An include that could not be read may bring any plan and belief.
-      if (!program_.includes.contains(&component)) {
-        index_.has_open_goals = true;
-        index_.has_open_beliefs = true;
-      }
+      if (!program_.includes.contains(&component)) leave_open();
     } else if (literal.text == "register_function") {
       if (!literal.args.empty()) index_.functions.add_any_arity(literal.args.front()->text);
     } else if (literal.text != "namespace") {
       for (const Node* argument : literal.args) {
         // A pattern given as text is not looked into.
-        if (argument->kind == Kind::string) {
-          index_.has_open_goals = true;
-          index_.has_open_beliefs = true;
-        }
+        if (argument->kind == Kind::string) leave_open();
         if (argument->kind != Kind::literal) continue;
         index_.planned_goals.add(argument->text, arity_of(*argument));
         index_.achievable_goals.add(argument->text, arity_of(*argument));
@@ -78,6 +74,12 @@ class Indexer {
       }
     }
     components(component.inner);
+  }
+
+  void leave_open() {
+    index_.has_open_goals = true;
+    index_.has_open_beliefs = true;
+    index_.has_unread_parts = true;
   }
 
   // Most facts of long programs follow another one of the same name.
@@ -189,8 +191,8 @@ class Indexer {
   void internal_action(const Node& node) {
     switch (traits_of(node.text).about) {
       case About::new_program:
-        index_.has_open_beliefs = true;
-        [[fallthrough]];
+        leave_open();
+        return;
       case About::new_plans: {
         // A text that the checker cannot look into, unless the plan is written there.
         const bool written = !node.args.empty() && node.args.front()->kind == Kind::plan;
@@ -257,5 +259,11 @@ ProgramWords words_of(const SourceTree& program) {
 }
 
 int arity_of(const ast::Node& literal) { return static_cast<int>(literal.args.size()); }
+
+std::string belief_name(const ast::Node& literal) {
+  return fmt::format("{}/{}", literal.text, literal.args.size());
+}
+
+std::string goal_name(const ast::Node& literal) { return "!" + belief_name(literal); }
 
 }  // namespace jaywalk

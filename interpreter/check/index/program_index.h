@@ -52,6 +52,8 @@ struct ProgramIndex {
   bool has_open_goals = false;
   /// Beliefs are added whose names are not written in the program.
   bool has_open_beliefs = false;
+  /// Parts of the program are not there, or loaded while it runs: they may define any name.
+  bool has_unread_parts = false;
   bool sends_messages = false;
 };
 
@@ -68,5 +70,9 @@ struct ProgramWords {
 
 /// The number of arguments of a literal.
 [[nodiscard]] int arity_of(const ast::Node& literal);
+
+/// How comments for the checker write a belief and a goal: `radius/1`, `!cross/0`.
+[[nodiscard]] std::string belief_name(const ast::Node& literal);
+[[nodiscard]] std::string goal_name(const ast::Node& literal);
 
 }  // namespace jaywalk

@@ -1,7 +1,9 @@
 #pragma once
 
 // Visits every node below one, in the order of the text: arguments, annotations, tails, namespaces,
-// and within programs as terms. `visit(node)` is called before a node's parts.
+// and within programs as terms; and every formula of a body. `visit` is called before the parts.
+
+#include <span>
 
 #include "interpreter/syntax/ast.h"
 
@@ -31,6 +33,18 @@ void each_node(const ast::Plan& plan, Visit&& visit) {
   if (plan.goal_condition != nullptr) each_node(*plan.goal_condition, visit);
   for (const ast::Formula& formula : plan.body) each_node(*formula.node, visit);
   for (const ast::Plan* subplan : plan.subplans) each_node(*subplan, visit);
+}
+
+/// Calls `visit(formula)` for each formula of the body and of the blocks within.
+template <class Visit>
+void each_formula(std::span<const ast::Formula> formulas, Visit&& visit) {
+  for (const ast::Formula& formula : formulas) {
+    visit(formula);
+    if (formula.node->kind == ast::Kind::body) each_formula(formula.node->formulas, visit);
+    for (const ast::Node* part : formula.node->args) {
+      if (part->kind == ast::Kind::body) each_formula(part->formulas, visit);
+    }
+  }
 }
 
 }  // namespace jaywalk

@@ -161,6 +161,12 @@ class Collector {
 
 Uses uses_in(std::span<const ast::Component> components) { return Collector().run(components); }
 
+bool is_for_goal(const ast::Plan& plan) {
+  return plan.trigger.kind == ast::TriggerKind::achieve &&
+         plan.trigger.op == ast::TriggerOperator::add &&
+         plan.trigger.literal->kind == Kind::literal;
+}
+
 std::set<std::string_view> handled_performatives(const Uses& uses) {
   std::set<std::string_view> handled;
   for (const ast::Plan* plan : uses.plans) {

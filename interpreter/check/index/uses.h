@@ -48,6 +48,9 @@ struct Uses {
 
 [[nodiscard]] Uses uses_in(std::span<const ast::Component> components);
 
+/// Whether the plan is for one goal that is posted, `+!g`.
+[[nodiscard]] bool is_for_goal(const ast::Plan& plan);
+
 /// The performatives of messages that the plans handle, `+!kqml_received(_, tell, _, _)`.
 [[nodiscard]] std::set<std::string_view> handled_performatives(const Uses& uses);
 

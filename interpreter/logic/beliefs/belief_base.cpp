@@ -164,7 +164,31 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
   if (rel == nullptr) return false;
   const auto known = rel->find(parts.args);
   if (known && remove_annotations(*rel, *known, parts.annots, true)) return true;
-  if (is_ground(literal)) return false;
+  return !is_ground(literal) && remove_like(literal, unifier);
+}
+
+namespace {
+
+// Whether `annots` have a source that is not among those given.
+bool has_other_source(Value annots, Value given) {
+  for (Value a = deref(annots); a.is_pair(); a = deref(a.pair()->tail)) {
+    const Value annot = deref(a.pair()->head);
+    if (!is_form(annot, Form::literal) || predicate_of(annot) != predicates::source) continue;
+    bool is_given = false;
+    for (Value g = deref(given); g.is_pair() && !is_given; g = deref(g.pair()->tail)) {
+      is_given = equal_terms(g.pair()->head, annot);
+    }
+    if (!is_given) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool BeliefBase::remove_like(Value literal, Unifier& unifier) {
+  const LiteralParts parts = literal_parts(literal);
+  Relation* const rel = find(parts.predicate);
+  if (rel == nullptr) return false;
   const std::size_t trail = unifier.mark();
   Relation::Cursor cursor = rel->open(parts.args);
   std::int64_t seq = 0;
@@ -173,8 +197,10 @@ bool BeliefBase::remove(Value literal, Unifier& unifier) {
       ScratchSlots slots(unifier, row->rule->slot_count);
       const Value head = unifier.instantiate(row->rule->head, slots.data());
       if (!unifier.unify(literal, head)) continue;
-      erase(*rel, seq);
-      return true;
+      const bool goes = !has_other_source(literal_parts(head).annots, unifier.apply(parts.annots));
+      if (goes) erase(*rel, seq);
+      if (!goes) unifier.undo(trail);
+      return goes;
     }
     if (!unifier.unify(literal, row->fact)) continue;
     if (remove_annotations(*rel, seq, unifier.apply(parts.annots), false)) return true;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an agent believes, in Jason's observable order: one Relation for each predicate indicator.
+// An agent's beliefs, in Jason's observable order: one Relation for each predicate indicator.
 
 #include <cstdint>
 #include <memory>
@@ -54,7 +54,7 @@ class BeliefBase {
   /// Rules are added without looking for an equal one. Static rules belong to a program.
   void add_rule(const RuleCode& rule, Place place);
   void add_rule(std::unique_ptr<RuleCode> rule, Place place);
-  /// Room for so many predicates, of which something will be believed.
+  /// Reserves room for a number of predicates.
   void expect(std::size_t predicates) {
     known_.reserve(predicates);
     relations_.reserve(predicates);
@@ -76,6 +76,8 @@ class BeliefBase {
   /// unless the literal is ground, the first belief that unifies. True: the deletion is an event,
   /// and `unifier` has the bindings. False: nothing is bound.
   bool remove(Value literal, Unifier& unifier);
+  /// Like remove(), but of the first belief or rule that unifies, even if the literal is ground.
+  bool remove_like(Value literal, Unifier& unifier);
   /// Removes a row whatever its sources.
   void erase(Relation& relation, std::int64_t seq);
 

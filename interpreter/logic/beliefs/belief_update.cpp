@@ -55,7 +55,7 @@ Value BeliefBase::percept(Predicate predicate, std::span<const Value> args) {
   return heap_.literal_of(made, closed);
 }
 
-// There is no order of rows that could change, and nobody hears of it.
+// The order of rows cannot change, and no plan is triggered by it.
 bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_args,
                                 std::span<const Value> args) {
   Relation* const rel = find(predicate);

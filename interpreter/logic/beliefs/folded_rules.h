@@ -26,8 +26,8 @@ struct Answers {
   std::size_t arity = 0;
   /// Numbers and atoms: the arguments of the first answer, then those of the second, and so on.
   std::vector<Value> values;
-  /// How many inferences the rules take to find each answer, and, as the last entry, to find that
-  /// there are no more: 0 if the last answer leaves no choice point. The query's own inference is
+  /// The inferences that the rules take to find each answer, and, as the last entry, to find that
+  /// there is no other: 0 if the last answer leaves no choice point. The query's own inference is
   /// not counted.
   std::vector<std::uint64_t> inferences;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an agent believes of one predicate: facts and rules, in Jason's observable order.
+// An agent's beliefs of one predicate: facts and rules, in Jason's observable order.
 //
 //   rows:   [ oldest at the end of the order ... newest, asked first ]
 //   seq:      first_seq                          first_seq + size - 1
@@ -44,7 +44,7 @@ class Relation {
   [[nodiscard]] const Row& row(std::int64_t seq) const {
     return (*rows_)[static_cast<std::size_t>(seq - first_seq_)];
   }
-  /// To be changed. REQUIRES: the rows are its own.
+  /// A row that may be changed. REQUIRES: the rows are its own.
   [[nodiscard]] Row& own_row(std::int64_t seq) {
     return own_->rows[static_cast<std::size_t>(seq - first_seq_)];
   }
@@ -120,7 +120,7 @@ class Relation {
     return cursor;
   }
 
-  /// What find() has learned of arguments, for who adds them: their hash, or 0.
+  /// The hash that find() computed, to be passed on to add_*(); 0 if unknown.
   using Hash = std::uint32_t;
   std::int64_t add_front(Row row, Hash hash = 0);  // asked first
   std::int64_t add_back(Row row, Hash hash = 0);   // asked last
@@ -151,7 +151,7 @@ class Relation {
   bool is_folded_in = false;
   /// Memory without terms, roughly.
   [[nodiscard]] std::size_t bytes() const;
-  /// What a row of many takes with its place in an index, old and new memory while they grow.
+  /// The memory of a row and its place in an index, including old and new memory while they grow.
   static constexpr std::size_t kIndexedRowBytes = 24;
   static constexpr std::size_t kRowBytes = 2 * (sizeof(Row) + kIndexedRowBytes);
   /// Becomes as new but for memory for a few rows.
@@ -217,7 +217,7 @@ class Relation {
     }
     return RowIndex::kNone;
   }
-  // Of a row without a rule, beside the first argument.
+  // Whether a fact may match, by the arguments after the first.
   [[nodiscard]] [[gnu::always_inline]] static bool may_match(Value fact, const Value* args) {
     if (!fact.is_structure() || args == nullptr) return !fact.is_unset();
     const std::span<const Value> known = fact.structure()->arg_span();

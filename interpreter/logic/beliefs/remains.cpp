@@ -1,4 +1,4 @@
-// What is left of a belief base for the next agent: relations with room for rows.
+// The parts of a belief base that the next agent reuses: relations with room for rows.
 
 #include "interpreter/logic/beliefs/belief_base.h"
 

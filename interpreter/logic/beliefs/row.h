@@ -46,7 +46,7 @@ struct Row {
   std::uint32_t percept_generation = 0;
 
   [[nodiscard]] bool is_hole() const { return fact.is_unset() && rule == nullptr; }
-  /// What a query is unified with. REQUIRES: no hole.
+  /// The literal to unify a query with. REQUIRES: no hole.
   [[nodiscard]] Value literal() const { return rule != nullptr ? rule->head : fact; }
 };
 

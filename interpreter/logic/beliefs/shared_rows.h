@@ -1,9 +1,9 @@
 #pragma once
 
-// What the agents of a program believe of a predicate when they begin, or what all agents of a
-// system always perceive of one (constant_percepts.h). Agents share the rows until they change
-// something of them (Relation::own_rows), on any thread: the rows do not change, and their indexes
-// are made when one of the agents first needs them.
+// The initial beliefs of one predicate that a program's agents share, or the constant percepts of
+// one that a system's agents share (constant_percepts.h). Agents share the rows until they change
+// one (Relation::own_rows), on any thread: the rows do not change, and their indexes are made when
+// an agent first needs them.
 
 #include <atomic>
 #include <cstdint>
@@ -34,9 +34,9 @@ class SharedRows {
   /// The percept_generation of such rows.
   static constexpr std::uint32_t kAlwaysSeen = 0xFFFF'FFFFU;
   [[nodiscard]] const RuleTable* rule_table() const { return table_; }
-  /// Of all rows by an argument, which they have.
+  /// The index of all rows by an argument, which they have.
   [[nodiscard]] RowIndex& index_of(std::size_t argument) const;
-  /// Of the facts by all arguments.
+  /// The index of the facts by all arguments.
   [[nodiscard]] HashIndex& facts() const;
 
  private:

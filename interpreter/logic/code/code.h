@@ -27,7 +27,7 @@ struct Goal {
   };
 
   Kind kind = Kind::truth;
-  /// Of a query: its arguments are constants and slots, each slot once, and not many.
+  /// For a query: its arguments are constants and slots, each slot once, and not many.
   bool is_plain = false;
   /// Of compare: in which orders of two numbers it holds (known_numbers.h).
   std::uint8_t orders = 0;
@@ -42,12 +42,12 @@ struct Goal {
   /// Of compare and unify: the sides.
   Operand left;
   Operand right;
-  /// Of an internal action: its arguments that are formulas, compiled (null for other arguments).
+  /// For an internal action: its arguments that are formulas, compiled (null for other arguments).
   std::vector<const Goal*> queries;
 
   /// The term's arguments.
   [[nodiscard]] std::span<const Value> args() const { return args_; }
-  /// To be called when the term has been set, or has moved.
+  /// Call this when the term has been set, or has moved.
   void note_args() {
     args_ = term.is_structure() ? term.structure()->arg_span() : std::span<const Value>{};
   }

@@ -51,7 +51,8 @@ class HeadCode {
   /// `body_terms`: what else of the rule mentions its slots.
   HeadCode(Value head, const std::vector<Value>& body_terms, std::span<const Symbol> slot_names);
 
-  /// Of a plan: each of its variables gets a value, and those that it `inherits` have one before.
+  /// The head of a plan: each of its variables gets a value, and those in `inherits` have one
+  /// before.
   [[nodiscard]] static HeadCode of_plan(Value head, std::span<const Symbol> slot_names,
                                         std::span<const std::uint32_t> inherits);
 

@@ -15,7 +15,7 @@ struct Operand {
   enum class Kind : std::uint8_t { constant, slot, add, subtract, multiply, other };  // in order
   static constexpr std::uint32_t kNoSlot = 0xFFFF'FFFFU;
 
-  /// Of a template; `other` if it is nothing of this kind.
+  /// The operand for a template; `other` if it is of another kind.
   [[nodiscard]] static Operand of(Value term);
 
   Kind kind = Kind::other;

@@ -71,10 +71,24 @@ bool Unifier::unify_no_undo(Value a, Value b) {
       return equal_terms(a, b);
     case Value::Kind::atom:
     case Value::Kind::structure:
-      return unify_literals(a, b);
+      return walk_.depth() <= TermWalk::kShallow ? unify_literals(a, b) : unify_deep(a, b);
     default:
       return false;
   }
+}
+
+// Two terms that contain themselves unify unless a difference is found: a pair that is being
+// unified already has none.
+bool Unifier::unify_deep(Value a, Value b) {
+  struct Begun {
+    ~Begun() { pairs.erase(place); }
+    DeepPairs& pairs;
+    DeepPairs::iterator place;
+  };
+  const auto [place, is_new] = deep_pairs_.emplace(a.bits(), b.bits());
+  if (!is_new) return true;
+  const Begun begun{deep_pairs_, place};
+  return unify_literals(a, b);
 }
 
 bool Unifier::unify_variable(Value variable, Value value) {
@@ -301,7 +315,7 @@ bool AnnotationSearch::take_variable(Value annot) {
   return next_variable_ < variables_.size() && unifier_.unify(annot, variables_[next_variable_++]);
 }
 
-// The same for sets without variables.
+// Unifies annotations that are sets without variables.
 bool unify_closed_annotations(Unifier& unifier, Value a, Value b) {
   for (; a.is_pair(); a = a.pair()->tail) {
     const Value annot = a.pair()->head;

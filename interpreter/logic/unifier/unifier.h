@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "interpreter/support/containers/flat_stack.h"
+#include "interpreter/term/circles.h"
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
 #include "interpreter/term/walk.h"
@@ -27,7 +29,7 @@ class FunctionCaller {
   virtual ~FunctionCaller() = default;
   /// Evaluates a function term whose arguments have been applied. False: it stays as it is.
   virtual bool call_function(const Structure& function, Value& result) = 0;
-  /// The same for a function of these numbers that can be called without further ado.
+  /// Calls a function of these numbers directly. False: it cannot be called so.
   virtual bool call_of_numbers(Predicate function, std::span<const Value> args, Value& result) {
     static_cast<void>(function);
     static_cast<void>(args);
@@ -48,7 +50,7 @@ class Unifier {
   /// Unifies `a` with `b`; asymmetric: the annotations of `a` must be among those of `b`, inside
   /// arguments too. If it fails, all its bindings have been undone.
   [[nodiscard]] bool unify(Value a, Value b);
-  /// The same without undoing: for callers that go back to an earlier mark anyway.
+  /// Like unify(), without undoing on failure: for callers that go back to an earlier mark anyway.
   [[nodiscard]] bool unify_no_undo(Value a, Value b);
   /// Each of `a` in order with a distinct one of `b`; tails collect the rest.
   [[nodiscard]] bool unify_annotations(Value a, Value b);
@@ -61,6 +63,20 @@ class Unifier {
   /// possible. Unset slots become fresh variables named by `slot_names`.
   [[nodiscard]] Value instantiate(Value term, Value* slots);
   [[nodiscard]] Value apply(Value term) { return instantiate(term, nullptr); }
+  /// While it lives, terms that contain themselves are instantiated, too, which is TermTooDeep
+  /// otherwise: those who walk through the result must end by themselves.
+  class KeepCircles {
+   public:
+    explicit KeepCircles(Unifier& unifier)
+        : keeps_(unifier.keeps_circles_), outer_(std::exchange(keeps_, true)) {}
+    ~KeepCircles() { keeps_ = outer_; }
+    KeepCircles(const KeepCircles&) = delete;
+    KeepCircles& operator=(const KeepCircles&) = delete;
+
+   private:
+    bool& keeps_;
+    bool outer_;
+  };
   /// The same, but values of slots and variables are referred to as they are, not applied in turn:
   /// what a query passes to a rule. Arithmetic is evaluated.
   [[nodiscard]] Value build(Value term, Value* slots) {
@@ -116,8 +132,8 @@ class Unifier {
     variable->value = value;
     trail_.push_back(&variable->value);
   }
-  /// The same for who goes back to no place before the young variables were made (set_young): those
-  /// are out of reach then, and need not be undone.
+  /// Like bind(), for callers that never backtrack past the creation of young variables
+  /// (set_young); those bindings need no trail entry.
   void bind_young(Variable* variable, Value value) {
     variable->value = value;
     if (variable->serial < young_) trail_.push_back(&variable->value);
@@ -182,6 +198,12 @@ class Unifier {
   [[nodiscard]] bool is_open(Value term, const Value* slots) const;
   bool evaluate_term(Value term, Value* slots, double& result);
   bool evaluate_function(const Structure& function, const Value* slots, double& result, int depth);
+  Value instantiate_parts(Value term, Value* slots);
+  [[gnu::noinline]] Value instantiate_circular(Value term, Value* slots);
+  [[nodiscard]] bool is_circular(Value term) const {
+    return !circles_.empty() && circles_.contains(term.bits());
+  }
+  [[nodiscard]] bool unify_deep(Value a, Value b);
   Value instantiate_structure(const Structure& structure, Value* slots);
   Value keep_expression(const Structure& structure, Value* slots);
   Value instantiate_decorated(const Structure& structure, Value* slots);
@@ -200,7 +222,11 @@ class Unifier {
   std::span<const Symbol> slot_names_;
   std::unordered_set<std::uint64_t> fresh_;  // only while fresh_copy runs
   TermWalk walk_;
+  Circles circles_;  // only while a term that has some is instantiated
+  using DeepPairs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
+  DeepPairs deep_pairs_;  // those that are being unified
   bool keep_slots_ = false;
+  bool keeps_circles_ = false;
   std::uintptr_t fresh_begin_ = 0;
   std::size_t fresh_bytes_ = 0;
   std::uint32_t slots_recorded_ = 0;

@@ -67,9 +67,32 @@ Value Unifier::instantiate(Value term, Value* slots) {
     term = deref(term);
     return term.is_variable() || term.is_closed() ? term : instantiate(term, slots);
   }
+  if (walk_.depth() > 0) return instantiate_parts(term, slots);
+  try {
+    return instantiate_parts(term, slots);
+  } catch (const TermTooDeep&) {
+    return instantiate_circular(term, slots);
+  }
+}
+
+Value Unifier::instantiate_parts(Value term, Value* slots) {
+  if (is_circular(term)) return term;
   const TermWalk::Level level(walk_, term);
   return term.is_pair() ? instantiate_pairs(term, slots)
                         : instantiate_structure(*term.structure(), slots);
+}
+
+// What contains itself stays as it is: it has no copy without its variable.
+Value Unifier::instantiate_circular(Value term, Value* slots) {
+  struct Forgotten {
+    ~Forgotten() { circles.clear(); }
+    Circles& circles;
+  };
+  if (!keeps_circles_ || !circles_.empty()) throw TermTooDeep{};
+  const Forgotten forgotten{circles_};
+  circles_ = circles_of(term, slots);
+  if (circles_.empty()) throw TermTooDeep{};
+  return instantiate_parts(term, slots);
 }
 
 Value Unifier::build_term(Value term, Value* slots) {
@@ -157,9 +180,15 @@ Value Unifier::rename(Value term, std::vector<std::pair<Value, Value>>* renamed)
   const std::size_t start = mark();
   fresh_.clear();  // a limit may have ended an earlier walk
   std::vector<Value> todo{term};
+  std::size_t steps = 0;
   while (!todo.empty()) {
     const Value value = deref(todo.back());
     todo.pop_back();
+    // A term that contains itself comes again and again.
+    constexpr std::size_t kUsual = 1000;
+    const bool is_known = ++steps > kUsual && !value.is_closed() && !value.is_variable() &&
+                          !fresh_.insert(value.bits()).second;
+    if (is_known) continue;
     if (value.is_variable()) {
       if (!fresh_.contains(value.bits())) {
         fresh_.insert(value.bits());
@@ -190,7 +219,7 @@ Value Unifier::instantiate_pairs(Value list, Value* slots) {
   ElementBuffer elements;
   Value tail = list;
   ListWalk walk;
-  while (tail.is_pair() && !tail.is_closed()) {
+  while (tail.is_pair() && !tail.is_closed() && !is_circular(tail)) {
     walk.visit(tail);
     elements.push_back(instantiate(tail.pair()->head, slots));
     tail = tail.pair()->tail;

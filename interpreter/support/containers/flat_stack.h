@@ -40,7 +40,7 @@ class FlatStack {
   [[nodiscard]] const T* data() const { return values_.get(); }
   [[nodiscard]] T* begin() { return data(); }
   [[nodiscard]] T* end() { return data() + size_; }
-  /// What has come since there were so many.
+  /// The elements pushed since there were `size`.
   [[nodiscard]] std::span<const T> since(std::size_t size) const {
     return {data() + size, size_ - size};
   }

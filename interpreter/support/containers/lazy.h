@@ -1,6 +1,6 @@
 #pragma once
 
-// A value that is made when somebody first asks for it, and then kept.
+// A value that is made when first needed, and then kept.
 
 #include <functional>
 #include <optional>

@@ -36,24 +36,55 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-}  // namespace
+bool is_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path.empty() ? "." : path, error);
+}
 
-std::string hint_for_missing(const std::string& path) {
-  const fs::path missing(path);
+/// The folder beside a missing one whose name is most like its.
+std::optional<fs::path> like_folder(const fs::path& missing) {
+  std::vector<std::string> names;
+  for (const fs::path& entry : entries_of(missing.parent_path())) {
+    if (is_folder(missing.parent_path() / entry)) names.push_back(entry.string());
+  }
+  const std::optional<std::string> like = closest(missing.filename().string(), names);
+  if (!like) return std::nullopt;
+  return missing.parent_path() / *like;
+}
+
+std::optional<fs::path> like_file(const fs::path& missing) {
   const fs::path folder = missing.parent_path();
-  if (!missing.has_filename()) return {};
+  if (!is_folder(folder)) {
+    const std::optional<fs::path> like = like_folder(folder);
+    if (!like) return std::nullopt;
+    return is_file(*like / missing.filename()) ? *like / missing.filename()
+                                               : like_file(*like / missing.filename());
+  }
   std::vector<std::string> names;
   for (const fs::path& entry : entries_of(folder)) {
     const fs::path below = folder / entry / missing.filename();
-    if (is_file(below)) return fmt::format("did you mean '{}'?", below.string());
+    if (is_file(below)) return below;
+    if (!is_file(folder / entry)) continue;
+    if (!missing.has_extension() && entry.stem() == missing.filename()) return folder / entry;
     // Endings are left out of the comparison: what ".asl" has in common says nothing.
-    const bool is_of_kind = entry.extension() == missing.extension();
-    if (is_of_kind && is_file(folder / entry)) names.push_back(entry.stem().string());
+    if (entry.extension() == missing.extension()) names.push_back(entry.stem().string());
   }
   const std::optional<std::string> like = closest(missing.stem().string(), names);
-  if (!like) return {};
-  const std::string file = (folder / (*like + missing.extension().string())).string();
-  return fmt::format("did you mean '{}'?", file);
+  if (!like) return std::nullopt;
+  return folder / (*like + missing.extension().string());
+}
+
+}  // namespace
+
+std::string hint_for_missing(const std::string& path, const std::string& root) {
+  const fs::path missing(path);
+  if (!missing.has_filename()) return {};
+  std::optional<fs::path> like = like_file(missing);
+  if (!like && !root.empty() && missing.is_relative()) {
+    like = like_file(root / missing);
+    if (like) like = like->lexically_relative(root);
+  }
+  return like ? fmt::format("did you mean '{}'?", like->string()) : std::string();
 }
 
 }  // namespace jaywalk

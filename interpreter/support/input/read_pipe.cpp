@@ -36,7 +36,7 @@ class Pipe {
     return bytes;
   }
 
-  /// Before somebody writes a pipe it reads as one that has ended; with a writer that has written
+  /// Without a writer a pipe reads as one that has ended; with a writer that has written
   /// nothing yet, as EAGAIN.
   bool find_writer(std::string& text, std::chrono::milliseconds patience) {
     const auto end = std::chrono::steady_clock::now() + patience;

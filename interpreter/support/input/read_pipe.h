@@ -11,8 +11,8 @@
 namespace jaywalk {
 
 /// All that is written to the pipe; reading stops as soon as there are more than `max_bytes`.
-/// Errors: it cannot be opened, or nobody has opened it for writing when `patience` ends. A writer
-/// that takes its time is waited for.
+/// Errors: it cannot be opened, or no process has opened it for writing when `patience` ends. A
+/// writer that takes its time is waited for.
 [[nodiscard]] Result<std::string> read_pipe(
     const std::string& path, std::size_t max_bytes,
     std::chrono::milliseconds patience = std::chrono::seconds(2));

@@ -1,4 +1,4 @@
-// The same with the last of three arguments bound in the inner query.
+// Like join.asl, with the last of three arguments bound in the inner query.
 n(100).
 two(X, Z) :- edge(X, _, Y) & edge(Z, _, X) & Y > Z.
 !start.

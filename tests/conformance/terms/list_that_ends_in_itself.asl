@@ -1,5 +1,6 @@
-// A list that ends in itself cannot be used.
+// A list that ends in itself can be printed, but has no length.
 !start.
-+!start <- L = [a|L]; .print(L).
--!start <- .print("given up").
-// expect: given up
++!start <- L = [a|L]; .print(L); .length(L, N); .print(N).
+-!start[error(E)] <- .print(E).
+// expect: ...[a|L]/L
+// expect: limit

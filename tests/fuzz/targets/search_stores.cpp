@@ -35,6 +35,7 @@ Case make(Choices& choices) {
   made.files["how.sql"] = std::move(store.how);
   made.commands = {{"report", "store.gpkg", "--html", "page.html"}};
   if (choices.once_in(2)) made.commands.insert(made.commands.begin(), search("--resume"));
+  made.outputs = {"store.gpkg", "page"};
   return made;
 }
 

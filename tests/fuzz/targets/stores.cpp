@@ -68,6 +68,7 @@ Case make(Choices& choices) {
   made.files["store.gpkg"] = std::move(store.bytes);
   made.files["how.sql"] = std::move(store.how);
   made.commands = {reading_command(choices), reading_command(choices)};
+  made.outputs = {"store.gpkg", "out", "page", "all.gpkg"};
   return made;
 }
 

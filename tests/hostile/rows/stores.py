@@ -28,7 +28,38 @@ def sql(name, statements, command, code=2, says="s.gpkg", **more):
     return store(name, f'python3 sql.py "{statements}"', command, code, says, **more)
 
 
+# Tests that met the precondition, so that pages name them.
+FOUND = "jaywalk compare scenarios/paper.yaml --behaviours proximity --tests 2 --agents 9 --threads 1 --quiet --store-level all --store s.gpkg || exit 99; "
+
+
+def renamed(what, name, *columns):
+    """The name, an expression of SQL, stands in all of these columns, and no file is written beside `out`."""
+    changes = ";".join(f"UPDATE {column.split('.')[0]} SET {column.split('.')[1]}={name}" for column in columns)
+    return [Row(f"{what} for {command}", FOUND + f'python3 sql.py "{changes}"; jaywalk {command}; code=$?; '
+                "ls -A | grep -vxE 'out|out-replays|s.gpkg|walker.asl|.*.yaml|av.sh|sql.py' && echo OUTSIDE; exit $code", 2, "which is no name", FILES, never="OUTSIDE")
+            for command in ("export s.gpkg --all --out out", "export s.gpkg --all --format json --out out", "report s.gpkg --replays --html out")]
+
+
+LINKED = ("mkdir -p out; {command} || exit 99; for f in {files}; do rm $f; ln -s $PWD/victim $f; done; echo mine >victim; "
+          "{command} || exit 98; grep -x mine victim || exit 97")
+
 ROWS = [
+    *renamed("a behaviour whose name leads out", "'../x'", "behaviours.name", "tests.behaviour"),
+    *renamed("a behaviour whose name begins at the root", "'/tmp/jaywalk-hostile'", "behaviours.name", "tests.behaviour"),
+    *renamed("a behaviour whose name has a NUL", "'../x'||char(0)", "behaviours.name", "tests.behaviour"),
+    *renamed("a behaviour whose name has an escape", "char(27)||'[2J'", "behaviours.name", "tests.behaviour"),
+    *renamed("a behaviour whose name is a formula", "'=HYPERLINK(1)'", "behaviours.name", "tests.behaviour"),
+    *renamed("an actor whose name has a NUL", "'p'||char(0)", "actors.name"),
+    *renamed("an actor whose name is a formula", "'=1+1'", "actors.name"),
+    *renamed("an event whose kind has an escape", "char(27)||'[2J'", "events.kind"),
+    *renamed("an end that is a formula", "'@SUM(1)'", "tests.ended_by"),
+    *renamed("a vehicle whose name is a formula", "'+1'", "vehicles.name", "tests.vehicle"),
+    sql("a verdict whose name is a formula", "UPDATE assessments SET name='=1'", "report s.gpkg", says="which is no name"),
+    *(Row(f"links in the place of what {command.split()[1]} writes", FOUND + LINKED.format(command=command, files=files), 0, "mine", FILES)
+      for command, files in (("jaywalk export s.gpkg --all --out out", "out/*"), ("jaywalk export s.gpkg --all --format csv --out out", "out/*"),
+                             ("jaywalk report s.gpkg --replays", "s-replays/* s.html"))),
+    Row("a link in the place of the folder of replays", FOUND + "mkdir other; ln -s other s-replays; jaywalk report s.gpkg --replays; code=$?; ls other | grep . && exit 99; exit $code",
+        2, "it is a link", FILES),
     store("a sound store", ":", "report s.gpkg", 0, ""),
     Row("a store that there is not", ["report", "none.gpkg"], 2, "none.gpkg"),
     Row("an empty file", ["report", "s.gpkg"], 2, "s.gpkg", {"s.gpkg": ""}),

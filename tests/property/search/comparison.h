@@ -33,7 +33,7 @@ class Comparison {
     error_ += (derived - differenced) * (derived - differenced);
     size_ += differenced * differenced;
   }
-  /// Of all together, relative to their size.
+  /// The error of all together, relative to their size.
   [[nodiscard]] double relative_error() const { return std::sqrt(error_ / size_); }
   [[nodiscard]] double share_left_out() const { return left_out_ / count_; }
 

@@ -187,7 +187,7 @@ TEST(Training, MovesTheAutoencoderTowardsTheTests) {
   }
   for (int i = 0; i < 1500; ++i) coder.train(circle, random);
   EXPECT_LT((coder.decode(coder.encode(circle)) - circle).cwiseAbs().maxCoeff(), 0.15F);
-  // What is drawn in the latent space looks like the samples.
+  // Points drawn in the latent space resemble the samples.
   double off = 0;
   for (int i = 0; i < 200; ++i) {
     Matrix latent(2, 1);

@@ -15,7 +15,7 @@
 namespace jaywalk::search {
 namespace {
 
-/// Of all ways to give the differences signs, the share with a rank sum as far from the middle.
+/// The share of all signings of the differences with a rank sum as far from the middle.
 double by_enumeration(const std::vector<double>& first, const std::vector<double>& second) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -42,6 +42,17 @@ TEST(PublishedRows, AreThoseOfThePublishedPresets) {
   }
 }
 
+// Somebody's own behaviours, too, are measured as the paper's are, but in the paper's world alone.
+TEST(PublishedRows, KnowThePapersWorldWhateverTheBehaviours) {
+  EXPECT_TRUE(with({}).world);
+  EXPECT_TRUE(with({"behaviours.proximity.parameters.radius=40"}).world);
+  EXPECT_FALSE(with({"world.av.speed=3"}).world);
+  const PublishedRows others =
+      published_rows(*paper({.behaviours = {project_file("agents/crossing/repeat.asl")}}));
+  EXPECT_TRUE(others.world);
+  EXPECT_THAT(others.behaviours, IsEmpty());
+}
+
 TEST(PublishedRows, KnowWhetherTheProgramsQuirksAreRepeated) {
   EXPECT_EQ(with({}).quirks, PublishedQuirks::left_out);
   EXPECT_EQ(with({}, "as-published-program").quirks, PublishedQuirks::repeated);

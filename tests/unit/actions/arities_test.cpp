@@ -1,5 +1,5 @@
-// How many arguments each internal action takes, what becomes of a call with another number, and
-// that no call with arguments of the wrong kinds is more than a failure of its plan.
+// How many arguments each internal action takes, how a call with another number fails, and that a
+// call with arguments of the wrong kinds at most fails its plan.
 
 #include <algorithm>
 #include <string>
@@ -14,14 +14,14 @@
 namespace jaywalk::test {
 namespace {
 
-/// A call with so many arguments, all the same.
+/// A call with `arguments` equal arguments.
 std::string call(const ActionDefinition& action, int arguments, const std::string& argument) {
   std::string text = action.name;
   for (int i = 0; i < arguments; ++i) text += (i == 0 ? "(" : ", ") + argument;
   return arguments == 0 ? text : text + ')';
 }
 
-/// What a plan prints that makes the call: the error of its failure, or that there was none.
+/// The output of a plan that makes the call: the error of its failure, or that there was none.
 std::vector<std::string> run(const std::string& call) {
   MasOptions options;
   options.max_cycles = 50;
@@ -91,7 +91,7 @@ TEST_P(Harmless, OfOddArgumentsLeavesItsAgentAlive) {
   for (int count = action().least_args; count <= most; ++count) {
     for (const char* odd : {"X", "-1", "1e300", "\"\"", "[]", "~p(1)[q]", "{ +!g <- .print(1) }"}) {
       const std::string made = call(action(), count, odd);
-      // Whatever comes of the call (it may wait for ever, or drop the goal), a message is heard.
+      // However the call ends (it may wait for ever, or drop the goal), a message is processed.
       const AgentRun run =
           run_agents({{"agent", "!go. +!go <- " + made + ". -!go. +ping <- .print(alive)."},
                       {"other", "!go. +!go <- .wait(1000); .send(agent, tell, ping)."}},

@@ -10,7 +10,7 @@ namespace jaywalk::test {
 struct BodyRow {
   /// The body of a plan, without a final stop.
   std::string body;
-  /// What it prints, a line each. If it fails, its last line is `failed: ` and the error.
+  /// The printed lines. If the body fails, the last line is `failed: ` and the error.
   std::vector<std::string> lines;
 };
 

@@ -28,7 +28,7 @@ std::vector<std::string> lists(unsigned seed, std::size_t count) {
   return made;
 }
 
-/// The body prints `holds` for each list in the place of L, and of M the one that comes after it.
+/// The body prints `holds` with each list as L, and the next list as M.
 void expect_law(const std::string& body, unsigned seed = 1) {
   const std::vector<std::string> all = lists(seed, 25);
   std::vector<BodyRow> rows;

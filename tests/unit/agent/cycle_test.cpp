@@ -1,5 +1,5 @@
-// The reasoning cycle, step by step: what one cycle does, and what it leaves for the next. What
-// comes of whole programs, tests/conformance says.
+// The reasoning cycle, step by step: what one cycle does, and what it leaves for the next.
+// tests/conformance has the results of whole programs.
 
 #include <memory>
 #include <string>
@@ -37,13 +37,13 @@ class Stepper {
     mas_->add_agent({.name = "agent", .program = compiled, .parameters = {}});
   }
 
-  /// What the next cycle prints.
+  /// The lines that the next cycle prints.
   std::vector<std::string> cycle() {
     printed_.clear();
     (void)mas_->step();
     return printed_;
   }
-  /// What the next cycles print, "-" for one that prints nothing.
+  /// The lines that the next cycles print, "-" for one that prints nothing.
   std::vector<std::string> cycles(int count) {
     std::vector<std::string> all;
     for (int i = 0; i < count; ++i) {

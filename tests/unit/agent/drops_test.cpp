@@ -1,4 +1,4 @@
-// What an agent keeps of the intentions that it dropped, and what its log says of them.
+// An agent's record of the intentions that it dropped, and their log lines.
 
 #include <memory>
 #include <string>

@@ -83,7 +83,7 @@ TEST(MemoryLimit, FailsTheStepThatAsksForMore) {
   EXPECT_THAT(run.printed_by("neighbour"), Contains("unharmed"));
 }
 
-/// What has failed is given up, so that the plan for it has the memory.
+/// A failed step's memory is released, so that its failure plan has it.
 TEST(MemoryLimit, LeavesTheAgentAbleToGoOn) {
   const test::AgentRun run = test::run_agents(
       {{"agent",

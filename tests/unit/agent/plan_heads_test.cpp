@@ -1,5 +1,5 @@
-// Triggers of plans are matched with the arguments of a goal. The goal can be told from the plan's
-// variables afterwards.
+// Triggers of plans are matched with the arguments of a goal. The goal can be rebuilt from the
+// plan's variables afterwards.
 
 #include <string>
 
@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// What is printed when a goal meets plans.
+/// The output when a goal meets plans.
 std::vector<std::string> printed(const std::string& goal, const std::string& plans) {
   return test::printed_by("!start. +!start <- !" + goal + ". " + plans);
 }

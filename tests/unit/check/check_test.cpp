@@ -177,6 +177,26 @@ TEST(Check, KnowsInternalActionsAndFunctions) {
   EXPECT_EQ(warnings_of("+!go <- .anything."), "");
 }
 
+TEST(Check, FindsInternalActionsWithoutTheirDot) {
+  Vocabulary known;
+  known.internal_actions = {{".wait", 1, 4, "waits"}, {".print", 0, -1, "prints"}};
+  EXPECT_EQ(
+      warnings_of("!g. +!g <- wait(500); print(a).", known),
+      "1: unknown-action: 'wait' is an action of an environment (internal actions begin with a "
+      "dot: '.wait')\n"
+      "1: unknown-action: 'print' is an action of an environment (internal actions begin with "
+      "a dot: '.print')\n");
+  EXPECT_EQ(warnings_of("!g. +!g <- wait; .print(a).", known), "") << "another action";
+  EXPECT_EQ(warnings_of("!g. +!g <- walk(1); wait(500).", known), "")
+      << "there is an environment, which may have it";
+  known.environment_known = true;
+  known.actions = {{"walk", 1, 1, ""}};
+  EXPECT_EQ(
+      warnings_of("!g. +!g <- walk(1); wait(500).", known),
+      "1: unknown-action: the environment has no action 'wait' (internal actions begin with a "
+      "dot: '.wait')\n");
+}
+
 TEST(Check, IsSilencedByAComment) {
   EXPECT_EQ(warnings_of("!go. // jaywalk: allow unknown-goal"), "");
   EXPECT_EQ(warnings_of("// jaywalk: allow unused-plan, unknown-goal\n!go."), "");

@@ -136,5 +136,31 @@ TEST(UnknownValues, AreLookedForInSettingsOfScenarios) {
   EXPECT_EQ(with("either"), "");
 }
 
+TEST(UnknownValues, AreStringsWhereAtomsAreMeant) {
+  EXPECT_EQ(values_of("!g. +!g <- move(\"right\")."),
+            "1:17 \"right\" is a string, and the values here are atoms\n");
+  EXPECT_EQ(values_of("!g. +!g <- move(\"rigth\")."),
+            "1:17 \"rigth\" is a string, and the values here are atoms\n");
+  EXPECT_EQ(values_of("!g. +!g <- move(\"up\")."),
+            "1:17 \"up\" is a string, and the values here are atoms\n");
+  EXPECT_EQ(values_of("!go(\"right\"). +!go(W) <- move(W)."),
+            "1:5 \"right\" is a string, and the values here are atoms\n");
+  EXPECT_EQ(values_of("!g. +!g : ground(left, \"lane\") <- move(left)."),
+            "1:24 \"lane\" is a string, and the values here are atoms\n");
+  EXPECT_EQ(values_of("side(left). !g. +!g : side(\"left\") <- .print(a).", nothing_known()),
+            "1:28 \"left\" is a string, and the values here are atoms\n");
+}
+
+TEST(UnknownValues, AreNotStringsThatAreValuesThemselves) {
+  for (const char* text :
+       {"name(\"left\"). !g. +!g : name(\"left\") <- .print(left).",
+        "side(left). name(\"left\"). !g. +!g : name(X) & side(Y) <- .print(X, Y).",
+        "side(left). side(\"left\"). !g. +!g : side(\"left\") <- .print(a).",
+        "!g. +!g : told(\"left\") <- .print(left).", "!g(\"left\"). +!g(W) <- .print(W)."}) {
+    EXPECT_EQ(values_of(text), "") << text;
+    EXPECT_EQ(values_of(text, nothing_known()), "") << text;
+  }
+}
+
 }  // namespace
 }  // namespace jaywalk

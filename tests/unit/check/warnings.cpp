@@ -8,10 +8,13 @@
 namespace jaywalk {
 namespace {
 
-Diagnostics checked(const std::string& text, const Vocabulary& vocabulary) {
+constexpr std::string_view kMain = "test";
+
+Diagnostics checked(const std::string& text, const Vocabulary& vocabulary,
+                    const Included& included = {}) {
   Diagnostics diagnostics;
-  const auto source = std::make_shared<const Source>("test", text);
-  const SourceTree program = load_agent(source, {}, diagnostics);
+  const auto source = std::make_shared<const Source>(std::string(kMain), text);
+  const SourceTree program = load_agent(source, {.given = included}, diagnostics);
   EXPECT_TRUE(diagnostics.empty()) << diagnostics.render();
   check_program(program, vocabulary, diagnostics);
   return diagnostics;
@@ -26,13 +29,20 @@ Vocabulary nothing_known() {
 }
 
 std::string warnings_of(const std::string& text, const Vocabulary& vocabulary) {
+  return warnings_with({}, text, vocabulary);
+}
+
+std::string warnings_with(const Included& included, const std::string& text,
+                          const Vocabulary& vocabulary) {
   std::string shown;
-  const Diagnostics diagnostics = checked(text, vocabulary);
+  const Diagnostics diagnostics = checked(text, vocabulary, included);
   for (const Diagnostic& item : diagnostics.items()) {
     if (item.code == "singleton-variable") continue;
-    const auto place = item.where.source->position(item.where.span.begin);
+    const Source& source = *item.where.source;
+    if (source.name() != kMain) shown += source.name() + ":";
     const std::string hint = item.hint.empty() ? "" : fmt::format(" ({})", item.hint);
-    shown += fmt::format("{}: {}: {}{}\n", place.line, item.code, item.message, hint);
+    shown += fmt::format("{}: {}: {}{}\n", source.position(item.where.span.begin).line, item.code,
+                         item.message, hint);
   }
   return shown;
 }

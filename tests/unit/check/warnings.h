@@ -1,9 +1,11 @@
 #pragma once
 
-// What the checker says of small programs, as text.
+// The checker's warnings about small programs, as text.
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "interpreter/check/check.h"
 
@@ -14,7 +16,7 @@ struct Row {
   const char* warnings;
 };
 
-/// What is known of an agent among others, in a world that is not known.
+/// The vocabulary of an agent among others, in an unknown world.
 [[nodiscard]] Vocabulary nothing_known();
 
 /// The warnings as `line: code: message (hint)`, a line each, but for those of variables that occur
@@ -25,5 +27,13 @@ struct Row {
 /// The warnings of one code as `line:column message`.
 [[nodiscard]] std::string warnings_of(std::string_view code, const std::string& text,
                                       const Vocabulary& vocabulary = nothing_known());
+
+/// Names and texts of files that a program includes.
+using Included = std::vector<std::pair<std::string, std::string>>;
+
+/// Like warnings_of(text), but for a program that includes other files. Warnings in these begin
+/// with the file's name.
+[[nodiscard]] std::string warnings_with(const Included& included, const std::string& text,
+                                        const Vocabulary& vocabulary = nothing_known());
 
 }  // namespace jaywalk

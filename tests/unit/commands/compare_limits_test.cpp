@@ -21,7 +21,7 @@ std::string scenario(const std::string& name) {
 
 class CompareLimits : public FolderTest {
  protected:
-  /// What is said of the options; it fails the test if they are taken.
+  /// The error about the options; it fails the test if they are accepted.
   [[nodiscard]] std::string refused(const std::string& name, std::vector<std::string> more) const {
     more.insert(more.begin(), {"compare", scenario(name), "--tests", "2", "--agents", "1",
                                "--store", path("s.gpkg")});

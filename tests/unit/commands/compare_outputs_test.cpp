@@ -175,7 +175,7 @@ TEST_F(CompareOutputs, NameTheRowsThatMeetAConditionOfFailure) {
   const CommandRun failed = paper({"--quiet", "--fail-on", "accuracy<80"});
   EXPECT_EQ(failed.code, ExitCode::failed);
   EXPECT_THAT(failed.errors,
-              HasSubstr("failed: proximity with 1 agents: accuracy is 50 (accuracy<80)\n"));
+              HasSubstr("failed: proximity with 1 agent: accuracy is 50 (accuracy<80)\n"));
   EXPECT_THAT(failed.errors, Not(HasSubstr("proximity with 3 agents")));
   EXPECT_THAT(failed.errors, HasSubstr("random_action with 3 agents: accuracy is 75"));
 }

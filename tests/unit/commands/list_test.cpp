@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(List, ListOfEachKind, testing::ValuesIn(kinds()), [](co
   return name;
 });
 
-/// Of a table's entries the names.
+/// The names of a table's entries.
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
   std::vector<std::string> names;

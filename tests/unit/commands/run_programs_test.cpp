@@ -93,6 +93,33 @@ TEST_F(RunOfAProgram, LeavesOutWarningsWhereItIsAsked) {
   EXPECT_THAT(run_command({"run", program, "--no-check"}).errors, Not(HasSubstr("[unknown-goal]")));
 }
 
+/// How often a text stands in another.
+std::size_t times(const std::string& text, const std::string& in) {
+  std::size_t count = 0;
+  for (std::size_t at = in.find(text); at != in.npos; at = in.find(text, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(RunOfAProgram, CountsTheSameWarningOfManyAgents) {
+  file("b.asl", "!g. +!g <- nothing(here). !h. +!h <- .my_name(N); nothing(N).");
+  const std::string project = file("p.mas2j", "MAS p { agents: b #20; aslSourcePath: \".\"; }");
+  const std::string one = run_command({"run", project, "--no-check"}).errors;
+  EXPECT_EQ(times("in nothing(here)\n", one), 6U);
+  EXPECT_THAT(one, HasSubstr("warning: 15 more: " + path("b.asl") + ":1:12: no failure event"));
+  EXPECT_EQ(times("in nothing(b", one), 20U) << "these are different ones";
+  EXPECT_EQ(run_command({"run", project, "--no-check", "--threads", "4"}).errors, one);
+  file("b.asl", "!g. +!g <- nothing(here).");
+  EXPECT_EQ(times("more: ", run_command({"run", path("b.asl")}).errors), 0U);
+}
+
+TEST_F(RunOfAProgram, CountsTheSameWarningOfOneAgentInALoop) {
+  const std::string errors = run("n(1). !g. +!g : n(N) & N < 100 <- !!h; -+n(N+1); !g. +!g. "
+                                 "+!h <- nothing(here).")
+                                 .errors;
+  EXPECT_EQ(times("[a] ", errors), 5U);
+  EXPECT_THAT(errors, HasSubstr("warning: 94 more: "));
+}
+
 TEST_F(RunOfAProgram, RefusesEveryOptionOfScenarios) {
   for (const char* option : {"--watch", "--metrics", "--strict"}) {
     const CommandRun refused = run("!g. +!g <- .print(1).", {option});
@@ -110,7 +137,7 @@ TEST_F(RunOfAProgram, RefusesEveryOptionOfScenarios) {
 TEST_F(RunOfAProgram, RefusesAllThatIsWrongAtOnce) {
   const CommandRun wrong = run("b.", {"--seed", "x", "--max-ticks", "0", "--threads", "two"});
   EXPECT_EQ(wrong.code, ExitCode::usage);
-  EXPECT_THAT(wrong.errors, HasSubstr("--seed: error: expected a whole number from 0, found 'x'"));
+  EXPECT_THAT(wrong.errors, HasSubstr("--seed: error: expected a whole number from 0 to 18446744073709551615, found 'x'"));
   EXPECT_THAT(wrong.errors, HasSubstr("--max-ticks: error: expected a whole number from 1"));
   EXPECT_THAT(wrong.errors, HasSubstr("--threads: error: expected a whole number from 1"));
 }

@@ -12,12 +12,13 @@ namespace {
 using test::CommandRun;
 using test::run_command;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kPaper = JAYWALK_SOURCE_DIR "/scenarios/paper.yaml";
 
 class Usage : public FolderTest {
  protected:
-  /// What is wrong with the words; it fails the test if they are not refused.
+  /// The error about the words; it fails the test if they are not refused.
   [[nodiscard]] std::string problem(const std::vector<std::string>& words) const {
     const CommandRun run = run_command(words);
     EXPECT_EQ(run.code, ExitCode::usage);
@@ -33,7 +34,8 @@ class Usage : public FolderTest {
 TEST_F(Usage, OfCompareNamesAllThatIsWrongAtOnce) {
   const std::string said =
       of_compare({"--tests", "many", "--agents", "x", "--shard", "3/2", "--store-level", "much"});
-  EXPECT_THAT(said, HasSubstr("--tests: error: expected a whole number from 1, found 'many'"));
+  EXPECT_THAT(said, HasSubstr("--tests: error: expected a whole number from 1 to 10000000, "
+                              "found 'many'"));
   EXPECT_THAT(said, HasSubstr("--agents: error: "));
   EXPECT_THAT(said, HasSubstr("--shard: error: expected I/N with I from 1 to N, found '3/2'"));
   EXPECT_THAT(said,
@@ -53,8 +55,12 @@ TEST_F(Usage, LetsNoOutputTakeThePlaceOfAnotherFile) {
 }
 
 TEST_F(Usage, OfCompareBoundsTestsAndAgents) {
-  EXPECT_THAT(of_compare({"--tests", "99999999999999"}), HasSubstr("--tests: error: at most "));
-  EXPECT_THAT(of_compare({"--agents", "100000000"}), HasSubstr("--agents: error: at most "));
+  for (const char* tests : {"99999999999999", "99999999999999999999"}) {
+    EXPECT_THAT(of_compare({"--tests", tests}),
+                HasSubstr("--tests: error: expected a whole number from 1 to 10000000, found"));
+  }
+  EXPECT_THAT(of_compare({"--agents", "100000000"}),
+              HasSubstr("--agents: error: expected a number from 1 to 10000 or a range, found"));
 }
 
 TEST_F(Usage, OfCompareNeedsAStoreForOptionsAboutIt) {
@@ -89,7 +95,7 @@ TEST_F(Usage, OfLearnWantsAScenarioAndAFileForWhatIsLearned) {
   EXPECT_THAT(said, HasSubstr("expected one scenario, found 0"));
   EXPECT_THAT(said, HasSubstr("--policy: error: "));
   EXPECT_THAT(problem({"learn", kPaper, "--policy", path("p.json"), "--agents", "99999999"}),
-              HasSubstr("--agents: error: at most "));
+              HasSubstr("--agents: error: expected a whole number from 1 to 10000, found "));
   EXPECT_FALSE(exists("p.json"));
 }
 
@@ -100,15 +106,92 @@ TEST_F(Usage, OfSearchWantsOneExperiment) {
   EXPECT_THAT(problem({"search", roads, "--resume"}),
               HasSubstr("there is no --store to go on with"));
   EXPECT_THAT(problem({"search", roads, "--repetitions", "100001"}),
-              HasSubstr("--repetitions: error: at most 100000, found 100001"));
+              HasSubstr("expected a whole number from 1 to 100000, found '100001'"));
+}
+
+TEST_F(Usage, TakesNoOptionTwiceThatCannotBeRepeated) {
+  const std::string said = of_compare({"--csv", path("a"), "--csv", path("b"), "--seed", "1",
+                                       "--seed=2", "--json", path("c"), "--quiet", "--quiet"});
+  EXPECT_THAT(said, HasSubstr("--csv: error: given 2 times, with the values '" + path("a") +
+                              "', '" + path("b") + "'"));
+  EXPECT_THAT(said, HasSubstr("--seed: error: given 2 times, with the values '1', '2'"));
+  EXPECT_THAT(said, Not(HasSubstr("--json")));
+  EXPECT_THAT(said, Not(HasSubstr("--quiet"))) << "says the same twice";
+}
+
+/// Of every command: the options whose values are all used, and no others, may be repeated.
+TEST_F(Usage, NamesInTheHelpWhichOptionsMayBeRepeated) {
+  for (const Command& command : commands()) {
+    std::vector<OptionSpec> options = command.help().options;
+    options.insert(options.end(), common_options().begin(), common_options().end());
+    for (const OptionSpec& option : options) {
+      const std::string name = option.name.dashed();
+      const std::vector<std::string> twice{name, "x", name, "y"};
+      if (option.value.empty()) continue;
+      EXPECT_EQ(parse_arguments(twice, options).ok(), option.is_repeatable())
+          << command.name << " " << name;
+    }
+  }
+}
+
+TEST_F(Usage, GivesNoKeyTwice) {
+  const std::string said = of_compare({"--set", "world.length=80", "--set", "world.length=70"});
+  EXPECT_THAT(said,
+              HasSubstr("--set world.length=70: error: the key 'world.length' is given twice"));
+  EXPECT_THAT(of_compare({"--set", "experiment.defects=latency", "--defects", "all"}),
+              HasSubstr("the key 'experiment.defects' is given twice"));
+}
+
+TEST_F(Usage, NamesTheCommandThatTakesAFile) {
+  const std::string program = file("m1.asl", "!go. +!go <- .print(hi).");
+  const std::string project = file("p.mas2j", "MAS p { agents: m1; }");
+  const std::string search = JAYWALK_SOURCE_DIR "/scenarios/search/lane-keeping.yaml";
+  const std::string rules = JAYWALK_SOURCE_DIR "/scenarios/assertions/crossing.yaml";
+  const std::string store = file("runs.gpkg", std::string("SQLite format 3\0", 16));
+  EXPECT_EQ(problem({"compare", program}),
+            program + ": error: expected a scenario (.yaml), found a program of agents (.asl)\n" +
+                "  hint: `jaywalk run " + program + "` runs it; `jaywalk compare SCENARIO.yaml " +
+                "--behaviours " + program + "` compares it with others\n");
+  EXPECT_THAT(problem({"learn", project, "--policy", path("p.json")}),
+              HasSubstr("found a project of agents (.mas2j)\n  hint: `jaywalk run"));
+  EXPECT_THAT(problem({"compare", search}), HasSubstr("`jaywalk search " + search + "` runs it"));
+  EXPECT_THAT(problem({"run", search}), HasSubstr("`jaywalk search " + search + "` runs it"));
+  EXPECT_THAT(problem({"reach", search}), HasSubstr("`jaywalk search " + search + "` runs it"));
+  EXPECT_THAT(problem({"search", kPaper}), HasSubstr("found a scenario (.yaml)"));
+  EXPECT_THAT(problem({"compare", rules}), HasSubstr("--assertions " + rules));
+  EXPECT_THAT(of_compare({"--assertions", kPaper}),
+              HasSubstr("expected a list of assertions (.yaml), found a scenario (.yaml)"));
+  EXPECT_THAT(problem({"compare", store}), HasSubstr("`jaywalk report " + store + "` shows"));
+  for (const char* command : {"judge", "report", "replay", "explain", "coverage", "export"}) {
+    EXPECT_THAT(problem({command, kPaper}),
+                HasSubstr("expected a store (.gpkg), found a scenario (.yaml)"))
+        << command;
+  }
+  EXPECT_THAT(problem({"merge", path("out.gpkg"), kPaper}), HasSubstr("expected a store (.gpkg)"));
+  for (const char* command : {"fmt", "test", "repl"}) {
+    EXPECT_THAT(problem({command, kPaper}), HasSubstr("expected a program of agents (.asl)"))
+        << command;
+  }
+}
+
+TEST_F(Usage, SuggestsTheFileThatIsMeant) {
+  (void)file("scenarios/paper.yaml", "");
+  (void)file("m2.asl", "!go.");
+  EXPECT_EQ(problem({"compare", path("scenario/paper.yaml")}),
+            path("scenario/paper.yaml") + ": error: no such file\n  hint: did you mean '" +
+                path("scenarios/paper.yaml") + "'?\n");
+  EXPECT_THAT(problem({"run", path("m2")}), HasSubstr("did you mean '" + path("m2.asl") + "'?"));
+  EXPECT_THAT(of_compare({"--behaviours", path("m2")}),
+              HasSubstr("did you mean '" + path("m2.asl") + "'?"));
 }
 
 TEST_F(Usage, OfNumbersIsCheckedByEveryCommandThatTakesThem) {
   EXPECT_THAT(problem({"run", file("a.asl", "b."), "--timeout", "0"}),
-              HasSubstr("--timeout: error: expected a number greater than 0, found '0'"));
+              HasSubstr("--timeout: error: expected a number greater than 0, at most 1000000000, "
+                        "found '0'"));
   EXPECT_THAT(problem({"run", path("a.asl"), "--max-cycles", "-1"}), HasSubstr("--max-cycles"));
   EXPECT_THAT(problem({"test", path("a.asl"), "--threads", "0"}),
-              HasSubstr("--threads: error: expected a whole number from 1, found '0'"));
+              HasSubstr("--threads: error: expected a whole number from 1 to 1024, found '0'"));
   EXPECT_THAT(problem({"check", path("a.asl"), "--map", "nothing"}),
               HasSubstr("--map: error: expected PREFIX=FOLDER, found 'nothing'"));
 }

@@ -93,7 +93,7 @@ TEST(Compiler, GivesLabelsThatTheTableDoesNotHaveWhereTheyMustBeNew) {
   const std::string text = "+!a(p__1).";
   const CompiledProgram usual(text);
   EXPECT_THAT(usual.text(usual.plan().label), HasSubstr("p__1["));
-  const CompiledProgram fresh(text, {.fresh_labels = true});
+  const CompiledProgram fresh(text, {.fresh_names = true});
   EXPECT_THAT(fresh.text(fresh.plan().label), HasSubstr("p__2["));
 }
 
@@ -141,7 +141,7 @@ TEST(Compiler, TakesALabelWithArgumentsForItsAnnotationsAlone) {
 TEST(Compiler, GivesSubplansTheVariablesOfThePlansAroundThem) {
   const CompiledProgram made("+!a(X, _) : b(Y). { +!c(Y, Z). { +!d(Z, X). } }");
   const Plan& inner = *made.plan().subplans->plans().front();
-  // Its own Y and Z; then X of the plan around it. An unnamed variable is nobody's.
+  // Its own Y and Z; then X of the plan around it. An unnamed variable belongs to neither.
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
   EXPECT_EQ(inner.slot_count, 3U);
   EXPECT_THAT(inner.inherited, ElementsAre(Pair{2, 0}, Pair{0, 2}));

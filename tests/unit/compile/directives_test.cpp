@@ -1,4 +1,4 @@
-// Directives of programs: includes, namespaces, functions, and those that nobody knows.
+// Directives of programs: includes, namespaces, functions, and unknown ones.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rules that stand in contexts in the place of queries for them: an agent notices nothing of it.
+// Rules unfolded into contexts: an agent behaves as if it queried them.
 
 #include <string>
 #include <vector>
@@ -85,7 +85,7 @@ TEST(UnfoldedRules, GiveWhatTheRulesGive) {
       "at(4). at(9). near(X) :- at(Y) & X - Y < 3 & Y - X < 3.\n"
       "!go(5). !go(7). !go(1).\n"
       "+!go(N) : near(N) <- .print(near, N).\n+!go(N) <- .print(far, N).\n",
-      // What an argument gets, and what has a choice.
+      // An argument that gets a value, and a query with a choice.
       "at(4). at(9). big(X) :- at(X) & X > 5.\n!go.\n+!go : big(X) & X > 8 <- .print(X).\n",
       "at(4). at(9). pair(X, Y) :- at(X) & at(Y) & X < Y.\n!go.\n"
       "+!go : pair(A, B) & not pair(B, A) <- .print(A, B).\n",

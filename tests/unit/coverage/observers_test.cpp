@@ -74,7 +74,7 @@ TEST(Observers, ReceiveEveryCallInTheOrderInWhichTheyWereAdded) {
   }
   EXPECT_THAT(seen, IsSupersetOf({"a: posted", "a: selected", "a: relevant", "a: tried",
                                   "a: chosen", "a: executes", "a: failed", "a: not applicable"}));
-  // What one sees alone is what it sees among others.
+  // An observer sees the same alone as among others.
   std::vector<std::string> alone;
   Witness only("a", alone);
   run(only, "!g. +!g : true <- !h; !i. +!h : no. -!h <- .fail. ");

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 class Loader : public FolderTest {
  protected:
   std::shared_ptr<const Program> load(ProgramLoader& loader, const ProgramRequest& request) {
-    error_.clear();
+    error_ = {};
     return loader.load(request, symbols_, error_);
   }
   ProgramLoader loader(IncludePath includes = {}) const {
@@ -28,16 +28,16 @@ class Loader : public FolderTest {
   }
 
   SymbolTable symbols_;
-  std::string error_;
+  LoadProblem error_;
 };
 
 TEST_F(Loader, FindsProgramsInItsFolder) {
   file("own/a.asl", "b(1).\n+!g.\n");
   ProgramLoader programs = loader();
   const auto program = load(programs, {.file = "a.asl"});
-  ASSERT_NE(program, nullptr) << error_;
+  ASSERT_NE(program, nullptr) << error_.text;
   EXPECT_EQ(program->beliefs().size(), 1U);
-  EXPECT_EQ(error_, "");
+  EXPECT_EQ(error_.text, "");
 }
 
 TEST_F(Loader, LooksInItsOwnFolderBeforeThoseOfTheIncludePath) {
@@ -74,33 +74,49 @@ TEST_F(Loader, CompilesAFileAnewForAnotherPurpose) {
   EXPECT_NE(load(programs, {.file = "a.asl", .ns = "n"}), plain);
 }
 
+TEST_F(Loader, CompilesAnewWhatHasLocalNamespacesWhereverItIsIncluded) {
+  file("own/a.asl", "{ namespace(n, local) }\nn::b(1).\n");
+  file("own/b.asl", "b(1).\n");
+  ProgramLoader programs = loader();
+  const ProgramRequest local{.file = "a.asl", .included = true, .ns = "m"};
+  const auto first = load(programs, local);
+  const auto second = load(programs, local);
+  ASSERT_NE(first, nullptr) << error_;
+  ASSERT_NE(second, nullptr) << error_;
+  EXPECT_NE(first->beliefs().front().predicate, second->beliefs().front().predicate);
+  const ProgramRequest plain{.file = "b.asl", .included = true, .ns = "m"};
+  EXPECT_EQ(load(programs, plain), load(programs, plain));
+}
+
 TEST_F(Loader, TakesNoFileForAnEmptyProgram) {
   ProgramLoader programs = loader();
   const auto program = load(programs, {.file = ""});
-  ASSERT_NE(program, nullptr) << error_;
+  ASSERT_NE(program, nullptr) << error_.text;
   EXPECT_TRUE(program->beliefs().empty());
 }
 
 TEST_F(Loader, SaysThatAFileIsNotThere) {
   ProgramLoader programs = loader();
   EXPECT_EQ(load(programs, {.file = "none.asl"}), nullptr);
-  EXPECT_THAT(error_, HasSubstr("none.asl"));
+  EXPECT_THAT(error_.text, HasSubstr("none.asl"));
+  EXPECT_FALSE(error_.is_refused);
 }
 
 TEST_F(Loader, SaysWhereTheFirstMistakeIs) {
   file("own/a.asl", "b(1).\n+!g <- ?.\n+!h <- ?.\n");
   ProgramLoader programs = loader();
   EXPECT_EQ(load(programs, {.file = "a.asl"}), nullptr);
-  EXPECT_THAT(error_, HasSubstr("a.asl:2:"));
+  EXPECT_THAT(error_.text, HasSubstr("a.asl:2:"));
 }
 
 TEST_F(Loader, ReadsNothingThatItsProgramsMayNotRead) {
   file("other/secret.asl", "b(1).\n");
   ProgramLoader programs = loader();
   EXPECT_EQ(load(programs, {.file = path("other") + "/secret.asl"}), nullptr);
-  EXPECT_THAT(error_, HasSubstr("cannot read"));
+  EXPECT_THAT(error_.text, HasSubstr("cannot read"));
   EXPECT_EQ(load(programs, {.file = "../other/secret.asl"}), nullptr);
-  EXPECT_THAT(error_, HasSubstr("cannot read"));
+  EXPECT_THAT(error_.text, HasSubstr("cannot read"));
+  EXPECT_TRUE(error_.is_refused);
 }
 
 TEST_F(Loader, ReadsFoldersThatItIsAllowedTo) {
@@ -108,7 +124,7 @@ TEST_F(Loader, ReadsFoldersThatItIsAllowedTo) {
   IncludePath includes;
   includes.files.allow_reading(path("other"));
   ProgramLoader programs = loader(includes);
-  EXPECT_NE(load(programs, {.file = path("other") + "/open.asl"}), nullptr) << error_;
+  EXPECT_NE(load(programs, {.file = path("other") + "/open.asl"}), nullptr) << error_.text;
 }
 
 TEST_F(Loader, TakesTextsThatAreGivenInPlaceOfFiles) {
@@ -126,7 +142,7 @@ TEST_F(Loader, LoadsAProgramWithoutAnIncludeThatHasAMistake) {
   const auto program = load(programs, {.file = "a.asl"});
   ASSERT_NE(program, nullptr);
   EXPECT_EQ(program->beliefs().size(), 1U);
-  EXPECT_THAT(error_, HasSubstr("b.asl:1:")) << "which is said as well";
+  EXPECT_THAT(error_.text, HasSubstr("b.asl:1:")) << "which is said as well";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// A pipe to wait for, and a program that nobody has asked to end, before and after.
+/// A pipe to wait for, and a program without a request to end, before and after.
 class ChildWait : public testing::Test {
  protected:
   void SetUp() override { ASSERT_EQ(pipe(ends_.data()), 0); }

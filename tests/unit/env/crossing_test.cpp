@@ -39,7 +39,7 @@ class CrossingTest : public testing::Test {
     while (!crossing.finished()) tick(crossing, {});
   }
 
-  /// What an agent perceives, as the arguments of each predicate's last literal.
+  /// An agent's percepts, as the arguments of each predicate's last literal.
   std::map<std::string, std::vector<double>> percepts(const Crossing& crossing, int agent) const {
     Percepts percepts;
     crossing.perceive(static_cast<AgentId>(agent), percepts);
@@ -274,8 +274,8 @@ TEST_F(CrossingTest, ShowsWhatTheWorldIsLike) {
   EXPECT_EQ(seen["cell_length"], (std::vector<double>{1.5}));
 }
 
-// With an aftermath of one tick everybody learns who met the precondition, and nothing more is
-// charged.
+// With an aftermath of one tick all agents learn which one met the precondition, and no more costs
+// are charged.
 TEST_F(CrossingTest, ReportsThePreconditionToTheAgentsInTheAftermath) {
   parameters_.aftermath = 1;
   Crossing crossing = world({{1, 30}, {2, 3}});
@@ -288,7 +288,8 @@ TEST_F(CrossingTest, ReportsThePreconditionToTheAgentsInTheAftermath) {
   EXPECT_DOUBLE_EQ(crossing.result().agents[1].cost, 5);
 }
 
-// Hit in the last cell of the sweep nothing is left of the tick; two cells earlier, two are.
+// A hit in the last cell of the sweep leaves no cells of the tick over; one two cells earlier
+// leaves two.
 TEST_F(CrossingTest, LeavesOverWhatTheAvHasNotDrivenOfTheLastTick) {
   parameters_.av.carry_over = true;
   for (const auto& [cell, left] : {std::pair{12, 0}, {10, 2}, {7, 5}}) {
@@ -358,7 +359,7 @@ TEST_F(CrossingTest, GivesThePerceptsThatTheirNeedsSay) {
   CrossingParameters signalled = bare;
   signalled.crosswalks = {{CrosswalkKind::signalled, {30, 32}}};
   CrossingParameters parked = bare;
-  parked.obstacles = {{.rows = {2, 2}, .cells = {50, 53}}};
+  parked.obstacles = {{.rows = {2, 2}, .cells = {13, 16}}};
   CrossingParameters sight = bare;
   sight.pedestrians.sight = 50;
   CrossingParameters features = bare;
@@ -383,7 +384,7 @@ TEST_F(CrossingTest, GivesThePerceptsThatTheirNeedsSay) {
     for (std::size_t i = 0; i < given.size(); ++i) {
       const std::string_view name = functor(kCrossingPercepts[i]);
       const bool is_seen = seen.contains(std::string(name));
-      // Where the precondition ends the test, nobody is touched before.
+      // Where the precondition ends the test, no contact comes before.
       if (name != "collision" || parameters.end != TestEnd::precondition) {
         EXPECT_EQ(is_seen, given[i]) << name;
       }

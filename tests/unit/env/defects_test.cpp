@@ -1,5 +1,5 @@
-// Each defect in a scene that was built for it, where the healthy twin keeps clear of everybody and
-// the defective one hits somebody, and in one where it has no reason to act.
+// Each defect in a scene that was built for it, where the healthy twin keeps clear of all
+// pedestrians and the defective one hits one, and in one where it has no reason to act.
 
 #include "env/vehicle/defects.h"
 
@@ -112,7 +112,7 @@ Drive drive(const std::string& model, const std::vector<VehicleDefect>& defects,
   return result;
 }
 
-// Where a careful driver just stops for who steps into the lane from 0.5 m beside it at once.
+// Where a careful driver just stops for a pedestrian who steps into the lane from 0.5 m beside it.
 constexpr double kBrinkM = 21.9;
 
 /// Walks for so long from the left pavement, and stays.
@@ -139,7 +139,7 @@ const DefectScene kPair{.people = {stands(2.4, kBrinkM), steps_in(kBrinkM, 1.5)}
 struct Case {
   std::string defect;
   std::string model;
-  DefectScene exposed;  // the healthy twin hits nobody, the defective one does
+  DefectScene exposed;  // the healthy twin has no collision, the defective one has
   DefectScene idle;     // both drive the same
 };
 

@@ -43,16 +43,33 @@ TEST(LineProcess, DoesNotWaitForEverAndStartsAnew) {
 }
 
 TEST(LineProcess, QuotesTheLastWordsOfOneThatDied) {
-  LineProcess process({"sh", "-c", "read line; echo first >&2; echo no licence >&2; kill -SEGV $$"},
-                      {}, LineProcess::Errors::quoted);
+  LineProcess process(
+      {"sh", "-c", "read line; echo first >&2; echo no licence >&2; kill -SEGV $$"});
   EXPECT_EQ(process.ask("x", milliseconds(5000)).error,
             "it died of signal 11; its last words were 'no licence'");
 }
 
 TEST(LineProcess, ReadsMoreErrorsThanAPipeHolds) {
-  LineProcess process({"sh", "-c", "read l; head -c 300000 /dev/zero >&2; echo done"}, {},
-                      LineProcess::Errors::quoted);
+  LineProcess process({"sh", "-c", "read l; head -c 300000 /dev/zero >&2; echo done"});
   EXPECT_EQ(process.ask("x", milliseconds(20000)).line, "done");
+}
+
+TEST(LineProcess, KeepsWhatItsProcessWroteToStandardError) {
+  LineProcess process({"sh", "-c", "echo first >&2; read l; echo $l; read l; echo last >&2"});
+  EXPECT_EQ(process.ask("x", milliseconds(5000)).line, "x");
+  EXPECT_EQ(process.take_errors(), "first");
+  EXPECT_EQ(process.take_errors(), "");
+  process.finish();
+  EXPECT_EQ(process.take_errors(), "last");
+}
+
+TEST(LineProcess, KeepsTheEndOfALongTextOfErrors) {
+  LineProcess process({"sh", "-c", "read l; seq 100000 >&2; echo done"});
+  EXPECT_EQ(process.ask("x", milliseconds(20000)).line, "done");
+  const std::string text = process.take_errors();
+  EXPECT_LT(text.size(), 10000U);
+  EXPECT_EQ(text.substr(0, 3), "...");
+  EXPECT_EQ(text.substr(text.rfind('\n') + 1), "100000");
 }
 
 TEST(LineProcess, RunsInItsFolder) {
@@ -78,8 +95,8 @@ TEST(LineProcess, EndsWhatItsProcessStarted) {
   EXPECT_TRUE(WIFSIGNALED(status));
 }
 
-/// What a program and a process that it starts do that end with nothing but SIGKILL; it answers
-/// with both of their numbers.
+/// A program and a process that it starts, which only SIGKILL ends; it answers with both of their
+/// numbers.
 const std::vector<std::string> kStubborn{
     "sh", "-c",
     "trap '' TERM HUP INT; (trap '' TERM HUP INT; while :; do sleep 0.05; done) & "

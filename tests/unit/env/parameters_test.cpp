@@ -70,7 +70,7 @@ TEST(CrossingParameters, StayWithinBoundsWhateverTheSpeed) {
   EXPECT_GT(zone_ahead(parameters).last, parameters.length);
 }
 
-// What is left of a tick are cells of the zone that the AV has not swept.
+// The rest of a tick are the cells of the zone that the AV has not swept.
 TEST(CrossingParameters, CarryOverWholeCellsOfADriveThatIsTheZonesSweep) {
   CrossingParameters carrying;
   carrying.av.carry_over = true;
@@ -99,7 +99,7 @@ TEST(CrossingParameters, SayWhatDoesNotFitTogether) {
   EXPECT_EQ(problems(parameters)[0].message, "rows 11 to 12 are not within the grid's 0 to 11");
 
   parameters = {};
-  parameters.av.rows = {0, 1};  // on the pavement, and the zone is to be the lane's
+  parameters.av.rows = {0, 1};  // on the pavement, while the zone must be the lane's
   ASSERT_EQ(problems(parameters).size(), 1U);
   EXPECT_EQ(problems(parameters)[0].path, "world.zone.rows");
 
@@ -123,6 +123,22 @@ TEST(CrossingParameters, SayWhatDoesNotFitTogether) {
   parameters.av.start = 65;
   ASSERT_EQ(problems(parameters).size(), 1U);
   EXPECT_EQ(problems(parameters)[0].path, "world.road_end");
+}
+
+TEST(CrossingParameters, LetNoActorBeginInAnObstacle) {
+  CrossingParameters parameters;
+  parameters.obstacles = {{{7, 7}, {40, 43}}};
+  const auto problem = [&](Position start) {
+    parameters.actors = {
+        {.name = "van", .kind = ActorKind::vehicle, .start = start, .way = Direction::back}};
+    const std::vector<ParameterProblem> found = problems(parameters);
+    return found.empty() ? "" : found.front().message;
+  };
+  EXPECT_EQ(problem({7, 43}),
+            "'van' cannot start in row 7, cell 43: that is blocked or not on the grid");
+  EXPECT_EQ(problem({7, 44}),
+            "'van' cannot start in row 7, cell 44: its body reaches into a blocked cell");
+  EXPECT_EQ(problem({7, 45}), "") << "its front touches the obstacle";
 }
 
 }  // namespace

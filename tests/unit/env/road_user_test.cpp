@@ -1,4 +1,4 @@
-// Who moves on a crossing's ground, and how far.
+// The road users of a crossing's ground, and how far they move.
 
 #include "env/crossing/road_user.h"
 
@@ -112,6 +112,46 @@ TEST(Steps, AreBlockedByWhatIsOnTheWay) {
   EXPECT_EQ(body.place.x, 0);
   RoadUser car = somebody(1, 2, ActorKind::vehicle);
   EXPECT_EQ(step(car, layout, Direction::forward, 8, 1), "a step forward from (1,2) is blocked");
+}
+
+// The middle of row 0 is 0.5 cells before the parked car of row 1, a pedestrian's body reaches 0.25
+// m.
+TEST(Steps, KeepBodiesOutOfWhatIsBlocked) {
+  const Layout layout(drawn_ground());
+  const double body_cells = 0.25 / layout.cell_m();
+  RoadUser body = somebody(0, 4);
+  EXPECT_EQ(step(body, layout, Direction::right, 0.3, 1), "");
+  EXPECT_EQ(step(body, layout, Direction::right, 0.1, 2), "a step right from (0.3,4) is blocked");
+  EXPECT_EQ(step(body, layout, Direction::right, 0.5 - body_cells - 0.3, 3), "") << "touches it";
+  EXPECT_EQ(step(body, layout, Direction::forward, 3, 4), "") << "along it";
+  EXPECT_EQ(step(body, layout, Direction::right, 0.5, 5), "");
+}
+
+TEST(Steps, KeepBodiesOutOfCorners) {
+  const Layout layout(drawn_ground());
+  RoadUser near = somebody(0, 3.4);
+  EXPECT_EQ(step(near, layout, Direction::right, 0.5, 1), "a step right from (0,3.4) is blocked");
+  RoadUser clear = somebody(0, 3.3);
+  EXPECT_EQ(step(clear, layout, Direction::right, 0.5, 1), "");
+}
+
+TEST(Steps, TurnNobodyIntoWhatIsBlocked) {
+  const Layout layout(drawn_ground());
+  RoadUser cyclist = somebody(0, 3, ActorKind::cyclist);
+  cyclist.facing = Direction::right;
+  EXPECT_EQ(step(cyclist, layout, Direction::right, 1, 1), "");
+  EXPECT_EQ(step(cyclist, layout, Direction::back, 0, 2), "a step back from (1,3) is blocked")
+      << "lengthways it is 1.8 m";
+}
+
+TEST(Steps, LeadAwayFromWhatABodyLiesOver) {
+  CrossingParameters small = drawn_ground();
+  small.cell_m = 0.3;
+  const Layout layout(small);
+  RoadUser body = somebody(0, 4);
+  EXPECT_EQ(step(body, layout, Direction::back, 0.1, 1), "");
+  EXPECT_EQ(step(body, layout, Direction::back, 3, 2), "");
+  EXPECT_EQ(step(body, layout, Direction::forward, 2, 3), "a step forward from (0,0.9) is blocked");
 }
 
 TEST(Steps, LeadVehiclesOffTheRoad) {

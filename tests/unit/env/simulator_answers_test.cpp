@@ -1,4 +1,4 @@
-// What a simulator may answer, and what is said of answers that it may not give.
+// A simulator's valid answers, and the errors about invalid ones.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

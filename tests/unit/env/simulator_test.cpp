@@ -1,4 +1,4 @@
-// The crossing's side of a simulator: what it is told, what is made of its answers.
+// The crossing's side of a simulator: the messages to it, and the effect of its answers.
 
 #include "env/simulator/simulator.h"
 
@@ -75,7 +75,7 @@ constexpr const char* kHello = R"({"step":0,"protocol":1,"name":"shell","version
 /// The AV drives in the rows 3 and 4, x from 4.5 to 7.5 m, and begins with its front at y = 1.5 m.
 class SimulatedCrossing : public ::testing::Test {
  protected:
-  /// One pedestrian in the middle of row 3, so many cells ahead; it stays there.
+  /// One pedestrian in the middle of row 3, `cell` cells ahead; it stays there.
   void begin(const std::vector<std::string>& answers, int cell = 20) {
     std::vector<std::string> all{kHello};
     all.insert(all.end(), answers.begin(), answers.end());
@@ -149,7 +149,7 @@ TEST_F(SimulatedCrossing, HasTheSimulatorsTrafficAsBodiesWithoutAgents) {
   EXPECT_EQ(bus.step_in(1), 2);  // 3 m in a second
   crossing_->advance();
   EXPECT_TRUE(crossing_->bodies()[1].absent);
-  // Out of everybody's sight.
+  // Out of sight.
   EXPECT_LT(crossing_->scene()[2].x_m, -100);
   EXPECT_EQ(crossing_->scene()[2].speed_mps, 0);
 }
@@ -159,6 +159,13 @@ TEST_F(SimulatedCrossing, RefusesTrafficWithTheNameOfAnActor) {
                R"(,"traffic":[{"kind":"vehicle","length":4,"width":2,"name":"p1","x":0,"y":0,)"
                R"("heading":0,"speed":0}])")});
   EXPECT_THAT(crossing_->failure(), HasSubstr("a second actor 'p1'"));
+}
+
+TEST_F(SimulatedCrossing, RefusesTrafficWhoseNameIsAFormula) {
+  begin({scene(0, 0, -0.75,
+               R"(,"traffic":[{"kind":"vehicle","length":4,"width":2,"name":"=1+1","x":0,"y":0,)"
+               R"("heading":0,"speed":0}])")});
+  EXPECT_THAT(crossing_->failure(), HasSubstr("'=1+1' cannot be the name of an actor"));
 }
 
 TEST_F(SimulatedCrossing, ToleratesSinglePrecision) {

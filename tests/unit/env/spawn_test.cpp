@@ -1,5 +1,6 @@
 #include "env/crossing/spawn.h"
 
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,22 @@ TEST(Spawn, BeginsALargeGroupLikeASmallOne) {
   const std::vector<Position> small = spawn(paper, 3, 5);
   const std::vector<Position> large = spawn(paper, 20, 5);
   EXPECT_TRUE(std::equal(small.begin(), small.end(), large.begin()));
+}
+
+TEST(Spawn, KeepsBodiesOutOfObstacles) {
+  CrossingParameters parameters;
+  parameters.spawn.dead_zones.clear();
+  parameters.cell_m = 0.4;
+  parameters.obstacles = {{{0, 0}, {20, 20}}};
+  const std::vector<Position> cells = free_spawn_cells(parameters);
+  const auto may_begin = [&](Position where) {
+    return std::ranges::find(cells, where) != cells.end();
+  };
+  EXPECT_FALSE(may_begin({0, 20}));
+  EXPECT_FALSE(may_begin({0, 19})) << "a body of 0.5 m in a cell of 0.4 m";
+  EXPECT_FALSE(may_begin({1, 21}));
+  EXPECT_TRUE(may_begin({0, 18}));
+  EXPECT_EQ(cells.size(), 4U * 66 - 6);
 }
 
 TEST(Spawn, FollowsOtherBandsAndDeadZones) {

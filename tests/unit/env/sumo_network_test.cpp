@@ -152,7 +152,10 @@ TEST(Sumo, IsNamedByItsPackageWhereItIsMissing) {
 /// What SUMO cannot simulate of a street on which the AV drives from 4.5 to 7.5 m; no more than one
 /// thing each time.
 std::string unfit(const SimulatorParameters& parameters, SimulatedRoad road) {
-  const SimulatedSite site{std::move(road), 4.5, 7.5};
+  const SimulatedSite site{.road = std::move(road),
+                           .av = {"av", ActorKind::vehicle, 4.5, 3},
+                           .av_start = {.x_m = 6},
+                           .vehicle = {}};
   std::string said;
   for (const SettingProblem& each : check_sumo(parameters, &site)) {
     said += fmt::format("{}{}: {}\n", each.of_world ? "world." : "", each.key, each.message);
@@ -178,6 +181,18 @@ TEST(Sumo, RefusesWhatItsVehiclesWouldNotSee) {
   road.ground.obstacles = {{6, 7.5, 40, 45}};
   EXPECT_EQ(unfit(parameters, road),
             "world.obstacles: SUMO's vehicles would drive through the obstacle at 40 m\n");
+}
+
+TEST(Sumo, RefusesTicksThatAreNoWholeMilliseconds) {
+  const SimulatorParameters parameters{.name = "sumo", .settings = {}};
+  const SimulatedSite site{.road = street(),
+                           .av = {"av", ActorKind::vehicle, 4.5, 3},
+                           .av_start = {.x_m = 6},
+                           .vehicle = {},
+                           .tick_s = 0.0505};
+  const auto problems = check_sumo(parameters, &site);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems.front().key, "tick");
 }
 
 TEST(Sumo, RefusesRoadsThatAreNoNetwork) {

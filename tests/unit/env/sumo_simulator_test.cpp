@@ -31,7 +31,7 @@ class WithSumo : public testing::Test {
     if (!sumo_version(version).empty()) GTEST_SKIP() << "the package 'sumo' is not installed";
   }
 
-  /// The AV's fronts after each tick, with somebody who goes from row to row.
+  /// The AV's fronts after each tick, with a pedestrian who goes from row to row.
   struct Drive {
     std::vector<double> fronts_m;
     std::vector<double> speeds_mps;
@@ -138,7 +138,7 @@ TEST_F(WithSumo, NobodyBrakesForWhomAnObstacleHidesFromTheAv) {
   ASSERT_EQ(hidden.error, "");
   EXPECT_EQ(hidden.fronts_m[4], 1.5 + 9 * 5) << "they come into sight at 59 m, too late";
   EXPECT_GT(*std::ranges::max_element(hidden.fronts_m), 60);
-  // Who crosses behind something is seen later.
+  // A pedestrian who crosses behind an obstacle is seen later.
   const Drive open = drive(*simulator, 2, 17);
   const Drive behind = drive(*simulator, 2, 17, 0, {{0.5, 7.5, 52, 57}});
   const auto brakes = [](const Drive& each) {
@@ -293,7 +293,7 @@ class AtASignal : public WithSumo {
     std::string error;
   };
 
-  /// The light shows a colour in each tick; somebody may stand somewhere.
+  /// The light shows a colour in each tick; a pedestrian may stand at `stands`.
   static Passage pass(Simulator& simulator, const std::vector<std::string>& colours,
                       const SimulatedRoad& road = signalled_street(), Point stands = {1, 90}) {
     const VehicleParameters vehicle;

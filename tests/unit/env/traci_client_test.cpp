@@ -1,4 +1,4 @@
-// What the client of TraCI sends and waits for; a thread plays the server.
+// The TraCI client's requests and the answers that it waits for; a thread plays the server.
 
 #include "env/simulator/sumo/traci_client.h"
 

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 
 class ActionsInTheCrossing : public CrossingAgents {
  protected:
-  /// Where somebody is after an action of the first tick, or why it failed.
+  /// A pedestrian's place after an action of the first tick, or why it failed.
   std::string after(Position start, const Action& action) {
     Crossing crossing = world({start});
     const std::string reason = tick(crossing, {action}).front();

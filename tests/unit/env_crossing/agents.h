@@ -1,6 +1,6 @@
 #pragma once
 
-// Agents of the crossing world, what they perceive as text, and what becomes of what they do.
+// Agents of the crossing world, their percepts as text, and the results of their actions.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ class CrossingAgents : public testing::Test {
     return Crossing(parameters_, vocabulary_, std::move(start));
   }
 
-  /// What an agent perceives of a functor: `kerb(right,2) kerb(left,1)`, in their order.
+  /// An agent's percepts with a functor: `kerb(right,2) kerb(left,1)`, in their order.
   std::string seen(const Crossing& crossing, std::size_t agent, std::string_view functor) const {
     Percepts percepts;
     crossing.perceive(static_cast<AgentId>(agent), percepts);

@@ -65,6 +65,21 @@ TEST_F(PerceptsOfTheCrossing, HaveObstaclesWhereThereAreAny) {
   EXPECT_EQ(seen(world({{0, 30}}), 0, "obstacle"), "obstacle(1,1,20,22) obstacle(10,11,40,40)");
 }
 
+TEST_F(PerceptsOfTheCrossing, HaveTheWaysThatAreBlocked) {
+  EXPECT_EQ(seen(world({{1, 20}}), 0, "blocked"), "");
+  parameters_.obstacles = {{{1, 1}, {20, 22}}};
+  parameters_.pedestrians.speed = 0.4;
+  Crossing crossing = world({{0, 21}, {1, 19}, {0, 19}});
+  EXPECT_EQ(seen(crossing, 0, "blocked"), "blocked(right)") << "the body would be 0.1 m in it";
+  EXPECT_EQ(seen(crossing, 1, "blocked"), "blocked(forward)");
+  EXPECT_EQ(seen(crossing, 2, "blocked"), "") << "not where the grid ends";
+  tick(crossing,
+       {move(0, Direction::right, 0.3), move(1, Direction::left), move(2, Direction::forward)});
+  EXPECT_EQ(seen(crossing, 0, "blocked"), "blocked(right)");
+  EXPECT_EQ(seen(crossing, 1, "blocked"), "blocked(forward)") << "at the corner";
+  EXPECT_EQ(seen(crossing, 2, "blocked"), "blocked(right)");
+}
+
 TEST_F(PerceptsOfTheCrossing, HaveCrosswalksAndWhatTheirSignalsShow) {
   EXPECT_EQ(seen(world({{1, 30}}), 0, "crosswalk"), "");
   parameters_.crosswalks = {{CrosswalkKind::zebra, {10, 11}}, {CrosswalkKind::signalled, {40, 42}}};

@@ -100,7 +100,8 @@ TEST(Stanley, SteersByItsHeadingAndThePlaceOfItsFrontAxle) {
   for (const NumberParameter& parameter : kind.parameters) values.push_back(parameter.value);
   const VehicleState turned{
       .x_m = 2, .y_m = 60, .heading_rad = std::numbers::pi / 2 + 0.1, .speed_mps = 10};
-  // To the left of the lane's middle by the sine of the angle; gain 2.5, softening 1.
+  // The vehicle is to the left of the lane's middle by the sine of the angle; gain 2.5,
+  // softening 1.
   const double left = vehicle.front_axle_m * std::sin(0.1);
   EXPECT_NEAR(kind.make({road, vehicle, values, 15, 2.5})->command(turned).steering_rad,
               -0.1 - std::atan(2.5 * left / (1 + 10)), 1e-6);

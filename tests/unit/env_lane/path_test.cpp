@@ -136,7 +136,7 @@ TEST(SpeedPlan, AcceleratesLessWhereTheTyresAreUsedForTheCurve) {
   EXPECT_NEAR(plan.acceleration(path, 30, 5), 6 * std::sqrt(1 - 1.0 / 16), 0.01);
 }
 
-/// Straight for so many metres, then a curve with a radius of 10 m.
+/// Straight for `metres` metres, then a curve with a radius of 10 m.
 Path bend_after(int metres) {
   Polyline line;
   for (int i = 0; i < metres; ++i) line.push_back({static_cast<double>(i), 0});

@@ -1,4 +1,4 @@
-// What holds of the car whatever it is told: the same to either side and in every direction, no
+// Laws of the car under any commands: it behaves alike to either side and in every direction, no
 // quicker than its actuators, no harder than its tyres and its engine.
 
 #include <algorithm>
@@ -140,7 +140,7 @@ TEST(Brakes, KeepTheCarSteerableWithItsRearAxleInTheAir) {
 }
 
 TEST(Actuators, FollowACommandWithTheirLag) {
-  // Of a first-order lag of 80 ms, 63 % are there after 80 ms, while no rate limits it.
+  // A first-order lag of 80 ms reaches 63 % after 80 ms, while no rate limits it.
   VehicleState state{.speed_mps = 10};
   const Actuator actuator{.steering_lag_s = 0.08, .steering_rate = 100};
   for (int i = 0; i < 16; ++i) advance(state, {.steering_rad = 0.01}, {}, actuator, kStepS);

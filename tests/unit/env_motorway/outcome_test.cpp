@@ -1,5 +1,5 @@
-// What comes of a test on the motorway: how it ends, whom it credits, what it costs; and laws that
-// hold of every drive.
+// Results of tests on the motorway: how they end, which agents they credit, their costs; and laws
+// that hold of every drive.
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-// What is seen of the motorway: by agents, by recordings (actors, scene, events), by the AV.
+// Views of the motorway: by agents, by recordings (actors, scene, events), by the AV.
 
 #include <cmath>
 #include <numbers>

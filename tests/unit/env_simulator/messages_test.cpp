@@ -1,4 +1,4 @@
-// What is said to a simulator of one's own, and files in memory for those that read files.
+// Messages to a custom simulator, and files in memory for simulators that read files.
 
 #include "env/simulator/process/messages.h"
 
@@ -19,7 +19,7 @@ using nlohmann::json;
 
 json of(const char* text) { return json::parse(text); }
 
-/// A test on a street with an AV, somebody beside it and a light.
+/// A test on a street with an AV, a pedestrian beside it and a light.
 class Messages : public testing::Test {
  protected:
   [[nodiscard]] json reset(int steps = 10) const {

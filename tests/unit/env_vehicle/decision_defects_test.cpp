@@ -1,4 +1,4 @@
-// What becomes of a vehicle's answers under defects of decision and of actuation.
+// A vehicle's answers under defects of decision and of actuation.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a vehicle with a defect of perception sees.
+// A vehicle's view with a defect of perception.
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A defect on a controller that writes down what it sees and answers what it is told to answer: so
-// tests see what the defect alone does.
+// A defect on a controller that records its views and gives fixed answers, so that tests see the
+// effect of the defect alone.
 
 #include <memory>
 #include <string_view>
@@ -14,7 +14,7 @@
 
 namespace jaywalk {
 
-/// What the controller under the defect was shown last, and what it answers.
+/// The last view of the controller under the defect, and its answer.
 struct Spied {
   std::vector<SeenActor> actors;
   std::vector<StopLine> stop_lines;
@@ -61,7 +61,7 @@ class SpiedDefect {
     return numbers(0, std::move(actors));
   }
 
-  /// What becomes of an answer at that time.
+  /// The defect's answer at that time.
   double answers(double time_s, double wanted_mps2) {
     view.time_s = time_s;
     view.actors = {};

@@ -239,7 +239,7 @@ std::uint64_t killed_by(const KillMatrix& matrix, std::uint64_t rows) {
 
 TEST(SmallestTeamLaws, NoSmallerSetOfRowsKillsAsMuch) {
   std::mt19937_64 random(8);
-  // Of so many some have no smallest team that always taking the best row finds.
+  // Among many matrices some have a smallest team that always taking the best row does not find.
   for (int i = 0; i < 100; ++i) {
     const KillMatrix matrix = random_matrix(random, 3 + random() % 6, 6 + random() % 9);
     const std::uint64_t all_rows = (std::uint64_t{1} << matrix.rows.size()) - 1;

@@ -75,6 +75,8 @@ TEST(Json, HasTheFieldsOfTheCsvAndThePublishedOnes) {
   const auto& row = document["results"].at(0);
   EXPECT_EQ(row["agents"], 3);
   EXPECT_EQ(row["accuracy_pct"], 50.0);
+  EXPECT_TRUE(row["code_lines"].is_number_unsigned());
+  EXPECT_TRUE(row["errored"].is_number_unsigned());
   EXPECT_EQ(row["score_mean"], 30.25);
   EXPECT_TRUE(row["published"]["accuracy_pct"].is_number());
 }
@@ -118,10 +120,37 @@ TEST_F(WriteFile, ReplacesTheFileAndLeavesNothingElse) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+TEST_F(WriteFile, FollowsALinkThatTheUserNamedAndReplacesOthers) {
+  EXPECT_EQ(write_file(path("target"), "mine"), std::nullopt);
+  fs::create_symlink("target", path("link"));
+  EXPECT_EQ(write_file(path("link"), "theirs", Links::replaced), std::nullopt);
+  EXPECT_EQ(content(path("target")), "mine");
+  EXPECT_EQ(content(path("link")), "theirs");
+  EXPECT_FALSE(fs::is_symlink(path("link")));
+  fs::create_symlink("target", path("named"));
+  EXPECT_EQ(write_file(path("named"), "new"), std::nullopt);
+  EXPECT_EQ(content(path("target")), "new");
+  fs::create_directory_symlink(".", path("folder"));
+  EXPECT_EQ(write_file(path("folder"), "a file", Links::replaced), std::nullopt);
+  EXPECT_EQ(content(path("folder")), "a file");
+}
+
+TEST(OutputPath, StaysInTheFolderWhateverTheNameIs) {
+  using namespace std::string_literals;
+  EXPECT_EQ(output_path("out", "proximity_25-10-test-7.xosc"), "out/proximity_25-10-test-7.xosc");
+  EXPECT_EQ(output_path("out", "../x.json"), "out/_._x.json");
+  EXPECT_EQ(output_path("out", "/etc/passwd"), "out/_etc_passwd");
+  EXPECT_EQ(output_path("out", ".."), "out/_.");
+  EXPECT_EQ(output_path("out", ".bashrc"), "out/_bashrc");
+  EXPECT_EQ(output_path("out", ""), "out/_");
+  EXPECT_EQ(output_path("out", "a\0b\x1b[2J=\xC3\xA4"s), "out/a_b__2J___");
+}
+
 TEST_F(WriteFile, SaysWhyItCannot) {
   EXPECT_EQ(write_file(path("missing/a.csv"), "x"), "No such file or directory");
   EXPECT_EQ(write_file(folder_.string(), "x"), "it is a folder");
   EXPECT_EQ(write_file("/dev/full", "x"), "No space left on device");
+  EXPECT_EQ(write_file(path("a") + std::string(1, '\0'), "x"), "Invalid argument");
 }
 
 }  // namespace

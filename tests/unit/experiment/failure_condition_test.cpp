@@ -13,7 +13,8 @@ Summary with_accuracy(std::uint64_t percent) {
 }
 
 bool verdict(const char* text, std::uint64_t percent) {
-  return fails(parse_failure_condition(text).value(), with_accuracy(percent));
+  const Comparison comparison{.summaries = {with_accuracy(percent)}};
+  return fails(parse_failure_condition(text).value(), comparison, 0);
 }
 
 TEST(FailureCondition, ComparesAMeasureWithANumber) {
@@ -27,9 +28,12 @@ TEST(FailureCondition, ComparesAMeasureWithANumber) {
   EXPECT_TRUE(verdict("ticks_all<8", 0));
 }
 
-TEST(FailureCondition, IsNotMetByAMeasureThatDoesNotExist) {
-  EXPECT_FALSE(verdict("score<1000", 0));
-  EXPECT_FALSE(verdict("score!=0", 0));
+TEST(FailureCondition, IsMetByAMeasureWithoutAValue) {
+  EXPECT_TRUE(verdict("score<1000", 0));
+  EXPECT_TRUE(verdict("score>1000", 0));
+  const Comparison errored{.summaries = {{.tests = 100, .errored = 100}}};
+  EXPECT_TRUE(fails(parse_failure_condition("accuracy<40").value(), errored, 0));
+  EXPECT_FALSE(fails(parse_failure_condition("errored>100").value(), errored, 0));
 }
 
 TEST(FailureCondition, RefusesWhatIsNoCondition) {

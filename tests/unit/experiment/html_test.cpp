@@ -79,21 +79,6 @@ TEST(Plural, IsOfAllNumbersButOne) {
   EXPECT_EQ(plural(1200, "test"), "1,200 tests");
 }
 
-TEST(ShellQuoted, LeavesPlainWordsAlone) {
-  for (const std::string word : {"scenarios/paper.yaml", "--seed=7", "a_b-c", "50%", "me@here"}) {
-    EXPECT_EQ(shell_quoted(word), word);
-  }
-}
-
-TEST(ShellQuoted, QuotesWhatAShellWouldRead) {
-  EXPECT_EQ(shell_quoted(""), "''");
-  EXPECT_EQ(shell_quoted("two words"), "'two words'");
-  EXPECT_EQ(shell_quoted("$HOME"), "'$HOME'");
-  EXPECT_EQ(shell_quoted("*"), "'*'");
-  EXPECT_EQ(shell_quoted("~"), "'~'");
-  EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
-}
-
 TEST(Markers, AreOutOfStepWithColours) {
   // Eight colours and seven shapes: 56 series before both repeat.
   EXPECT_EQ(series_attributes(9), "class=\"c1\" data-series=\"9\"");

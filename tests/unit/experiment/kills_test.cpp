@@ -196,7 +196,7 @@ std::string errors_of(const std::string& lines) {
 TEST(KillsFile, HasWhatWasWritten) {
   KillMatrix matrix{.defects = {"latency=0.3", "blind-left", "given"}, .rows = {}};
   matrix.rows.push_back(
-      {.behaviour = "a \"b\", c", .agents = 2, .cells = {cell(10, 3), cell(0, 0), cell(7, 0)}});
+      {.behaviour = "by-the-text", .agents = 2, .cells = {cell(10, 3), cell(0, 0), cell(7, 0)}});
   const std::string text = to_kills_csv(matrix);
   const auto lines = parse_kills(std::make_shared<const Source>("kills.csv", text));
   ASSERT_TRUE(lines.ok()) << lines.diagnostics().render();
@@ -205,7 +205,7 @@ TEST(KillsFile, HasWhatWasWritten) {
   EXPECT_EQ(to_kills_csv(again), text);
   ASSERT_EQ(again.rows.size(), 1U);
   EXPECT_TRUE(again.rows[0].kills_alone);
-  EXPECT_EQ(again.rows[0].behaviour, "a \"b\", c");
+  EXPECT_EQ(again.rows[0].behaviour, "by-the-text");
 }
 
 TEST(KillsFile, KeepsTheFirstKillOfTestsWhoseOrderMatters) {
@@ -224,6 +224,8 @@ TEST(KillsFile, PointsAtMistakes) {
   EXPECT_THAT(errors_of("s,1,latency,0.3,10,11,50,0,0,7\n"),
               HasSubstr("kills.csv:2:20: error: expected a whole number up to 10, found '11'"));
   EXPECT_THAT(errors_of("s,one,latency,0.3,10,5,50,0,0,7\n"), HasSubstr("found 'one'"));
+  EXPECT_THAT(errors_of("=HYPERLINK(1),1,latency,0.3,10,5,50,0,0,7\n"),
+              HasSubstr("kills.csv:2:1: error: '=HYPERLINK(1)' cannot be the name of a behaviour"));
   EXPECT_THAT(errors_of("s,1,latency\n"), HasSubstr("expected 10 fields, found 3"));
   EXPECT_THAT(errors_of("s,1,latency,0.3,10,5,50,0,0,7\ns,1,latency,0.30,10,5,50,0,0,7\n"),
               HasSubstr("kills.csv:3:1: error: a second line for s (1) and latency=0.3"));

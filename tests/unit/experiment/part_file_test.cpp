@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Naming, PartFileTest,
                          testing::Values(PartFile::Naming::unnamed_if_possible,
                                          PartFile::Naming::named));
 
-/// What a killed process has left goes, what another one is making stays.
+/// Files that a killed process has left are removed, those that another one is writing stay.
 TEST_F(PartFileTest, NamedOnesOfKilledProcessesAreRemoved) {
   std::ofstream(path("a.csv.Ab3dE9.part")) << "half";
   std::ofstream(path("a.csv.short.part")) << "somebody's own";

@@ -20,6 +20,7 @@ using testing::Not;
 
 Comparison two_behaviours() {
   Comparison comparison{.scenario = "a <b>.yaml", .seed = 1, .tests = 100};
+  comparison.published.world = true;
   comparison.published.behaviours = {"proximity"};
   for (const char* behaviour : {"proximity", "mine"}) {
     for (const std::uint32_t agents : {1U, 3U}) {
@@ -60,14 +61,14 @@ Table I of the paper has four misprints. --preset as-published-program repeats t
 )");
 }
 
-TEST(Table, LeavesOutThePublishedValuesOfAnotherWorldAndSaysSo) {
+TEST(Table, LeavesOutThePapersValuesAndMeasureOfAnotherWorldAndSaysSo) {
   Comparison comparison = two_behaviours();
   comparison.summaries.resize(1);
   comparison.published = {.behaviours = {}, .left_out = "the world is another one"};
   EXPECT_EQ(render_table(comparison),
             R"(proximity (12 lines of AgentSpeak)
-agents  accuracy %     95 % interval    score     95 % interval  combined_normalised   ticks    CPU µs
-     1        48.0      38.5 to 57.7    88.50    87.55 to 89.45                0.997    9.25       3.2
+agents  accuracy %     95 % interval    score     95 % interval   ticks    CPU µs
+     1        48.0      38.5 to 57.7    88.50    87.55 to 89.45    9.25       3.2
 
 paper: published values are left out: the world is another one.
 )");
@@ -121,6 +122,9 @@ TEST(Chart, HasNoPublishedCurvesOfAnotherWorld) {
   const std::string svg = render_svg(comparison);
   EXPECT_THAT(svg, Not(HasSubstr("stroke-dasharray")));
   EXPECT_THAT(svg, Not(HasSubstr("published")));
+  EXPECT_THAT(svg, Not(HasSubstr("combined_normalised")));
+  EXPECT_THAT(svg, HasSubstr(">score × accuracy / 1000</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("4.71"))) << "the paper's normalisation";
 }
 
 TEST(Chart, CanBeDrawnOfNothingAndOfASinglePoint) {
@@ -219,6 +223,11 @@ TEST(Report, SaysWhyThePublishedValuesDifferOrAreLeftOut) {
   EXPECT_THAT(html, HasSubstr("published values are left out: the world is another one."));
   EXPECT_THAT(html, Not(HasSubstr("class=\"published\"")));
   EXPECT_THAT(html, Not(HasSubstr(">published</th>")));
+  EXPECT_THAT(html, Not(HasSubstr("combined_normalised")));
+}
+
+TEST(Report, HasNoHeadingOfThePaper) {
+  EXPECT_THAT(reporting::render_report(report_data()), Not(HasSubstr("paper's figures")));
 }
 
 TEST(Report, ComparesBehavioursTestByTest) {

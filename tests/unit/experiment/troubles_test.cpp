@@ -1,4 +1,4 @@
-// What is summed up of agents that dropped intentions or never acted.
+// Summaries of agents that dropped intentions or never acted.
 
 #include "experiment/compare/troubles.h"
 

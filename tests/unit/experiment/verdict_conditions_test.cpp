@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Two behaviours that are judged by two assertions; of ten tests each so many had each verdict.
+/// Two behaviours judged by two assertions, with counts of verdicts for ten tests each.
 Comparison judged() {
   Comparison comparison{.assertions = {"away", "slow"}};
   comparison.summaries = {{.behaviour = "walk", .tests = 10}, {.behaviour = "run", .tests = 10}};
@@ -50,14 +50,18 @@ TEST(VerdictConditions, FailRowByRow) {
   EXPECT_FALSE(fails(condition, judged(), 1));
 }
 
-TEST(VerdictConditions, AreNotMetWhereNothingWasJudged) {
-  const FailureCondition condition = parse_failure_condition("away.fail>=0").value();
-  Comparison comparison = judged();
-  comparison.assessments.clear();
-  EXPECT_FALSE(fails(condition, comparison, 0));
-  comparison = judged();
-  comparison.assertions = {"other", "slow"};
-  EXPECT_FALSE(fails(condition, comparison, 0));
+TEST(VerdictConditions, AreMetWhereNothingWasJudged) {
+  for (const char* text : {"away.fail>0", "away.exercised_pct>50"}) {
+    const FailureCondition condition = parse_failure_condition(text).value();
+    Comparison comparison = judged();
+    comparison.assessments[0].verdicts[0] = {};  // all of its tests ended errored
+    EXPECT_TRUE(fails(condition, comparison, 0)) << text;
+    comparison.assessments.clear();
+    EXPECT_TRUE(fails(condition, comparison, 0)) << text;
+    comparison = judged();
+    comparison.assertions = {"other", "slow"};
+    EXPECT_TRUE(fails(condition, comparison, 0)) << text;
+  }
 }
 
 TEST(VerdictConditions, SuggestTheVerdictThatWasMeant) {

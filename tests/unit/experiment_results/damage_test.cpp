@@ -35,7 +35,7 @@ void run_sql(const std::string& path, const char* sql) {
 
 class Damage : public StoreTest {
  protected:
-  /// Nobody opens the file, and nobody changes it.
+  /// The file is neither opened nor changed.
   void expect_refused(const std::string& path, const std::string& why) {
     const std::string before = read_bytes(path);
     EXPECT_THAT(message_of(ResultsReader::open(path)), HasSubstr(why));
@@ -108,7 +108,7 @@ TEST_F(Damage, AnywhereIsNoticedBeforeAStoreIsContinued) {
               "")
         << "page " << page;
     EXPECT_TRUE(read_bytes(file("damaged.gpkg")) == bytes) << page;
-    // Whoever reads it gets values or a message.
+    // A reader gets values or a message.
     if (auto reader = ResultsReader::open(file("damaged.gpkg"))) {
       (void)reader.value()->comparison();
       for (std::int64_t id = 1; id <= 48; ++id) {

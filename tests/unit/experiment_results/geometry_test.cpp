@@ -17,6 +17,17 @@ TEST(PointBlob, IsAHeaderAndAWellKnownBinaryPoint) {
                                          0, 0, 0, 0, 0, 0, 0x00, 0xC0));          // -2
 }
 
+TEST(LineBlob, IsAHeaderAndAWellKnownBinaryLine) {
+  const std::vector<double> xy{1, -2, 3, 4};
+  const std::vector<unsigned char> blob = line_blob(xy);
+  ASSERT_EQ(blob.size(), 13 + 4 + 4 * sizeof(double));
+  EXPECT_THAT(std::vector<unsigned char>(blob.begin(), blob.begin() + 25),
+              testing::ElementsAre('G', 'P', 0, 1, 0xFF, 0xFF, 0xFF, 0xFF,  // srs -1
+                                   1, 2, 0, 0, 0,                           // a line
+                                   2, 0, 0, 0,                              // of two points
+                                   0, 0, 0, 0, 0, 0, 0xF0, 0x3F));          // 1
+}
+
 TEST(Sha256, IsThatOfTheStandard) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }

@@ -13,6 +13,8 @@
 #include "experiment/results/reader.h"
 #include "experiment/results/store/assessment_spool.h"
 #include "experiment/results/store/new_file.h"
+#include "experiment/results/store/schema.h"
+#include "experiment/results/store/store_file.h"
 #include "experiment/results/store/stored_inputs.h"
 #include "experiment/results/writer.h"
 #include "tests/unit/experiment_results/experiment_runs.h"
@@ -130,6 +132,22 @@ TEST_F(StoreParts, CopiedHaveTheTestsOfTheirIdsAlone) {
   EXPECT_THAT(ids_of(file("few.gpkg")), ElementsAre(3, 7, 40));
   EXPECT_EQ(opened(file("few.gpkg"))->recording(40).value(), opened(whole)->recording(40).value());
   EXPECT_EQ(ids_of(whole).size(), 48U) << "which stays as it is";
+}
+
+TEST_F(StoreParts, CopiedOfAKilledProcessHaveWhatIsInItsLog) {
+  const std::string whole = part("whole.gpkg", 0, 48);
+  {
+    auto store = open_to_write(whole, results_store());
+    ASSERT_TRUE(store.ok()) << store.diagnostics().render();
+    start_log(*store.value());
+    store.value()->execute("DELETE FROM tests WHERE id = 7");
+    for (const char* end : {"", "-wal"}) {
+      std::filesystem::copy_file(whole + end, file("killed.gpkg") + end);
+    }
+  }
+  const std::vector<std::int64_t> wanted{3, 7, 40};
+  ASSERT_EQ(copy_tests(file("killed.gpkg"), file("few.gpkg"), wanted), std::nullopt);
+  EXPECT_THAT(ids_of(file("few.gpkg")), ElementsAre(3, 40));
 }
 
 TEST_F(StoreParts, CopiedDoNotReplaceAFile) {

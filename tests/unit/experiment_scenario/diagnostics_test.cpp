@@ -1,4 +1,4 @@
-// What a user reads who has made a mistake in a scenario.
+// The errors about mistakes in a scenario.
 
 #include <ostream>
 #include <string>
@@ -11,6 +11,7 @@
 namespace jaywalk {
 namespace {
 
+using ::testing::HasSubstr;
 using testing_scenario::errors;
 using testing_scenario::parse;
 using testing_scenario::with;
@@ -23,6 +24,35 @@ TEST(ScenarioDiagnostics, PointAtAnUnknownKeyAndSuggestTheRightOne) {
             "    lenght: 70\n"
             "    ^~~~~~\n"
             "  hint: did you mean 'length'?\n");
+}
+
+TEST(ScenarioDiagnostics, GiveTheSpeedInMetresASecondForOneWithAUnit) {
+  EXPECT_EQ(errors(parse("behaviours: [a.asl]\nworld: {av: {speed: 50 km/h}}\n")),
+            "folder/test.yaml:2:21: error: expected a number from 0.01 to 10000, found '50 km/h'\n"
+            "  world: {av: {speed: 50 km/h}}\n"
+            "                      ^~~~~~~\n"
+            "  hint: for that speed write 'speed_mps: 13.89', in m/s\n");
+  EXPECT_THAT(errors(parse("behaviours: [a.asl]\nworld: {pedestrians: {speed_mps: 3 mph}}\n")),
+              HasSubstr("write 'speed_mps: 1.341', in m/s"));
+  EXPECT_THAT(errors(parse("behaviours: [a.asl]\n"
+                           "world: {environment: motorway, av: {speed: 130km/h}}\n")),
+              HasSubstr("write 'speed: 36.11', in m/s"));
+  EXPECT_THAT(errors(parse("behaviours: [a.asl]\nworld: {tick: 0.5 s}\n")),
+              HasSubstr("hint: write the number alone, without its unit"));
+}
+
+TEST(ScenarioDiagnostics, WarnOfAVehicleThatIsFasterThanCarsAre) {
+  const auto fast = parse("behaviours: [a.asl]\nworld: {av: {speed: 50}}\n");
+  ASSERT_TRUE(fast.ok());
+  EXPECT_EQ(fast.value().warnings.render(),
+            "folder/test.yaml:2:21: warning: the AV drives at 75 m/s (270 km/h)\n"
+            "  world: {av: {speed: 50}}\n"
+            "                      ^~\n"
+            "  hint: 'speed' is in cells of 1.5 m and ticks of 1 s\n");
+  EXPECT_TRUE(parse("behaviours: [a.asl]\nworld: {av: {speed: 40}}\n").value().warnings.empty());
+  EXPECT_THAT(
+      parse("behaviours: [a.asl]\nworld: {av: {speed_mps: 61}}\n").value().warnings.render(),
+      HasSubstr("the AV drives at 61 m/s (219.6 km/h)"));
 }
 
 TEST(ScenarioDiagnostics, PointAtAColonThatABlankIsMissingBehind) {
@@ -182,6 +212,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "folder/test.yaml:1:21: error: a second behaviour with the name 'a'"},
         Mistake{"behaviours: [a b.asl]\n",
                 "folder/test.yaml:1:14: error: 'a b' cannot be the name of a behaviour"},
+        Mistake{"behaviours: [{name: -a, program: a.asl}]\n",
+                "folder/test.yaml:1:14: error: '-a' cannot be the name of a behaviour"},
         Mistake{"behaviours: [{name: a}]\n",
                 "folder/test.yaml:1:14: error: a behaviour without 'program', the path of its "
                 ".asl file"},
@@ -193,11 +225,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"behaviours: [{program: a.asl, parameters: {Radius: 1}}]\n",
                 "folder/test.yaml:1:44: error: expected the name of a belief, found 'Radius'"},
         Mistake{"behaviours: [{program: a.asl, agents: {0: {radius: 1}}}]\n",
-                "folder/test.yaml:1:40: error: expected a number from 1 or a range, found '0'"},
+                "folder/test.yaml:1:40: error: expected a number from 1 to 10000 or a range, "
+                "found '0'"},
         Mistake{"behaviours: [a.asl]\nexperiment: {agents: 1..100000}\n",
-                "folder/test.yaml:2:22: error: more than 10000 numbers in '1..100000'"},
+                "folder/test.yaml:2:22: error: expected a number from 1 to 10000 or a range, "
+                "found '1..100000'"},
         Mistake{"behaviours: [a.asl]\nexperiment: {agents: 20000}\n",
-                "folder/test.yaml:2:22: error: more than 10000 agents"}));
+                "folder/test.yaml:2:22: error: expected a number from 1 to 10000 or a range, "
+                "found '20000'"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Yaml, ScenarioMistakes,

@@ -145,7 +145,7 @@ void expect_ends(const std::vector<Ranged>& keys,
   }
 }
 
-/// Of its ends nothing is wrong but perhaps how they go together with other keys.
+/// The ends of ranges are accepted, but for combinations with other keys.
 void expect_taken(const std::vector<Ranged>& keys,
                   const std::function<std::vector<std::string>(const std::string&)>& settings) {
   for (const Ranged& each : keys) {
@@ -220,7 +220,7 @@ TEST(MotorwayKeys, HaveTheDefaultsOfTheReference) {
   }
 }
 
-/// What is said of a motorway with these settings.
+/// The errors about a motorway with these settings.
 std::string motorway_errors(std::vector<std::string> sets) {
   sets.insert(sets.begin(), "world.environment=motorway");
   return errors(with(std::move(sets)));

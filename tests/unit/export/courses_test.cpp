@@ -8,7 +8,7 @@
 namespace jaywalk {
 namespace {
 
-/// The AV at 10 m/s along x = 0, a tick of one second, and somebody's places.
+/// The AV at 10 m/s along x = 0, a tick of one second, and a pedestrian's places.
 Recording with(std::vector<Place> places) {
   const std::size_t ticks = places.size();
   return drive(1, {steps({0, 0}, {0, 10}, ticks), std::move(places)});

@@ -35,7 +35,7 @@ class ScenarioTextTest : public testing::Test {
     return {list.begin(), list.end()};
   }
 
-  // The AV at 10 m/s; somebody crosses far ahead of it.
+  // The AV at 10 m/s; a pedestrian crosses far ahead of it.
   Recording recording_ =
       drive(1, {steps({0, 0}, {0, 10}, 4), {{6, 60}, {6, 61}, {5, 61}, {4, 61}}});
   CrossingParameters world_;
@@ -53,6 +53,18 @@ TEST_F(ScenarioTextTest, PutsTheReferencePointOfAPedestrianInItsMiddle) {
   const std::string document = text().trajectories("t", timed_courses(recording_));
   EXPECT_THAT(document, HasSubstr("<WorldPosition x=\"6.0000\" y=\"60.0000\""));
   EXPECT_THAT(document, HasSubstr("<Center x=\"0.0000\" y=\"0\" z=\"0.900\"/>"));
+}
+
+TEST_F(ScenarioTextTest, EscapesTheNamesOfActors) {
+  Recording named(
+      1, {{"av", ActorKind::vehicle, 4, 2}, {"p<1> & \"2\"", ActorKind::pedestrian, 0.5, 0.5}});
+  for (std::size_t tick = 0; tick < recording_.scenes(); ++tick) named.add(recording_.scene(tick));
+  recording_ = named;
+  for (const std::string& document : {text().trajectories("t", timed_courses(recording_)),
+                                      text().reactive("t", reactive_courses(recording_))}) {
+    EXPECT_THAT(document, HasSubstr("entityRef=\"p&lt;1&gt; &amp; &quot;2&quot;\""));
+    EXPECT_THAT(document, Not(HasSubstr("p<1>")));
+  }
 }
 
 TEST_F(ScenarioTextTest, GivesNothingNoSign) {

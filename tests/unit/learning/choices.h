@@ -42,7 +42,7 @@ class Choosers {
     episodes.drawn(choice(agent, part), {.probabilities = kProbabilities, .chosen = chosen});
   }
 
-  /// What everybody observes.
+  /// The features that all agents observe.
   std::vector<double> features{1};
 
  private:

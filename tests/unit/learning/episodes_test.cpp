@@ -169,7 +169,7 @@ TEST(Episodes, HaveTheMeanOfWhatAgentsGotWhenTheyFirstChose) {
   EXPECT_THAT(made.episodes.mean_return(), DoubleEq((8.0 + 2.0) / 2));
 }
 
-// Whoever chooses again in between gets no more and no less by it.
+// An agent that chooses again in between gets no more and no less by it.
 TEST(Episodes, ReturnTheSameHoweverOftenTheAgentChooses) {
   networks::Random random(11);
   for (int round = 0; round < 50; ++round) {

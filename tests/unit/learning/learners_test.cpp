@@ -23,7 +23,7 @@ std::unique_ptr<Learner> made(std::string_view name, const LearnerSettings& sett
   return find_learner(name)->make(kShape, settings, 1);
 }
 
-/// Of all cells, relative to the greatest value there is.
+/// The greatest error of all cells, relative to the greatest value.
 double greatest_error(const Learner& learner) {
   double error = 0;
   for (const Cell cell : cells_to_begin_in()) {

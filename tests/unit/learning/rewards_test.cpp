@@ -128,7 +128,7 @@ TEST(NeedsRecording, IsSoForWhatIsJudgedMeasuredOrCoveredAlone) {
 
 class EndRewards : public testing::Test {
  protected:
-  /// What the end of a test brings its agents.
+  /// The agents' rewards for the end of a test.
   std::vector<double> of(const LearningSpec& spec, const Recording& recording = Recording()) {
     outcome.agents.resize(agents);
     Rewarded rewarded(agents);

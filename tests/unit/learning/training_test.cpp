@@ -24,7 +24,7 @@ std::shared_ptr<const PreparedScenario> prepared(const std::string& more = "") {
   return made.value();
 }
 
-/// What the policy's file is after so many tests.
+/// The policy's file after `tests` tests.
 std::string learned(TrainingPlan plan, std::uint64_t tests,
                     std::shared_ptr<Policy> policy = nullptr) {
   if (policy == nullptr) policy = new_policy(plan).value();
@@ -80,7 +80,7 @@ TEST(Training, GoesOnOnlyWithWhatItLearnedLikewise) {
   EXPECT_EQ(why_not_the_same(plan, *policy), "");
   TrainingPlan other = plan;
   other.agents = 2;
-  EXPECT_EQ(why_not_the_same(other, *policy), "it learned with 1 agents");
+  EXPECT_EQ(why_not_the_same(other, *policy), "it learned with 1 agent");
   other = plan;
   other.seed = 4;
   EXPECT_EQ(why_not_the_same(other, *policy), "it learned with seed 3");
@@ -90,7 +90,7 @@ TEST(Training, GoesOnOnlyWithWhatItLearnedLikewise) {
 }
 
 TEST(Training, LearnsOfEachAgentWhatItWasScored) {
-  // Whoever costs nothing but reaches nothing has a reward of 0; costs alone make it less.
+  // Without costs and without success the reward is 0; costs make it less.
   const auto scenario = prepared("world: {scoring: {reward: 0, pavement_cost: 1, road_cost: 1}}\n");
   const TrainingPlan plan{.prepared = scenario};
   const auto policy = new_policy(plan).value();

@@ -12,7 +12,7 @@ TEST(FrameStack, GivesTheSamePlacesAgainAfterARelease) {
   const FrameStack::Mark empty = stack.mark();
   std::vector<FrameStack::Mark> marks;
   std::vector<std::uint64_t*> frames;
-  // Over several blocks, with frames that do not fit into what is left of one, or into any.
+  // Over several blocks, with frames that do not fit into the rest of one, or into any.
   for (std::size_t words : {10U, 200U, 100U, 4000U, 90U, 9000U, 5U, 4096U, 1U}) {
     marks.push_back(stack.mark());
     frames.push_back(stack.allocate(words));

@@ -79,7 +79,7 @@ TEST(HeadCode, LeavesNoChoiceIfAnyArgumentTellsTheRulesApart) {
 }
 
 TEST(HeadCode, GoesOnWithVariablesOfItsOwn) {
-  // Variables that a query has made itself are not on the trail, those of who asks are.
+  // Variables made by the query itself are not on the trail, those of the caller are.
   test::Terms terms;
   terms.believe("app([],L,L). app([H|T],L,[H|R]) :- app(T,L,R).");
   terms.believe("split(A,B) :- app(A,B,[1,2]) & app(B,A,C) & C \\== [1,2].");

@@ -273,7 +273,7 @@ TEST(Machine, FindsInAContextWhatItFindsElsewhere) {
   }
 }
 
-// What is counted without a look at each fact is what is found by looking.
+// Counting without a look at each fact gives the number found by looking.
 TEST(Machine, CountsFactsAsItFindsThem) {
   const std::vector<std::string> values = {"0",    "-0",    "1",   "1.5",  "a", "b",
                                            "a[k]", "\"a\"", "[1]", "s(1)", "W", "100000000000"};

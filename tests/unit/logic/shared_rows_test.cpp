@@ -1,4 +1,4 @@
-// What the agents of a program begin with: they share it until one of them changes something.
+// The initial beliefs of a program's agents are shared until an agent changes one.
 
 #include "interpreter/logic/beliefs/shared_rows.h"
 

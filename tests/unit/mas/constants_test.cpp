@@ -1,5 +1,5 @@
-// What the environment says is constant agents share, and the answers of rules that ask nothing
-// else: nobody can tell, but by what it takes.
+// Agents share the percepts that the environment declares constant, and the answers of rules that
+// ask nothing else: only time and memory show it.
 
 #include <string>
 #include <utility>

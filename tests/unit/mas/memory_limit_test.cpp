@@ -98,7 +98,7 @@ TEST(SystemMemory, LetsNoAgentComeWhereNothingIsLeft) {
   EXPECT_GT(system.mas->agent_count(), 100U);
 }
 
-/// Each makes names that nobody has made before, of this many letters and more.
+/// Each makes new names, of this many letters and more.
 std::vector<test::NamedProgram> namers(int count, int letters, const std::string& action) {
   std::vector<test::NamedProgram> team;
   for (int i = 0; i < count; ++i) {
@@ -152,7 +152,7 @@ TEST(SystemMemory, HoldsForTheNamesOfOneTurn) {
   EXPECT_THAT(printed, Contains(HasSubstr("memory limit"))) << "64 kB may be 16,000 names";
 }
 
-/// Who fails, and when, does not depend on threads.
+/// Which agents fail, and when, does not depend on threads.
 void expect_same_on_threads(const std::vector<test::NamedProgram>& team, MasOptions options) {
   options.fewest_beside = 2;
   const test::AgentRun one = test::run_agents(team, options);

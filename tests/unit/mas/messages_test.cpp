@@ -1,4 +1,4 @@
-// What comes with which message, and in which order.
+// The contents of messages, and their order.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What an agent perceives, look by look: what Percepts say of the last one, and that beliefs are
-// the same whether they are brought up to date by all percepts or by what has changed.
+// An agent's percepts, look by look: how Percepts compares with the last one, and that beliefs are
+// the same whether they are updated by all percepts or by the changes.
 
 #include "interpreter/environment/percepts.h"
 
@@ -196,8 +196,8 @@ class Beliefs {
   bool by_changes_;
 };
 
-// Lists that change a little or a lot, with literals that are told twice, and an agent that deletes
-// percepts and believes some of them by itself.
+// Lists that change a little or a lot, with repeated literals, and an agent that deletes percepts
+// and believes some of them by itself.
 TEST(BeliefUpdate, IsTheSameByChangesAsByAllPercepts) {
   std::mt19937 random(7);
   const auto below = [&](int bound) {

@@ -28,7 +28,7 @@ TEST(RunLimits, EndARunThatTakesTooManyInferences) {
   EXPECT_GE(run.outcome.inferences, 100'000U);
 }
 
-/// One query at the end of which nobody would look at the sum.
+/// A single query, after which the sum would not be checked again.
 TEST(RunLimits, EndAQueryThatTakesAllOfTheRunsInferences) {
   MasOptions options;
   options.max_run_inferences = 50'000;

@@ -1,4 +1,4 @@
-// Agents that start when they first reason, or when somebody looks at them.
+// Agents that start when they first reason, or when they are inspected.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(Start, LeavesAnAgentWithAllThatItHasMade) {
   EXPECT_THAT(system.printed, ElementsAre("[a] [1,f(X),\"text\"][1, 2][7]"));
 }
 
-// Whoever is told something goes on where its teller rests, in one stride.
+// An agent that receives a message runs on while its sender rests.
 TEST(Start, ComesForEachInARingThatPassesAToken) {
   System system;
   for (const char* const name : {"a", "b", "c"}) {

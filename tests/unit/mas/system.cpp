@@ -26,10 +26,11 @@ System::System(MasOptions with) : options(std::move(with)) {
   options.print = [this](std::string_view line) { printed.emplace_back(line); };
   options.log = [this](std::string_view line) { logged.emplace_back(line); };
   options.load_program = [this](const ProgramRequest& request, SymbolTable& run_symbols,
-                                std::string& error) -> std::shared_ptr<const Program> {
+                                LoadProblem& problem) -> std::shared_ptr<const Program> {
     const auto found = files.find(request.file);
-    if (found != files.end()) return program_of(request.file, found->second, run_symbols, error);
-    error = "no file " + request.file;
+    if (found != files.end())
+      return program_of(request.file, found->second, run_symbols, problem.text);
+    problem.text = "no file " + request.file;
     return nullptr;
   };
 }

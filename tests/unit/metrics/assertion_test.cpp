@@ -85,6 +85,13 @@ TEST(Judge, TellsApartWhatCouldNotBeHelped) {
   EXPECT_EQ(second.tick, 0U);
 }
 
+TEST(Judge, CallsNothingUnavoidableThatDidNotHappen) {
+  const Judgement kept = judged(
+      "precondition: x > 5, requirement: always distance > 1, unavoidable: x > 5", passing());
+  EXPECT_EQ(kept.verdict, Verdict::pass);
+  EXPECT_TRUE(kept.excused) << "no driver could have kept it, but this AV did";
+}
+
 TEST(Judge, AnAssertionAboutTheAvNeedsNoRoadUsers) {
   const Recording alone = drive(1, {steps({0, 0}, {0, 10}, 3)});
   EXPECT_EQ(judged("precondition: true, requirement: always av.speed <= 10", alone).verdict,
@@ -164,6 +171,10 @@ TEST(AssertionFile, RefusesWhatCannotBeMeant) {
   EXPECT_THAT(errors_of(""), HasSubstr("the file is empty"));
   EXPECT_THAT(errors_of("rules: []"), HasSubstr("unknown key 'rules'"));
   EXPECT_THAT(errors_of("assertions: []"), HasSubstr("a list of 1 to 200 assertions"));
+  std::string many = "assertions:\n";
+  for (int i = 0; i < 300; ++i) many += "  - {}\n";
+  EXPECT_THAT(errors_of(many), HasSubstr("expected at most 200 assertions, found 300"));
+  EXPECT_THAT(errors_of(many), HasSubstr("--assertions takes several files"));
   EXPECT_THAT(errors_of("assertions:\n  - id: a\n"), HasSubstr("an assertion without 'source'"));
   const std::string one = "  - {id: a, source: s, precondition: true, requirement: true}\n";
   EXPECT_THAT(errors_of("assertions:\n" + one + one),
@@ -279,6 +290,10 @@ TEST(ShippedAssertions, Avoidability) {
   EXPECT_EQ(shipped("avoidability", surprise(40)).verdict, Verdict::fail);
   EXPECT_EQ(shipped("avoidability", surprise(24)).verdict, Verdict::unavoidable);
   EXPECT_EQ(shipped("avoidability", surprise(90)).verdict, Verdict::pass);
+  // It brakes harder than that driver, and earlier.
+  const Recording stops = braking({0, 10, 16, 18, 18, 18}, {10, 10, 4, 0, 0, 0},
+                                  {{-4, 24}, {-4, 24}, {0, 24}, {0, 24}, {0, 24}, {0, 24}});
+  EXPECT_EQ(shipped("avoidability", stops).verdict, Verdict::pass);
   EXPECT_EQ(shipped("avoidability", drive(1, {steps({0, 0}, {0, 9}, 3), steps({-4, 9}, {0, 0}, 3)}))
                 .verdict,
             Verdict::vacuous);

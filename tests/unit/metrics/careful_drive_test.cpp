@@ -121,7 +121,7 @@ TEST(CarefulDrive, DoesNotMindOtherSignals) {
 
 TEST(CarefulDrive, BrakesForAZebraWithSomebodyOnIt) {
   const Ground ground = road_with_crosswalk(true);
-  // In the other lane: on the zebra, and in nobody's way.
+  // In the other lane: on the zebra, and not in the AV's way.
   const Recording on_it = drive_on_with_light({6, 82});
   EXPECT_LT(slowest_mps(careful_drive(TestView(on_it, ground))), 2);
   const Recording beside = drive_on_with_light({6, 79});
@@ -139,7 +139,7 @@ TEST(CarefulDrive, DoesNotSeeWhoIsBehindAnObstacle) {
 }
 
 TEST(CarefulDrive, BeginsWithTheFirstRiskWhereTheCruisingSpeedIsNotKnown) {
-  // The AV gathers speed; somebody steps into its lane at tick 3.
+  // The AV accelerates; a pedestrian steps into its lane at tick 3.
   const Ground ground = road();
   Recording recording(1,
                       {{"av", ActorKind::vehicle, 4, 2}, {"p1", ActorKind::pedestrian, 0.5, 0.5}});

@@ -135,7 +135,7 @@ Recording surprise(double gap_m) {
 TEST(Signals, ACarefulAndCompetentDriverNeedsTimeToPerceiveAndRoomToBrake) {
   // In the record the pedestrian is a risk from 1 s on, when the tick of its step begins: 1.15 s at
   // 10 m/s, 0.6 s in which braking grows (5.54 m), then from 7.72 m/s at 7.59 m/s2 (3.93 m) make
-  // 20.97 m; the surprise is told for 1.25 s, 2.5 m later.
+  // 20.97 m; the surprise is reported for 1.25 s, 2.5 m later.
   EXPECT_EQ(at(surprise(18.6), SignalId::avoidable), 1);
   EXPECT_EQ(at(surprise(18.3), SignalId::avoidable), 0);
   EXPECT_EQ(at(surprise(60), SignalId::avoidable), 1);
@@ -145,8 +145,8 @@ TEST(Signals, ACarefulAndCompetentDriverNeedsTimeToPerceiveAndRoomToBrake) {
 }
 
 TEST(Signals, ThatDriverSeesOthersWhereTheyAreWithinATick) {
-  // Who goes evenly is over the lane from 1.1875 s on, which is seen at 1.2 s: 0.05 s before
-  // the 1.25 s of which the surprise is told, and 0.5 m.
+  // A steady walker is over the lane from 1.1875 s on, which is seen at 1.2 s: 0.05 s before
+  // the 1.25 s for which the surprise is reported, and 0.5 m.
   Ground ground = road();
   const auto avoidable = [&](double gap_m) {
     const Recording recording = surprise(gap_m);

@@ -151,7 +151,7 @@ TEST(Pairs, AreNoneWhereOneOfTheirItemsIs) {
   EXPECT_EQ(bin_at("side_and_ttc", step({1, 5}, {1, 5}, 0)), "none");
 }
 
-/// Which steps of somebody are natural, tick by tick, `y` or `n`.
+/// Which steps of a pedestrian are natural, tick by tick, `y` or `n`.
 std::string natural(const std::vector<Place>& places) {
   std::vector<Actor> actors{{"av", ActorKind::vehicle, 4, 2},
                             {"p", ActorKind::pedestrian, 0.5, 0.5}};

@@ -19,7 +19,7 @@ std::string bin(const SituationBins& bins, std::string_view name) {
   return bins[index] ? situation_items()[index].bins[*bins[index]] : "none";
 }
 
-/// The AV's leading edge begins at y = 2 and drives 9 m/s; somebody crosses from its left.
+/// The AV's leading edge begins at y = 2 and drives 9 m/s; a pedestrian crosses from its left.
 Recording crossing_from_the_left(Place start) {
   Recording recording = drive(1, {steps({0, 0}, {0, 9}, 4), steps(start, {1.5, 0}, 4)});
   recording.add(RecordedEvent{.tick = 2, .actor = 1, .kind = "precondition", .text = {}});

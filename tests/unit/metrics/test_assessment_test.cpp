@@ -25,7 +25,7 @@ Criteria criteria() {
   return {.assertions = std::move(assertions.value()), .metrics = true};
 }
 
-/// The AV passes somebody who stands that far from the middle of its way.
+/// The AV passes a pedestrian who stands that far from the middle of its way.
 TestAssessment passing(double x) {
   const Recording recording = drive(1, {steps({0, 0}, {0, 10}, 3), steps({x, 10}, {0, 0}, 3)});
   return assess(criteria(), recording, road());
@@ -114,7 +114,7 @@ TEST(TestAssessment, BecomeRowsOfAStore) {
 TEST(TestAssessment, BecomeJUnitCases) {
   const std::string xml = to_junit(compared({1.75, 3.25, 9.25}));
   EXPECT_THAT(xml, HasSubstr("<testsuite name=\"away\" tests=\"1\" failures=\"1\""));
-  EXPECT_THAT(xml, HasSubstr("name=\"a&lt;b, 1 agents\""));
+  EXPECT_THAT(xml, HasSubstr("name=\"a&lt;b, 1 agent\""));
   EXPECT_THAT(xml, HasSubstr("1 of 3 tests violate it"));
   EXPECT_THAT(to_junit(compared({9.25})), HasSubstr("no test exercised it"));
 }

@@ -59,6 +59,7 @@ TEST(Trace, TakesSpeedsAndHeadingsFromThePlaces) {
   EXPECT_DOUBLE_EQ(recording.scene(0)[0].speed_mps, 10) << "of the step that leads on";
   EXPECT_NEAR(recording.scene(1)[0].heading_rad, kPi / 2, 1e-12);
   EXPECT_DOUBLE_EQ(recording.scene(1)[1].speed_mps, 2);
+  EXPECT_GT(recording.tolerance(), 0) << "since places and times are rounded";
   EXPECT_NEAR(recording.scene(1)[1].heading_rad, kPi, 1e-12);
 }
 
@@ -225,7 +226,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"time,actor,x\n0,av,0\n", "1:1: error: the header has no column kind, y"},
         Mistake{"time,actor,kind,x,y,x_m\n", "1:21: error: a second column 'x'"},
         Mistake{kHeader + "0,av,vehicle,0\n", "2:1: error: the row has 4 fields, the header 5"},
-        Mistake{kHeader + "0,,vehicle,0,0\n", "an actor without a name"},
+        Mistake{kHeader + "0,,vehicle,0,0\n", "2:3: error: '' cannot be the name of an actor"},
+        Mistake{kHeader + "0,=HYPERLINK(1),vehicle,0,0\n",
+                "2:3: error: '=HYPERLINK(1)' cannot be the name of an actor"},
+        Mistake{kHeader + "0,a\x1b[2J,vehicle,0,0\n",
+                "2:3: error: 'a\\x1b[2J' cannot be the name of an actor"},
+        Mistake{"time,actor,kind,x,y,event\n0,av,vehicle,0,0,hit;@SUM(1)\n",
+                "2:18: error: '@SUM(1)' cannot be the name of an event"},
         Mistake{kHeader + "x,av,vehicle,0,0\n", "expected a number for time, found 'x'"},
         Mistake{kHeader + "0,av,vehicle,1e10,0\n", "x 1e10 is not between"},
         Mistake{kHeader + "0,av,vehicle,nan,0\n", "expected a number for x, found 'nan'"},

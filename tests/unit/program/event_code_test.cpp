@@ -1,4 +1,4 @@
-// What is decoded of plans and formulas: heads; constants, variables and simple sums.
+// Decoding of plans and formulas: heads; constants, variables and simple sums.
 
 #include "interpreter/program/event_code.h"
 

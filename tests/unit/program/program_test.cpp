@@ -1,4 +1,4 @@
-// What is known of a program as a whole.
+// Properties of a program as a whole.
 
 #include "interpreter/program/program.h"
 

@@ -21,7 +21,7 @@ GroundPlan small_plan() {
   return plan;
 }
 
-/// What the page's script receives.
+/// The data of the page's script.
 nlohmann::json data_of(const std::string& page) {
   const std::size_t begin = page.find("{\"actors\"");
   const std::size_t end = page.find('\n', begin);

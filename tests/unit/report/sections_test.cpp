@@ -166,13 +166,13 @@ TEST(VerdictsSection, LinksAViolationWithTheMomentOnItsPage) {
                      {.assertion = "away", .test = {.behaviour = 0, .agents = 3, .number = 17}}};
   data.replays = {{.test = test}};
   EXPECT_THAT(section::verdicts(data), HasSubstr("<td>17</td>")) << "no page was written";
-  data.replays[0].page = "r-replays/a&b.html";
+  data.replays[0].page = "r #1-replays/a.html";
   const std::string html = section::verdicts(data);
   EXPECT_THAT(html,
-              HasSubstr("<td>3</td><td><a href=\"r-replays/a&amp;b.html#tick=4\">17</a></td>"));
+              HasSubstr("<td>3</td><td><a href=\"r%20%231-replays/a.html#tick=4\">17</a></td>"));
   EXPECT_THAT(html, HasSubstr("<td class=\"l\">walk</td><td>3</td><td>17</td>"));
   data.violations[0].tick.reset();
-  EXPECT_THAT(section::verdicts(data), HasSubstr("<a href=\"r-replays/a&amp;b.html\">17</a>"));
+  EXPECT_THAT(section::verdicts(data), HasSubstr("<a href=\"r%20%231-replays/a.html\">17</a>"));
 }
 
 TEST(MetricsSection, SaysHowToMeasureWhereNothingWas) {

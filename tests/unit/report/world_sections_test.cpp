@@ -20,7 +20,7 @@ std::size_t times(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// Behaviours on the crossing of the paper, with one and two agents each; nobody met anything.
+/// Behaviours on the crossing of the paper, with one and two agents each; no precondition was met.
 ReportData data_of(const std::vector<std::string>& behaviours) {
   ReportData data;
   data.prepared = world_of("proximity");
@@ -136,7 +136,7 @@ TEST(ReplaysSection, SaysWhichTestAndWhy) {
 TEST(ReplaysSection, LinksThePageThatPlaysTheTest) {
   const std::string html = section::replays(data_with(
       {.test = {.behaviour = 0, .agents = 1, .number = 0}, .page = "r-replays/a&b.html"}));
-  EXPECT_THAT(html, HasSubstr("<a href=\"r-replays/a&amp;b.html\">walk, 1 agent, test 0</a>"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"r-replays/a%26b.html\">walk, 1 agent, test 0</a>"));
 }
 
 TEST(ReplaysSection, HasACommandThatAShellTakesAsItIsMeant) {
@@ -177,7 +177,7 @@ TEST(ReplaysSection, TellsWhoMetThePreconditionFromTheOthers) {
   EXPECT_THAT(html, Not(HasSubstr("met the precondition</title>")));
 }
 
-/// Two rows of a behaviour that nobody has published.
+/// Two rows of an unpublished behaviour.
 ReportData figures_of(const std::string& behaviour) {
   ReportData data;
   data.comparison.tests = 100;

@@ -97,7 +97,7 @@ TEST(CompetitionJson, HasPointsVerdictAndOutcome) {
   EXPECT_THAT(json, HasSubstr("\"interpolated_points\""));
 }
 
-/// Of a search that is not about roads, with that name.
+/// The page of a search that is not about roads, with that name.
 std::string small_page(const std::string& name) {
   SearchExperiment experiment;
   experiment.name = name;

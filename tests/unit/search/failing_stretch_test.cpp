@@ -34,7 +34,7 @@ FailingStretch stretch(const lane::Polyline& points, double worst_m) {
   return failing_stretch(failure(points, worst_m), model()).value();
 }
 
-/// A quarter of a circle of 40 m to the left after so many straight metres, moved and turned.
+/// A quarter of a circle of 40 m to the left after `straight_m` straight metres, moved and turned.
 lane::Polyline bend(double straight_m, double turn_rad = 0, Point start = {50, 10}) {
   lane::Polyline points;
   const auto add = [&](double x, double y) {

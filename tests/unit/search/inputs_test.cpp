@@ -121,7 +121,7 @@ TEST(RandomSequences, AreOfEachUsualLength) {
   }
 }
 
-/// What a map of ranges is read to, and what is said of it.
+/// The dimensions read from a map of ranges, and the errors about it.
 struct Dimensions {
   void read(const ConfigNode& node) { read_dimensions(node, ConfigReader(diagnostics), all); }
 

@@ -82,7 +82,7 @@ TEST_F(Reaching, FindsAllThatAnyTestMeets) {
   EXPECT_GT(met.size(), 30U);
 }
 
-// The AV never brakes, nobody else is there, and it is two rows wide: its middle lies in none.
+// The AV never brakes, is alone, and is two rows wide: its middle lies in neither row.
 TEST_F(Reaching, LeavesOutWhatNoTestCanMeet) {
   std::size_t index = 0;
   for (const SituationItem& item : situation_items()) {

@@ -88,6 +88,14 @@ TEST(SearchExperiment, RefusesTwoGeneratorsOfOneName) {
               HasSubstr("a second generator with the name 'random'"));
 }
 
+TEST(SearchExperiment, RefusesANameThatNoFileAndNoTableMayHave) {
+  for (const std::string name : {"../x", "=HYPERLINK(1)", "two words"}) {
+    EXPECT_THAT(errors(std::string(kSmallest) + "generators: [{generator: random, name: \"" + name +
+                       "\"}]\n"),
+                HasSubstr("'" + name + "' cannot be the name of a generator"));
+  }
+}
+
 TEST(SearchExperiment, NeedsASystemUnderTest) {
   EXPECT_THAT(errors("seed: 1\n"), HasSubstr("no 'sut' to search"));
   EXPECT_THAT(errors(""), HasSubstr("the experiment is empty"));

@@ -139,9 +139,9 @@ class MemoryLog : public TestLog {
  public:
   explicit MemoryLog(std::vector<TestRow> known = {}) : known_(std::move(known)) {}
   [[nodiscard]] const std::vector<TestRow>& finished(std::size_t) const override { return known_; }
-  std::string add(std::size_t, std::size_t, const TestRow& row) override {
+  Continue add(std::size_t, std::size_t, const TestRow& row) override {
     added.push_back(row);
-    return {};
+    return Continue::yes;
   }
   std::vector<TestRow> added;
 

@@ -1,9 +1,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/results/reader.h"
 #include "experiment/results/store/database.h"
 #include "search/store/search_store.h"
 #include "tests/unit/search/toy.h"
@@ -42,7 +44,7 @@ TEST_F(SearchStoreTest, GivesBackEveryTestAsItWas) {
     auto store = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
     ASSERT_TRUE(store.ok()) << store.diagnostics().render();
     results = run_searches(experiment_.plan, store.value().get());
-    EXPECT_EQ(store.value()->finish(results), "");
+    EXPECT_EQ(store.value()->finish(results), std::nullopt);
   }
   auto store = SearchStore::open(path(), SearchStore::Mode::resume, experiment_);
   ASSERT_TRUE(store.ok()) << store.diagnostics().render();
@@ -67,6 +69,89 @@ TEST_F(SearchStoreTest, DoesNotOverwriteAFile) {
   std::string text;
   std::ifstream(path()) >> text;
   EXPECT_EQ(text, "precious");
+}
+
+TEST_F(SearchStoreTest, IsRefusedToASecondSearch) {
+  auto first = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
+  ASSERT_TRUE(first.ok());
+  EXPECT_THAT(open_error(SearchStore::Mode::resume),
+              HasSubstr("another process is writing the store"));
+  EXPECT_THAT(read_search_store(path()).diagnostics().render(),
+              HasSubstr("another process is writing the store"));
+  EXPECT_EQ(first.value()->finish({}), std::nullopt);
+  EXPECT_EQ(open_error(SearchStore::Mode::resume), "");
+}
+
+/// Copies the store as it is after each test, with its log: what a kill leaves.
+class CopyingLog : public TestLog {
+ public:
+  CopyingLog(SearchStore& store, const std::string& path) : store_(store), path_(path) { copy(); }
+
+  [[nodiscard]] const std::vector<TestRow>& finished(std::size_t search) const override {
+    return store_.finished(search);
+  }
+  Continue add(std::size_t search, std::size_t number, const TestRow& row) override {
+    const Continue result = store_.add(search, number, row);
+    copy();
+    return result;
+  }
+
+  [[nodiscard]] static std::string name(const std::string& path, std::size_t number) {
+    return fmt::format("{}-{}.gpkg", path, number);
+  }
+
+ private:
+  void copy() {
+    const std::string to = name(path_, copies_++);
+    std::filesystem::copy_file(path_, to);
+    if (std::filesystem::exists(path_ + "-wal")) {
+      std::filesystem::copy_file(path_ + "-wal", to + "-wal");
+    }
+  }
+
+  SearchStore& store_;
+  std::string path_;
+  std::size_t copies_ = 0;
+};
+
+TEST_F(SearchStoreTest, HasEveryFinishedTestAfterAKill) {
+  experiment_.plan.budget.tests = 10;
+  experiment_.plan.threads = 1;
+  {
+    auto store = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
+    ASSERT_TRUE(store.ok()) << store.diagnostics().render();
+    CopyingLog log(*store.value(), path());
+    (void)run_searches(experiment_.plan, &log);
+  }
+  for (std::size_t tests = 0; tests <= 20; ++tests) {
+    const std::string copy = CopyingLog::name(path(), tests);
+    auto store = SearchStore::open(copy, SearchStore::Mode::resume, experiment_);
+    ASSERT_TRUE(store.ok()) << store.diagnostics().render();
+    EXPECT_EQ(store.value()->had(), tests);
+    EXPECT_EQ(store.value()->finish({}), std::nullopt);
+    EXPECT_FALSE(std::filesystem::exists(copy + "-wal"));
+  }
+}
+
+TEST_F(SearchStoreTest, RefusesOneOfAnotherVersion) {
+  ASSERT_EQ(open_error(SearchStore::Mode::create), "");
+  {
+    Database database(path(), Database::Mode::write);
+    database.execute("UPDATE versions SET version = '99' WHERE subject = 'store'");
+  }
+  EXPECT_THAT(open_error(SearchStore::Mode::resume), HasSubstr("its tables have version 99"));
+  {
+    Database database(path(), Database::Mode::write);
+    database.execute("DROP TABLE versions");
+  }
+  EXPECT_THAT(open_error(SearchStore::Mode::resume), HasSubstr("its tables have version unknown"));
+}
+
+TEST_F(SearchStoreTest, IsNoResultsStore) {
+  ASSERT_EQ(open_error(SearchStore::Mode::create), "");
+  EXPECT_TRUE(is_search_store(path()));
+  EXPECT_THAT(ResultsReader::open(path()).diagnostics().render(),
+              HasSubstr("not a results store: a GeoPackage with other tables"));
 }
 
 TEST_F(SearchStoreTest, RefusesAnotherExperiment) {
@@ -113,7 +198,8 @@ generators: [random]
     experiment_ = read();
     auto store = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
     ASSERT_TRUE(store.ok()) << store.diagnostics().render();
-    EXPECT_EQ(store.value()->finish(run_searches(experiment_.plan, store.value().get())), "");
+    EXPECT_EQ(store.value()->finish(run_searches(experiment_.plan, store.value().get())),
+              std::nullopt);
   }
 };
 

@@ -14,7 +14,7 @@ namespace {
 using testing::DoubleNear;
 using testing::Each;
 
-/// So many points 10 m apart, each of which turns the road by so many degrees.
+/// `count` points 10 m apart, each of which turns the road by `degrees`.
 TestInput bend(int count, double degrees) {
   TestInput points{Form::points, {0, 0}};
   double heading = 0;

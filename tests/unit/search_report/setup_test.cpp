@@ -1,4 +1,4 @@
-// What a search's page says of its set-up, and how to get the same results again.
+// The set-up on a search's page, and its commands that reproduce the results.
 
 #include "search/report/setup.h"
 

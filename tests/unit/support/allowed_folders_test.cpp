@@ -72,10 +72,31 @@ TEST_F(AllowedFoldersTest, AllowNothingByThemselves) {
 
 TEST_F(AllowedFoldersTest, SayWhichOptionAllowsMore) {
   AllowedFolders writable("--allow-write");
-  const auto denial = writable.denial("other/d");
+  const std::string other = (scratch_ / "other").string();
+  const auto denial = writable.denial(other + "/d");
   ASSERT_TRUE(denial);
-  EXPECT_EQ(denial->text(),
-            "it lies outside the folders that the program may use (--allow-write other allows it)");
+  EXPECT_EQ(denial->text(), "it lies outside the folders that the program may use (--allow-write " +
+                                other + " allows it)");
+  EXPECT_EQ(writable.denial(other + "/new/d")->hint,
+            "--allow-write " + other + "/new allows it, once there is such a folder");
+}
+
+TEST_F(AllowedFoldersTest, NameTheFolderThatALinkLeadsTo) {
+  const std::string other = fs::canonical(scratch_ / "other").string();
+  for (const char* path : {"own/out", "own/folder/d", "own/folder"}) {
+    const auto denial = allowed_.denial((scratch_ / path).string());
+    ASSERT_TRUE(denial) << path;
+    EXPECT_EQ(denial->hint, "--allow-read " + other + " allows it") << path;
+    AllowedFolders more = allowed_;
+    more.add(other);
+    EXPECT_FALSE(more.denial((scratch_ / path).string())) << path;
+  }
+}
+
+TEST_F(AllowedFoldersTest, QuoteAFolderForTheShell) {
+  fs::create_directory(scratch_ / "two words");
+  const std::string folder = (scratch_ / "two words").string();
+  EXPECT_EQ(allowed_.denial(folder + "/d")->hint, "--allow-read '" + folder + "' allows it");
 }
 
 TEST_F(AllowedFoldersTest, AllowNoDevicesPipesAndFilesOfTheSystem) {

@@ -36,7 +36,7 @@ int number_behind(std::string_view line, char sign) {
   return value;
 }
 
-/// What `patch` makes of a text, checking the lines that are to be there.
+/// Applies a patch to a text, checking the lines that it expects.
 std::string patched(std::string_view before, std::string_view unified) {
   const std::vector<std::string> old = lines_of(before);
   const std::vector<std::string> patch = lines_of(unified);

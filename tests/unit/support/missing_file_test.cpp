@@ -48,6 +48,26 @@ TEST_F(MissingFile, IsNotWhatHasOnlyTheSameEnding) {
   EXPECT_EQ(hint("a.scenario"), "");
 }
 
+TEST_F(MissingFile, MayLieInAFolderWithALikeName) {
+  (void)file("scenarios/paper.yaml", "");
+  EXPECT_EQ(hint("scenario/paper.yaml"), meant("scenarios/paper.yaml"));
+  EXPECT_EQ(hint("scenario/papr.yaml"), meant("scenarios/paper.yaml"));
+  EXPECT_EQ(hint("scenario/walker.yaml"), "");
+}
+
+TEST_F(MissingFile, MayLackItsEnding) {
+  (void)file("m2.asl", "");
+  EXPECT_EQ(hint("m2"), meant("m2.asl"));
+}
+
+TEST_F(MissingFile, MayBeBelowAnotherFolder) {
+  (void)file("scenarios/paper.yaml", "");
+  EXPECT_EQ(hint_for_missing("scenarios/papr.yaml", path("")),
+            "did you mean 'scenarios/paper.yaml'?");
+  EXPECT_EQ(hint_for_missing("scenario/paper.yaml", path("")),
+            "did you mean 'scenarios/paper.yaml'?");
+}
+
 TEST_F(MissingFile, IsNoFolder) {
   (void)file("walker.asl/x", "");
   (void)file("below/walkers.asl/x", "");

@@ -39,6 +39,15 @@ TEST(SourceFiles, OfTheLibraryHaveNamesThatDoNotDependOnWhereItIs) {
   EXPECT_FALSE(SourceFiles().has("$jaywalk/crossing/proximity.asl"));
 }
 
+TEST(SourceFiles, OfInstalledAssertionsHaveSuchNamesToo) {
+  const SourceFiles files(JAYWALK_SOURCE_DIR "/agents", JAYWALK_SOURCE_DIR "/scenarios/assertions");
+  EXPECT_EQ(files.read("$jaywalk/assertions/crossing.yaml").value()->name(),
+            "$jaywalk/assertions/crossing.yaml");
+  EXPECT_FALSE(files.has("$jaywalk/assertions/../paper.yaml"));
+  EXPECT_TRUE(files.has("$jaywalk/crossing/proximity.asl"));
+  EXPECT_EQ(files.installed_folder(), JAYWALK_SOURCE_DIR "/");
+}
+
 TEST(SourceFiles, FindWhatIsInstalledByItsPathBelowAWorld) {
   const SourceFiles files(std::string(JAYWALK_SOURCE_DIR "/agents"));
   EXPECT_EQ(files.find_installed("shared/alone.asl"), "$jaywalk/crossing/shared/alone.asl");

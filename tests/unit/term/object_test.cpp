@@ -22,7 +22,7 @@ class Objects : public testing::Test {
     for (const Value value : values) all += (all.empty() ? "" : " ") + terms_.text(value);
     return all;
   }
-  /// What is taken from a queue one after another.
+  /// The elements taken from a queue, in order.
   std::string taken(QueueObject& queue) {
     std::vector<Value> values;
     while (queue.size() > 0) values.push_back(queue.take(symbols()));

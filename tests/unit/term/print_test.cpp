@@ -200,5 +200,16 @@ TEST(Print, WritesLongListsInALoop) {
   EXPECT_EQ(text.size(), 2'000'001U);
 }
 
+TEST(Print, RoundsNumbersForReaders) {
+  test::Terms terms;
+  const auto rounded = [&](const char* text) {
+    return rounded_text(terms.term(text), terms.symbols);
+  };
+  EXPECT_EQ(rounded("av_speed(0.5146125000000004)"), "av_speed(0.5146125)");
+  EXPECT_EQ(rounded("f(0.30000000000000004, [1, 0.1], 20000000000000)"),
+            "f(0.3,[1,0.1],20000000000000)");
+  EXPECT_EQ(rounded("0.00001234567890123456"), "1.23456789012E-5");
+}
+
 }  // namespace
 }  // namespace jaywalk

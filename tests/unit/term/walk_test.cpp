@@ -52,7 +52,7 @@ TEST(TermWalk, LetsPartsBeShared) {
   for (int shared_at : {64, 65, 128, 127, 200, 64, 256, 255, 1000, 512, 70}) {
     EXPECT_NO_THROW(go_down(go_down, 1500, shared_at)) << shared_at;
   }
-  // The same without the way back to the top.
+  // Like above, without the way back to the top.
   const auto fork = [&](const auto& self, int depth) -> void {
     const TermWalk::Level level(walk, another(walk.depth()));
     if (walk.depth() < depth) return self(self, depth);

@@ -1,4 +1,4 @@
-// What an editor is offered for a document: completions, its outline, its layout.
+// The server's offers for a document: completions, outline, layout.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@ namespace jaywalk::lsp {
 
 inline constexpr const char* kUri = "file:///editor/a.asl";
 
-/// An editor that has begun a conversation, unless it is told not to.
+/// An editor that has begun a conversation, unless constructed without one.
 class Editor {
  public:
   Editor() { (void)request("initialize", Json::object()); }
@@ -40,7 +40,7 @@ class Editor {
     notify("textDocument/didOpen", {{"textDocument", {{"uri", uri}, {"text", text}}}});
     server.settle();
   }
-  /// What is asked about a place, both counted from 0.
+  /// The parameters of a request about a place, line and character counted from 0.
   static Json place(int line, int character, const std::string& uri = kUri) {
     return {{"textDocument", {{"uri", uri}}},
             {"position", {{"line", line}, {"character", character}}}};

@@ -1,4 +1,4 @@
-// What an editor is told of names: hovers, definitions, references, renaming.
+// The server's answers about names: hovers, definitions, references, renaming.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 TEST(LspHover, ShowsInternalActionsWithTheirArguments) {
   Editor editor;
@@ -45,6 +46,16 @@ TEST(LspHover, ShowsWordsOfTheEnvironment) {
   editor.open("!cross.\n+!cross : tick(_) <- move(forward); !cross.\n");
   EXPECT_THAT(editor.hover(1, 11), HasSubstr("`tick`: "));
   EXPECT_THAT(editor.hover(1, 22), HasSubstr("`move`: "));
+}
+
+TEST(LspHover, ShowsTheFormWithThatNumberOfArguments) {
+  Editor editor;
+  editor.open("!cross.\n+!cross : tick(_) <- move(forward); move(left, 1); move; !cross.\n");
+  const std::string whole = editor.hover(1, 22);
+  const std::string shorter = editor.hover(1, 37);
+  EXPECT_THAT(whole, Not(HasSubstr("shorter")));
+  EXPECT_THAT(shorter, HasSubstr("shorter"));
+  EXPECT_EQ(editor.hover(1, 52), whole) << "no form of it: the first";
 }
 
 const std::string kGreeter =

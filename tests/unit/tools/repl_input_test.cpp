@@ -10,7 +10,7 @@ namespace {
 
 using Kind = ReplInput::Kind;
 
-/// Of a text that is one input; kind `nothing` if it is none.
+/// The input that a text is; kind `nothing` if it is none or several.
 ReplInput read_input(const std::string& text) {
   const std::vector<ReplInput> inputs = read_inputs(text);
   EXPECT_LE(inputs.size(), 1U) << text;
@@ -87,6 +87,20 @@ TEST(ReplInput, ReadsClausesThatStandAroundBlocks) {
   std::vector<Kind> kinds;
   for (const ReplInput& input : inputs) kinds.push_back(input.kind);
   EXPECT_EQ(kinds, (std::vector{Kind::add, Kind::program, Kind::add, Kind::program, Kind::goal}));
+}
+
+TEST(ReplInput, HasCommandsAmidOthersOnALineOfTheirOwn) {
+  for (const auto& [line, word] :
+       {std::pair{":quit", "quit"}, std::pair{" :help ", "help"}, std::pair{"help", "help"},
+        std::pair{"quit", "quit"}, std::pair{"exit", "quit"}, std::pair{":beliefs", "beliefs"}}) {
+    const auto command = command_alone(line);
+    ASSERT_TRUE(command) << line;
+    EXPECT_EQ(command->word, word);
+  }
+  for (const char* line :
+       {": p(X)", ":beliefs p", "help.", "quit(1)", "beliefs", "", ":", ":halp"}) {
+    EXPECT_FALSE(command_alone(line)) << line;
+  }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-/// What a conversation wrote to standard output and to standard error.
+/// The standard output and standard error of a session.
 struct Said {
   std::string output;
   std::string errors;

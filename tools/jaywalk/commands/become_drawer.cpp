@@ -33,6 +33,11 @@ ExitCode write_pictures(const ResultsReader&, const StoredTest&, const ReplayWis
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string drawer = (self.parent_path() / "jaywalk-draw").string();
   std::vector<std::string> words = own_words();
+  if (words.empty()) {
+    console.error("pictures are drawn by another program, which is found by /proc",
+                  "mount /proc, or write a page with --html");
+    return ExitCode::failed;
+  }
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

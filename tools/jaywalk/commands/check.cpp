@@ -20,13 +20,14 @@
 #include "interpreter/compile/compiler.h"
 #include "interpreter/embed/project_agents.h"
 #include "interpreter/program/code_text.h"
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/load.h"
 #include "search/search_experiment.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
 #include "tools/jaywalk/programs/program_files.h"
 #include "tools/jaywalk/programs/vocabulary.h"
@@ -123,7 +124,11 @@ class Checker {
     auto experiment = jaywalk::search::parse_search(
         source,
         {.files = include_path_.files, .include = {include_path_.folders, include_path_.mapped}});
-    if (!experiment) diagnostics_.append(std::move(experiment.diagnostics()));
+    if (!experiment) {
+      diagnostics_.append(std::move(experiment.diagnostics()));
+    } else if (const Scenario* const scenario = experiment.value().plan.model->scenario()) {
+      check_programs(*scenario, checked_, diagnostics_);
+    }
   }
 
   void check_scenario(const std::string& path) {
@@ -134,6 +139,7 @@ class Checker {
       return;
     }
     const std::size_t errors = diagnostics_.error_count();
+    diagnostics_.append(scenario.value().warnings);
     check_programs(scenario.value(), checked_, diagnostics_);
     if (diagnostics_.error_count() > errors) return;
     // What remains is how parameters and programs fit together.
@@ -146,10 +152,6 @@ class Checker {
   Checked checked_;
   Diagnostics diagnostics_;
 };
-
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// The compiled code of programs, instead of what is wrong with them.
 ExitCode dump_code(std::span<const std::string> files, const IncludePath& include_path,
@@ -215,10 +217,13 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const auto include_path = read_include_path(arguments, console);
   if (!include_path) return ExitCode::usage;
-  std::vector<std::string> operands;
-  for (const std::string& operand : arguments.operands()) operands.push_back(located(operand));
+  constexpr std::array kWanted{InputKind::program, InputKind::project, InputKind::scenario,
+                               InputKind::search};
+  Diagnostics wrong;
+  const auto operands = input_files(arguments.operands(), kWanted, wrong);
+  console.report(wrong);
   std::vector<std::string> files;
-  const bool all_found = expand_folders(operands, kEndings, console, files);
+  const bool all_found = expand_folders(operands, kEndings, console, files) && !wrong.has_errors();
   if (arguments.has(option::kDumpCode)) {
     return all_found ? dump_code(files, *include_path, console) : ExitCode::usage;
   }
@@ -238,7 +243,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const Diagnostics& found = checker.diagnostics();
   console.report(found);
   console.print(fmt::format("{} checked: {}, {}\n", counted(checked, "file"),
-                            counted(found.error_count(), "error"),
+                            counted(found.error_count() + wrong.error_count(), "error"),
                             counted(found.warning_count(), "warning")));
   const bool failed =
       found.has_errors() || (arguments.has(option::kWerror) && found.warning_count() > 0);

@@ -19,9 +19,10 @@ CommandHelp help() {
       .usage = "SCENARIO.yaml [OPTIONS]",
       .description =
           "Runs every behaviour of the scenario with every number of agents in many seeded\n"
-          "tests, in parallel, and prints a table: accuracy, score and the other measures,\n"
-          "beside the values that the paper published. Tests of the same number start alike\n"
-          "whatever the behaviour. The results do not depend on --threads.\n",
+          "tests, in parallel, and prints a table: accuracy, score and the other measures, in\n"
+          "the paper's world beside the published values. Tests of the same number start alike\n"
+          "whatever the behaviour. The results do not depend on --threads. Exits with 1 if no\n"
+          "test of some row has a result.\n",
       .options =
           {
               {option::kBehaviours, "LIST",
@@ -57,9 +58,10 @@ CommandHelp help() {
               {option::kReport, "FILE", "write a page (.html) or a picture (.svg) of the results",
                Written::file},
               {option::kFailOn, "EXPR",
-               "exit with 1 if a row meets it: MEASURE<NUMBER (also <= > >=\n"
-               "== !=), as accuracy<40, or of an assertion ID.fail>0 (also\n"
-               "pass, vacuous, unavoidable, exercised_pct); repeatable"},
+               "exit with 1 if a row meets it, or lacks the value:\n"
+               "MEASURE<NUMBER (also <= > >= == !=), as accuracy<40, or of an\n"
+               "assertion ID.fail>0 (also pass, vacuous, unavoidable,\n"
+               "exercised_pct); repeatable"},
               kPolicyOption,
               {option::kSituations, "", "print which situations the tests covered"},
               kCoverageOption,
@@ -103,7 +105,7 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Find
   const auto& [collected, outcome, comparison, facts] = findings;
   bool written = write_files(arguments, request, collected, comparison, facts, console);
   if (request.coverage != nullptr) {
-    const std::string subject = coverage_subject(describe_experiment(request, arguments), {});
+    const std::string subject = coverage_subject(request.description, {});
     written = write_coverage(arguments, request.coverage->total(), subject, console) && written;
   }
   show_comparison(arguments, comparison, console);
@@ -111,14 +113,14 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Find
     console.print((prints_table(arguments) ? "\n" : "") +
                   situations_of(request, comparison, collected.situations));
   }
-  if (const std::string note = collected.notes.text(); !note.empty()) console.note(note);
-  warn_of_errored(comparison, console);
+  for (const std::string& note : collected.notes.texts()) console.note(note);
   if (!comparison.complete) {
     console.note(interruption(request, outcome, comparison));
     return ExitCode::interrupted;
   }
+  const bool all_have = have_results(comparison, console);
   const bool failed = report_failures(request.conditions, comparison, console);
-  if (fails_strictly(arguments, comparison, console) || failed || !written) {
+  if (fails_strictly(arguments, comparison, console) || failed || !written || !all_have) {
     return ExitCode::failed;
   }
   return ExitCode::success;
@@ -132,14 +134,13 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!can_be_run(*request, console)) return ExitCode::usage;
 
   Collected collected(*request);
-  if (!add_earlier_tests(*request, describe_experiment(*request, arguments), collected, console))
-    return ExitCode::usage;
+  if (!add_earlier_tests(*request, collected, console)) return ExitCode::usage;
   // Whoever sees that there is a store may end us, and what is finished is kept.
   const InterruptGuard interrupt;
   std::unique_ptr<ResultsWriter> store;
   if (request->store) {
     const PromptEnd end(interrupt);
-    store = open_store(*request->store, describe_experiment(*request, arguments), console);
+    store = open_store(*request->store, request->description, console);
     if (!store) return ExitCode::usage;
   }
 
@@ -160,7 +161,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       });
   line.clear();
   const bool traced = finish_trace(arguments, trace, console);
-  const bool kept = !store || finish_store(*store, request->store->path, console);
+  const bool kept = !store || is_kept(store->finish(), request->store->path, console);
   if (outcome.failed_test && !interrupt.interrupted()) {
     console.report(outcome.failure);
     return ExitCode::failed;

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include "experiment/report/stored_coverage.h"
+#include "experiment/scenario/files/portable_names.h"
+#include "experiment/scenario/number_list.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
@@ -29,12 +32,12 @@ std::optional<Options> read_options(const Arguments& arguments, const ResultsRea
   Options options;
   options.threads = read_threads(arguments, diagnostics);
   options.wanted.behaviour = arguments.text(option::kBehaviour);
-  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics, kMaxAgents);
   if (agents) {
     const auto& known = store.description().agents;
     if (std::ranges::find(known, *agents) == known.end()) {
       diagnostics.error(option::kAgents.dashed(),
-                        fmt::format("the store has no tests with {} agents", *agents));
+                        fmt::format("the store has no tests with {}", counted(*agents, "agent")));
     }
     options.wanted.agents = static_cast<std::uint32_t>(*agents);
   }
@@ -116,7 +119,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     line.clear();
     if (!plans.ok()) return report_failure(plans, interrupt, console);
     const std::string subject =
-        fmt::format("{}, {}", arguments.operands().front(),
+        fmt::format("{}, {}", portable_path(arguments.operands().front()),
                     coverage_subject(store->description(), options->wanted));
     written = write_coverage(arguments, plans.value(), subject, console) && written;
   }

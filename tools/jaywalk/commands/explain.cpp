@@ -10,6 +10,7 @@
 #include "experiment/test_run/plan_coverage.h"
 #include "experiment/test_run/test_run.h"
 #include "interpreter/explain/explanation.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/options/option_names.h"
@@ -49,6 +50,15 @@ bool has_agent(const ResultsReader& store, const StoredTest& test, const std::st
   for (const Actor& actor : recording.value().actors().subspan(1)) names.push_back(actor.name);
   if (std::ranges::find(names, name) != names.end()) return true;
   console.error(fmt::format("the test has no agent '{}'", name), did_you_mean(name, names));
+  return false;
+}
+
+bool has_tick(const StoredTest& test, std::uint32_t tick, Console& console) {
+  if (tick >= 1 && tick <= test.result.ticks) return true;
+  Diagnostics diagnostics;
+  diagnostics.error(option::kTick.dashed(),
+                    fmt::format("the test has {}, from 1", counted(test.result.ticks, "tick")));
+  console.report(diagnostics);
   return false;
 }
 
@@ -169,6 +179,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto test = find_stored_test(*store, arguments, console);
   if (!test) return ExitCode::usage;
   if (wanted.agent && !has_agent(*store, *test, *wanted.agent, console)) return ExitCode::usage;
+  if (wanted.tick && !has_tick(*test, *wanted.tick, console)) return ExitCode::usage;
   if (test->test.vehicle > 0 && !arguments.has(option::kJson)) {
     const auto text = both_runs(*store, *test, wanted);
     if (text.ok()) console.print(fmt::format("{}\n\n{}", name_of(*store, *test), text.value()));

@@ -8,6 +8,7 @@
 
 #include "experiment/export/exporter.h"
 #include "experiment/export/openscenario/validate.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
@@ -49,8 +50,13 @@ Result<std::vector<std::int64_t>> wanted_tests(const ResultsReader& store,
     return Proceed::yes;
   });
   if (failure) return std::move(*failure);
-  if (!chosen.empty() || !number) return chosen;
-  diagnostics.error(option::kTest.dashed(), fmt::format("the store has no test {}", *number));
+  if (!chosen.empty()) return chosen;
+  if (number) {
+    diagnostics.error(option::kTest.dashed(), fmt::format("the store has no test {}", *number));
+  } else {
+    diagnostics.error(store.path(), "no test of the store met the precondition",
+                      filter.succeeded ? "--all exports the others" : "");
+  }
   return diagnostics;
 }
 
@@ -90,7 +96,8 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
     return is_about_input(files.diagnostics(), store) ? ExitCode::usage : ExitCode::failed;
   }
   console.report(files.value().warnings);
-  console.note(fmt::format("{} tests exported", request.tests.size()));
+  console.note(fmt::format("{} exported", counted(request.tests.size(), "test")));
+  if (!files.value().note.empty()) console.note(files.value().note);
   for (const std::string& file : files.value().files) console.print(file + '\n');
   Diagnostics invalid;
   if (const auto schemas = arguments.text(option::kValidate))
@@ -105,7 +112,9 @@ CommandHelp help() {
   return {.usage = "STORE [OPTIONS]",
           .description =
               "Writes the tests of a store as files for other programs: those that met the\n"
-              "precondition, unless --all or --test says otherwise. Prints the files' names.\n",
+              "precondition, unless --all or --test says otherwise. Prints the files' names.\n"
+              "esmini plays OpenSCENARIO files as the tests were recorded with --traj_filter 0:\n"
+              "its filter moves actors by up to a quarter of a metre.\n",
           .options =
               {
                   {option::kFormat, "NAME",
@@ -139,12 +148,6 @@ CommandHelp help() {
 
 ExitCode execute(const Arguments& arguments, Console& console) {
   if (arguments.has(option::kList)) return list_exporters(console);
-  const auto& operands = arguments.operands();
-  if (operands.size() != 1) {
-    console.error(fmt::format("expected one store, found {}", operands.size()),
-                  "jaywalk export --help shows how to write it");
-    return ExitCode::usage;
-  }
   const std::array<std::string, 2> dialects{"standard", "carla"};
   Diagnostics diagnostics;
   const auto dialect =
@@ -155,12 +158,9 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   const Exporter* exporter = wanted_exporter(arguments, console);
   if (exporter == nullptr) return ExitCode::usage;
-  const auto store = ResultsReader::open(operands[0], commands_of(arguments));
-  if (!store.ok()) {
-    console.report(store.diagnostics());
-    return ExitCode::usage;
-  }
-  return run(*exporter, *store.value(), dialect, arguments, console);
+  const auto store = open_results(arguments, "export", console);
+  if (!store) return ExitCode::usage;
+  return run(*exporter, *store, dialect, arguments, console);
 }
 
 }  // namespace jaywalk::command::export_

@@ -11,6 +11,7 @@
 #include "interpreter/support/line_diff.h"
 #include "interpreter/syntax/format/formatter.h"
 #include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/programs/program_files.h"
 
@@ -86,8 +87,13 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   bool any_wrong = !expand_folders(arguments.operands(), kEndings, console, files);
   bool any_different = false;
   for (const std::string& path : files) {
-    if (!path.ends_with(kEndings[0]) && path != kStandardInput) {
-      console.error(::fmt::format("expected a file .asl, found '{}'", path));
+    Diagnostics wrong;
+    if (path != kStandardInput && input_file(path, kPrograms, wrong) &&
+        !path.ends_with(kEndings[0])) {
+      wrong.error(path, "expected a program of agents (.asl)");
+    }
+    if (wrong.has_errors()) {
+      console.report(wrong);
       any_wrong = true;
       continue;
     }

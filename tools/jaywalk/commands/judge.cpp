@@ -12,10 +12,12 @@
 #include "experiment/results/store/assessment_spool.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 #include "tools/jaywalk/run/judge_trace.h"
@@ -34,16 +36,12 @@ struct Request {
 
 std::optional<Request> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  if (arguments.operands().size() != 1) {
-    diagnostics.error("judge",
-                      fmt::format("expected one store, found {}", arguments.operands().size()),
-                      "jaywalk judge --help shows how to write it");
-  }
+  const auto file = only_input(arguments, "judge", "store", kStores, diagnostics);
   Request request{.conditions = read_conditions(arguments, diagnostics),
                   .test = arguments.number(option::kTest, 1, diagnostics)};
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  auto store = ResultsReader::open(arguments.operands().front(), commands_of(arguments));
+  auto store = ResultsReader::open(*file, commands_of(arguments));
   if (!store) {
     console.report(store.diagnostics());
     return std::nullopt;
@@ -170,6 +168,7 @@ bool write_assessments(const std::string& path, const Criteria& criteria, Assess
     console.error(fmt::format("cannot write '{}': {}", path, *why));
     return false;
   }
+  console.wrote(path);
   return true;
 }
 
@@ -264,8 +263,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.print(render_verdicts(comparison.value()) + render_metrics(comparison.value()) +
                   render_kills(comparison.value()));
   }
+  if (!comparison.value().complete) {
+    console.note("the store lacks tests: rows that are not finished are left out");
+  }
+  const bool all_have = have_results(comparison.value(), console);
   const bool failed = report_failures(request->conditions, comparison.value(), console);
-  return failed || !written ? ExitCode::failed : ExitCode::success;
+  return failed || !written || !all_have ? ExitCode::failed : ExitCode::success;
 }
 
 }  // namespace jaywalk::command::judge

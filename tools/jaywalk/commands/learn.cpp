@@ -7,14 +7,16 @@
 
 #include "experiment/learning/training.h"
 #include "experiment/scenario/files/write_file.h"
+#include "experiment/scenario/number_list.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::learn {
@@ -32,42 +34,27 @@ struct Request {
   bool resume = false;
 };
 
-void check_usage(const Arguments& arguments, Diagnostics& diagnostics) {
-  if (arguments.operands().size() != 1) {
-    diagnostics.error("learn",
-                      fmt::format("expected one scenario, found {}", arguments.operands().size()),
-                      "jaywalk learn --help shows how to write it");
-  }
+std::optional<Request> read_request(const Arguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  const auto file = only_input(arguments, "learn", "scenario", kScenarios, diagnostics);
   if (!arguments.has(option::kPolicy)) {
     diagnostics.error(option::kPolicy.dashed(), "expected a file to keep what is learned in",
                       "--policy learned.json");
   }
-}
-
-std::optional<Request> read_request(const Arguments& arguments, Console& console) {
-  Diagnostics diagnostics;
-  check_usage(arguments, diagnostics);
-  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
-  const auto tests = arguments.number(option::kTests, 1, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics, kMaxAgents);
+  const auto tests = arguments.number(option::kTests, 1, diagnostics, kMostTests);
   const auto seed = arguments.number(option::kSeed, 0, diagnostics);
   const unsigned threads = read_threads(arguments, diagnostics);
   // No policy is read but the one that goes on.
   std::vector<std::string> sets{"policy=[]"};
   std::ranges::copy(limit_sets(arguments, diagnostics), std::back_inserter(sets));
-  if (agents.value_or(1) > kMaxAgents) {
-    diagnostics.error(option::kAgents.dashed(), fmt::format("at most {}", kMaxAgents));
-  }
-  if (tests.value_or(1) > kMostTests) {
-    diagnostics.error(option::kTests.dashed(), fmt::format("at most {}", kMostTests));
-  }
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   std::vector<std::string> behaviours;
   if (const auto behaviour = arguments.text(option::kBehaviour)) behaviours.push_back(*behaviour);
   Request request{.file = *arguments.text(option::kPolicy),
                   .resume = arguments.has(option::kResume)};
-  request.plan.prepared = prepare_scenario(located(arguments.operands().front()), arguments,
-                                           std::move(behaviours), console, sets);
+  request.plan.prepared = prepare_scenario(*file, arguments, std::move(behaviours), console, sets);
   if (request.plan.prepared == nullptr) return std::nullopt;
   const ExperimentSpec& defaults = request.plan.prepared->scenario().experiment;
   request.plan.agents = static_cast<std::uint32_t>(agents.value_or(defaults.agents.front()));
@@ -111,6 +98,7 @@ std::shared_ptr<Policy> policy_for(const Request& request, Console& console) {
 bool keep(const Request& request, const Policy& policy, Console& console) {
   const auto problem = write_file(request.file, policy.text());
   if (problem) console.error(fmt::format("cannot write {}: {}", request.file, *problem));
+  if (!problem) console.wrote(request.file);
   return !problem;
 }
 
@@ -161,9 +149,9 @@ ExitCode train(const Request& request, Training& training, Console& console) {
     if (end == Training::End::interrupted) {
       line.clear();
       console.note(
-          fmt::format("interrupted after {} tests, which {} has; the same command with "
+          fmt::format("interrupted after {}, which {} has; the same command with "
                       "--resume goes on",
-                      done, request.file));
+                      counted(done, "test"), request.file));
       return ExitCode::interrupted;
     }
     if (end == Training::End::failed) {
@@ -222,6 +210,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (policy == nullptr) return ExitCode::usage;
   Training training(request->plan, policy);
   const ExitCode code = train(*request, training, console);
+  for (const std::string& note : training.notes().texts()) console.note(note);
   if (code != ExitCode::success) return code;
   if (!arguments.has(option::kQuiet)) console.print(curve_text(training.policy()));
   if (const std::uint64_t errored = policy->origin().errored; errored > 0) {

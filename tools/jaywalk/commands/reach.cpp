@@ -7,14 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "experiment/compare/experiment.h"
 #include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::reach {
@@ -47,24 +48,19 @@ std::string objection(const std::string& path, const Arguments& arguments) {
 
 std::optional<js::ReachPlan> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  if (arguments.operands().size() != 1) {
-    diagnostics.error("reach",
-                      fmt::format("expected one scenario, found {}", arguments.operands().size()),
-                      "jaywalk reach --help shows how to write it");
-  }
+  const auto path = only_input(arguments, "reach", "scenario", kScenarios, diagnostics);
   js::ReachPlan plan;
-  const auto tests = arguments.number(option::kTests, 1, diagnostics);
+  const auto tests = arguments.number(option::kTests, 1, diagnostics, kMaxTests);
   const auto seed = arguments.number(option::kSeed, 0, diagnostics);
   const auto states = arguments.number(option::kMostStates, 1, diagnostics);
   plan.threads = read_threads(arguments, diagnostics);
   console.report(diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  const std::string path = located(arguments.operands().front());
-  if (const std::string why = objection(path, arguments); !why.empty()) {
+  if (const std::string why = objection(*path, arguments); !why.empty()) {
     console.error(why);
     return std::nullopt;
   }
-  plan.prepared = prepare_scenario(path, arguments, {kScripted}, console);
+  plan.prepared = prepare_scenario(*path, arguments, {kScripted}, console);
   if (plan.prepared == nullptr) return std::nullopt;
   const ExperimentSpec& experiment = plan.prepared->scenario().experiment;
   plan.seed = seed.value_or(experiment.seed);

@@ -2,16 +2,18 @@
 
 #include <csignal>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/include_path.h"
-#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/repl/line_editor.h"
 #include "tools/jaywalk/repl/repl_completion.h"
 #include "tools/jaywalk/repl/repl_history.h"
+#include "tools/jaywalk/repl/repl_input.h"
 #include "tools/jaywalk/repl/repl_session.h"
 
 namespace jaywalk::command::repl {
@@ -20,28 +22,45 @@ namespace {
 /// An input is given up when it has more text than this without an end.
 constexpr std::size_t kLongestInput = std::size_t{1} << 20U;
 
-/// The lines of one input; nothing at the end.
-std::optional<std::string> read_whole(LineReader& reader) {
-  std::string text;
-  while (true) {
-    const auto line = reader.read(text.empty() ? "> " : "| ");
-    if (!line) return text.empty() ? std::nullopt : std::optional(text);
-    if (line->cancelled) return std::string();
-    text += line->text;
-    if (is_whole_input(text) || text.size() > kLongestInput) return text;
-    text += '\n';
+/// False: the conversation is over.
+bool carry_out(const std::vector<ReplInput>& inputs, ReplSession& session, Console& console) {
+  for (const ReplInput& input : inputs) {
+    const bool goes_on = session.carry_out(input);
+    console.flush();
+    if (!goes_on || !Console::can_print()) return false;
   }
+  return true;
 }
 
-void converse(ReplSession& session, LineReader& reader, Console& console) {
-  while (const auto text = read_whole(reader)) {
-    if (!text->empty()) reader.remember(*text);
-    for (const ReplInput& input : read_inputs(*text)) {
-      const bool goes_on = session.carry_out(input);
+enum class Talk { explains, is_silent };
+
+void converse(ReplSession& session, LineReader& reader, Talk talk, Console& console) {
+  std::string text;  // the lines of an input that has not ended yet
+  while (true) {
+    const auto line = reader.read(text.empty() ? "> " : "| ");
+    if (!line) break;
+    if (line->cancelled) {
+      text.clear();
+      continue;
+    }
+    if (const auto command = command_alone(line->text)) {
+      reader.remember(line->text);
+      if (!carry_out({*command}, session, console)) return;
+      continue;
+    }
+    text += line->text;
+    if (is_whole_input(text) || text.size() > kLongestInput) {
+      if (!text.empty()) reader.remember(text);
+      if (!carry_out(read_inputs(std::exchange(text, {})), session, console)) return;
+      continue;
+    }
+    text += '\n';
+    if (std::exchange(talk, Talk::is_silent) == Talk::explains) {
+      console.print("(an input ends with a full stop '.'; Ctrl-C drops it)\n");
       console.flush();
-      if (!goes_on || !Console::can_print()) return;
     }
   }
+  (void)carry_out(read_inputs(text), session, console);
 }
 
 }  // namespace
@@ -75,9 +94,11 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const bool in_terminal = ::isatty(STDIN_FILENO) == 1 && console.output_is_terminal();
   const auto reader = in_terminal ? terminal_reader(repl_history_file()) : stream_reader(std::cin);
   ReplSession session(*include_path, console, in_terminal ? reader.get() : nullptr);
-  const std::string path =
-      arguments.operands().empty() ? std::string() : located(arguments.operands().front());
-  if (!session.load(path)) return ExitCode::usage;
+  Diagnostics wrong;
+  const auto files = input_files(arguments.operands(), kPrograms, wrong);
+  console.report(wrong);
+  if (wrong.has_errors()) return ExitCode::usage;
+  if (!session.load(files.empty() ? std::string() : files.front())) return ExitCode::usage;
   // A Ctrl-C that comes when a query has just ended must not end the conversation.
   if (in_terminal) std::signal(SIGINT, SIG_IGN);
   reader->complete_with(
@@ -86,7 +107,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.print("':help' says what can be typed, Tab completes it; Ctrl-D ends.\n");
   }
   console.flush();
-  converse(session, *reader, console);
+  converse(session, *reader, in_terminal ? Talk::explains : Talk::is_silent, console);
   return !in_terminal && session.had_mistakes() ? ExitCode::usage : ExitCode::success;
 }
 

@@ -17,6 +17,7 @@ bool write(const std::string& path, std::string_view bytes, Console& console) {
   const auto why = bytes.empty() ? std::optional<std::string>("there is no memory for the picture")
                                  : write_file(path, bytes);
   if (why) console.error(fmt::format("cannot write '{}': {}", path, *why));
+  if (!why) console.wrote(path);
   return !why;
 }
 

@@ -11,6 +11,7 @@
 #include "tools/jaywalk/comparison/reporting.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 
@@ -30,8 +31,9 @@ CommandHelp help() {
   return {
       .usage = "STORE.gpkg... [OPTIONS]",
       .description =
-          "Writes a page of what a store has: the paper's figures beside the published ones,\n"
-          "significance, where preconditions were met, verdicts, metrics, how to reproduce.\n"
+          "Writes a page of what a store has: measures (in the paper's world beside the\n"
+          "published values), significance, where preconditions were met, verdicts, metrics,\n"
+          "how to reproduce.\n"
           "The page loads no other file and works without a network. No test is run, except that\n"
           "the first ones of agents with a learned policy are run again for a map of what they\n"
           "choose. The stores of an experiment's shards make one page. Of a store of searches,\n"
@@ -52,9 +54,14 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  const auto& stores = arguments.operands();
-  if (stores.empty()) {
+  if (arguments.operands().empty()) {
     console.error("expected a store, found none", "jaywalk report --help shows how to write it");
+    return ExitCode::usage;
+  }
+  Diagnostics wrong;
+  const auto stores = input_files(arguments.operands(), kStores, wrong);
+  if (wrong.has_errors()) {
+    console.report(wrong);
     return ExitCode::usage;
   }
   const std::string html = arguments.text(option::kHtml).value_or(beside(stores.front()));
@@ -77,9 +84,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                     arguments.has(option::kReplays) ? ReplayPages::beside : ReplayPages::none,
                     commands_of(arguments), console);
   if (!page) return ExitCode::usage;
-  if (!write_output(html, *page, console)) return ExitCode::failed;
-  if (!arguments.has(option::kHtml)) console.print(html + '\n');
-  return ExitCode::success;
+  const Links links = arguments.has(option::kHtml) ? Links::followed : Links::replaced;
+  return write_output(html, *page, console, links) ? ExitCode::success : ExitCode::failed;
 }
 
 }  // namespace jaywalk::command::report

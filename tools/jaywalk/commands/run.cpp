@@ -10,9 +10,9 @@
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/run/run_program.h"
 #include "tools/jaywalk/run/run_scenario.h"
 
@@ -103,12 +103,12 @@ CommandHelp help() {
 }
 
 ExitCode execute(const Arguments& arguments, Console& console) {
-  if (arguments.operands().size() != 1) {
-    console.error(fmt::format("expected one file, found {}", arguments.operands().size()),
-                  "jaywalk run --help shows how to write it");
-    return ExitCode::usage;
-  }
-  const std::string path = located(arguments.operands().front());
+  constexpr std::array kWanted{InputKind::program, InputKind::project, InputKind::scenario};
+  Diagnostics wrong;
+  const auto file = only_input(arguments, "run", "file", kWanted, wrong);
+  console.report(wrong);
+  if (!file) return ExitCode::usage;
+  const std::string& path = *file;
   if (is_scenario_file(path)) {
     if (refuse(kForPrograms, "a scenario", arguments, console)) return ExitCode::usage;
     return run_scenario_file(path, arguments, console);

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/report/tables/kill_table.h"
+#include "interpreter/support/text.h"
 #include "search/export/exports.h"
 #include "search/kills.h"
 #include "search/report/page.h"
@@ -21,10 +23,12 @@
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/options/store_options.h"
 #include "tools/jaywalk/options/usual_options.h"
+#include "tools/jaywalk/programs/program_check.h"
 
 namespace jaywalk::command::search {
 namespace {
@@ -54,13 +58,10 @@ bool outputs_make_sense(const Arguments& arguments, const js::SearchExperiment& 
 
 std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  if (arguments.operands().size() != 1) {
-    diagnostics.error("search",
-                      fmt::format("expected one experiment, found {}", arguments.operands().size()),
-                      "jaywalk search --help shows how to write it");
-  }
+  const auto file =
+      only_input(arguments, "search", "experiment", std::array{InputKind::search}, diagnostics);
   const auto seed = arguments.number(option::kSeed, 0, diagnostics);
-  const auto repetitions = arguments.number(option::kRepetitions, 1, diagnostics);
+  const auto repetitions = arguments.number(option::kRepetitions, 1, diagnostics, 100'000);
   const unsigned threads = read_threads(arguments, diagnostics);
   std::vector<std::string> sets = arguments.texts(option::kSet);
   std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
@@ -69,12 +70,9 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
     for (std::string& file : policies) file = std::filesystem::absolute(file).string();
     sets.push_back(fmt::format("sut.policy={}", nlohmann::json(policies).dump()));
   }
+  report_repeated_keys(sets, diagnostics);
   if (arguments.has(option::kResume) && !arguments.has(option::kStore)) {
     diagnostics.error(option::kResume.dashed(), "there is no --store to go on with");
-  }
-  if (repetitions && *repetitions > 100'000) {
-    diagnostics.error(option::kRepetitions.dashed(),
-                      fmt::format("at most 100000, found {}", *repetitions));
   }
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
@@ -83,17 +81,23 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   auto include_path = read_include_path(arguments, console);
   if (!include_path) return std::nullopt;
   Result<js::SearchExperiment> experiment = js::read_search(
-      located(arguments.operands().front()),
-      {.sets = std::move(sets),
-       .defects = arguments.text(option::kDefects),
-       .generators = listed(arguments, option::kGenerators),
-       .files = std::move(include_path->files),
-       .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
+      *file, {.sets = std::move(sets),
+              .defects = arguments.text(option::kDefects),
+              .generators = listed(arguments, option::kGenerators),
+              .files = std::move(include_path->files),
+              .include = {std::move(include_path->folders), std::move(include_path->mapped)}});
   if (!experiment.ok()) {
     console.report(experiment.diagnostics());
     return std::nullopt;
   }
   if (!outputs_make_sense(arguments, experiment.value(), console)) return std::nullopt;
+  const Scenario* const scenario = experiment.value().plan.model->scenario();
+  if (scenario != nullptr && !arguments.has(option::kNoCheck)) {
+    Diagnostics warnings = scenario->warnings;
+    Checked checked;
+    check_programs(*scenario, checked, warnings);
+    console.report(warnings);
+  }
   js::SearchPlan& plan = experiment.value().plan;
   if (seed) plan.seed = *seed;
   if (repetitions) plan.repetitions = static_cast<std::uint32_t>(*repetitions);
@@ -105,11 +109,11 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
 enum class Keep { tests, counts };
 
 js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, Console& console,
-                      bool& interrupted, js::SearchKills* kills, Keep keep) {
-  constexpr int kShownErrors = 20;
-  const InterruptGuard interrupt;
+                      const InterruptGuard& interrupt, js::SearchKills* kills, Keep keep) {
+  constexpr std::size_t kShownErrors = 20;
   ProgressLine line(console);
-  int errors = 0;
+  std::uint64_t errored = 0;
+  std::set<std::string> errors;
   js::SearchObserver observer;
   observer.progress = [&](const js::SearchProgress& now) {
     line.show(now);
@@ -117,10 +121,11 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
   };
   observer.error = [&](const std::string& generator, std::uint32_t repetition,
                        const std::string& error) {
-    if (++errors > kShownErrors) return;
+    ++errored;
+    if (errors.size() == kShownErrors || !errors.insert(error).second) return;
     line.clear();
     console.note(fmt::format("{}, repetition {}: no result: {}", generator, repetition, error));
-    if (errors == kShownErrors) console.note("further tests without a result are only counted");
+    if (errors.size() == kShownErrors) console.note("other errors are only counted");
   };
   observer.finished = [&](std::size_t search, js::SearchRun& finished) {
     if (kills == nullptr) return;
@@ -128,7 +133,8 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
     if (keep == Keep::counts) finished.tests = {};
   };
   js::SearchResults results = js::run_searches(experiment.plan, log, observer);
-  interrupted = interrupt.interrupted();
+  line.clear();
+  if (errored > errors.size()) console.note(fmt::format("{} tests had no result", errored));
   return results;
 }
 
@@ -174,6 +180,7 @@ CommandHelp help() {
                Written::folder},
               {option::kQuiet, "", "print no table"},
               kPolicyOption,
+              kNoCheckOption,
           },
       .examples =
           "  jaywalk search scenarios/search/lane-keeping.yaml\n"
@@ -192,9 +199,11 @@ namespace {
 /// Null if no store is asked for; nothing if it cannot be opened.
 std::optional<std::unique_ptr<js::SearchStore>> open_store(const Arguments& arguments,
                                                            const js::SearchExperiment& experiment,
+                                                           const InterruptGuard& interrupt,
                                                            Console& console) {
   const auto path = arguments.text(option::kStore);
   if (!path) return std::unique_ptr<js::SearchStore>();
+  const PromptEnd end(interrupt);
   const auto mode = arguments.has(option::kResume) ? js::SearchStore::Mode::resume
                                                    : js::SearchStore::Mode::create;
   auto store = js::SearchStore::open(*path, mode, experiment);
@@ -222,7 +231,8 @@ bool have_results(const js::SearchResults& results, Console& console) {
   bool all_have = true;
   for (const auto& [generator, counts] : tests) {
     if (counts.second > 0) continue;
-    console.error(fmt::format("{}: none of {} tests has a result", generator, counts.first));
+    console.error(
+        fmt::format("{}: none of {} has a result", generator, counted(counts.first, "test")));
     all_have = false;
   }
   return all_have;
@@ -262,28 +272,32 @@ bool have_results(const KillMatrix& matrix, const js::SearchResults& results, Co
 ExitCode execute(const Arguments& arguments, Console& console) {
   const std::optional<js::SearchExperiment> experiment = read_request(arguments, console);
   if (!experiment) return ExitCode::usage;
-  const auto store = open_store(arguments, *experiment, console);
+  // From here on an interrupt keeps all finished tests in the store.
+  const InterruptGuard interrupt;
+  const auto store = open_store(arguments, *experiment, interrupt, console);
   if (!store) return ExitCode::usage;
-  bool interrupted = false;
   std::optional<js::SearchKills> kills;
   if (!experiment->defects.empty()) kills.emplace(*experiment);
   const bool needs_tests = !kills || arguments.has(option::kCsv) || arguments.has(option::kJson);
   const js::SearchResults results =
-      run(*experiment, store->get(), console, interrupted, kills ? &*kills : nullptr,
+      run(*experiment, store->get(), console, interrupt, kills ? &*kills : nullptr,
           needs_tests ? Keep::tests : Keep::counts);
+  const auto unkept = *store ? (*store)->finish(results) : std::nullopt;
+  std::optional<PromptEnd> end;  // what takes long from here on is not asked
+  if (!interrupt.interrupted()) end.emplace(interrupt);
   std::vector<js::GeneratorResults> generators;
   if (needs_tests) generators = js::group(*experiment, results);
   const KillMatrix matrix = kills ? kills->matrix() : KillMatrix{};
   bool well = !results.trouble.has_errors();
-  if (!well) console.report(results.trouble);
-  const auto check = [&](std::string_view what, const std::string& why) {
-    if (why.empty()) return;
-    console.error(fmt::format("cannot write {}: {}", what, why));
-    well = false;
-  };
-  if (*store) check("the store", (*store)->finish(results));
+  console.report(results.trouble);
+  if (!is_kept(unkept, arguments.text(option::kStore).value_or(""), console)) well = false;
   if (const auto folder = arguments.text(option::kExport)) {
-    check("the failing roads", js::export_failures(*folder, *experiment, results).value_or(""));
+    if (const auto why = js::export_failures(*folder, *experiment, results)) {
+      console.error(fmt::format("cannot write the failing roads: {}", *why));
+      well = false;
+    } else {
+      console.wrote(*folder);
+    }
   }
   const std::array outputs = {
       OutputFile{option::kCsv, [&] { return js::to_csv(generators); }},
@@ -299,7 +313,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (!(kills ? have_results(matrix, results, console) : have_results(results, console)))
     well = false;
   if (!well) return ExitCode::failed;
-  if (results.complete || !interrupted) return ExitCode::success;
+  if (results.complete || !interrupt.interrupted()) return ExitCode::success;
   console.note(arguments.has(option::kStore)
                    ? "interrupted; the table has the finished searches. The same command with "
                      "--resume goes on"

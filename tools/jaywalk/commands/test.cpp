@@ -18,7 +18,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/scenario/files/portable_names.h"
 #include "interpreter/support/start_threads.h"
+#include "interpreter/support/text.h"
 #include "interpreter/unit_test/unit_tests.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
@@ -26,6 +28,7 @@
 #include "tools/jaywalk/console/progress_line.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/include_path.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/usual_options.h"
 
@@ -80,7 +83,7 @@ std::vector<std::string> programs_in(const std::string& folder, Diagnostics& dia
 }
 
 /// The tests of all paths, each file once. Of a file that is named one expects that it has some.
-std::vector<UnitTest> find_tests(const Arguments& arguments, const Options& options,
+std::vector<UnitTest> find_tests(const std::vector<std::string>& paths, const Options& options,
                                  Diagnostics& diagnostics) {
   std::vector<UnitTest> tests;
   std::set<std::string> seen;
@@ -91,7 +94,7 @@ std::vector<UnitTest> find_tests(const Arguments& arguments, const Options& opti
     std::ranges::move(found, std::back_inserter(tests));
     return has_some;
   };
-  for (const std::string& path : arguments.operands()) {
+  for (const std::string& path : paths) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
       for (const std::string& file : programs_in(path, diagnostics)) (void)add(file);
@@ -173,10 +176,6 @@ std::optional<std::vector<UnitTestReport>> run_tests(const std::vector<UnitTest>
   auto reports = work.reports();
   if (interrupt.interrupted()) return std::nullopt;
   return reports;
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string_view word_for(UnitTestVerdict verdict) {
@@ -263,7 +262,8 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   const auto options = read_options(arguments, console);
   if (!options) return ExitCode::usage;
   Diagnostics diagnostics;
-  std::vector<UnitTest> tests = find_tests(arguments, *options, diagnostics);
+  const auto paths = input_files(arguments.operands(), kPrograms, diagnostics);
+  std::vector<UnitTest> tests = find_tests(paths, *options, diagnostics);
   console.report(diagnostics);
   if (diagnostics.has_errors()) return ExitCode::usage;
   std::erase_if(tests, [&](const UnitTest& test) {
@@ -284,10 +284,10 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (options->limits.coverage) {
     SourceCoverage coverage;
     for (const UnitTestReport& report : *reports) coverage.add(report.coverage);
-    if (!write_coverage(arguments, coverage,
-                        fmt::format("the tests of {}", fmt::join(arguments.operands(), ", ")),
-                        console))
-      return ExitCode::failed;
+    const PortableNames portable(arguments.operands(), {});
+    const std::string subject =
+        portable.in(fmt::format("the tests of {}", fmt::join(arguments.operands(), ", ")));
+    if (!write_coverage(arguments, coverage, subject, console)) return ExitCode::failed;
   }
   if (const auto file = arguments.text(option::kJunit)) {
     if (!write_output(*file, junit_xml(tests, *reports), console)) return ExitCode::failed;

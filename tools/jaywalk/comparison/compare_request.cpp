@@ -11,9 +11,9 @@
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/options/coverage_options.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::compare {
@@ -33,7 +33,7 @@ struct Options {
 Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   Options options;
   options.seed = arguments.number(option::kSeed, 0, diagnostics);
-  options.tests = arguments.number(option::kTests, 1, diagnostics);
+  options.tests = arguments.number(option::kTests, 1, diagnostics, kMaxTests);
   options.threads = read_threads(arguments, diagnostics);
   if (const auto text = arguments.text(option::kAgents)) {
     auto list = parse_number_list(*text, option::kAgents.dashed());
@@ -94,15 +94,9 @@ void check_avs(const Request& request, Diagnostics& diagnostics) {
 /// What is too large to be carried out.
 Diagnostics excesses(const Request& request) {
   Diagnostics diagnostics;
-  if (request.plan.tests > kMaxTests) {
-    diagnostics.error(option::kTests.dashed(),
+  if (request.plan.tests > kMaxTests) {  // the scenario's
+    diagnostics.error("experiment.tests",
                       fmt::format("at most {}, found {}", kMaxTests, request.plan.tests));
-  }
-  for (const std::uint32_t agents : request.plan.agents) {
-    if (agents > kMaxAgents) {
-      diagnostics.error(option::kAgents.dashed(),
-                        fmt::format("at most {}, found {}", kMaxAgents, agents));
-    }
   }
   const bool is_part = request.store && request.store->shard.count > 1;
   if (is_part && request.prepared->scenario().experiment.feedback > 0) {
@@ -173,23 +167,30 @@ bool read_other_kills(const Arguments& arguments, Request& request, Console& con
   return true;
 }
 
+ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
+  ExperimentDescription description =
+      describe(*request.prepared,
+               scenario_options(arguments, listed(arguments, option::kBehaviours), request.limits),
+               request.plan, request.seed);
+  add_judging(description, request.criteria.files, request.criteria.metrics);
+  make_portable(description, request.prepared->scenario().files);
+  description.simulator = request.simulator;
+  return description;
+}
+
 }  // namespace
 
 std::optional<Request> read_request(const Arguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  if (arguments.operands().size() != 1) {
-    diagnostics.error("compare",
-                      fmt::format("expected one scenario, found {}", arguments.operands().size()),
-                      "jaywalk compare --help shows how to write it");
-  }
+  const auto file = only_input(arguments, "compare", "scenario", kScenarios, diagnostics);
   const Options options = read_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
     console.report(diagnostics);
     return std::nullopt;
   }
   Request request{
-      .prepared = prepare_scenario(located(arguments.operands().front()), arguments,
-                                   listed(arguments, option::kBehaviours), console, options.limits),
+      .prepared = prepare_scenario(*file, arguments, listed(arguments, option::kBehaviours),
+                                   console, options.limits),
       .limits = options.limits,
       .conditions = options.conditions,
       .store = options.store};
@@ -228,6 +229,7 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   request.per_test = arguments.has(option::kPerTest);
   request.writes_starts = arguments.has(option::kStarts);
   request.situations = arguments.has(option::kSituations) || defaults.feedback > 0;
+  request.description = describe_experiment(request, arguments);
   return request;
 }
 
@@ -247,16 +249,6 @@ bool can_be_run(const Request& request, Console& console) {
                     "it is for worlds with a grid, as that of scenarios/paper.yaml");
   console.report(diagnostics);
   return false;
-}
-
-ExperimentDescription describe_experiment(const Request& request, const Arguments& arguments) {
-  ExperimentDescription description =
-      describe(*request.prepared,
-               scenario_options(arguments, listed(arguments, option::kBehaviours), request.limits),
-               request.plan, request.seed);
-  add_judging(description, request.criteria.files, request.criteria.metrics);
-  description.simulator = request.simulator;
-  return description;
 }
 
 }  // namespace jaywalk::command::compare

@@ -26,6 +26,8 @@ struct Request {
   std::vector<std::string> limits;
   std::uint64_t seed = 0;
   ExperimentPlan plan;
+  /// The experiment as a store and a report keep it.
+  ExperimentDescription description;
   std::vector<FailureCondition> conditions;
   std::optional<StoreOptions> store;
   Criteria criteria;
@@ -51,9 +53,5 @@ struct Request {
 /// Whether that can be carried out; false after reporting why not: it is too large, or some test
 /// cannot be run (there are no start cells for it, say).
 [[nodiscard]] bool can_be_run(const Request& request, Console& console);
-
-/// What a store and a report keep of it.
-[[nodiscard]] ExperimentDescription describe_experiment(const Request& request,
-                                                        const Arguments& arguments);
 
 }  // namespace jaywalk::command::compare

@@ -36,7 +36,7 @@ std::optional<Comparison> stored_comparison(const Request& request, Console& con
 }
 
 Comparison make_comparison(const Request& request, ExperimentOutcome& outcome) {
-  Comparison comparison{.scenario = request.prepared->scenario().name,
+  Comparison comparison{.scenario = request.description.scenario,
                         .seed = request.seed,
                         .tests = request.plan.tests,
                         .summaries = std::move(outcome.summaries),
@@ -80,7 +80,7 @@ std::optional<std::string> report_of(const Arguments& arguments, const Request& 
                          Commands::refused, console, request.other_kills);
   }
   return unstored_report({.comparison = comparison,
-                          .description = describe_experiment(request, arguments),
+                          .description = request.description,
                           .prepared = request.prepared,
                           .criteria = request.criteria,
                           .facts = facts});

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "experiment/results/reader.h"
 #include "experiment/test_run/test_run.h"
+#include "experiment/test_run/tested_vehicles.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/run/test_trace.h"
 
@@ -17,8 +18,9 @@ namespace {
 
 Diagnostics not_run(const TestKey& test, std::string_view behaviour, std::string why) {
   Diagnostics diagnostics;
-  diagnostics.error(fmt::format("{}, {} agents, test {}", behaviour, test.agents, test.number),
-                    std::move(why));
+  diagnostics.error(
+      fmt::format("{}, {}, test {}", behaviour, counted(test.agents, "agent"), test.number),
+      std::move(why));
   return diagnostics;
 }
 
@@ -75,7 +77,9 @@ Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
   Recording recording;
   // With a defect nobody asks what reasoning costs, and reading the clock costs a tenth of a test.
   const bool is_timed = test.vehicle == 0 || compares_models(request.plan.vehicles);
-  TestOptions options{.record = recorded ? &recording : nullptr, .measure_cpu = is_timed};
+  TestOptions options{.record = recorded ? &recording : nullptr,
+                      .names = &request.description.names,
+                      .measure_cpu = is_timed};
   std::optional<PlanCoverage::Borrowed> observer;
   Observers observers;
   if (request.coverage != nullptr) observers.add(*observer.emplace(*request.coverage).get());
@@ -87,10 +91,14 @@ Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
   }
   options.observer = observers.get();
   options.interrupted = listeners.interrupted;
-  TestRun run = runners.run(setup, options);
+  FirstTests& first_tests = listeners.collected.first_tests;
+  const auto why_not = first_tests.why_not_started(test);
+  if (!why_not) return not_run(test, request.plan.behaviours[test.behaviour], "given up");
+  TestRun run = why_not->empty() ? runners.run(setup, options) : errored_test(*why_not, options);
   if (run.interrupted) {
     return not_run(test, request.plan.behaviours[test.behaviour], run.message);
   }
+  first_tests.finished(test, run.completed ? std::string() : run.message);
   if (trace) {
     trace->end(run);
     listeners.trace->add(number_of(request.plan, test), trace->lines());
@@ -98,7 +106,7 @@ Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
   const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
   if (carry_over) carry_over->finished(test, run.left_over);
   const TestResult result = measured(run, wall.count());
-  listeners.collected.notes.add(number_of(request.plan, test), run.note);
+  listeners.collected.notes.add(number_of(request.plan, test), run.notes);
   note_measured(request, test, result, run, recording, listeners);
   std::vector<AssessmentRow> assessments;
   TestAssessment found;
@@ -153,30 +161,55 @@ bool follows(const StoredTest& test, const StoredTest& next) {
          next.test.number == test.test.number + 1;
 }
 
-/// Commands are the user's own where the store is of the scenario that the user gives.
-Commands commands_for(const std::string& path, const ExperimentDescription& description) {
-  const auto store = ResultsReader::open(path);
-  if (!store.ok()) return Commands::refused;
-  ExperimentDescription stored = store.value()->description();
-  stored.tests = description.tests;  // there may be more now
-  return difference(stored, description).empty() ? Commands::allowed : Commands::refused;
+/// A test that another part of the experiment has, but that decides whether others are started.
+Result<TestResult> probe(const Request& request, const TestKey& test, TestRunners& runners,
+                         const Listeners& listeners) {
+  const TestRun run =
+      runners.run({.behaviour = test.behaviour,
+                   .agents = test.agents,
+                   .seed = request.seed,
+                   .test = test.number,
+                   .vehicle = test.vehicle},
+                  {.names = &request.description.names, .interrupted = listeners.interrupted});
+  if (run.interrupted) {
+    return not_run(test, request.plan.behaviours[test.behaviour], run.message);
+  }
+  listeners.collected.first_tests.finished(test, run.completed ? std::string() : run.message);
+  return TestResult{};
 }
 
-}  // namespace
-
-void ControllerNotes::add(std::uint64_t place, const std::string& note) {
-  if (note.empty()) return;
-  const std::lock_guard lock(mutex_);
-  if (tests_++ == 0 || place < first_) {
-    first_ = place;
-    note_ = note;
+/// Stored first tests decide about the others of their row as they did when they were run. Errored
+/// ones that run again decide anew.
+void add_first_tests(const Request& request, const ResultsReader& store, FirstTests& first_tests,
+                     Diagnostics& trouble) {
+  const ExperimentPlan plan = plan_of(store.description());
+  for (std::uint64_t place = 0; place < plan.cells() * FirstTests::kCount; ++place) {
+    const std::uint64_t row = place / FirstTests::kCount % plan.rows();
+    const TestKey test{.behaviour = row / plan.agents.size(),
+                       .agents = plan.agents[row % plan.agents.size()],
+                       .number = place % FirstTests::kCount,
+                       .vehicle = place / FirstTests::kCount / plan.rows()};
+    if (test.number >= plan.tests) continue;
+    const std::int64_t id = test_id(store.description(), test);
+    const auto stored = store.test(id);
+    const bool errored = stored.ok() && stored.value().result.errored;
+    if (!stored.ok() || (errored && request.store->retry_errors)) continue;  // it is run now
+    const auto error = errored ? store.error(id) : std::string();
+    if (!error.ok()) return trouble.append(error.diagnostics());
+    first_tests.finished(test, error.value());
   }
 }
 
-std::string ControllerNotes::text() const {
-  if (tests_ == 0) return {};
-  return fmt::format("{} (in {} test{})", note_, tests_, tests_ == 1 ? "" : "s");
+/// The store is of the experiment that the user gives, whose commands may be started.
+bool is_of(const std::string& path, const ExperimentDescription& description) {
+  const auto store = ResultsReader::open(path);
+  if (!store.ok()) return false;
+  ExperimentDescription stored = store.value()->description();
+  stored.tests = description.tests;  // there may be more now
+  return difference(stored, description).empty();
 }
+
+}  // namespace
 
 Selection::Selection(const Request& request, const ResultsWriter* store)
     : store_(store), shard_(request.store ? request.store->shard : Shard{}) {
@@ -189,22 +222,29 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
                                 const Listeners& listeners, const ProgressFunction& progress) {
   std::optional<CoverageFeedback>& feedback = listeners.collected.feedback;
   std::atomic<std::uint64_t> done = 0;
+  FirstTests& first_tests = listeners.collected.first_tests;
   TestRunners runners(*request.prepared);
+  const auto give_up = [&] {
+    first_tests.give_up();
+    if (feedback) feedback->give_up();
+  };
   const auto test = [&](const TestKey& key) -> Result<TestResult> {
-    if (!selection.has(key)) {
-      if (listeners.trace != nullptr) listeners.trace->add(number_of(request.plan, key), {});
-      return TestResult{};
+    const bool selected = selection.has(key);
+    if (!selected && listeners.trace != nullptr) {
+      listeners.trace->add(number_of(request.plan, key), {});
     }
-    auto result = run_planned_test(request, key, runners, listeners);
-    if (!result && feedback) feedback->give_up();
-    if (result) done.fetch_add(1, std::memory_order_relaxed);
+    if (!selected && (selection.in_shard(key) || !first_tests.is_wanted(key))) return TestResult{};
+    auto result = selected ? run_planned_test(request, key, runners, listeners)
+                           : probe(request, key, runners, listeners);
+    if (!result) give_up();
+    if (result && selected) done.fetch_add(1, std::memory_order_relaxed);
     return result;
   };
   const auto own_progress = [&](const Progress&) {
     const bool broken = listeners.store != nullptr && listeners.store->failure();
     Proceed proceed = progress({.done = done, .total = selection.size()});
     if (broken) proceed = Proceed::no;
-    if (proceed == Proceed::no && feedback) feedback->give_up();
+    if (proceed == Proceed::no) give_up();
     return proceed;
   };
   ExperimentPlan plan = request.plan;
@@ -214,19 +254,17 @@ ExperimentOutcome run_selection(const Request& request, const Selection& selecti
   return outcome;
 }
 
-bool add_earlier_tests(const Request& request, const ExperimentDescription& description,
-                       Collected& collected, Console& console) {
-  const bool wanted = request.situations || collected.carry_over;
-  if (!wanted || !request.store || !request.store->resume) return true;
-  std::error_code ignored;
-  if (!std::filesystem::exists(request.store->path, ignored)) return true;
+bool add_earlier_tests(const Request& request, Collected& collected, Console& console) {
+  if (!request.store || !request.store->resume) return true;
   const std::string& path = request.store->path;
-  const auto store = ResultsReader::open(path, commands_for(path, description));
+  if (!is_of(path, request.description)) return true;  // it is made, or refused, later
+  const auto store = ResultsReader::open(path, Commands::allowed);
   if (!store.ok()) {
     console.report(store.diagnostics());
     return false;
   }
   Diagnostics trouble;
+  add_first_tests(request, *store.value(), collected.first_tests, trouble);
   std::optional<StoredTest> last;
   const auto end_chain = [&] {
     // Only the last one of a chain is needed.
@@ -234,14 +272,16 @@ bool add_earlier_tests(const Request& request, const ExperimentDescription& desc
       add_left_over(*store.value(), *last, *collected.carry_over, trouble);
     }
   };
-  const auto failure = store.value()->for_each_test({}, [&](const StoredTest& stored) {
-    if (request.situations) add_situations(request, *store.value(), stored, collected, trouble);
-    if (last && !follows(*last, stored)) end_chain();
-    last = stored;
-    return trouble.has_errors() ? Proceed::no : Proceed::yes;
-  });
-  if (!failure && !trouble.has_errors()) end_chain();
-  if (failure) trouble.append(*failure);
+  if (request.situations || collected.carry_over) {
+    const auto failure = store.value()->for_each_test({}, [&](const StoredTest& stored) {
+      if (request.situations) add_situations(request, *store.value(), stored, collected, trouble);
+      if (last && !follows(*last, stored)) end_chain();
+      last = stored;
+      return trouble.has_errors() ? Proceed::no : Proceed::yes;
+    });
+    if (!failure && !trouble.has_errors()) end_chain();
+    if (failure) trouble.append(*failure);
+  }
   if (trouble.has_errors()) console.report(trouble);
   return !trouble.has_errors();
 }

@@ -5,39 +5,27 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "experiment/compare/avs/av_ranking.h"
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/feedback.h"
+#include "experiment/compare/first_tests.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/compare/per_test.h"
 #include "experiment/report/facts.h"
 #include "experiment/results/writer.h"
+#include "experiment/test_run/controller_notes.h"
 #include "tools/jaywalk/comparison/compare_request.h"
 #include "tools/jaywalk/run/trace_output.h"
 
 namespace jaywalk::command::compare {
 
-/// What controllers' authors should know; that of the first test in the plan's order is reported.
-class ControllerNotes {
- public:
-  void add(std::uint64_t place, const std::string& note);
-  /// With the number of tests that it is true of; empty if there is nothing to say.
-  [[nodiscard]] std::string text() const;
-
- private:
-  std::mutex mutex_;
-  std::uint64_t tests_ = 0;
-  std::uint64_t first_ = 0;
-  std::string note_;
-};
-
 /// What is collected while tests run, beside their results.
 struct Collected {
   explicit Collected(const Request& request)
-      : assessments(request.criteria, request.plan),
+      : first_tests(request.plan),
+        assessments(request.criteria, request.plan),
         kills(request.plan, request.plan.tests),
         avs(request.plan, request.plan.tests),
         troubles(request.plan),
@@ -50,6 +38,7 @@ struct Collected {
     if (request.plan.order == TestOrder::chained) carry_over.emplace(request.plan);
   }
 
+  FirstTests first_tests;
   AssessmentTable assessments;
   KillTable kills;
   AvTable avs;
@@ -78,8 +67,9 @@ class Selection {
   Selection(const Request& request, const ResultsWriter* store);
 
   [[nodiscard]] bool has(const TestKey& test) const {
-    return shard_.has(test.number) && (store_ == nullptr || !store_->had(test));
+    return in_shard(test) && (store_ == nullptr || !store_->had(test));
   }
+  [[nodiscard]] bool in_shard(const TestKey& test) const { return shard_.has(test.number); }
   /// How many tests it has.
   [[nodiscard]] std::uint64_t size() const { return wanted_; }
 
@@ -94,10 +84,10 @@ class Selection {
                                               const Listeners& listeners,
                                               const ProgressFunction& progress);
 
-/// What later tests need of those that a store to be continued has: what they have covered, and
-/// what they have left over. False after reporting why that cannot be read.
-[[nodiscard]] bool add_earlier_tests(const Request& request,
-                                     const ExperimentDescription& description, Collected& collected,
+/// What later tests need of those that a store to be continued has: whether all of the first ones
+/// are errored, what they have covered, and what they have left over. False after reporting why
+/// that cannot be read.
+[[nodiscard]] bool add_earlier_tests(const Request& request, Collected& collected,
                                      Console& console);
 
 }  // namespace jaywalk::command::compare

@@ -26,8 +26,9 @@ void check_format(const Arguments& arguments, Diagnostics& diagnostics);
 /// no tables.
 void show_comparison(const Arguments& arguments, const Comparison& comparison, Console& console);
 
-/// A warning that counts the tests that ended errored, if some did.
-void warn_of_errored(const Comparison& comparison, Console& console);
+/// Warns of tests that ended errored. False after reporting rows of which no test has a result (of
+/// a model or a defect of the AV, too), or that there are no rows at all.
+[[nodiscard]] bool have_results(const Comparison& comparison, Console& console);
 
 /// Says so if --strict objects to what happened to the agents.
 [[nodiscard]] bool fails_strictly(const Arguments& arguments, const Comparison& comparison,

@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
+#include "tools/jaywalk/options/shipped.h"
 
 namespace jaywalk {
 
@@ -14,7 +17,10 @@ std::optional<Criteria> read_criteria(const Arguments& arguments,
                                       const std::vector<Assertion>& otherwise, Console& console) {
   Criteria criteria{.metrics = arguments.has(option::kMetrics)};
   Diagnostics diagnostics;
-  auto named = read_assertion_files(arguments.texts(option::kAssertions));
+  std::vector<std::string> files = input_files(arguments.texts(option::kAssertions),
+                                               std::array{InputKind::assertions}, diagnostics);
+  for (std::string& file : files) file = portable_assertions(file);
+  auto named = read_assertion_files(files, files_on_disk());
   if (!named) {
     diagnostics.append(std::move(named.diagnostics()));
   } else {
@@ -63,9 +69,11 @@ bool report_failures(const std::vector<FailureCondition>& conditions, const Comp
       if (!fails(condition, comparison, row)) continue;
       any = true;
       const Summary& summary = comparison.summaries[row];
-      console.note(fmt::format("failed: {} with {} agents: {} is {:.6g} ({})", summary.behaviour,
-                               summary.agents, subject_of(condition),
-                               *value_of(condition, comparison, row), condition.text));
+      const auto value = value_of(condition, comparison, row);
+      console.note(fmt::format("failed: {} with {}: {} {} ({})", summary.behaviour,
+                               counted(summary.agents, "agent"), subject_of(condition),
+                               value ? fmt::format("is {:.6g}", *value) : "has no value",
+                               condition.text));
     }
   }
   return any;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/export/exporter.h"
 #include "experiment/report/player/replay_page.h"
 #include "search/report/page.h"
 #include "search/store/search_store.h"
@@ -22,6 +23,10 @@ bool write_replays(const ResultsReader& store, const std::string& html, reportin
   const fs::path report(html);
   const fs::path folder = report.parent_path() / (report.stem().string() + "-replays");
   std::error_code error;
+  if (fs::is_symlink(folder, error)) {  // which would lead the pages elsewhere
+    console.error(fmt::format("cannot make the folder '{}': it is a link", folder.string()));
+    return false;
+  }
   fs::create_directories(folder, error);
   if (error) {
     console.error(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
@@ -34,11 +39,10 @@ bool write_replays(const ResultsReader& store, const std::string& html, reportin
       console.report(page.diagnostics());
       return false;
     }
-    const std::string name =
-        fmt::format("{}-{}-test-{}.html", store.description().behaviours[link.test.behaviour].name,
-                    link.test.agents, link.test.number);
-    if (!write_output((folder / name).string(), page.value(), console)) return false;
-    link.page = fmt::format("{}/{}", folder.filename().string(), name);
+    const std::string path = output_path(folder.string(), file_stem(store, link.test) + ".html");
+    if (!write_output(path, page.value(), console, Links::replaced)) return false;
+    link.page =
+        fmt::format("{}/{}", folder.filename().string(), fs::path(path).filename().string());
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #include "tools/jaywalk/console/console.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -7,8 +8,10 @@
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/logger.h>
 #include <spdlog/sinks/ansicolor_sink.h>
 
@@ -16,6 +19,14 @@
 
 namespace jaywalk {
 namespace {
+
+/// Files that are named when a command has written them; further ones are counted.
+constexpr std::size_t kMostWrittenNamed = 10;
+
+/// Warnings of agents with the same text that are logged; further ones are counted.
+constexpr std::uint64_t kSameWarnings = 5;
+/// Texts that are counted; all warnings with others are logged.
+constexpr std::size_t kMostDistinctWarnings = 1000;
 
 Colour colour_for(ColourChoice choice, bool is_terminal) {
   if (choice != ColourChoice::automatic) {
@@ -28,6 +39,9 @@ Colour colour_for(ColourChoice choice, bool is_terminal) {
                         (terminal != nullptr && std::string_view(terminal) == "dumb");
   return is_terminal && !unwanted ? Colour::on : Colour::off;
 }
+
+/// To standard error. Text that cannot be written there is lost; fmt::print() would throw.
+void print_error(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 constexpr spdlog::level::level_enum spdlog_level(LogLevel level) {
   constexpr std::array kLevels = {spdlog::level::debug, spdlog::level::info, spdlog::level::warn,
@@ -73,28 +87,61 @@ void Console::set_command_line(CommandLine line) { command_line_ = std::move(lin
 
 void Console::report(const Diagnostics& diagnostics) {
   flush();
-  const std::string text = command_line_.render(diagnostics, error_colour_);
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  print_error(command_line_.render(diagnostics, error_colour_));
 }
 
 void Console::error(std::string_view message, std::string_view hint) {
   const bool colour = error_colour_ == Colour::on;
   flush();
-  fmt::print(stderr, "{}error:{} {}\n", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "",
-             visible(message, LineBreaks::kept));
+  print_error(fmt::format("{}error:{} {}\n", colour ? "\x1b[1;31m" : "", colour ? "\x1b[0m" : "",
+                          visible(message, LineBreaks::kept)));
   if (!hint.empty()) note(fmt::format("  hint: {}", hint));
 }
 
 void Console::note(std::string_view line) {
   flush();
-  const std::string text = visible(line, LineBreaks::kept) + '\n';
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  print_error(visible(line, LineBreaks::kept) + '\n');
+}
+
+void Console::wrote(const std::string& path) {
+  const bool is_known = std::ranges::find(written_, path) != written_.end();
+  if (!is_known && !path.starts_with("/dev/")) written_.push_back(path);
+}
+
+void Console::tell_written() {
+  if (written_.empty()) return;
+  const std::size_t shown = std::min(kMostWrittenNamed, written_.size());
+  std::string names =
+      fmt::format("{}", fmt::join(written_.begin(), written_.begin() + shown, ", "));
+  if (written_.size() > shown) names += fmt::format(" and {} more", written_.size() - shown);
+  note("wrote " + names);
+  written_.clear();
 }
 
 void Console::log(LogLevel level, std::string_view message) {
   if (!logger_->should_log(spdlog_level(level))) return;
   flush();
   logger_->log(spdlog_level(level), visible(message, LineBreaks::kept));
+}
+
+void Console::warn_of_agent(std::string_view message) {
+  constexpr std::string_view kNameEnd = "] ";
+  const std::size_t end = message.find(kNameEnd);
+  const std::string_view text =
+      end == message.npos ? message : message.substr(end + kNameEnd.size());
+  auto found = warnings_.find(text);
+  if (found == warnings_.end() && warnings_.size() < kMostDistinctWarnings) {
+    found = warnings_.emplace(text, 0).first;
+  }
+  if (found == warnings_.end() || ++found->second <= kSameWarnings) log(LogLevel::warning, message);
+}
+
+void Console::tell_counted() {
+  for (const auto& [text, times] : std::exchange(warnings_, {})) {
+    if (times <= kSameWarnings) continue;
+    const std::string_view first_line = std::string_view(text).substr(0, text.find('\n'));
+    log(LogLevel::warning, fmt::format("{} more: {}", times - kSameWarnings, first_line));
+  }
 }
 
 void Console::set_log_level(LogLevel level) { logger_->set_level(spdlog_level(level)); }

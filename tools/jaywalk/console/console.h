@@ -3,8 +3,13 @@
 // The terminal, as the commands see it: results on standard output, everything else on standard
 // error, colours where they are wanted.
 
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "interpreter/support/diagnostics.h"
 #include "tools/jaywalk/options/command_line.h"
@@ -48,8 +53,17 @@ class Console {
   void error(std::string_view message, std::string_view hint = {});
   /// A plain line to standard error: what a long run says at its end.
   void note(std::string_view line);
+  /// Remembers a file or folder that was written, for tell_written().
+  void wrote(const std::string& path);
+  /// Names what was written, in one line; nothing if that is nothing, or a device.
+  void tell_written();
   /// A line of a run's log. `message` may have several lines.
   void log(LogLevel level, std::string_view message);
+  /// Like log(), of a warning `[agent] text`: the same text, of whichever agent, is logged a few
+  /// times and then only counted.
+  void warn_of_agent(std::string_view message);
+  /// Logs how often warnings were counted, once a run is over.
+  void tell_counted();
   /// What is less than this is not logged: warnings and errors are, at first.
   void set_log_level(LogLevel level);
 
@@ -68,6 +82,9 @@ class Console {
   Colour error_colour_;
   CommandLine command_line_;
   std::shared_ptr<spdlog::logger> logger_;
+  std::vector<std::string> written_;
+  /// How often agents had a warning, by its text without the agent's name.
+  std::map<std::string, std::uint64_t, std::less<>> warnings_;
 };
 
 }  // namespace jaywalk

@@ -70,23 +70,25 @@ void report_overwriting(const Arguments& arguments, std::span<const OptionSpec> 
 
 }  // namespace
 
-bool write_output(const std::string& path, std::string_view text, Console& console) {
+bool write_output(const std::string& path, std::string_view text, Console& console, Links links) {
   return write_output(
       path,
       [text](const TextSink& sink) {
         sink(text);
         return true;
       },
-      console);
+      console, links);
 }
 
-bool write_output(const std::string& path, const TextSource& source, Console& console) {
+bool write_output(const std::string& path, const TextSource& source, Console& console,
+                  Links links) {
   if (path == kStandardOutput) {
     return source([&](std::string_view piece) { console.print(piece); });
   }
   console.flush();
-  const auto why = write_file(path, source);
+  const auto why = write_file(path, source, links);
   if (why && !why->empty()) console.error(fmt::format("cannot write '{}': {}", path, *why));
+  if (!why) console.wrote(path);
   return !why;
 }
 

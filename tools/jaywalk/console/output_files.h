@@ -27,11 +27,12 @@ inline constexpr std::string_view kStandardOutput = "-";
 
 /// Writes a whole file, after what was printed so far, for it may be /dev/stdout. False, and said
 /// so, if it cannot be written.
-[[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console);
+[[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console,
+                                Links links = Links::followed);
 
 /// The same of a text that is too long for memory. The source reports why it gave up, if it does.
-[[nodiscard]] bool write_output(const std::string& path, const TextSource& source,
-                                Console& console);
+[[nodiscard]] bool write_output(const std::string& path, const TextSource& source, Console& console,
+                                Links links = Links::followed);
 
 /// The option that asks for a file, and what goes into it; nothing: why not has been reported.
 struct OutputFile {

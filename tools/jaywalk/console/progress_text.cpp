@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/support/text.h"
+
 namespace jaywalk {
 
 std::string duration_text(double seconds) {
@@ -23,9 +25,9 @@ std::string progress_text(const Progress& progress, double seconds) {
 }
 
 std::string progress_text(const search::SearchProgress& progress, double seconds) {
-  std::string text =
-      fmt::format("{} tests, {} failing, best fitness {:.2f}, {:.0f} % of the budget",
-                  progress.tests, progress.failures, progress.best_fitness, 100 * progress.spent);
+  std::string text = fmt::format("{}, {} failing, best fitness {:.2f}, {:.0f} % of the budget",
+                                 counted(progress.tests, "test"), progress.failures,
+                                 progress.best_fitness, 100 * progress.spent);
   if (progress.errors > 0) text += fmt::format(", {} without a result", progress.errors);
   if (progress.spent <= 0 || seconds <= 0) return text;
   const double left = seconds * (1 - progress.spent) / progress.spent;

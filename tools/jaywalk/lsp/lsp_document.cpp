@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/check/words.h"
 #include "interpreter/logic/action.h"
 #include "interpreter/syntax/lexer.h"
 #include "interpreter/syntax/project/project.h"
@@ -182,9 +183,12 @@ std::optional<std::pair<std::string, Range>> Document::hover(Position at) const 
     case What::action: {
       const Vocabulary vocabulary = vocabulary_for(environment_of(program_));
       const auto& known = use->what == What::belief ? vocabulary.percepts : vocabulary.actions;
+      // One name may have several forms, as move(Way) and move(Way,Cells).
+      const Vocabulary::Entry* found = entry_of(known, use->name);
       for (const Vocabulary::Entry& entry : known) {
-        if (entry.name == use->name) text = fmt::format("`{}`: {}", entry.name, entry.summary);
+        if (entry.name == use->name && takes(entry, use->arity)) found = &entry;
       }
+      if (found != nullptr) text = fmt::format("`{}`: {}", found->name, found->summary);
       for (const Use& other : uses_) {
         if (!text.empty() || !other.is_same_name(*use) || !other.defines) continue;
         const std::string_view all = other.file->source->text();

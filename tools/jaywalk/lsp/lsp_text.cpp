@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include <fmt/format.h>
-
+#include "interpreter/support/markup.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk::lsp {
@@ -14,11 +13,6 @@ constexpr std::string_view kFile = "file://";
 
 // Characters beyond the basic plane take two units; in UTF-8 they begin with 0xF0 or more.
 std::uint32_t units_of(char lead) { return static_cast<unsigned char>(lead) >= 0xF0U ? 2 : 1; }
-
-bool stays_in_uri(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("-._~/").find(c) != std::string_view::npos;
-}
 
 }  // namespace
 
@@ -75,15 +69,7 @@ std::string path_of_uri(std::string_view uri) {
 
 std::string uri_of_path(std::string_view path) {
   if (path.find("://") != path.npos || path.starts_with("untitled:")) return std::string(path);
-  std::string uri(kFile);
-  for (const char c : path) {
-    if (stays_in_uri(c)) {
-      uri += c;
-    } else {
-      uri += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    }
-  }
-  return uri;
+  return std::string(kFile) + escaped_uri(path);
 }
 
 }  // namespace jaywalk::lsp

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 
 #include <boost/program_options.hpp>
 #include <fmt/format.h>
@@ -46,6 +45,17 @@ po::options_description description_of(std::span<const OptionSpec> options) {
   return description;
 }
 
+/// A second value would hide the first.
+void report_repeated(const Arguments& arguments, std::span<const OptionSpec> options,
+                     Diagnostics& diagnostics) {
+  for (const OptionSpec& option : options) {
+    const std::vector<std::string> values = arguments.texts(option.name);
+    if (values.size() < 2 || option.value.empty() || option.is_repeatable()) continue;
+    diagnostics.error(option.name.dashed(), fmt::format("given {} times, with the values '{}'",
+                                                        values.size(), fmt::join(values, "', '")));
+  }
+}
+
 }  // namespace
 
 std::span<const OptionSpec> common_options() {
@@ -79,23 +89,26 @@ std::vector<std::string> Arguments::texts(OptionName option) const {
 }
 
 std::optional<std::uint64_t> Arguments::number(OptionName option, std::uint64_t low,
-                                               Diagnostics& diagnostics) const {
+                                               Diagnostics& diagnostics, std::uint64_t high) const {
   const auto given = text(option);
   if (!given) return std::nullopt;
   const auto value = parse<std::uint64_t>(*given);
-  if (value && *value >= low) return value;
-  diagnostics.error(option.dashed(),
-                    fmt::format("expected a whole number from {}, found '{}'", low, *given));
+  if (value && *value >= low && *value <= high) return value;
+  diagnostics.error(
+      option.dashed(),
+      fmt::format("expected a whole number from {} to {}, found '{}'", low, high, *given));
   return std::nullopt;
 }
 
 std::optional<double> Arguments::positive(OptionName option, Diagnostics& diagnostics) const {
   const auto given = text(option);
   if (!given) return std::nullopt;
+  constexpr std::uint64_t kMost = 1'000'000'000;
   const auto value = parse<double>(*given);
-  if (value && *value > 0 && std::isfinite(*value)) return value;
-  diagnostics.error(option.dashed(),
-                    fmt::format("expected a number greater than 0, found '{}'", *given));
+  if (value && *value > 0 && *value <= kMost) return value;
+  diagnostics.error(
+      option.dashed(),
+      fmt::format("expected a number greater than 0, at most {}, found '{}'", kMost, *given));
   return std::nullopt;
 }
 
@@ -135,6 +148,8 @@ Result<Arguments> parse_arguments(std::span<const std::string> words,
                                         option.value.empty() ? "" : option.value.front());
       }
     }
+    report_repeated(arguments, options, diagnostics);
+    if (diagnostics.has_errors()) return diagnostics;
     return arguments;
   } catch (const po::unknown_option& error) {
     const std::string written = error.get_option_name();

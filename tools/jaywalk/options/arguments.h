@@ -4,6 +4,7 @@
 // follows as `--name value` or `--name=value`. Read from the command line by arguments.cpp alone.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,11 @@ struct OptionSpec {
   std::string_view summary;
   /// Places are tried before the command begins.
   Written written = Written::no;
+
+  /// Whether it may be given several times: its summary says so.
+  [[nodiscard]] constexpr bool is_repeatable() const {
+    return summary.find("repeatable") != std::string_view::npos;
+  }
 };
 
 /// --help and its like, which every command has.
@@ -38,14 +44,15 @@ class Arguments {
   [[nodiscard]] bool has(OptionName option) const;
   /// Some option has this value.
   [[nodiscard]] bool has_value(std::string_view value) const;
-  /// The value given last.
+  /// Its value; of one that may be repeated the last.
   [[nodiscard]] std::optional<std::string> text(OptionName option) const;
   /// All values, in order.
   [[nodiscard]] std::vector<std::string> texts(OptionName option) const;
-  /// Adds an error and returns nothing if the value is no whole number from `low`.
-  [[nodiscard]] std::optional<std::uint64_t> number(OptionName option, std::uint64_t low,
-                                                    Diagnostics& diagnostics) const;
-  /// A number of seconds or the like, greater than zero.
+  /// Adds an error and returns nothing if the value is no whole number from `low` to `high`.
+  [[nodiscard]] std::optional<std::uint64_t> number(
+      OptionName option, std::uint64_t low, Diagnostics& diagnostics,
+      std::uint64_t high = std::numeric_limits<std::uint64_t>::max()) const;
+  /// A number of seconds or the like, greater than zero and at most 10^9.
   [[nodiscard]] std::optional<double> positive(OptionName option, Diagnostics& diagnostics) const;
   /// One of several words; the first of them if the option is not given.
   [[nodiscard]] std::size_t choice(OptionName option, std::span<const std::string> words,
@@ -59,7 +66,8 @@ class Arguments {
   std::vector<std::pair<std::string, std::string>> options_;
 };
 
-/// Unknown options and missing values are errors, with a suggestion.
+/// Unknown options, missing values and second values of an option that is not repeatable are
+/// errors.
 [[nodiscard]] Result<Arguments> parse_arguments(std::span<const std::string> words,
                                                 std::span<const OptionSpec> options);
 

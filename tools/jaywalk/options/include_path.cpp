@@ -11,18 +11,19 @@
 
 namespace jaywalk {
 
+bool is_folder(OptionName option, const std::string& folder, Diagnostics& diagnostics) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored)) return true;
+  diagnostics.error(option.dashed(), fmt::format("there is no folder '{}'", folder));
+  return false;
+}
+
 IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics) {
   IncludePath path;
   path.files = files_on_disk();
   path.folders = arguments.texts(option::kInclude);
   for (const std::string& folder : arguments.texts(option::kAllowRead)) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(folder, ignored)) {
-      path.files.allow_reading(folder);
-    } else {
-      diagnostics.error(option::kAllowRead.dashed(),
-                        fmt::format("there is no folder '{}'", folder));
-    }
+    if (is_folder(option::kAllowRead, folder, diagnostics)) path.files.allow_reading(folder);
   }
   for (const std::string& mapping : arguments.texts(option::kMap)) {
     const auto equals = mapping.find('=');

@@ -26,6 +26,9 @@ inline constexpr std::array kIncludeOptions = {
 
 /// What is wrong with the options is added to the diagnostics.
 [[nodiscard]] IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics);
+/// Whether there is a folder that an option names; if not, that is added to the diagnostics.
+[[nodiscard]] bool is_folder(OptionName option, const std::string& folder,
+                             Diagnostics& diagnostics);
 /// Nothing after reporting what is wrong with the options.
 [[nodiscard]] std::optional<IncludePath> read_include_path(const Arguments& arguments,
                                                            Console& console);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -46,9 +47,10 @@ bool is_scenario_file(const std::string& path) {
 
 std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& diagnostics,
                                     std::string_view within) {
-  for (const OptionName whole : {option::kMaxCycles, option::kMaxInferences, option::kMaxMemory}) {
-    (void)arguments.number(whole, 0, diagnostics);
+  for (const OptionName whole : {option::kMaxCycles, option::kMaxInferences}) {
+    (void)arguments.number(whole, 0, diagnostics, TestLimits::kMost);
   }
+  (void)arguments.number(option::kMaxMemory, 0, diagnostics, TestLimits::kMostMegabytes);
   (void)arguments.positive(option::kTimeout, diagnostics);
   std::vector<std::string> sets;
   for (const auto& [option, key] : kLimitKeys) {
@@ -56,6 +58,17 @@ std::vector<std::string> limit_sets(const Arguments& arguments, Diagnostics& dia
     if (value) sets.push_back(fmt::format("{}.{}={}", within, key, *value));
   }
   return sets;
+}
+
+void report_repeated_keys(const std::vector<std::string>& sets, Diagnostics& diagnostics) {
+  std::set<std::string> keys;
+  for (const std::string& set : sets) {
+    const std::string key = set.substr(0, set.find('='));
+    if (!keys.insert(key).second) {
+      diagnostics.error(fmt::format("{} {}", option::kSet.dashed(), set),
+                        fmt::format("the key '{}' is given twice", key));
+    }
+  }
 }
 
 ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::string> behaviours,
@@ -94,6 +107,14 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
     Console& console, const std::vector<std::string>& more_sets) {
   if (!read_include_path(arguments, console)) return nullptr;
   const ScenarioOptions options = scenario_options(arguments, std::move(behaviours), more_sets);
+  Diagnostics repeated;
+  // `more_sets`, the command's own, may take the place of what was given.
+  const auto given = static_cast<std::ptrdiff_t>(options.sets.size() - more_sets.size());
+  report_repeated_keys({options.sets.begin(), options.sets.begin() + given}, repeated);
+  if (repeated.has_errors()) {
+    console.report(repeated);
+    return nullptr;
+  }
   Result<Scenario> scenario = read_scenario(path, options);
   if (!scenario) {
     console.report(scenario.diagnostics());
@@ -108,9 +129,9 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
   }
   if (!arguments.has(option::kNoCheck)) {
     // They are among what the checker says.
-    warnings = {};
-    Checked checked;
     const Scenario& own = prepared.value()->scenario();
+    warnings = own.warnings;
+    Checked checked;
     check_programs(own, checked, warnings);
   }
   console.report(warnings);

@@ -18,13 +18,16 @@
 
 namespace jaywalk {
 
+inline constexpr OptionSpec kNoCheckOption{option::kNoCheck, "",
+                                           "leave out the warnings of `jaywalk check`"};
+
 inline constexpr std::array kScenarioOptions = {
     OptionSpec{option::kSet, "KEY=VALUE",
                "another value for a key of the scenario, as a dotted path\n"
                "(world.length=80); repeatable"},
     OptionSpec{option::kPreset, "NAME", "begin with these values instead of the scenario's preset"},
     OptionSpec{option::kSeed, "N", "the seed from which all chance derives"},
-    OptionSpec{option::kNoCheck, "", "leave out the warnings of `jaywalk check`"},
+    kNoCheckOption,
 };
 
 /// What agents choose by whose plans are learned(P): the scenario's `policy`.
@@ -47,9 +50,6 @@ inline constexpr std::array kLimitOptions = {
                "whose outcome depends on the machine"},
 };
 
-/// More pedestrians than this are a slip.
-inline constexpr std::uint64_t kMaxAgents = 10'000;
-
 /// The file names a scenario.
 [[nodiscard]] bool is_scenario_file(const std::string& path);
 
@@ -58,6 +58,9 @@ inline constexpr std::uint64_t kMaxAgents = 10'000;
 [[nodiscard]] std::vector<std::string> limit_sets(const Arguments& arguments,
                                                   Diagnostics& diagnostics,
                                                   std::string_view within = "experiment.limits");
+
+/// Adds an error for each key that two settings give: the second would hide the first.
+void report_repeated_keys(const std::vector<std::string>& sets, Diagnostics& diagnostics);
 
 /// How the options of `arguments`, and then `more_sets`, change a scenario, with `behaviours` in
 /// place of its own if there are any.

@@ -12,7 +12,15 @@ namespace jaywalk {
 /// under that name (`scenarios/paper.yaml`), or else the word as it is.
 [[nodiscard]] std::string located(const std::string& path);
 
-/// The disk, and the agents that are installed as `$jaywalk/`.
+/// The folder where these are.
+[[nodiscard]] std::string shipped_folder();
+
+/// The disk, and what is installed as `$jaywalk/`.
 [[nodiscard]] SourceFiles files_on_disk();
+
+/// `$jaywalk/assertions/crossing.yaml` for an installed list of assertions that was located() by
+/// its path, so that a store that keeps the name says nothing of this machine; other paths as they
+/// are.
+[[nodiscard]] std::string portable_assertions(const std::string& path);
 
 }  // namespace jaywalk

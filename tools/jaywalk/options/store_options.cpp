@@ -71,9 +71,11 @@ std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
   return nullptr;
 }
 
-bool finish_store(ResultsWriter& store, const std::string& path, Console& console) {
-  const auto failure = store.finish();
-  if (!failure) return true;
+bool is_kept(const std::optional<std::string>& failure, const std::string& path, Console& console) {
+  if (!failure) {
+    if (!path.empty()) console.wrote(path);
+    return true;
+  }
   console.error(
       fmt::format("cannot write '{}': {}", path, *failure),
       "the tests written before are kept; the same command with --resume runs the others");

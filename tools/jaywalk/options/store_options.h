@@ -50,7 +50,8 @@ struct StoreOptions {
                                                         ExperimentDescription description,
                                                         Console& console);
 
-/// Closes it; false after reporting that not everything could be written.
-[[nodiscard]] bool finish_store(ResultsWriter& store, const std::string& path, Console& console);
+/// Whether a store has all that it was given; false after reporting why not.
+[[nodiscard]] bool is_kept(const std::optional<std::string>& failure, const std::string& path,
+                           Console& console);
 
 }  // namespace jaywalk

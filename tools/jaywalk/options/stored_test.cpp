@@ -6,6 +6,8 @@
 
 #include "env/vehicle/defects.h"
 #include "experiment/compare/kills/kills.h"
+#include "experiment/scenario/number_list.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
@@ -16,12 +18,11 @@ Commands commands_of(const Arguments& arguments) {
 
 std::unique_ptr<ResultsReader> open_results(const Arguments& arguments, std::string_view command,
                                             Console& console) {
-  if (arguments.operands().size() != 1) {
-    console.error(fmt::format("expected one store, found {}", arguments.operands().size()),
-                  fmt::format("jaywalk {} --help shows how to write it", command));
-    return nullptr;
-  }
-  auto store = ResultsReader::open(arguments.operands().front(), commands_of(arguments));
+  Diagnostics wrong;
+  const auto file = only_input(arguments, command, "store", kStores, wrong);
+  console.report(wrong);
+  if (!file) return nullptr;
+  auto store = ResultsReader::open(*file, commands_of(arguments));
   if (store.ok()) return std::move(store).value();
   console.report(store.diagnostics());
   return nullptr;
@@ -60,7 +61,7 @@ std::optional<StoredTest> find_stored_test(const ResultsReader& store, const Arg
                                            Console& console) {
   Diagnostics diagnostics;
   const auto number = arguments.number(option::kTest, 0, diagnostics);
-  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics, kMaxAgents);
   const auto behaviour = arguments.text(option::kBehaviour);
   const auto vehicle = wanted_vehicle(store, arguments, diagnostics);
   if (diagnostics.has_errors()) {

@@ -24,9 +24,9 @@ std::vector<std::string> listed(const Arguments& arguments, OptionName option) {
 
 unsigned read_threads(const Arguments& arguments, Diagnostics& diagnostics) {
   constexpr std::uint64_t kMost = 1024;
-  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto wanted = arguments.number(option::kThreads, 1, diagnostics);
-  return static_cast<unsigned>(std::min(kMost, wanted.value_or(cores)));
+  const auto cores = std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMost);
+  return static_cast<unsigned>(
+      arguments.number(option::kThreads, 1, diagnostics, kMost).value_or(cores));
 }
 
 }  // namespace jaywalk

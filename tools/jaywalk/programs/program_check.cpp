@@ -1,5 +1,6 @@
 #include "tools/jaywalk/programs/program_check.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,18 @@ std::vector<std::string> programs_of(const Scenario& scenario) {
   return programs;
 }
 
+/// Whether all agents of a test that has the program run that program.
+bool has_no_others(const Scenario& scenario, const std::string& program) {
+  return scenario.actors.empty() &&
+         std::ranges::all_of(scenario.behaviours, [&](const BehaviourSpec& behaviour) {
+           const bool has_part = behaviour.program == program ||
+                                 std::ranges::any_of(behaviour.team, [&](const TeamMember& member) {
+                                   return member.program == program;
+                                 });
+           return behaviour.team.empty() || !has_part;
+         });
+}
+
 }  // namespace
 
 void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
@@ -67,6 +80,7 @@ void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& fou
     of_program = with_errors(of_program, kMissingInclude, kMissingIncludeHint);
     const auto complete = [&](Vocabulary& vocabulary) {
       vocabulary.settings = settings_of(scenario, program);
+      vocabulary.begins_by_itself = has_no_others(scenario, program);
       mark_absent_percepts(scenario, vocabulary);
     };
     check_loaded(tree, find_environment(scenario.world->kind()), complete, of_program);
@@ -79,6 +93,7 @@ void check_compiled(const SourceTree& program, const std::string& path, StartedA
   ProgramWords words = words_of(program);
   Vocabulary vocabulary = vocabulary_for(environment_of(words));
   vocabulary.may_be_alone = started == StartedAs::alone && !lies_in_project(path);
+  vocabulary.begins_by_itself = started == StartedAs::alone;
   check_program(program, std::move(words), vocabulary, found);
 }
 

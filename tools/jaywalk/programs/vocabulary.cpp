@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "env/environments.h"
 #include "interpreter/check/index/program_index.h"
 #include "interpreter/check/index/uses.h"
@@ -20,7 +22,9 @@
 #include "interpreter/compile/kqml_plans.h"
 #include "interpreter/logic/action.h"
 #include "interpreter/support/containers/lazy.h"
+#include "interpreter/support/remarks.h"
 #include "interpreter/syntax/parser.h"
+#include "tools/jaywalk/options/shipped.h"
 
 namespace jaywalk {
 namespace {
@@ -66,11 +70,14 @@ class Evidence {
       uses_values_ = uses_values_ || has_value(node, *known);
       return;
     }
-    // A slip for one of them, a goal without '!' or a belief without '?' says nothing.
-    const bool is_slip = entry_of(vocabulary_.actions, node.text) != nullptr ||
-                         !did_you_mean(node.text, names_of(vocabulary_.actions)).empty() ||
-                         !index.planned_goals.arities(node.text).empty() ||
-                         !index.beliefs.arities(node.text).empty();
+    // A slip for one of them, a goal without '!', a belief without '?' or an internal action
+    // without its dot says nothing.
+    const bool is_slip =
+        entry_of(vocabulary_.actions, node.text) != nullptr ||
+        !did_you_mean(node.text, names_of(vocabulary_.actions)).empty() ||
+        !index.planned_goals.arities(node.text).empty() ||
+        !index.beliefs.arities(node.text).empty() ||
+        entry_of(vocabulary_.internal_actions, fmt::format(".{}", node.text)) != nullptr;
     takes_foreign_ = takes_foreign_ || !is_slip;
   }
 
@@ -120,6 +127,36 @@ const std::vector<std::string>& standard_performatives() {
   return performatives;
 }
 
+// An item of `library.defines` and `library.asks` for each name in a file.
+Vocabulary::Library read_library(const std::string& name, const SourcePtr& source) {
+  Vocabulary::Library library{.name = name, .defines = {}, .asks = {}};
+  Diagnostics ignored;
+  const ast::File file = parse_agent(source, ignored);
+  const Uses uses = uses_in(file.components);
+  for (const Clause& clause : uses.clauses) library.defines.insert(belief_name(*clause.head));
+  for (const ast::Plan* plan : uses.plans) {
+    if (is_for_goal(*plan)) library.defines.insert(goal_name(*plan->trigger.literal));
+  }
+  for (const Remark& remark : remarks(*source)) {
+    if (remark.word == Remark::kAsks) library.asks.emplace(remark.item);
+  }
+  return library;
+}
+
+std::vector<Vocabulary::Library> installed_libraries() {
+  std::vector<Vocabulary::Library> libraries;
+  const SourceFiles files = files_on_disk();
+  for (const EnvironmentKind& environment : environments()) {
+    for (const std::string& name :
+         files.installed_in(fmt::format("{}{}/shared", kLibraryPrefix, environment.name))) {
+      if (const auto source = files.read(name)) {
+        libraries.push_back(read_library(name, source.value()));
+      }
+    }
+  }
+  return libraries;
+}
+
 }  // namespace
 
 Vocabulary vocabulary_for(const EnvironmentKind* environment) {
@@ -146,6 +183,7 @@ Vocabulary vocabulary_for(const EnvironmentKind* environment) {
     vocabulary.internal_actions.push_back({name, least, most, "a statement"});
   }
   vocabulary.performatives = standard_performatives();
+  vocabulary.libraries = installed_libraries;
   return vocabulary;
 }
 

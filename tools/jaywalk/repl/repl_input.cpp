@@ -124,6 +124,24 @@ class ClauseEnds {
 
 }  // namespace
 
+const std::vector<std::string>& repl_commands() {
+  static const std::vector<std::string> kCommands = {
+      "load", "reload", "beliefs", "rules", "plans", "intentions", "trace", "run", "help", "quit"};
+  return kCommands;
+}
+
+std::optional<ReplInput> command_alone(std::string_view line) {
+  std::string_view word = trimmed(line);
+  const bool has_colon = word.starts_with(':');
+  if (has_colon) word.remove_prefix(1);
+  if (word == "exit") word = "quit";
+  const bool is_command = has_colon
+                              ? std::ranges::find(repl_commands(), word) != repl_commands().end()
+                              : word == "help" || word == "quit";
+  if (!is_command) return std::nullopt;
+  return ReplInput{.kind = ReplInput::Kind::command, .word = std::string(word), .text = {}};
+}
+
 bool is_whole_input(std::string_view text) {
   text = trimmed(text);
   if (text.empty() || text.front() == ':') return true;

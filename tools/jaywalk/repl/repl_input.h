@@ -3,6 +3,7 @@
 // What is typed at the prompt of `jaywalk repl`: a command `:word argument`, a query `?- formula.`,
 // or a clause of AgentSpeak, over any number of lines.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,13 @@ struct ReplInput {
   std::string word;
   std::string text;
 };
+
+/// The words of commands, without the colon.
+[[nodiscard]] const std::vector<std::string>& repl_commands();
+
+/// The command that a line consists of, `:quit`, or one of the words `help`, `quit` and `exit`. It
+/// is no part of an input that has begun before.
+[[nodiscard]] std::optional<ReplInput> command_alone(std::string_view line);
 
 /// Whether the lines so far are a whole input: a command, nothing, or up to a full stop outside of
 /// brackets. What can become none by going on is whole, too: it is an error.

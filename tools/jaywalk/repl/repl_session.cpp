@@ -27,7 +27,8 @@ constexpr std::string_view kHelp =
     "  q(X) :- p(X).         adds what a program may contain: beliefs, rules, plans ...\n"
     "  +!g(X) <- .print(X).\n"
     "Several may stand on a line; each is read as it would be alone. Tab completes names.\n"
-    "Commands stand on a line of their own:\n"
+    "Commands stand on a line of their own, also amid an input (of ':help' and ':quit' the colon\n"
+    "may be left out):\n"
     "  :load FILE            begins anew with the agent in a file\n"
     "  :reload               the same with the file as it is now\n"
     "  :beliefs [NAME]       what is believed\n"
@@ -38,13 +39,8 @@ constexpr std::string_view kHelp =
     "                        on, c goes on to the end\n"
     "  :run                  goes on with an agent that never rests\n"
     "  :help                 this\n"
-    "  :quit                 ends, as Ctrl-D does; Ctrl-C ends a query that takes long\n";
-
-const std::vector<std::string>& repl_commands() {
-  static const std::vector<std::string> kCommands = {
-      "load", "reload", "beliefs", "rules", "plans", "intentions", "trace", "run", "help", "quit"};
-  return kCommands;
-}
+    "  :quit                 ends, as Ctrl-D does\n"
+    "Ctrl-C drops what was typed, and ends a query that takes long.\n";
 
 std::string answer_text(const Answer& answer) {
   std::string text;

@@ -11,6 +11,7 @@
 #include "experiment/report/tables/verdict_table.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/output_files.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
 
@@ -24,7 +25,11 @@ std::optional<Scenario> scenario_of(const Arguments& arguments, Console& console
     console.note("on the paper's road: --scenario names another");
     return Scenario{};
   }
-  Result<Scenario> scenario = read_scenario(located(*path));
+  Diagnostics wrong;
+  const auto file = input_file(*path, kScenarios, wrong);
+  console.report(wrong);
+  if (!file) return std::nullopt;
+  Result<Scenario> scenario = read_scenario(*file, {.files = files_on_disk()});
   if (scenario) return std::move(scenario).value();
   console.report(scenario.diagnostics());
   return std::nullopt;

@@ -32,7 +32,6 @@ namespace {
 constexpr std::uint64_t kStepsBetweenLooks = 4;
 
 constexpr std::uint64_t kMostThreads = 256;
-constexpr std::uint64_t kMostMegabytes = 1'000'000'000;
 
 struct Limits {
   MasOptions mas;
@@ -47,13 +46,13 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
   limits.mas.max_run_inferences =
       arguments.number(option::kMaxInferences, 1, diagnostics).value_or(0);
   limits.mas.max_ticks = arguments.number(option::kMaxTicks, 1, diagnostics).value_or(0);
-  if (const auto megabytes = arguments.number(option::kMaxMemory, 1, diagnostics)) {
-    limits.mas.max_agent_bytes = std::min(*megabytes, kMostMegabytes) << 20U;
+  if (const auto megabytes =
+          arguments.number(option::kMaxMemory, 1, diagnostics, TestLimits::kMostMegabytes)) {
+    limits.mas.max_agent_bytes = *megabytes << 20U;
     limits.mas.max_system_bytes = limits.mas.max_agent_bytes;
   }
   limits.mas.realtime = arguments.has(option::kRealtime);
-  limits.mas.threads = static_cast<std::size_t>(
-      std::min(arguments.number(option::kThreads, 1, diagnostics).value_or(1), kMostThreads));
+  limits.mas.threads = arguments.number(option::kThreads, 1, diagnostics, kMostThreads).value_or(1);
   limits.timeout_s = arguments.positive(option::kTimeout, diagnostics);
   check_coverage_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
@@ -66,7 +65,7 @@ std::optional<Limits> read_limits(const Arguments& arguments, Console& console) 
     if (flush) console.flush();
   };
   limits.mas.write = [&console](std::string_view text) { console.print(text); };
-  limits.mas.log = [&console](std::string_view line) { console.log(LogLevel::warning, line); };
+  limits.mas.log = [&console](std::string_view line) { console.warn_of_agent(line); };
   return limits;
 }
 
@@ -158,18 +157,25 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
   return agents;
 }
 
-/// Where programs may write: in the working folder, and where the user says.
-AllowedFolders writable_folders(const Arguments& arguments) {
+/// Where programs may write: in the working folder, and where the user says. Nothing after
+/// reporting a folder that does not exist.
+std::optional<AllowedFolders> writable_folders(const Arguments& arguments, Console& console) {
   AllowedFolders writable(option::kAllowWrite.dashed());
   writable.add(".");
-  for (const std::string& folder : arguments.texts(option::kAllowWrite)) writable.add(folder);
-  return writable;
+  Diagnostics diagnostics;
+  for (const std::string& folder : arguments.texts(option::kAllowWrite)) {
+    if (is_folder(option::kAllowWrite, folder, diagnostics)) writable.add(folder);
+  }
+  console.report(diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : std::optional(writable);
 }
 
 /// `folder` is the one of the program or project.
 ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
                      ProgramCheck check, const Limits& limits, const Arguments& arguments,
                      Console& console) {
+  const std::optional<AllowedFolders> writable = writable_folders(arguments, console);
+  if (!writable) return ExitCode::usage;
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
   std::vector<AgentSpec> agents = compile_all(
@@ -181,16 +187,16 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   sources = {};  // which has a name for each of perhaps very many agents, as the agents have
   options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path)](
                              const ProgramRequest& request, SymbolTable& run_symbols,
-                             std::string& error) {
-    return loader->load(request, run_symbols, error);
+                             LoadProblem& problem) {
+    return loader->load(request, run_symbols, problem);
   };
   options.why_not_list = [readable =
                               include_path.readable_from(folder)](const std::string& listed) {
     const auto denial = readable.denial(listed);
     return denial ? fmt::format("cannot list {}: {}", listed, denial->text()) : std::string();
   };
-  options.save_program = [writable = writable_folders(arguments)](
-                             const std::string& file, const std::string& text, std::string& error) {
+  options.save_program = [writable = *writable](const std::string& file, const std::string& text,
+                                                std::string& error) {
     if (const auto denial = writable.denial(file)) {
       error = fmt::format("cannot write {}: {}", file, denial->text());
     } else {
@@ -220,6 +226,7 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
   agents = {};
   const End end = run_to_end(mas, limits, interrupt, console);
+  console.tell_counted();
   if (trace) {
     trace->end(end.how, mas.outcome().message, mas.now_ms() / 1000, static_cast<int>(end.code));
   }

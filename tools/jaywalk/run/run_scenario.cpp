@@ -15,9 +15,12 @@
 #include "experiment/export/junit.h"
 #include "experiment/report/tables/troubles_text.h"
 #include "experiment/report/tables/verdict_table.h"
+#include "experiment/scenario/files/portable_names.h"
+#include "experiment/scenario/number_list.h"
 #include "experiment/test_run/plan_coverage.h"
 #include "experiment/test_run/simulator_version.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/text.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/interrupt.h"
@@ -70,20 +73,17 @@ std::vector<std::string> limits_of(const Arguments& arguments) {
 std::optional<Request> read_request(const std::string& path, const Arguments& arguments,
                                     Console& console) {
   Diagnostics diagnostics;
-  const auto agents = arguments.number(option::kAgents, 1, diagnostics);
+  const auto agents = arguments.number(option::kAgents, 1, diagnostics, kMaxAgents);
   const auto seed = arguments.number(option::kSeed, 0, diagnostics);
   Request request;
   request.setup.test = arguments.number(option::kTest, 0, diagnostics).value_or(0);
   request.max_cycles = arguments.number(option::kMaxCycles, 1, diagnostics).value_or(0);
   // Only checked here: limits_of() hands them on as settings of the scenario.
-  (void)arguments.number(option::kMaxInferences, 0, diagnostics);
-  (void)arguments.number(option::kMaxMemory, 0, diagnostics);
+  (void)arguments.number(option::kMaxInferences, 0, diagnostics, TestLimits::kMost);
+  (void)arguments.number(option::kMaxMemory, 0, diagnostics, TestLimits::kMostMegabytes);
   request.max_ticks = arguments.number(option::kMaxTicks, 1, diagnostics).value_or(0);
   request.timeout_s = arguments.positive(option::kTimeout, diagnostics);
   request.speed = arguments.positive(option::kSpeed, diagnostics).value_or(kDefaultSpeed);
-  if (agents.value_or(1) > kMaxAgents) {
-    diagnostics.error(option::kAgents.dashed(), fmt::format("at most {}", kMaxAgents));
-  }
   request.conditions = read_conditions(arguments, diagnostics);
   check_coverage_options(arguments, diagnostics);
   if (diagnostics.has_errors()) {
@@ -113,15 +113,15 @@ std::optional<Request> read_request(const std::string& path, const Arguments& ar
 }
 
 std::string title_of(const Request& request) {
-  return fmt::format("{}, {} agent{}, seed {}, test {}",
-                     request.prepared->behaviours()[request.setup.behaviour].name,
-                     request.setup.agents, request.setup.agents == 1 ? "" : "s", request.setup.seed,
-                     request.setup.test);
+  return fmt::format(
+      "{}, {}, seed {}, test {}", request.prepared->behaviours()[request.setup.behaviour].name,
+      counted(request.setup.agents, "agent"), request.setup.seed, request.setup.test);
 }
 
 /// The store for this one test, with everything that is seen of it.
 std::unique_ptr<ResultsWriter> open_store(const Request& request, const Arguments& arguments,
-                                          const std::string& path, Console& console) {
+                                          const std::string& path, PortableNames& names,
+                                          Console& console) {
   const PreparedBehaviour& behaviour = request.prepared->behaviours()[request.setup.behaviour];
   const ExperimentPlan plan{
       .behaviours = {behaviour.name}, .agents = {request.setup.agents}, .tests = 1};
@@ -130,10 +130,12 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
                scenario_options(arguments, behaviours_of(arguments), limits_of(arguments)), plan,
                request.setup.seed);
   add_judging(description, request.criteria.files, request.criteria.metrics);
+  make_portable(description, request.prepared->scenario().files);
   description.simulator = request.simulator;
   // The first behaviour is the one that runs; the others are no part of the plan.
   description.behaviours.resize(1);
   description.first_test = request.setup.test;
+  names = description.names;
   return open_store({.path = path, .level = StoreLevel::all}, std::move(description), console);
 }
 
@@ -196,28 +198,31 @@ class ScenarioRun {
 
   ExitCode run() {
     if (const auto path = arguments_.text(option::kStore)) {
-      store_ = open_store(request_, arguments_, *path, console_);
+      store_ = open_store(request_, arguments_, *path, names_, console_);
       if (!store_) return ExitCode::usage;
     }
     if (!open_trace(arguments_, trace_file_, console_)) return ExitCode::usage;
     const TestRun result = run_listened();
+    console_.tell_counted();
     if (!finish_trace(arguments_, trace_file_, console_)) return ExitCode::failed;
     if (interrupt_.interrupted()) {
       console_.note("interrupted");
       return ExitCode::interrupted;
     }
+    for (const std::string& note : result.notes) console_.note(note);
     if (!result.completed) {
       console_.error(result.message);
       return ExitCode::failed;
     }
-    if (!result.note.empty()) console_.note(result.note);
     return report(result);
   }
 
  private:
   [[nodiscard]] TestOptions options() {
-    TestOptions options{.max_cycles = request_.max_cycles, .max_ticks = request_.max_ticks};
-    options.log = [this](std::string_view line) { console_.log(LogLevel::warning, line); };
+    TestOptions options{.names = store_ ? &names_ : nullptr,
+                        .max_cycles = request_.max_cycles,
+                        .max_ticks = request_.max_ticks};
+    options.log = [this](std::string_view line) { console_.warn_of_agent(line); };
     options.print = [this](std::string_view line) {
       if (watch_) {
         viewer_.add_line(line);
@@ -274,14 +279,14 @@ class ScenarioRun {
     }
     if (store_) {
       store_test(request_, result, std::move(recording_), assessment, *store_);
-      if (!finish_store(*store_, *arguments_.text(option::kStore), console_)) {
+      if (!is_kept(store_->finish(), *arguments_.text(option::kStore), console_)) {
         return ExitCode::failed;
       }
     }
     show(found);
     if (coverage_) {
       const std::string subject =
-          fmt::format("{}: {}", arguments_.operands().front(), title_of(request_));
+          fmt::format("{}: {}", portable_path(arguments_.operands().front()), title_of(request_));
       if (!write_coverage(arguments_, coverage_->total(), subject, console_)) {
         return ExitCode::failed;
       }
@@ -307,6 +312,7 @@ class ScenarioRun {
   Viewer viewer_{title_of(request_), request_.speed, interrupt_, console_};
   std::string outcome_;
   std::unique_ptr<ResultsWriter> store_;
+  PortableNames names_;  // of the store
   Recording recording_;
   std::optional<PlanCoverage> coverage_;
   std::optional<TraceFile> trace_file_;

@@ -69,9 +69,12 @@ bool open_trace(const Arguments& arguments, std::optional<TraceFile>& trace, Con
 bool finish_trace(const Arguments& arguments, std::optional<TraceFile>& trace, Console& console) {
   if (!trace) return true;
   const std::string why = trace->finish();
-  if (why.empty()) return true;
-  console.error(
-      fmt::format("cannot write '{}': {}", arguments.text(option::kTrace).value_or(""), why));
+  const std::string path = arguments.text(option::kTrace).value_or("");
+  if (why.empty()) {
+    console.wrote(path);
+    return true;
+  }
+  console.error(fmt::format("cannot write '{}': {}", path, why));
   return false;
 }
 

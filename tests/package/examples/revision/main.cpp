@@ -1,4 +1,4 @@
-// Belief revision and social acceptance of one's own.
+// Custom belief revision and social acceptance.
 #include <interpreter/agent/agent.h>
 #include <interpreter/embed/interpreter.h>
 #include <iostream>

@@ -1,4 +1,4 @@
-// Selection functions of one's own: what is urgent goes first.
+// Custom selection functions: urgent goals go first.
 #include <interpreter/agent/agent.h>
 #include <interpreter/embed/interpreter.h>
 #include <iostream>

@@ -11,7 +11,7 @@ using jaywalk::Value;
 
 namespace {
 
-// What a term is, in words. A list is a chain of pairs, each with a head and a tail.
+// Describes a term in words. A list is a chain of pairs, each with a head and a tail.
 std::string described(Value term, ActionCall& call) {
   term = deref(term);
   if (term.is_number()) return "number " + std::to_string(term.as_number());
@@ -37,7 +37,7 @@ int main() {
   jaywalk::Interpreter interpreter(
       {.print = [](std::string_view line) { std::cout << line << '\n'; }});
 
-  // What is kept beyond the call is numbers and strings, never Values.
+  // Only numbers and strings are kept beyond the call, never Values.
   std::vector<std::string> kept;
   interpreter.add_action("my.describe", 1, 1, [&kept](ActionCall& call) {
     kept.push_back(described(call.arg(0), call));
@@ -65,7 +65,7 @@ int main() {
   interpreter.run();
   for (const std::string& text : kept) std::cout << text << '\n';
 
-  // An agent that is gone can be told nothing any more.
+  // An agent that is gone takes no more messages.
   if (!interpreter.include(ann, "end", "!end. +!end <- .kill_agent(ann).").empty()) return 1;
   interpreter.run();
   std::cout << interpreter.believe(ann, "p(1)").render();

@@ -1,4 +1,4 @@
-#include "interpreter/support/silenced.h"
+#include "interpreter/support/remarks.h"
 
 #include <string>
 
@@ -33,13 +33,44 @@ TEST(Silenced, IsNothingByWordsThatAreNoComment) {
   EXPECT_FALSE(is_silenced(*source_of("// jaywalk: allow"), 0, ""));
 }
 
-TEST(Silenced, TakesWordsBehindTheLastCommaForAReason) {
+TEST(Remarks, TakeWordsBehindTheLastItemForAReason) {
   const auto source = source_of("// jaywalk: allow one,two since it is told\r\n");
-  const auto codes = allowed_codes(*source);
-  ASSERT_EQ(codes.size(), 2U);
-  EXPECT_EQ(codes[0].code, "one");
-  EXPECT_EQ(codes[1].code, "two");
-  EXPECT_EQ(codes[1].line, 1U);
+  const auto found = remarks(*source);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].item, "one");
+  EXPECT_EQ(found[1].item, "two");
+  EXPECT_EQ(found[1].line, 1U);
+  EXPECT_TRUE(found[1].allows());
+}
+
+TEST(Remarks, KeepAWordThatIsUnknown) {
+  const auto source = source_of("// jaywalk: alow one\n// jaywalk: asks\n");
+  const auto found = remarks(*source);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(source->text(found[0].word_span), "alow");
+  EXPECT_FALSE(found[0].allows());
+  EXPECT_EQ(found[1].word, Remark::kAsks);
+  EXPECT_EQ(found[1].item, "");
+}
+
+TEST(Remarks, AskForBeliefsAndGoals) {
+  const auto belief = asked_name("bid/1");
+  ASSERT_TRUE(belief);
+  EXPECT_EQ(belief->name, "bid");
+  EXPECT_EQ(belief->arity, 1);
+  EXPECT_FALSE(belief->is_goal);
+  const auto goal = asked_name("!cross/2");
+  ASSERT_TRUE(goal);
+  EXPECT_EQ(goal->name, "cross");
+  EXPECT_EQ(goal->arity, 2);
+  EXPECT_TRUE(goal->is_goal);
+}
+
+TEST(Remarks, TakeNothingForANameWithoutItsNumberOfArguments) {
+  for (const char* item :
+       {"", "bid", "bid/", "/1", "bid/x", "bid/-1", "!", "bid/1x", "bid/99999999999"}) {
+    EXPECT_FALSE(asked_name(item)) << item;
+  }
 }
 
 TEST(Diagnostics, LeaveOutWarningsThatACommentSilences) {

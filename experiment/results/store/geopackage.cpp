@@ -1,0 +1,81 @@
+#include "experiment/results/store/geopackage.h"
+
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "experiment/results/store/stored_inputs.h"
+
+namespace jaywalk {
+namespace {
+
+// As OGC 12-128r18 has them, word by word.
+constexpr std::string_view kTables = R"sql(
+CREATE TABLE gpkg_spatial_ref_sys (
+  srs_name TEXT NOT NULL, srs_id INTEGER NOT NULL PRIMARY KEY, organization TEXT NOT NULL,
+  organization_coordsys_id INTEGER NOT NULL, definition TEXT NOT NULL, description TEXT);
+CREATE TABLE gpkg_contents (
+  table_name TEXT NOT NULL PRIMARY KEY, data_type TEXT NOT NULL, identifier TEXT UNIQUE,
+  description TEXT DEFAULT '',
+  last_change DATETIME NOT NULL DEFAULT (strftime('%Y-%m-%dT%H:%M:%fZ','now')),
+  min_x DOUBLE, min_y DOUBLE, max_x DOUBLE, max_y DOUBLE, srs_id INTEGER,
+  CONSTRAINT fk_gc_r_srs_id FOREIGN KEY (srs_id) REFERENCES gpkg_spatial_ref_sys(srs_id));
+CREATE TABLE gpkg_geometry_columns (
+  table_name TEXT NOT NULL, column_name TEXT NOT NULL, geometry_type_name TEXT NOT NULL,
+  srs_id INTEGER NOT NULL, z TINYINT NOT NULL, m TINYINT NOT NULL,
+  CONSTRAINT pk_geom_cols PRIMARY KEY (table_name, column_name),
+  CONSTRAINT uk_gc_table_name UNIQUE (table_name),
+  CONSTRAINT fk_gc_tn FOREIGN KEY (table_name) REFERENCES gpkg_contents(table_name),
+  CONSTRAINT fk_gc_srs FOREIGN KEY (srs_id) REFERENCES gpkg_spatial_ref_sys (srs_id));
+INSERT INTO gpkg_spatial_ref_sys VALUES
+  ('Undefined Cartesian SRS', -1, 'NONE', -1, 'undefined', NULL),
+  ('Undefined geographic SRS', 0, 'NONE', 0, 'undefined', 'undefined geographic coordinates'),
+  ('WGS 84 geodetic', 4326, 'EPSG', 4326,
+   'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563,'
+   || 'AUTHORITY["EPSG","7030"]],AUTHORITY["EPSG","6326"]],PRIMEM["Greenwich",0,'
+   || 'AUTHORITY["EPSG","8901"]],UNIT["degree",0.0174532925199433,AUTHORITY["EPSG","9122"]],'
+   || 'AXIS["Latitude",NORTH],AXIS["Longitude",EAST],AUTHORITY["EPSG","4326"]]',
+   'longitude and latitude in degrees');
+CREATE TABLE versions (
+  id INTEGER PRIMARY KEY NOT NULL, subject TEXT NOT NULL UNIQUE,
+  version TEXT NOT NULL);
+)sql";
+
+constexpr std::array kListed = {
+    ListedTable{"versions", "of the store's tables and of the program that wrote it"},
+    ListedTable{"inputs", "every file that the tests were made from"},
+};
+
+}  // namespace
+
+void create_geopackage(Database& database, std::string_view plane) {
+  database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
+                               kGeoPackageId, kGeoPackageVersion));
+  database.execute(std::string(kTables));
+  database.execute(std::string(kInputsTable));
+  Statement(database, "UPDATE gpkg_spatial_ref_sys SET description = ? WHERE srs_id = -1")
+      .run(plane);
+  list_tables(database, kListed, -1);
+}
+
+void list_tables(Database& database, std::span<const ListedTable> tables, int srs_id) {
+  Statement contents(database,
+                     "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, "
+                     "srs_id) VALUES (?1, ?2, ?1, ?3, ?4)");
+  Statement geometry(database, "INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)");
+  for (const ListedTable& each : tables) {
+    const bool layer = !each.geometry.empty();
+    contents.run(each.name, layer ? "features" : "attributes", each.description,
+                 layer ? std::optional(srs_id) : std::nullopt);
+    if (layer) geometry.run(each.name, each.geometry, srs_id);
+  }
+}
+
+void write_versions(Database& database, std::int64_t store, std::string_view jaywalk) {
+  Statement version(database, "INSERT INTO versions (subject, version) VALUES (?, ?)");
+  version.run("store", fmt::format("{}", store));
+  version.run("jaywalk", jaywalk);
+}
+
+}  // namespace jaywalk
