@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -49,7 +50,8 @@ class StartCellsParser {
     std::uint64_t value = 0;
     const auto [end, code] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (code == std::errc() && end == field.data() + field.size()) return value;
-    error(field, fmt::format("expected a whole number, not '{}'", field));
+    error(field, fmt::format("expected a whole number from 0 to {}, found '{}'",
+                             std::numeric_limits<std::uint64_t>::max(), field));
     return std::nullopt;
   }
 

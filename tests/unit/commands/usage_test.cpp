@@ -37,7 +37,8 @@ TEST_F(Usage, OfCompareNamesAllThatIsWrongAtOnce) {
   EXPECT_THAT(said, HasSubstr("--tests: error: expected a whole number from 1 to 10000000, "
                               "found 'many'"));
   EXPECT_THAT(said, HasSubstr("--agents: error: "));
-  EXPECT_THAT(said, HasSubstr("--shard: error: expected I/N with I from 1 to N, found '3/2'"));
+  EXPECT_THAT(said, HasSubstr("--shard: error: expected I/N with I from 1 to N and N up to "
+                              "4294967295, found '3/2'"));
   EXPECT_THAT(said,
               HasSubstr("--store-level: error: expected summary, found or all, found 'much'"));
 }
@@ -61,6 +62,20 @@ TEST_F(Usage, OfCompareBoundsTestsAndAgents) {
   }
   EXPECT_THAT(of_compare({"--agents", "100000000"}),
               HasSubstr("--agents: error: expected a number from 1 to 10000 or a range, found"));
+}
+
+TEST_F(Usage, NamesFoldersOfIncludesThatAreNotThere) {
+  const std::string missing = path("missing");
+  EXPECT_EQ(problem({"run", file("a.asl", "b."), "--include", missing, "--map", "$x=" + missing}),
+            "--include: error: there is no folder '" + missing +
+                "'\n--map: error: there is no folder '" + missing + "'\n");
+}
+
+TEST_F(Usage, OfCompareShowsABrokenPolicyAndNothingThatFollowsFromIt) {
+  const std::string policy = file("p.json", "{");
+  const std::string said = of_compare({"--policy", policy});
+  EXPECT_THAT(said, HasSubstr(policy + ":1:"));
+  EXPECT_THAT(said, Not(HasSubstr("has no policy")));
 }
 
 TEST_F(Usage, OfCompareNeedsAStoreForOptionsAboutIt) {

@@ -39,7 +39,11 @@ TEST(StartCells, AreRefusedWithAReason) {
   EXPECT_EQ(first_error("0,1,2,3\n"), "expected the header 'test,agent,row,cell'");
   EXPECT_EQ(first_error(header + "0,1,2\n"), "expected four numbers: test,agent,row,cell");
   EXPECT_EQ(first_error(header + "0,1,2,3,4\n"), "expected four numbers: test,agent,row,cell");
-  EXPECT_EQ(first_error(header + "0,1,two,3\n"), "expected a whole number, not 'two'");
+  EXPECT_EQ(first_error(header + "0,1,two,3\n"),
+            "expected a whole number from 0 to 18446744073709551615, found 'two'");
+  EXPECT_EQ(first_error(header + "99999999999999999999,1,2,3\n"),
+            "expected a whole number from 0 to 18446744073709551615, found "
+            "'99999999999999999999'");
   EXPECT_EQ(first_error(header + "0,1,12,3\n"),
             "row 12, cell 3 does not lie on the grid of 12 rows and 66 cells");
   EXPECT_EQ(first_error(header + "0,0,1,3\n"), "agents are numbered from 1");

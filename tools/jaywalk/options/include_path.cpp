@@ -21,7 +21,9 @@ bool is_folder(OptionName option, const std::string& folder, Diagnostics& diagno
 IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics) {
   IncludePath path;
   path.files = files_on_disk();
-  path.folders = arguments.texts(option::kInclude);
+  for (std::string& folder : arguments.texts(option::kInclude)) {
+    if (is_folder(option::kInclude, folder, diagnostics)) path.folders.push_back(std::move(folder));
+  }
   for (const std::string& folder : arguments.texts(option::kAllowRead)) {
     if (is_folder(option::kAllowRead, folder, diagnostics)) path.files.allow_reading(folder);
   }
@@ -31,7 +33,7 @@ IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnost
       diagnostics.error(option::kMap.dashed(),
                         fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
                         "write it as --map '$jasonJar=FOLDER'");
-    } else {
+    } else if (is_folder(option::kMap, mapping.substr(equals + 1), diagnostics)) {
       path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
     }
   }

@@ -1,6 +1,7 @@
 #include "tools/jaywalk/options/store_options.h"
 
 #include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -31,7 +32,8 @@ std::optional<StoreOptions> read_store_options(const Arguments& arguments,
     options.shard = shard.value_or(Shard{});
     if (!shard) {
       diagnostics.error(option::kShard.dashed(),
-                        fmt::format("expected I/N with I from 1 to N, found '{}'", *text),
+                        fmt::format("expected I/N with I from 1 to N and N up to {}, found '{}'",
+                                    std::numeric_limits<decltype(Shard::count)>::max(), *text),
                         "the second of four parts is 2/4");
     }
   }
