@@ -66,9 +66,8 @@ TEST_F(Usage, OfCompareBoundsTestsAndAgents) {
 
 TEST_F(Usage, NamesFoldersOfIncludesThatAreNotThere) {
   const std::string missing = path("missing");
-  EXPECT_EQ(problem({"run", file("a.asl", "b."), "--include", missing, "--map", "$x=" + missing}),
-            "--include: error: there is no folder '" + missing +
-                "'\n--map: error: there is no folder '" + missing + "'\n");
+  EXPECT_EQ(problem({"run", file("a.asl", "b."), "--include", missing}),
+            "--include: error: there is no folder '" + missing + "'\n");
 }
 
 TEST_F(Usage, OfCompareShowsABrokenPolicyAndNothingThatFollowsFromIt) {

@@ -66,12 +66,12 @@ TEST(Directives, HideALocalNamespaceFromWhoWritesItsNameElsewhere) {
   EXPECT_THAT(made.beliefs(), ElementsAre("#1n::b[source(self)]", "#1n::c[source(self)]"));
 }
 
-TEST(Directives, GiveEachLocalNamespaceAnotherName) {
+TEST(Directives, GiveALocalNamespaceOneNameInAFile) {
   const CompiledProgram made(
       "{begin namespace(n, local)} b. {end} {begin namespace(n, local)} b. {end} "
       "{begin namespace(n, global)} b. {end}");
   EXPECT_THAT(made.beliefs(),
-              ElementsAre("#1n::b[source(self)]", "#2n::b[source(self)]", "n::b[source(self)]"));
+              ElementsAre("#1n::b[source(self)]", "#1n::b[source(self)]", "n::b[source(self)]"));
 }
 
 TEST(Directives, WantTheNameOfANamespace) {

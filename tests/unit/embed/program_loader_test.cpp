@@ -81,8 +81,8 @@ TEST_F(Loader, CompilesAnewWhatHasLocalNamespacesWhereverItIsIncluded) {
   const ProgramRequest local{.file = "a.asl", .included = true, .ns = "m"};
   const auto first = load(programs, local);
   const auto second = load(programs, local);
-  ASSERT_NE(first, nullptr) << error_;
-  ASSERT_NE(second, nullptr) << error_;
+  ASSERT_NE(first, nullptr) << error_.text;
+  ASSERT_NE(second, nullptr) << error_.text;
   EXPECT_NE(first->beliefs().front().predicate, second->beliefs().front().predicate);
   const ProgramRequest plain{.file = "b.asl", .included = true, .ns = "m"};
   EXPECT_EQ(load(programs, plain), load(programs, plain));

@@ -65,7 +65,7 @@ TEST(KillTable, LeavesOutTestsThatEndedErroredWithEitherAv) {
   EXPECT_EQ(row.cells.at(0).kills, 2U);
   EXPECT_EQ(row.cells.at(0).first, 1U);
   EXPECT_EQ(row.errored(), 2U);
-  EXPECT_THAT(render_kills(table.matrix()), HasSubstr("p (1): 2 tests ended errored"));
+  EXPECT_THAT(render_kills(table.matrix()), HasSubstr("p (1): without 2 tests that ended errored"));
 }
 
 TEST(KillTable, LeavesOutCellsWhoseTestsAreNotAllFinished) {

@@ -250,8 +250,8 @@ TEST(KillTable, SaysWhichTestsAreLeftOut) {
   matrix.rows[0].cells[0].errored = 2;
   EXPECT_THAT(
       render_kills(matrix),
-      HasSubstr("walk (1): 2 tests ended errored, with the healthy AV or the defective one, "
-                "and are left out\n"));
+      HasSubstr("walk (1): without 2 tests that ended errored, with the healthy AV or the "
+                "defective one\n"));
 }
 
 TEST(KillTable, SaysNothingOfTheHealthyAvWhereThatIsNotKnown) {

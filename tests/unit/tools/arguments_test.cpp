@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr std::array kOptions = {OptionSpec{option::kSeed, "N", ""},
-                                 OptionSpec{option::kSet, "KEY=VALUE", ""},
+                                 OptionSpec{option::kSet, "KEY=VALUE", "repeatable"},
                                  OptionSpec{option::kQuiet, "", ""}};
 
 Result<Arguments> parse(std::vector<std::string> words) { return parse_arguments(words, kOptions); }

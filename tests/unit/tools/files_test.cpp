@@ -84,9 +84,11 @@ struct Included {
 };
 
 TEST_F(Files, ToIncludeAreLookedForInFoldersInTheirOrder) {
-  const Included included({"--include", "b", "--include=a"});
-  EXPECT_THAT(included.path.folders, ElementsAre("b", "a"));
-  EXPECT_TRUE(included.diagnostics.empty()) << "whether they exist shows where one is included";
+  (void)file("b/x.asl", "x.");
+  (void)file("a/x.asl", "x.");
+  const Included included({"--include", path("b"), "--include=" + path("a")});
+  EXPECT_THAT(included.path.folders, ElementsAre(path("b"), path("a")));
+  EXPECT_TRUE(included.diagnostics.empty());
 }
 
 TEST_F(Files, ToIncludeMayHavePrefixes) {

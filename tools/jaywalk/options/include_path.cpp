@@ -33,7 +33,7 @@ IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnost
       diagnostics.error(option::kMap.dashed(),
                         fmt::format("expected PREFIX=FOLDER, found '{}'", mapping),
                         "write it as --map '$jasonJar=FOLDER'");
-    } else if (is_folder(option::kMap, mapping.substr(equals + 1), diagnostics)) {
+    } else {
       path.mapped.emplace_back(mapping.substr(0, equals), mapping.substr(equals + 1));
     }
   }
