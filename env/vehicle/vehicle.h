@@ -163,7 +163,8 @@ class VehicleController {
   virtual void begin(const DriveBriefing& /*briefing*/) {}
   virtual void end(const DriveEnd& /*end*/) {}
   [[nodiscard]] virtual VehicleDecision decide(const VehicleView& view) = 0;
-  /// The longest period between two decisions, in seconds, even if the parameters ask for longer ones.
+  /// The longest period between two decisions, in seconds, even if the parameters ask for longer
+  /// ones.
   [[nodiscard]] virtual double longest_period_s() const {
     return std::numeric_limits<double>::infinity();
   }

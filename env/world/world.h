@@ -31,7 +31,8 @@ struct AgentOutcome {
 
 /// The AV's first contact with an agent or actor.
 struct Collision {
-  /// Index of the agent; the world's other bodies are numbered after the agents. The actor's number less one.
+  /// Index of the agent; the world's other bodies are numbered after the agents. The actor's number
+  /// less one.
   std::size_t body = 0;
   int tick = 0;
   double impact_mps = 0;
@@ -75,8 +76,8 @@ class World : public Environment {
   [[nodiscard]] double tick_ms() const final { return tick_s() * 1000; }
   /// Ticks that have passed.
   [[nodiscard]] virtual int ticks() const = 0;
-  /// Passes on the caller's share of what the AV's controller or simulator receives before the test.
-  /// There may be more actors from then on.
+  /// Passes on the caller's share of what the AV's controller or simulator receives before the
+  /// test. There may be more actors from then on.
   virtual void begin(DriveBriefing briefing) = 0;
   /// Reports to the AV's controller how the test ended. REQUIRES: it is finished.
   virtual void end() = 0;

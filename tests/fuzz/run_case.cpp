@@ -120,7 +120,10 @@ class Surroundings {
     }
     for (const std::string& name : names_in(".")) {
       const auto begins = [&](const std::string& output) { return name.starts_with(output); };
-      if (name == kInput || made.files.contains(name)) continue;
+      const auto is_or_lies_in = [&](const auto& file) {
+        return file.first == name || file.first.starts_with(name + '/');
+      };
+      if (name == kInput || std::ranges::any_of(made.files, is_or_lies_in)) continue;
       if (std::ranges::none_of(made.outputs, begins)) return name;
     }
     const std::filesystem::path outside(kOutside);

@@ -16,16 +16,20 @@ FILES = {
     "av.sh": "while read -r x; do echo '{\"acceleration\":-1}'; done\n",
     "roads.yaml": "sut: {kind: lane-keeping, controller: paper-rate}\nfitness: {measure: max_oob, fails_at: 0.95}\n"
                   "budget: {tests: 3, virtual_s: 0}\ngenerators: [random]\nrepetitions: 1\n",
+    "met.yaml": "preset: paper\n",
     "chained.yaml": "preset: as-published-program\nbehaviours: [proximity]\n",
     "learn.yaml": "preset: paper\nbehaviours: [chooser.asl]\nlearning: {learner: q-table}\n",
-    "chooser.asl": "!go.\n@l[learned(way)] +!go <- !wait; !go.\n@r[learned(way)] +!go <- move(forward); !go.\n+!wait. -!go <- !go. -!wait.\n",
+    "chooser.asl": "!go.\n@l[learned(way)] +!go <- !pass; !go.\n@r[learned(way)] +!go <- move(forward); !go.\n"
+                   "+!pass <- stay. -!pass <- !pass. -!go <- !pass; !go.\n",
+    "walk.yaml": "sut: {kind: crossing, scenario: braking.yaml, behaviour: walker.asl, agents: 1, starts: searched}\n"
+                 "fitness: {measure: exercised, fails_at: 1}\nbudget: {tests: 3, virtual_s: 0}\ngenerators: [random]\nrepetitions: 1\n",
     "drive.csv": "time,actor,kind,x,y\n0,av,vehicle,0,0\n0.5,av,vehicle,0,3\n1,av,vehicle,0,6\n",
     "own/list.asl": '!go. +!go <- .list_files("../other", L); .print(L). -!go <- .print(failed).\n',
-    "own/save.asl": '!go. +!go <- .save_agent("../other/new.asl"). -!go <- .print(failed).\n',
+    "own/save.asl": '!go. +!go <- .save_agent("../other/new.asl").\n',
     "own/up.asl": '{ include("../other/b.asl") }\n!go. +!go : b(X) <- .print(believes, X).\n',
     "own/by_link.asl": '{ include("link.asl") }\n!go. +!go : b(X) <- .print(believes, X).\n',
-    "own/inc.asl": '!go. +!go <- .include("../other/b.asl"); ?b(X); .print(believes, X). -!go <- .print(failed).\n',
-    "own/make.asl": '!go. +!go <- .create_agent(eve, "../other/b.asl"); .print(made). -!go <- .print(failed).\n',
+    "own/inc.asl": '!go. +!go <- .include("../other/b.asl"); ?b(X); .print(believes, X).\n',
+    "own/make.asl": '!go. +!go <- .create_agent(eve, "../other/b.asl"); .print(made).\n',
     "own/mapped.asl": '{ include("$lib/b.asl") }\n!go. +!go : b(X) <- .print(believes, X).\n',
     "other/b.asl": "b(1).\n",
     "own/p.mas2j": 'MAS p { agents: b; aslSourcePath: "../other"; }\n',
@@ -71,25 +75,26 @@ COVERED = [
     hint("judge s.gpkg", "--assertions", "judge s.gpkg --assertions rules.yaml", before=STORE, first=2),
     hint("judge --trace drive.csv --scenario s.yaml", "--assertions", "judge --trace drive.csv --scenario s.yaml --assertions rules.yaml", first=2),
     hint("judge --trace drive.csv --metrics", "--scenario", "judge --trace drive.csv --metrics --scenario s.yaml", first=0),
-    hint(COMPARE + "--fail-on hit.fail>0", "--assertions", COMPARE + "--assertions rules.yaml --fail-on hit.fail\\>9", first=2),
+    hint(COMPARE + "--fail-on hit.fail\\>0", "--assertions", COMPARE + "--assertions rules.yaml --fail-on hit.fail\\>9", first=2),
     hint("compare braking.yaml --tests 1 --agents 1 --no-check --quiet --defects latency", "--assertions",
          "compare braking.yaml --tests 1 --agents 1 --no-check --quiet --defects latency --assertions rules.yaml", first=2),
     hint("compare braking.yaml --tests 1 --agents 1 --no-check --quiet --kills k.csv", "--defects",
          "compare braking.yaml --tests 1 --agents 1 --no-check --quiet --kills k.csv --defects latency --assertions rules.yaml", first=2),
-    hint("compare chained.yaml --tests 2 --agents 1 --quiet --shard 1/2 --store c.gpkg", "--behaviours and --agents",
+    hint("compare chained.yaml --tests 2 --agents 1 --quiet --shard 1/2 --store c.gpkg", "(--behaviours, --agents)",
          "compare chained.yaml --tests 2 --quiet --store c.gpkg --behaviours proximity --agents 1", first=2),
     hint("check --dump-code s.yaml", "--dump-code shows", "check --dump-code a.asl", first=2),
     hint(COMPARE + "--seet 3", "did you mean", COMPARE + "--seed 3", first=2),
     hint("compare s.yaml --set speed", "--set world.av.speed=8", COMPARE + "--set world.av.speed=8", first=2),
-    hint("export", "--help", "export --help", first=2),
     hint("export s.gpkg --format xls", "--list", "export s.gpkg --list", before=STORE, first=2),
-    hint("replay s.gpkg --test 7", "without --test", "replay s.gpkg --html page.html", code=0, before=STORE, first=2),
+    hint("replay m.gpkg --test 70", "without --test", "replay m.gpkg --html page.html", code=0,
+         before="jaywalk compare met.yaml --tests 8 --agents 1 --no-check --quiet --behaviours random_behaviour --store m.gpkg || exit 99; ", first=2),
+    hint("replay s.gpkg", "--test names", "replay s.gpkg --test 1 --html page.html", before=STORE, first=2),
 ]
 COVERED += [
     hint("compare braking.yaml --tests 1 --agents 1 --no-check --quiet --with-kills k.csv --assertions rules.yaml --defects latency", "--behaviours and --agents",
          "compare braking.yaml --tests 1 --agents 2 --no-check --quiet --with-kills k.csv --assertions rules.yaml --defects latency", before=(
              "jaywalk compare braking.yaml --tests 1 --agents 1 --no-check --quiet --defects latency --assertions rules.yaml --kills k.csv || exit 99; "), first=2),
-    hint("compare braking.yaml --tests 1 --agents 2 --no-check --quiet --with-kills k.csv --assertions rules.yaml --defects blind_spot", "--defects names those of both",
+    hint("compare braking.yaml --tests 1 --agents 2 --no-check --quiet --with-kills k.csv --assertions rules.yaml --defects short-range", "--defects names those of both",
          "compare braking.yaml --tests 1 --agents 2 --no-check --quiet --with-kills k.csv --assertions rules.yaml --defects latency", before=(
              "jaywalk compare braking.yaml --tests 1 --agents 1 --no-check --quiet --defects latency --assertions rules.yaml --kills k.csv || exit 99; "), first=2),
     hint("search roads.yaml --quiet --kills k.csv", "--defects names them",
@@ -104,7 +109,7 @@ COVERED += [
 # Hints that other tests follow (cli/interrupt, cli/search, places: what was interrupted goes on; exports/postgis; a file that the
 # command writes), and what is no hint but a text of --help.
 ELSEWHERE = ("shows how to write it", "--resume goes on", "--resume runs the others", "To get the others", "write such a file", "writes such a file",
-             "--schema gives another one", "draw", "/proc", "says otherwise", "Judges the tests", "kills the defect")
+             "--schema gives another one", "draw", "/proc", "says otherwise", "esmini plays", "Judges the tests", "kills the defect")
 
 
 def hints_in_sources():

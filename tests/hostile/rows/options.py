@@ -39,6 +39,6 @@ ROWS = [
     words("options of a scenario for a program", 2, "error:", "run", "a.asl", "--agents", "3"),
     words("a value that is empty", 2, "error:", "run", "s.yaml", "--set", ""),
     words("a map without a folder", 2, "--map", "run", "a.asl", "--map", "x"),
-    words("a billion threads for two tests", 0, "accuracy", "compare", "s.yaml", "--tests", "2", "--agents", "1", "--threads", "1000000000"),
+    words("a billion threads for two tests", 2, "from 1 to 1024", "compare", "s.yaml", "--tests", "2", "--agents", "1", "--threads", "1000000000"),
     words("agents without end", 2, "--agents", "compare", "s.yaml", "--agents", "1..4000000000"),
 ]

@@ -38,5 +38,5 @@ ROWS = [
     search("--set of what there is not", 2, "--set", options=("--set", "budget.test=3")),
     search("a report to a folder that there is not", 2, "none/", options=("--report", "none/page.html")),
     Row("a search of a scenario", ["search", "s.yaml"], 2, "s.yaml", {"s.yaml": "behaviours: [a.asl]\n", "a.asl": "!a. +!a.\n"}),
-    Row("a comparison of a search", ["compare", "s.yaml"], 2, "unknown key 'sut'", {"s.yaml": SOUND}),
+    Row("a comparison of a search", ["compare", "s.yaml"], 2, "found an experiment of searches", {"s.yaml": SOUND}),
 ]

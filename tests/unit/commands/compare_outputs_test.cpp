@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,34 +28,41 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// Runs `compare` of a scenario with options and their values, but for those that `more` has.
+CommandRun compare(const std::string& scenario,
+                   const std::vector<std::pair<std::string, std::string>>& usual,
+                   const std::vector<std::string>& more) {
+  std::vector<std::string> words{"compare", JAYWALK_SOURCE_DIR "/scenarios/" + scenario};
+  for (const auto& [option, value] : usual) {
+    if (std::ranges::find(more, option) == more.end()) words.insert(words.end(), {option, value});
+  }
+  words.insert(words.end(), more.begin(), more.end());
+  return run_command(words);
+}
+
 class CompareOutputs : public FolderTest {
  protected:
   /// Two behaviours, 1 and 3 agents, 4 tests each.
-  [[nodiscard]] CommandRun paper(std::vector<std::string> more) const {
-    std::vector<std::string> words{"compare",      JAYWALK_SOURCE_DIR "/scenarios/paper.yaml",
-                                   "--tests",      "4",
-                                   "--agents",     "1,3",
-                                   "--behaviours", "proximity,random_action"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_command(words);
+  [[nodiscard]] CommandRun paper(const std::vector<std::string>& more) const {
+    return compare(
+        "paper.yaml",
+        {{"--tests", "4"}, {"--agents", "1,3"}, {"--behaviours", "proximity,random_action"}}, more);
   }
   /// One behaviour with one agent, judged by the scenario's assertions.
-  [[nodiscard]] CommandRun rules(std::vector<std::string> more) const {
-    std::vector<std::string> words{
-        "compare",      JAYWALK_SOURCE_DIR "/scenarios/rules_of_the_road.yaml",
-        "--tests",      "3",
-        "--agents",     "1",
-        "--behaviours", JAYWALK_SOURCE_DIR "/agents/crossing/proximity.asl"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_command(words);
+  [[nodiscard]] CommandRun rules(const std::vector<std::string>& more) const {
+    return compare("rules_of_the_road.yaml",
+                   {{"--tests", "3"},
+                    {"--agents", "1"},
+                    {"--behaviours", JAYWALK_SOURCE_DIR "/agents/crossing/proximity.asl"}},
+                   more);
   }
   /// A behaviour whose plan fails.
-  [[nodiscard]] CommandRun failing(std::vector<std::string> more) const {
-    std::vector<std::string> words{
-        "compare",      JAYWALK_SOURCE_DIR "/scenarios/paper.yaml", "--tests", "3", "--agents", "1",
-        "--behaviours", file("bad.asl", "!g. +!g <- .fail.\n")};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_command(words);
+  [[nodiscard]] CommandRun failing(const std::vector<std::string>& more) const {
+    return compare("paper.yaml",
+                   {{"--tests", "3"},
+                    {"--agents", "1"},
+                    {"--behaviours", file("bad.asl", "!g. +!g <- .fail.\n")}},
+                   more);
   }
 };
 
@@ -153,7 +161,7 @@ TEST_F(CompareOutputs, SayWhatHappenedToAgentsBesideTheTable) {
   EXPECT_EQ(table.code, ExitCode::success) << "it is no failure unless --strict says so";
   EXPECT_THAT(table.output, HasSubstr("bad: 3 of 3 agents dropped an intention"));
   EXPECT_THAT(table.output,
-              HasSubstr("    3 agents: ia_failed, " + path("bad.asl") + ":1:12, .fail\n"));
+              HasSubstr("    3 agents: ia_failed, bad.asl:1:12, .fail\n"));
   const CommandRun csv = failing({"--format", "csv"});
   EXPECT_EQ(lines_of(csv.output).size(), 2U) << "what is for programs has only their format";
   EXPECT_THAT(csv.errors, HasSubstr("bad: 3 of 3 agents dropped an intention"));

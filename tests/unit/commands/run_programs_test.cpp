@@ -137,7 +137,10 @@ TEST_F(RunOfAProgram, RefusesEveryOptionOfScenarios) {
 TEST_F(RunOfAProgram, RefusesAllThatIsWrongAtOnce) {
   const CommandRun wrong = run("b.", {"--seed", "x", "--max-ticks", "0", "--threads", "two"});
   EXPECT_EQ(wrong.code, ExitCode::usage);
-  EXPECT_THAT(wrong.errors, HasSubstr("--seed: error: expected a whole number from 0 to 18446744073709551615, found 'x'"));
+  EXPECT_THAT(
+      wrong.errors,
+      HasSubstr(
+          "--seed: error: expected a whole number from 0 to 18446744073709551615, found 'x'"));
   EXPECT_THAT(wrong.errors, HasSubstr("--max-ticks: error: expected a whole number from 1"));
   EXPECT_THAT(wrong.errors, HasSubstr("--threads: error: expected a whole number from 1"));
 }

@@ -248,10 +248,9 @@ TEST(KillTable, SaysWhereNobodyKills) {
 TEST(KillTable, SaysWhichTestsAreLeftOut) {
   KillMatrix matrix = two_killers();
   matrix.rows[0].cells[0].errored = 2;
-  EXPECT_THAT(
-      render_kills(matrix),
-      HasSubstr("walk (1): without 2 tests that ended errored, with the healthy AV or the "
-                "defective one\n"));
+  EXPECT_THAT(render_kills(matrix),
+              HasSubstr("walk (1): without 2 tests that ended errored, with the healthy AV or the "
+                        "defective one\n"));
 }
 
 TEST(KillTable, SaysNothingOfTheHealthyAvWhereThatIsNotKnown) {

@@ -79,6 +79,7 @@ TEST_F(SearchStoreTest, IsRefusedToASecondSearch) {
   EXPECT_THAT(read_search_store(path()).diagnostics().render(),
               HasSubstr("another process is writing the store"));
   EXPECT_EQ(first.value()->finish({}), std::nullopt);
+  first.value().reset();
   EXPECT_EQ(open_error(SearchStore::Mode::resume), "");
 }
 

@@ -82,9 +82,9 @@ TEST_F(AllowedFoldersTest, SayWhichOptionAllowsMore) {
 }
 
 TEST_F(AllowedFoldersTest, NameAFolderThatAllowsWhatALinkLeadsTo) {
-  for (const auto& [path, named] : {std::pair("own/out", "other"),
-                                    std::pair("own/folder/d", "own/folder"),
-                                    std::pair("own/folder", "own/folder")}) {
+  for (const auto& [path, named] :
+       {std::pair("own/out", "other"), std::pair("own/folder/d", "own/folder"),
+        std::pair("own/folder", "own/folder")}) {
     const std::string folder = (scratch_ / named).string();
     const auto denial = allowed_.denial((scratch_ / path).string());
     ASSERT_TRUE(denial) << path;

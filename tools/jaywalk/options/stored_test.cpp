@@ -83,9 +83,12 @@ std::optional<StoredTest> find_stored_test(const ResultsReader& store, const Arg
     return std::nullopt;
   }
   if (found) return found;
-  console.error("the store has no such test", vehicle == 0
-                                                  ? "without --test, one that met the precondition"
-                                                  : "without --test, one that kills the defect");
+  const std::string_view worth = vehicle == 0 ? "met the precondition" : "kills the defect";
+  if (number) {
+    console.error("the store has no such test", fmt::format("without --test, one that {}", worth));
+  } else {
+    console.error(fmt::format("no such test of the store {}", worth), "--test names another one");
+  }
   return std::nullopt;
 }
 

@@ -80,13 +80,14 @@ class TerminalReader : public LineReader {
     el_set(editor_.get(), EL_PREP_TERM, 1);
     int count = 0;
     const char* const text = el_gets(editor_.get(), &count);
-    if (text == nullptr || (count <= 0 && !state_.cancelled)) {
-      std::fputc('\n', stdout);
-      return std::nullopt;
-    }
+    // Libedit gives no text for an empty line, whether Ctrl-C or Ctrl-D ended it.
     if (state_.cancelled) {
       std::fputc('\n', stdout);
       return Line{.text = {}, .cancelled = true};
+    }
+    if (text == nullptr || count <= 0) {
+      std::fputc('\n', stdout);
+      return std::nullopt;
     }
     std::string line(text, static_cast<std::size_t>(count));
     while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
