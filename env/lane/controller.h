@@ -1,7 +1,7 @@
 #pragma once
 
 // Lane-keeping assistants: each steers a car along the right lane of a road that it knows. A row of
-// controllers.def and a file in controllers/ for each. Read vehicle.h and path.h before.
+// controllers.def and a file in controllers/ for each. Read vehicle.h and path.h first.
 
 #include <memory>
 #include <span>

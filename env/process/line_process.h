@@ -43,17 +43,18 @@ class LineProcess {
   /// answers after it would belong to other questions. After an error the process is gone; the next
   /// question starts it anew.
   [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
-  /// The same in two parts, for several questions at once: sends `text`, lines without the last
-  /// line break, and returns only what went wrong; waits for the answer to the next of them.
+  /// ask() in two parts, for several questions at once. send_lines() sends `text`, lines without
+  /// the last line break, and returns only an error; next_answer() waits for the answer to the next
+  /// of those lines.
   [[nodiscard]] LineAnswer send_lines(std::string_view text, std::chrono::milliseconds limit);
   [[nodiscard]] LineAnswer next_answer(std::chrono::milliseconds limit);
-  /// Sends a line that is not answered, to a process that was asked before. One that does not take
-  /// it is gone.
+  /// Sends a line that needs no answer, to a process that was asked before. Kills a process that
+  /// does not read it within the limit.
   void tell(std::string_view line, std::chrono::milliseconds limit);
   /// The first line, or its beginning, that the process has written without being asked, or writes
   /// within `settling`.
   [[nodiscard]] std::optional<std::string> unasked(std::chrono::milliseconds settling);
-  /// The same of what has come together with the last answer.
+  /// Like unasked(), but looks only at output that was read together with the last answer.
   [[nodiscard]] std::optional<std::string> unasked_so_far() const;
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }

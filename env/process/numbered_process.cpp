@@ -10,7 +10,7 @@
 namespace jaywalk {
 namespace {
 
-// Few enough that their answers find room while nobody reads them.
+// Few enough that their answers fit into the socket's buffer until we read them.
 constexpr std::size_t kAtOnce = 64;
 
 std::string joined(std::span<const std::string> lines) {
@@ -90,7 +90,7 @@ std::string NumberedProcess::said_more(std::chrono::milliseconds settling) {
   return asked_ ? complaint(process_.unasked(settling)) : std::string();
 }
 
-/// Nothing of what was not said.
+/// Empty if there is no such text.
 std::string NumberedProcess::complaint(const std::optional<std::string>& text) {
   if (!text) return {};
   return refuse(

@@ -1,7 +1,7 @@
 #pragma once
 
 // How a scenario describes the automated vehicle (AV) of any world: the keys of `world.av` that say
-// how it is driven. Read vehicle.h and env/config/section_reader.h before.
+// how it is driven. Read vehicle.h and env/config/section_reader.h first.
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 // How a vehicle sees others. It serves the automated vehicle (AV) of a world and the driver with
-// which a test's judge compares it. Read vehicle.h before.
+// which a test's judge compares it. Read vehicle.h first.
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 // How a world reads its section of a scenario, the key `world`: layer upon layer (preset, file,
 // options), each into the same draft, then it is checked and finished. Read world_spec.h and
-// env/config/section_reader.h before.
+// env/config/section_reader.h first.
 
 #include <memory>
 #include <span>

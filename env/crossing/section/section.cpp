@@ -18,7 +18,7 @@
 namespace jaywalk {
 namespace {
 
-// What a scenario may ask for; generous, but safe to multiply.
+// Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr NumberRange kMoney{0, 1e9};
 constexpr NumberRange kMetres{0.01, 1000};
 constexpr NumberRange kSeconds{0.001, 3600};

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scenario says of SUMO under `world.simulator`; the keys' table is in the .cpp file.
+// The scenario's settings for SUMO under `world.simulator`; the table of keys is in the .cpp file.
 
 #include <optional>
 #include <string>

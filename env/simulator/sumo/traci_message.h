@@ -78,7 +78,7 @@ struct TraciValue {
   double number = 0;
   std::string text;
   std::vector<std::string> texts;
-  /// Of a position the only one.
+  /// The points of a polygon; a position has one.
   std::vector<TraciPoint> points;
   std::vector<TraciValue> items;
 };
@@ -96,7 +96,7 @@ class TraciMessage {
   /// Begins a new simulation with these options of SUMO's command line.
   void load(std::span<const std::string> options);
   /// One step of the length that SUMO was started with. SUMO carries it out after all other
-  /// commands of the message, so it is to be the last one.
+  /// commands of the message, so add it last.
   void step();
   void close();
   void get(TraciCommand command, TraciVariable variable, std::string_view object);
@@ -109,7 +109,7 @@ class TraciMessage {
   void subscribe_around(std::string_view vehicle, double range_m,
                         std::span<const TraciVariable> variables);
 
-  /// What was asked for, in order.
+  /// The message's commands, in order.
   [[nodiscard]] const std::vector<TraciCommand>& commands() const { return commands_; }
   /// The message with its length.
   [[nodiscard]] std::string bytes() const;
@@ -141,7 +141,7 @@ struct TraciAnswer {
   std::string error;
   /// In the order of the answer. Those around a vehicle are objects of their own.
   std::vector<TraciObject> objects;
-  /// Of the command `version`.
+  /// The answer to the command `version`.
   std::string version;
   std::int32_t api = 0;
 };
