@@ -2,7 +2,7 @@
 
 // Where on its road a test failed. Generators that vary what failed before find many failing tests
 // that are copies of one failure; comparing the stretches on which tests failed counts failures
-// that differ. Read run_summary.h before.
+// that differ. Read run_summary.h first.
 
 #include <optional>
 #include <span>

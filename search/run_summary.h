@@ -1,6 +1,6 @@
 #pragma once
 
-// The results of a generator's searches, and how two generators compare. Read search.h before.
+// The results of a generator's searches, and how two generators compare. Read search.h first.
 
 #include <functional>
 #include <limits>

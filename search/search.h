@@ -2,7 +2,7 @@
 
 // The loop: a generator is asked for a test input, the SUT executes it, the generator receives its
 // fitness, until the budget is spent. Many such searches run in parallel, and none depends on
-// another one or on the number of threads. Read generator.h and sut.h before.
+// another one or on the number of threads. Read generator.h and sut.h first.
 
 #include <cstdint>
 #include <functional>

@@ -3,7 +3,7 @@
 // Chains of tests: with `world.av.carry_over` what a test leaves of the AV's last tick is the head
 // start of the next test of the same behaviour and number of agents. Such tests run one after
 // another (TestOrder::chained). A stored test keeps its head start, and can be run again alone.
-// Read test_run.h and experiment.h before.
+// Read test_run.h and experiment.h first.
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-// The situations that an experiment's tests have met. Read situations.h before.
+// The situations that an experiment's tests have met. Read situations.h first.
 
 #include <cstdint>
 #include <mutex>

@@ -2,7 +2,7 @@
 
 // What went wrong with agents, beside what the measures see: intentions that they dropped, and
 // pedestrians that never acted, and tests that ended errored. A misspelt action gives an accuracy
-// of 0 %; this says why. Read interpreter/agent/drops.h before.
+// of 0 %; this says why. Read interpreter/agent/drops.h first.
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The choices of one test's agents and the rewards that followed, in the form that learners take.
-// Read policy/learner.h before.
+// Read policy/learner.h first.
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The rewards that a test gives its agents, by the scenario's `learning.reward`. Read
-// policy/learning_spec.h before.
+// policy/learning_spec.h first.
 
 #include <cstdint>
 #include <set>

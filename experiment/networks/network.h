@@ -1,7 +1,7 @@
 #pragma once
 
 // Networks of two hidden layers with (leaky) rectified linear units and a linear output: forward,
-// backward, and the gradient penalty of a Wasserstein critic in closed form. Read layer.h before.
+// backward, and the gradient penalty of a Wasserstein critic in closed form. Read layer.h first.
 
 #include <array>
 

@@ -2,7 +2,7 @@
 
 // The actor's loss: the clipped objective of Schulman et al. ("Proximal policy optimization
 // algorithms", 2017, equation 7) with a bonus for entropy, as a function of the options' scores.
-// Read learner.h before.
+// Read learner.h first.
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // A policy file: what agents have learned, where and how (`jaywalk learn`). A behaviour's plans
-// that are labelled learned(P) are the options of its part P. Read learner.h before.
+// that are labelled learned(P) are the options of its part P. Read learner.h first.
 
 #include <cstdint>
 #include <memory>

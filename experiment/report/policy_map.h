@@ -1,6 +1,6 @@
 #pragma once
 
-// What agents choose by a learned policy, by where they are before the AV. Read report.h before.
+// What agents choose by a learned policy, by where they are before the AV. Read report.h first.
 
 #include <cstdint>
 #include <map>

@@ -2,7 +2,7 @@
 
 // The report: one self-contained HTML page, a section for each row of sections.def. A
 // section is a function of ReportData in a file of sections/ that returns HTML (html.h and plot.h
-// make it), or nothing if there is nothing to say. Read comparison.h and facts.h before.
+// make it), or nothing if there is nothing to say. Read comparison.h and facts.h first.
 
 #include <cstdint>
 #include <optional>

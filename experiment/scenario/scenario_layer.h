@@ -1,6 +1,6 @@
 #pragma once
 
-// What the readers of a scenario's parts share: the draft. Read scenario_schema.h before.
+// What the readers of a scenario's parts share: the draft. Read scenario_schema.h first.
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 
 // YAML as scenarios use it: values with the places where they were written. The library that
-// parses it is seen by scenario_yaml.cpp alone. Read env/config/node.h before.
+// parses it is seen by scenario_yaml.cpp alone. Read env/config/node.h first.
 
 #include <optional>
 #include <string>

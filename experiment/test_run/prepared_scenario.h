@@ -1,6 +1,6 @@
 #pragma once
 
-// A scenario made ready to run: its programs compiled, its worlds checked. Read scenario.h before.
+// A scenario made ready to run: its programs compiled, its worlds checked. Read scenario.h first.
 
 #include <cstdint>
 #include <map>

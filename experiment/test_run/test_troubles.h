@@ -1,7 +1,7 @@
 #pragma once
 
 // What went wrong with the agents of one test: intentions that they dropped, pedestrians that never
-// acted, and why the test ended errored. Read interpreter/agent/drops.h before.
+// acted, and why the test ended errored. Read interpreter/agent/drops.h first.
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 // Roads of straight pieces and turns, and a simplified car that drives on them: what AmbieGen
-// (ambiegen.cpp) evolves and judges by. Read env/lane/road.h before.
+// (ambiegen.cpp) evolves and judges by. Read env/lane/road.h first.
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 // Places on roads (or points of vector spaces) as `prospect` compares them: what a model learns
-// from, what shape the road has there, which failures are known. Read search/test_input.h before.
+// from, what shape the road has there, which failures are known. Read search/test_input.h first.
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 // The results of searches as a self-contained HTML page: the paper's Table 1 and
 // Figures 1 to 3 with ours, fitness over time, what each generator tried last, clusters of failing
-// tests. Read tables.h before.
+// tests. Read tables.h first.
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The results of searches as text, CSV and JSON. Read run_summary.h before.
+// The results of searches as text, CSV and JSON. Read run_summary.h first.
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The keys of a scenario that a search chooses values of, as the map `parameters` of a SUT gives
-// them with their ranges. Read env/config/reader.h and crossing_space.h before.
+// them with their ranges. Read env/config/reader.h and crossing_space.h first.
 
 #include <vector>
 

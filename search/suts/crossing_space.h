@@ -1,7 +1,7 @@
 #pragma once
 
 // The search space of the pedestrians' world: numbers and words of a scenario that a search may
-// choose, and the cells where the pedestrians start. Read experiment/scenario/scenario.h before.
+// choose, and the cells where the pedestrians start. Read experiment/scenario/scenario.h first.
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The search space of roads: what vectors and sequences stand for, and which of them are roads.
-// Used by every SUT that drives. Read env/lane/validity.h before.
+// Used by every SUT that drives. Read env/lane/validity.h first.
 
 #include "env/lane/validity.h"
 #include "search/test_input.h"

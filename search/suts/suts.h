@@ -1,7 +1,7 @@
 #pragma once
 
 // How the SUT of an experiment is read; what each SUT's file defines, from the table. Read
-// env/config/reader.h and search/sut.h before.
+// env/config/reader.h and search/sut.h first.
 
 #include <map>
 #include <memory>

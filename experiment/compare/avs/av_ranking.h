@@ -2,7 +2,7 @@
 
 // Models of an automated vehicle (AV) held against each other: every test is run with each of them,
 // and they rank by how often they hit somebody whom a careful driver would not have hit. Read
-// experiment.h and kills/kills.h before.
+// experiment.h and kills/kills.h first.
 
 #include <cstdint>
 #include <mutex>

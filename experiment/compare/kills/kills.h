@@ -2,7 +2,7 @@
 
 // The kill matrix: which behaviours expose which defects of an automated vehicle (AV). A test kills
 // a defect if with the same seed and agents the healthy AV breaks no assertion and the defective
-// one breaks one that it could have kept. Read experiment.h and test_assessment.h before.
+// one breaks one that it could have kept. Read experiment.h and test_assessment.h first.
 
 #include <cstdint>
 #include <mutex>

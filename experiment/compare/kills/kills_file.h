@@ -1,7 +1,7 @@
 #pragma once
 
 // Kills that were counted elsewhere (a search, another comparison) beside those of a matrix: reads
-// the CSV that `--kills` writes (compare/kills/kills_csv.h). Read kills.h before.
+// the CSV that `--kills` writes (compare/kills/kills_csv.h). Read kills.h first.
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 // How well the published figures agree with ours. Both are estimates of 1,000 tests or so: they
 // differ by chance, and only a difference that chance does not explain says something. Read
-// comparison.h and published.h before.
+// comparison.h and published.h first.
 
 #include <cstddef>
 #include <string>

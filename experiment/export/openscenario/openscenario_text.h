@@ -1,7 +1,7 @@
 #pragma once
 
 // One test as an OpenSCENARIO document: entities, where they begin, what they do, when it ends.
-// Only what is valid in all of 1.0 to 1.3 is written. Read courses.h before.
+// Only what is valid in all of 1.0 to 1.3 is written. Read courses.h first.
 
 #include <string>
 #include <string_view>

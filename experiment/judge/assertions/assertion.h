@@ -2,7 +2,7 @@
 
 // Assertions: what the vehicle under test owes to those around it, when that is asked of it, and
 // whether a recorded test shows that it kept it. README.md beside this file is the reference of the
-// YAML files that hold them. Read expression.h and judge/signals/signals.h before.
+// YAML files that hold them. Read expression.h and judge/signals/signals.h first.
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The meaning of an expression over a test: at each tick, whether it holds and by how much. Read
-// expression.h before.
+// expression.h first.
 //
 // Robustness is that of Donzé and Maler, "Robust satisfaction of temporal logic over real-valued
 // signals", FORMATS 2010, in discrete time: of a comparison the signed difference of its sides, of

@@ -2,7 +2,7 @@
 
 // What is measured of one test, the rows of metrics.def: each a value with its tick and the road
 // user that it is about. measures/ sums up the tests of a behaviour; distributions of metrics stand
-// beside its measures. Read judge/signals/signals.h before.
+// beside its measures. Read judge/signals/signals.h first.
 
 #include <cstdint>
 #include <optional>

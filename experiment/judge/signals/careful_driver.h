@@ -1,7 +1,7 @@
 #pragma once
 
 // A test as a careful and competent driver would have driven it in the AV's place: what the signal
-// `avoidable` is made of. Read env/vehicle/careful_driver.h before.
+// `avoidable` is made of. Read env/vehicle/careful_driver.h first.
 
 #include <vector>
 

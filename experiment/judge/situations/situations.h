@@ -1,7 +1,7 @@
 #pragma once
 
 // Situation coverage: which of the situations that are to be tested the tests have met. The items
-// and their bins are the rows of situations.def. Read judge/signals/signals.h before.
+// and their bins are the rows of situations.def. Read judge/signals/signals.h first.
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 // Curves, box plots and stacked bars as SVG of one width, which fits a narrow screen unscaled.
-// Colours and fonts are the page's (page.html). Read html.h before.
+// Colours and fonts are the page's (page.html). Read html.h first.
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// The page that plays a stored test. Read player.h before.
+// The page that plays a stored test. Read player.h first.
 
 #include <optional>
 #include <string>
