@@ -41,7 +41,7 @@ function(jaywalk_configure_target target)
     target_compile_options(${target} PRIVATE -fsanitize=${JAYWALK_SANITIZERS}
                            -fno-sanitize-recover=all -fno-omit-frame-pointer
                            ${JAYWALK_SANITIZED_LEVEL} -g1)
-    # Without some checks GCC 12 sees values of std::optional that nobody has set, where nobody reads them.
+    # Without some checks GCC 12 warns of unset values of std::optional that are never read.
     if(JAYWALK_UNCHECKED)
       target_compile_options(${target} PRIVATE -fno-sanitize=${JAYWALK_UNCHECKED} -Wno-maybe-uninitialized)
     endif()

@@ -1,7 +1,7 @@
 #pragma once
 
-// `--assertions` and what belongs to it: what is to be found out about tests, and how it is
-// reported.
+// `--assertions`, `--fail-on` and their like: the assertions and metrics to evaluate on tests, and
+// the report of their results.
 
 #include <array>
 #include <optional>
@@ -49,8 +49,8 @@ inline constexpr std::array kJudgingOptions = {
 [[nodiscard]] bool report_failures(const std::vector<FailureCondition>& conditions,
                                    const Comparison& comparison, Console& console);
 
-/// Puts what was found out beside the summaries, in place of what was there. `behaviours` are those
-/// of the table's plan.
+/// Sets the assessments of the comparison's summaries from the table. `behaviours` are those of the
+/// table's plan.
 void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
                      const std::vector<std::string>& behaviours, Comparison& comparison);
 

@@ -127,7 +127,7 @@ void Document::analyse_program(const IncludePath& include_path) {
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_) diagnostics_.push_back(diagnostic);
   }
-  // What is wrong elsewhere is reported at the first include that is not in order.
+  // The first error in another file is reported at the document's beginning.
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_ || diagnostic.severity != Severity::error) continue;
     Diagnostic here = diagnostic;

@@ -1,6 +1,6 @@
 #pragma once
 
-// An open document: its text, what is wrong with it, and what an editor may ask about it.
+// An open document: its text, its diagnostics, and the answers to an editor's requests about it.
 
 #include <cstdint>
 #include <memory>
@@ -38,7 +38,7 @@ class Document {
   [[nodiscard]] const SourcePtr& source() const { return source_; }
   [[nodiscard]] const TextPlaces& places() const { return places_; }
   [[nodiscard]] bool is_program() const { return !is_project_; }
-  /// Those about the document itself; those about what it includes stand where it does so.
+  /// Diagnostics of the document itself, and the first error of its includes.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   [[nodiscard]] std::span<const ast::Component> components() const;
 
@@ -47,7 +47,7 @@ class Document {
   /// What may stand where a name is being written, and the range of what is there of it.
   [[nodiscard]] std::vector<Completion> completions(Position at, Range& written) const;
   [[nodiscard]] std::vector<Place> definitions(Position at) const;
-  /// What is named at a place; null if there is nothing.
+  /// The use of a name at a place; null if there is none.
   [[nodiscard]] const Use* use_there(Position at) const;
   /// The name at a place, if it can be renamed: a goal's or a belief's.
   [[nodiscard]] std::optional<Place> renamable(Position at) const;

@@ -108,7 +108,7 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
   if (!read_include_path(arguments, console)) return nullptr;
   const ScenarioOptions options = scenario_options(arguments, std::move(behaviours), more_sets);
   Diagnostics repeated;
-  // `more_sets`, the command's own, may take the place of what was given.
+  // The user's settings must not repeat a key; the command's own, `more_sets`, may override one.
   const auto given = static_cast<std::ptrdiff_t>(options.sets.size() - more_sets.size());
   report_repeated_keys({options.sets.begin(), options.sets.begin() + given}, repeated);
   if (repeated.has_errors()) {

@@ -23,7 +23,7 @@ inline constexpr std::array kStoredTestOptions = {
                "one (without --test: the first that kills it)"},
 };
 
-/// Of every command that runs a store's tests again.
+/// An option of every command that runs a store's tests again.
 inline constexpr OptionSpec kAllowCommandsOption{
     option::kAllowCommands, "",
     "start the command that the stored scenario names, if it does (an\n"

@@ -37,7 +37,7 @@ Vocabulary::Entry entry_for(const EnvironmentWord& word) {
           .values = argument_values(word)};
 }
 
-// What speaks for and against a program being written for an environment.
+// Evidence for and against a program being written for an environment.
 class Evidence {
  public:
   Evidence(const Vocabulary& vocabulary, const ProgramWords& program)
@@ -92,7 +92,7 @@ class Evidence {
     return false;
   }
 
-  // What it believes by itself is no percept.
+  // A name that the program also believes by itself is no evidence of a percept.
   void percept(const ast::Node& node) {
     if (perceives_ || node.kind != ast::Kind::literal) return;
     const Vocabulary::Entry* const known = entry_of(vocabulary_.percepts, node.text);
@@ -115,7 +115,7 @@ class Evidence {
   bool uses_values_ = false;
 };
 
-// Those for which every agent has plans.
+// The performatives for which every agent has plans.
 const std::vector<std::string>& standard_performatives() {
   static const std::vector<std::string> performatives = [] {
     Diagnostics ignored;
