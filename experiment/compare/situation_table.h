@@ -19,8 +19,8 @@ class SituationTable {
 
   /// REQUIRES: a test of the plan.
   void add(const TestKey& test, const SituationBins& bins);
-  /// Of the first `tests` tests of a behaviour with a number of agents; those that were not added
-  /// cover nothing. REQUIRES: no thread adds to those at the same time.
+  /// The coverage of the first `tests` tests of a behaviour with a number of agents; tests that
+  /// were not added cover nothing. REQUIRES: no thread adds one of these tests at the same time.
   [[nodiscard]] SituationCoverage coverage(std::size_t behaviour, std::uint32_t agents,
                                            std::uint64_t tests) const;
   /// Tests from `first` up to, not including, `last` are added to a coverage.

@@ -24,7 +24,7 @@ struct Agreement {
 
 [[nodiscard]] Agreement agreement_with_published(const Comparison& comparison);
 
-/// The same in a line; empty if no published value stands beside ours.
+/// The agreement as one line of text; empty if no published value stands beside ours.
 [[nodiscard]] std::string agreement_note(const Comparison& comparison);
 
 }  // namespace jaywalk

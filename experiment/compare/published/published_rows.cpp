@@ -117,7 +117,8 @@ std::string why_not(const PreparedBehaviour& behaviour, const BehaviourSpec& pub
   return behaviour.name + " has other parameters";
 }
 
-/// What makes all of a scenario another experiment, its world apart.
+/// Why the whole scenario is another experiment than the published one, even if its world is the
+/// published one; empty if it is not.
 std::string why_none(const Scenario& scenario) {
   if (scenario.experiment.feedback > 0) return "pedestrians know what earlier tests covered";
   if (scenario.world->has_given_starts()) return "start cells are given";

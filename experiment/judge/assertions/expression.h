@@ -72,10 +72,11 @@ struct Node {
   NodeKind kind = NodeKind::number;
   std::array<NodeId, 2> operands{};
   double number = 0;
-  /// Of the temporal operators; parsed as two numbers, `bounds`, folded when names are resolved.
+  /// The window of a temporal operator; parsed as two numbers, `bounds`, folded when names are
+  /// resolved.
   Window window;
   std::optional<std::array<NodeId, 2>> bounds;
-  /// Of signals and events: the name as written, `nearest.ttc`, and what it was resolved to.
+  /// The name of a signal or event as written, `nearest.ttc`, and what it was resolved to.
   std::string name;
   Owner owner = Owner::self;
   std::uint32_t signal = 0;
@@ -128,7 +129,7 @@ class Expression {
 inline constexpr std::size_t kMaxExpressionBytes = 4000;
 inline constexpr int kMaxExpressionDepth = 100;
 
-/// Names are not looked at yet. No value after adding errors.
+/// Parses without resolving names. No value after adding errors.
 [[nodiscard]] std::optional<Expression> parse(ExpressionText text, Diagnostics& diagnostics);
 
 enum class SignalType : std::uint8_t { number, condition };

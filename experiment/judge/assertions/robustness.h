@@ -45,7 +45,7 @@ struct Truth {
   }
 };
 
-/// What expressions are evaluated over.
+/// The signals of a test over which expressions are evaluated.
 class Trace {
  public:
   virtual ~Trace() = default;
@@ -61,7 +61,7 @@ class Trace {
   /// for what does not exist (no time to collision); no value is NaN.
   [[nodiscard]] virtual std::span<const double> signal(const Node& node,
                                                        std::uint32_t self) const = 0;
-  /// The same for happens(kind).
+  /// The values of happens(kind), one for each tick: 1 and 0.
   [[nodiscard]] virtual std::span<const double> event(const Node& node,
                                                       std::uint32_t self) const = 0;
 };
