@@ -1,6 +1,6 @@
 #pragma once
 
-// What pages are made of: numbers, tables, the styles of series.
+// Building blocks of pages: numbers, tables, the styles of series.
 
 #include <cstdint>
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace jaywalk::reporting {
 
-/// With so many digits after the point, `–` if there is none, `∞` if it is infinite.
+/// The value with `decimals` digits after the point, `–` if there is none, `∞` if it is infinite.
 [[nodiscard]] std::string decimal(std::optional<double> value, int decimals);
-/// With about four digits, for axes and lists: `0.25`, `12.5`, `1,200`, `2.5e6`.
+/// The value with about four digits, for axes and lists: `0.25`, `12.5`, `1,200`, `2.5e6`.
 [[nodiscard]] std::string compact(double value);
 /// `12,345`.
 [[nodiscard]] std::string grouped(std::uint64_t value);

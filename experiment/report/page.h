@@ -10,7 +10,7 @@
 namespace jaywalk::reporting {
 
 struct PageSection {
-  /// Of the section's anchor.
+  /// The name of the section's anchor.
   std::string_view name;
   std::string_view title;
   /// Sections without are left out.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a store says about the experiment whose tests it holds: enough to run any of them again.
+// A store's description of the experiment whose tests it holds: enough to run any of them again.
 
 #include <cstdint>
 #include <optional>
@@ -69,9 +69,10 @@ struct ExperimentDescription {
   std::optional<Anchor> anchor;
   StoreLevel level = StoreLevel::found;
   Shard shard;
-  /// Of the program that ran the tests.
+  /// The version of the program that ran the tests.
   std::string version;
-  /// Who moved the vehicles, and its version (simulator_version.h); empty: the world itself.
+  /// The simulator that moved the vehicles, and its version (simulator_version.h); empty: the world
+  /// itself moved them.
   std::string simulator;
   std::vector<StoredInput> inputs;
   /// How paths were shortened in these names, for the messages of tests; not stored.
@@ -101,7 +102,7 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
 [[nodiscard]] std::optional<TestKey> find_test(const ExperimentDescription& description,
                                                std::int64_t id);
 
-/// What was run, on one thread.
+/// The plan of the described experiment, on one thread.
 [[nodiscard]] ExperimentPlan plan_of(const ExperimentDescription& description);
 
 /// The plan's pairs of behaviour and number of agents, for every vehicle.

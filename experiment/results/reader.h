@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a store: which experiment, which tests, what each of them was like. Nothing is written. A
-// reader belongs to one thread; several may read the same file.
+// Reads a store: its experiment, its tests and their recordings. Nothing is written. A reader
+// belongs to one thread; several may read the same file.
 //
 //   Result<std::unique_ptr<ResultsReader>> store = ResultsReader::open("runs.gpkg");
 //   for (const StoredTest& test : store.value()->tests().value()) ...
@@ -39,12 +39,12 @@ struct TestFilter {
   std::optional<std::uint32_t> agents;
   std::optional<bool> succeeded;
   std::optional<bool> errored;
-  /// At most so many, the first ones.
+  /// The most tests; the first ones are taken.
   std::optional<std::uint64_t> limit;
 };
 
-/// Whether tests that are run again may start the command that the stored scenario names (an AV of
-/// one's own): the store's author chose it.
+/// Whether tests that are run again may start the command that the stored scenario names (a custom
+/// AV): the store's author chose it.
 enum class Commands { refused, allowed };
 
 class ResultsReader {
@@ -69,8 +69,8 @@ class ResultsReader {
 
   /// In the order of their ids, which is that of the plan.
   [[nodiscard]] Result<std::vector<StoredTest>> tests(const TestFilter& filter = {}) const;
-  /// The same one by one, so that there may be millions, until the callback has enough. The error
-  /// is what could not be read.
+  /// Calls back for each test, until the callback has enough, so that there may be millions. The
+  /// error is what could not be read.
   [[nodiscard]] std::optional<Diagnostics> for_each_test(
       const TestFilter& filter, const std::function<Proceed(const StoredTest&)>& callback) const;
   /// How many of them there are.
@@ -81,7 +81,7 @@ class ResultsReader {
   [[nodiscard]] Result<std::string> error(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AssessmentRow>> assessments(std::int64_t id) const;
-  /// Who took part in the test; the first is the AV.
+  /// The actors of the test; the first is the AV.
   [[nodiscard]] Result<std::vector<Actor>> actors(std::int64_t id) const;
 
   /// Calls back for each event of that kind which has a place, in the order of the tests. The

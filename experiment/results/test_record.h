@@ -27,7 +27,7 @@ struct TestRecord {
   TestKey test;
   TestResult result;
   TestOutcome outcome;
-  /// Of the agents in their order; the agent i is the recording's actor i + 1.
+  /// The agents' scores in their order; agent i is the recording's actor i + 1.
   std::vector<AgentScore> scores;
   std::vector<AssessmentRow> assessments;
   /// Why agents dropped intentions.

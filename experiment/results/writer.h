@@ -57,7 +57,7 @@ class ResultsWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Puts assessments in the place of those that a store has of a test: what `judge` does afterwards.
+/// Replaces the assessments that a store has of its tests, for `judge --write`.
 class AssessmentWriter {
  public:
   [[nodiscard]] static Result<std::unique_ptr<AssessmentWriter>> open(const std::string& path);

@@ -8,10 +8,10 @@ namespace jaywalk {
 struct Anchor {
   /// A projected reference system whose unit is the metre, by its EPSG code: 27700, 32630, …
   int epsg = 0;
-  /// Of the plane's origin.
+  /// The coordinates of the plane's origin.
   double easting_m = 0;
   double northing_m = 0;
-  /// The AV's way (the plane's y), clockwise from the system's north.
+  /// The direction of the AV's way (the plane's y), clockwise from the system's north.
   double bearing_deg = 0;
 
   friend bool operator==(const Anchor&, const Anchor&) = default;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the readers of a scenario's parts share: the draft. Read scenario_schema.h first.
+// The draft that the readers of a scenario's parts fill in. Read scenario_schema.h first.
 
 #include <string>
 #include <string_view>

@@ -12,7 +12,7 @@
 namespace jaywalk {
 namespace {
 
-// What a scenario may ask for; generous, but safe to multiply.
+// Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr IntegerRange kTests{1, 1'000'000'000};
 constexpr IntegerRange kGenerations{0, 1'000'000'000};
 constexpr IntegerRange kLimits{0, TestLimits::kMost};

@@ -8,7 +8,7 @@
 namespace jaywalk {
 namespace {
 
-// What a scenario may ask for; generous, but safe to multiply.
+// Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr IntegerRange kEpsg{1024, 32767};
 constexpr NumberRange kOnEarth{-1e8, 1e8};
 constexpr NumberRange kBearing{-360, 360};

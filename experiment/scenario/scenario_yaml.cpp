@@ -117,7 +117,7 @@ class Converter {
         std::move(slip.message), std::move(slip.hint));
   }
 
-  // What is wrong with a text that yaml-cpp refuses.
+  // Reports the error in a text that yaml-cpp refuses.
   void report_failure(const YAML::Exception& error) {
     auto slip = source_ == nullptr ? std::nullopt : slip_above(source_->text(), error.mark.line);
     if (slip) {

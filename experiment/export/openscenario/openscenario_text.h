@@ -37,13 +37,13 @@ class ScenarioText {
   /// The reactive scenario with parameters for numbers, and these as their defaults.
   [[nodiscard]] std::string batch(std::string_view description, const BatchShape& shape,
                                   const ParameterValues& defaults) const;
-  /// What a test gives for a batch's parameters.
+  /// The test's values of a batch's parameters.
   [[nodiscard]] ParameterValues values(const Courses& courses, const BatchShape& shape) const;
-  /// What the signals show, as a list of phases; the same for all tests of a batch.
+  /// The signals' colours as a list of phases.
   [[nodiscard]] std::string signals(double stop_s) const;
 
  private:
-  /// A place and when somebody is there, as texts: numbers or references to parameters.
+  /// A place and the time of being there, as texts: numbers or references to parameters.
   struct Vertex {
     std::string time;
     std::string x;

@@ -53,8 +53,8 @@ inline constexpr std::size_t kVerdictCount = 4;
 /// gravest of their verdicts: fail, then unavoidable, pass, vacuous.
 struct Judgement {
   Verdict verdict = Verdict::vacuous;
-  /// The robustness of the requirement, the least over the road users for whom the precondition was
-  /// met: 0 or less if it is violated. Empty if the verdict is vacuous.
+  /// The robustness of the requirement, the least over the road users with a met precondition: 0 or
+  /// less if it is violated. Empty if the verdict is vacuous.
   std::optional<double> robustness;
   /// No driver could have kept the requirement (for some road user), whether this AV did or not.
   bool excused = false;

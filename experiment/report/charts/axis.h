@@ -25,7 +25,7 @@ struct Axis {
 
   /// The place of a value; of one outside, the nearest end.
   [[nodiscard]] double at(double value) const;
-  /// About so many round values, ascending, and never more than twice as many.
+  /// About `count` round values, ascending, and never more than twice as many.
   [[nodiscard]] std::vector<double> marks(int count) const;
 };
 

@@ -1,4 +1,4 @@
-// What was run, and what came of it in a few lines.
+// The section with the experiment and its main results in a few lines.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-/// Of one behaviour with one number of agents.
+/// The coverage of one behaviour with one number of agents.
 struct SituationRow {
   std::string behaviour;
   std::uint32_t agents = 0;

@@ -20,7 +20,7 @@ struct StoredInput {
   /// As it was named when it was read.
   std::string path;
   std::string text;
-  /// Of the text, 64 hexadecimal digits.
+  /// The hash of the text, 64 hexadecimal digits.
   std::string sha256;
 };
 

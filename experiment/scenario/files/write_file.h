@@ -22,8 +22,8 @@ using TextSource = std::function<bool(const TextSink&)>;
 enum class Links { followed, replaced };
 
 /// Writes a whole file or nothing: the text goes to a file beside it, which then takes its name.
-/// What is not a regular file (/dev/stdout, a pipe) is written to directly where links are
-/// followed, else replaced. Returns why it could not be done, for people, if so.
+/// A path that is not a regular file (/dev/stdout, a pipe) is written to directly where links are
+/// followed, else replaced. Returns a message about the failure, if there was one.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text,
                                                     Links links = Links::followed);
 
