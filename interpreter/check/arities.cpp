@@ -1,4 +1,4 @@
-// Names that are known, but not with so many arguments.
+// Known names with a number of arguments that they do not have.
 
 #include <algorithm>
 #include <set>

@@ -35,12 +35,12 @@ struct Vocabulary {
     /// Of internal actions: its value can stand in a term.
     bool is_function = false;
   };
-  /// What a scenario sets an initial belief to: `radius: 15` is radius(15).
+  /// A scenario's values of an initial belief: `radius: 15` is radius(15).
   struct Setting {
     std::string name;
-    /// Of its values those that are atoms; others are empty.
+    /// The values that are atoms; entries of other values are empty.
     std::vector<std::string> atoms;
-    /// Where that stands, or the option that says so.
+    /// The place of the setting in a file or option.
     SourceSpan where;
     std::string option = {};
   };
@@ -67,8 +67,8 @@ struct Vocabulary {
   bool may_be_alone = true;
   /// Whether the agent is run without others that could give it a goal.
   bool begins_by_itself = false;
-  /// Whether all agents of the system are known: what the others may post, tell or ask for bears
-  /// one of the names below.
+  /// Whether all agents of the system are known: the others can post, tell or ask for names in
+  /// `named_by_others` only.
   bool others_known = false;
   std::set<std::string, std::less<>> named_by_others;
 };
@@ -85,12 +85,12 @@ struct CheckInfo {
 /// plans or beliefs of unknown content, only what these cannot change is reported.
 void check_program(const SourceTree& program, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
-/// The same of a program whose words somebody has looked at already, `words_of(program)`.
+/// Checks a program for which the caller has `words_of(program)` already.
 void check_program(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
 
-/// All names of literals that a program's text mentions, within strings too: what it might post,
-/// tell or ask for in other agents.
+/// All names of literals that a program's text mentions, within strings too: any of them may be
+/// posted, told or asked for in other agents.
 [[nodiscard]] std::set<std::string, std::less<>> names_in(const SourceTree& program);
 
 }  // namespace jaywalk

@@ -25,7 +25,7 @@ using ast::Plan;
 using ast::TriggerKind;
 using ast::TriggerOperator;
 
-// Of the plans for one trigger, so many are compared with those behind them.
+// The most plans for one trigger that are compared with later ones.
 constexpr std::size_t kMostCompared = 100;
 
 bool is_always(const Node* context) {
@@ -130,7 +130,7 @@ void look_for_unreachable(Checking& checking, CheckedFile& file,
   }
 }
 
-// Whether plans can go, or be chosen by the program itself.
+// Whether the program can remove plans, or choose among them itself.
 bool changes_choice(const Checking& checking) {
   const auto& names = checking.mentions().names;
   const auto removes = [](std::string_view name) { return traits_of(name).removes_plans; };

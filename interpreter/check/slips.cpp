@@ -1,5 +1,5 @@
-// What is written as in other languages: a result as a value, a query as an action, an atom for a
-// variable, a variable for a name; performatives that nobody understands.
+// Habits from other languages: a result as a value, a query as an action, an atom for a variable, a
+// variable for a name; also unknown performatives.
 
 #include <algorithm>
 #include <map>

@@ -68,7 +68,7 @@ class Translator {
   void set_namespace(Symbol ns) { module_ = namespace_ = ns; }
   [[nodiscard]] Symbol current_namespace() const { return module_; }
   void rename_namespace(Symbol written, Symbol meant) { renamed_[written] = meant; }
-  /// What the names of a file's local namespaces stand for. Other files have others.
+  /// The generated names of a file's local namespaces, which no other file shares.
   using LocalNamespaces = std::unordered_map<Symbol, Symbol>;
   LocalNamespaces exchange_local(LocalNamespaces local) {
     return std::exchange(renamed_, std::move(local));

@@ -194,7 +194,7 @@ void Builder::end_component() {
 
 void Builder::report_mistakes(std::uint32_t before) {
   for (Failure& mistake : mistakes_) {
-    // What was noticed behind the place is noticed again when it is read again.
+    // Text behind `before` is parsed again, and its mistakes are noticed again.
     if (mistake.noticed >= before) continue;
     diagnostics_.error({source_, mistake.span}, std::move(mistake.message),
                        std::move(mistake.hint));

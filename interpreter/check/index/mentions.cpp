@@ -85,7 +85,7 @@ bool is_social(const Node& node) {
   if (node.kind != Kind::literal) return false;
   const bool is_message_plan = node.text.starts_with("kqml");
   if (is_message_plan || traits_of(node.text).is_social()) return true;
-  // Who distinguishes sources reckons with other agents.
+  // A program that tests sources expects messages from other agents.
   if (node.text != "source" || node.args.size() != 1) return false;
   const Node& source = *node.args[0];
   return source.kind != Kind::literal || (source.text != "self" && source.text != "percept");

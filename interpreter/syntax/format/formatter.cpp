@@ -77,7 +77,7 @@ class Formatter {
     if (ends_line) mark(i);
     write(items_[i].text);
   }
-  /// What is written next may stand in a column with its like in the lines around.
+  /// The next text may be aligned with texts of its kind in the lines around.
   void mark(std::size_t i) {
     marks_.push_back({.kind = items_[i].kind,
                       .line = line_,
@@ -148,7 +148,7 @@ class Formatter {
       write_item(i);
     }
   }
-  /// The same for a component on one line, with marks on its colon and arrow.
+  /// Writes a component on one line, with marks on its colon and arrow.
   void one_line(std::size_t begin, std::size_t end) {
     const std::size_t arrow_at = std::min(find(arrow, begin, end), find(rule, begin, end));
     const std::size_t colon_at = find(colon, begin, arrow_at);
