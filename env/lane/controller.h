@@ -20,7 +20,7 @@ class Controller {
   Controller& operator=(const Controller&) = delete;
   virtual ~Controller() = default;
 
-  /// What to do now. Called at equal intervals.
+  /// The command for now. Called at equal intervals.
   [[nodiscard]] virtual Command command(const VehicleState& state) = 0;
   [[nodiscard]] virtual Actuator actuator() const = 0;
 };

@@ -1,8 +1,7 @@
 #pragma once
 
-// A child process that is asked one line and answers one line: how controllers and systems under
-// test are attached that live outside of this program. It, and what it started, end with us
-// (guarded_child.h).
+// A child process that receives one line and answers one line: external controllers and systems
+// under test are attached so. It and the processes that it started end with us (guarded_child.h).
 
 #include <chrono>
 #include <cstddef>
@@ -91,7 +90,7 @@ class LineProcess {
   std::size_t lines_ = 0;
 };
 
-/// Bytes of what a process wrote that messages quote.
+/// The most bytes of a process's output that messages quote.
 inline constexpr std::size_t kMostQuoted = 80;
 
 }  // namespace jaywalk

@@ -43,7 +43,7 @@ JsonAnswer NumberedProcess::ask_text(std::string_view question, std::size_t numb
                                      std::chrono::milliseconds limit) {
   JsonAnswer answer = read(process_.ask(question, limit), number);
   if (!answer.error.empty()) return answer;
-  // The next question looks for what comes later, and a number that is repeated tells it apart.
+  // Output that comes later is noticed at the next question, where a repeated number identifies it.
   std::string more =
       repeats_ ? complaint(process_.unasked_so_far()) : said_more(settings_.settling);
   if (!more.empty()) return {{}, std::move(more)};
@@ -56,7 +56,7 @@ std::vector<JsonAnswer> NumberedProcess::ask_texts(std::span<const std::string> 
   std::vector<JsonAnswer> answers;
   while (answers.size() < questions.size()) {
     const std::size_t done = answers.size();
-    // Without numbers nothing tells the answers apart.
+    // Without numbers the answers could not be matched to questions.
     const std::size_t count = repeats_ ? std::min(kAtOnce, questions.size() - done) : 1;
     if (count == 1) {
       answers.push_back(ask_text(questions[done], first + done, limit));

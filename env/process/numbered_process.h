@@ -62,7 +62,7 @@ class NumberedProcess {
   /// Ends the process because its last answer makes no sense. Returns the message for the user: the
   /// answer, the number of that line of its output, and `why`.
   [[nodiscard]] std::string refuse(std::string_view why);
-  /// As those of LineProcess.
+  /// Like the functions of LineProcess.
   void finish() { process_.finish(); }
   [[nodiscard]] std::string take_errors() { return process_.take_errors(); }
 

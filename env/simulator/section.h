@@ -1,7 +1,7 @@
 #pragma once
 
-// The key `world.simulator` of a scenario: a simulator's name, or its name with keys of its own.
-// What keys there are is known to its row of simulators.def alone.
+// The key `world.simulator` of a scenario: a simulator's name, or its name with its own keys, which
+// only the simulator's row of simulators.def knows.
 
 #include <string>
 

@@ -83,8 +83,8 @@ struct SimulatedTest {
   double cruise_mps = 0;
   /// Limits and habits of the AV as the scenario gives them under `world.av`.
   const VehicleParameters& vehicle;
-  /// Whom the world moves: the pedestrians, then others, perhaps vehicles and signals; and where
-  /// they begin.
+  /// The actors that the world moves: the pedestrians, then others, perhaps vehicles and signals;
+  /// and where they begin.
   std::span<const Actor> actors;
   std::span<const ActorState> starts;
 };
@@ -93,7 +93,7 @@ struct SimulatedTest {
 struct SimulatedVehicle {
   ActorState state;
   double acceleration_mps2 = 0;
-  /// It is in the simulation; of one that is not (yet, or no longer), the state has no meaning.
+  /// Whether it is in the simulation; if not (yet, or no longer), the state has no meaning.
   bool present = true;
 };
 
@@ -122,7 +122,7 @@ struct SimulatedTick {
   std::uint64_t tick = 1;
   double begin_s = 0;
   double length_s = 1;
-  /// One for each actor of the test, in their order. In between they go evenly (body_at).
+  /// A body for each actor of the test, in their order. Within the tick they move evenly (body_at).
   std::span<const SimulatedBody> bodies;
   std::span<const ShownSignal> signals;
 };

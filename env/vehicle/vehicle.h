@@ -20,7 +20,7 @@
 
 namespace jaywalk {
 
-/// Somebody in the way, or who could come there, as the sensors see them.
+/// A road user in the way, or that could get there, as the sensors see it.
 struct SeenActor {
   /// The actor's number in the world, the same in every view.
   std::uint32_t id = 0;
@@ -36,7 +36,7 @@ struct SeenActor {
   double speed_right_mps = 0;
   /// The box's length along the way: its far side is at gap_m + length_m.
   double length_m = 0;
-  /// Where it looks, clockwise from the vehicle's way.
+  /// Its heading, clockwise from the vehicle's way.
   double heading_rad = 0;
 };
 
@@ -103,7 +103,7 @@ struct DriveBriefing {
   /// Processes that outlive the test, for an external controller that keeps its; null: there are
   /// none.
   ControllerProcesses* processes = nullptr;
-  /// Those of the thread, for a world whose vehicles one of them moves.
+  /// The thread's simulators, for a world whose vehicles a simulator moves.
   Simulators* simulators = nullptr;
 };
 
@@ -173,7 +173,7 @@ class VehicleController {
   [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
-/// What no vehicle on a dry road exceeds: answers of external controllers are limited to that.
+/// The hardest braking on a dry road; answers of external controllers are limited to it.
 inline constexpr double kHardestBrakingMps2 = kGravityMps2;
 inline constexpr double kHardestAccelerationMps2 = 5;
 
@@ -185,8 +185,8 @@ struct Motion {
   double speed = 0;
   double way = 0;
 };
-/// After a period in which the speed changes evenly by `change`, kept between 0 and `highest`:
-/// whoever comes to a stand stays there until the period ends. In any units that fit together.
+/// The motion in a period in which the speed changes evenly by `change`, kept between 0 and
+/// `highest`: a vehicle that stops stands until the period ends. In any consistent units.
 [[nodiscard]] Motion drive_on(double speed, double change, double highest, double period);
 
 struct VehicleModel {

@@ -43,14 +43,15 @@ struct WorldResult {
   bool success = false;
   /// The ticks that it took, until success or in all.
   int ticks = 0;
-  /// Those of the whole test, and what has ended it, a word of the world's; empty while it goes on.
+  /// The ticks of the whole test, and the reason that ended it, a word of the world's; empty while
+  /// it goes on.
   int all_ticks = 0;
   std::string_view end;
   /// One outcome for each compared agent, in their order.
   std::vector<AgentOutcome> agents;
   /// The agents that met the precondition, as indices.
   std::vector<std::size_t> met_by;
-  /// Whom the AV has touched, each once, in the order of time. Assertions judge it.
+  /// The actors that the AV has touched, each once, in the order of time. Assertions judge them.
   std::vector<Collision> collisions;
 
   /// Rewards less costs, as mean over all agents.

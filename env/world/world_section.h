@@ -27,8 +27,8 @@ struct WorldAgent {
 class WorldSection {
  public:
   virtual ~WorldSection() = default;
-  /// Reads what one layer says; `path` is that of the section. The keys `common` are of all worlds,
-  /// and come before the world's own.
+  /// Reads the section of one layer; `path` is that of the section. The keys `common` belong to all
+  /// worlds, and come before the world's own.
   virtual void read(const ConfigNode& node, const std::string& path, const SectionContext& context,
                     std::span<const ConfigKey> common) = 0;
   /// Reports what does not fit together, once all layers are read; `scenario` is its name.

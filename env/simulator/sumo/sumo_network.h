@@ -38,7 +38,7 @@ struct SumoLight {
 /// How far the edges before and behind a light are apart: netconvert makes none that touch.
 inline constexpr double kLightM = 0.4;
 
-/// The inputs of netconvert, and what they are called.
+/// The inputs of netconvert, and the names in them.
 struct SumoNetworkPlan {
   std::string nodes;
   std::string edges;

@@ -295,7 +295,7 @@ SimulatedVehicle SumoSimulator::vehicle_of(const TraciObject& object, double len
                    .speed_mps = to_micrometres(std::max(speed->number, 0.0)),
                    .heading_rad = pose.heading_rad};
   if (acceleration != nullptr) vehicle.acceleration_mps2 = to_micrometres(acceleration->number);
-  // Those that have not come or are gone have places that are no numbers to speak of.
+  // Vehicles that have not come yet, or have left, have meaningless places.
   vehicle.present = std::fabs(pose.x_m) < kFarM * 10 && std::fabs(pose.y_m) < kFarM * 10;
   return vehicle;
 }

@@ -105,7 +105,7 @@ class TraciMessage {
   /// The variables of an object are part of each step's answer from then on.
   void subscribe(TraciCommand command, std::string_view object,
                  std::span<const TraciVariable> variables);
-  /// So are those of all vehicles within a distance of a vehicle.
+  /// Adds the variables of all vehicles within a distance of a vehicle to each step's answer.
   void subscribe_around(std::string_view vehicle, double range_m,
                         std::span<const TraciVariable> variables);
 
@@ -134,10 +134,10 @@ struct TraciObject {
   [[nodiscard]] const TraciValue* find(TraciVariable variable, TraciType type) const;
 };
 
-/// What SUMO has answered to a message.
+/// SUMO's answer to a message.
 struct TraciAnswer {
-  /// Why it is none: SUMO's own words about a command that it refused, or what is wrong with its
-  /// bytes. Empty if all commands were carried out.
+  /// SUMO's own words about a command that it refused, or an error in the answer's bytes. Empty if
+  /// all commands were carried out.
   std::string error;
   /// In the order of the answer. Those around a vehicle are objects of their own.
   std::vector<TraciObject> objects;

@@ -53,7 +53,7 @@ class Defective : public VehicleController {
   std::unique_ptr<VehicleController> inner_;
 };
 
-/// Does not see whom the predicate, of view, actor and severity, is true of.
+/// Does not see actors for which the predicate of view, actor and severity is true.
 template <class Predicate>
 class Unseeing final : public Defective {
  public:
