@@ -13,7 +13,7 @@ if(JAYWALK_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(JAYWALK_UNITY_ALARMS -Wno-subobject-linkage)
 endif()
 
-# Programs read files of strangers: what an error in them could overwrite is guarded. The standard
+# Programs read files of strangers, so memory that a bug could overwrite is guarded. The standard
 # library's checks of lengths need optimisation; sanitizers have their own. Its assertions
 # (_GLIBCXX_ASSERTIONS) cost up to an eighth of the instructions, tests/bench/README.md.
 set(JAYWALK_HARDENING "")

@@ -24,7 +24,7 @@ namespace {
 
 /// More tests than this are a slip.
 constexpr std::uint64_t kMostTests = 1'000'000'000;
-/// So often what has been learned is kept, in case that the process is killed.
+/// How often the policy is saved while learning, in case the process is killed.
 constexpr auto kKeepEvery = std::chrono::seconds(2);
 
 struct Request {

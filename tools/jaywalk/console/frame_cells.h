@@ -23,8 +23,8 @@ inline constexpr std::string_view kPlainStyle = "\x1b[0m";
 /// actors by a letter of their kind, a signal by that of its colour.
 [[nodiscard]] char letter_of(const Crossing& crossing, std::size_t body);
 
-/// Where the AV is and which zone is at stake: that which the next tick tests or, once the
-/// precondition was met, that in which it was.
+/// The AV's place and the zone to show: the one that the next tick tests or, once the precondition
+/// was met, the one in which it was met.
 struct AvSituation {
   int edge = 0;
   Interval zone;

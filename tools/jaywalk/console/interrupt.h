@@ -14,7 +14,7 @@ namespace jaywalk {
 
 /// While one exists, the first Ctrl-C, SIGTERM or SIGHUP is noted instead of ending the program; a
 /// second one ends it. A SIGHUP that the program was started to ignore (nohup) stays ignored.
-/// Afterwards it does what it did before.
+/// The destructor restores the former handlers.
 class InterruptGuard {
  public:
   InterruptGuard();

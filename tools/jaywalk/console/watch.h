@@ -1,7 +1,7 @@
 #pragma once
 
-// A test drawn in a terminal tick by tick: the road seen from above, driving to the right, and
-// below it what each agent is after.
+// Draws a test in a terminal tick by tick: the road seen from above, driving to the right, and
+// below it each agent's intentions.
 
 #include <string>
 #include <vector>

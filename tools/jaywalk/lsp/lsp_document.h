@@ -44,7 +44,7 @@ class Document {
 
   /// Markdown, with the place that it is about; nothing if there is nothing to say.
   [[nodiscard]] std::optional<std::pair<std::string, Range>> hover(Position at) const;
-  /// What may stand where a name is being written, and the range of what is there of it.
+  /// The completions for a name that is being written, and the range of its text so far.
   [[nodiscard]] std::vector<Completion> completions(Position at, Range& written) const;
   [[nodiscard]] std::vector<Place> definitions(Position at) const;
   /// The use of a name at a place; null if there is none.
@@ -54,7 +54,7 @@ class Document {
   /// A word of the environment that the program seems to be written for, which is not its to
   /// rename.
   [[nodiscard]] bool is_of_environment(const Use& use) const;
-  /// Whether the text of that file is part of the program, or may be what an include misses.
+  /// Whether that file is part of the program, or may be one that an include did not find.
   [[nodiscard]] bool depends_on(std::string_view path) const;
 
  private:

@@ -25,7 +25,7 @@ class Server {
   Server(IncludePath include_path, Send send)
       : include_path_(std::move(include_path)), send_(std::move(send)) {}
 
-  /// One message; no text can make it fail.
+  /// Handles one message; any text may be given.
   void receive(std::string_view message);
   /// A message that could not be read.
   void receive_broken();

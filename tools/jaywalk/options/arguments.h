@@ -44,7 +44,7 @@ class Arguments {
   [[nodiscard]] bool has(OptionName option) const;
   /// Some option has this value.
   [[nodiscard]] bool has_value(std::string_view value) const;
-  /// Its value; of one that may be repeated the last.
+  /// Its value; the last one if it was repeated.
   [[nodiscard]] std::optional<std::string> text(OptionName option) const;
   /// All values, in order.
   [[nodiscard]] std::vector<std::string> texts(OptionName option) const;

@@ -17,7 +17,7 @@ namespace jaywalk {
 
 class CommandLine {
  public:
-  /// Of no words: nothing has a place in it.
+  /// An empty line, in which no diagnostic has a place.
   CommandLine() = default;
   /// `words`: all but the program's name; `options`: those of their command.
   CommandLine(std::span<const std::string> words, std::span<const OptionSpec> options);

@@ -24,13 +24,12 @@ enum class InputKind { program, project, scenario, search, assertions, store };
                                                     std::span<const InputKind> wanted,
                                                     Diagnostics& diagnostics);
 
-/// Those of several words, as far as they are right.
+/// The input files among the words that are valid.
 [[nodiscard]] std::vector<std::string> input_files(std::span<const std::string> words,
                                                    std::span<const InputKind> wanted,
                                                    Diagnostics& diagnostics);
 
-/// That of the only operand of `command`, which is called `what` in the error if there is not just
-/// one.
+/// The input file that is the only operand of `command`; errors call it `what`.
 [[nodiscard]] std::optional<std::string> only_input(const Arguments& arguments,
                                                     std::string_view command, std::string_view what,
                                                     std::span<const InputKind> wanted,

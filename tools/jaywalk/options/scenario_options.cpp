@@ -83,7 +83,7 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
   }
   std::vector<std::string> sets = arguments.texts(option::kSet);
   std::map<std::string, SourcePtr> given_by;
-  // As the scenario's key would have it, between these.
+  // Writes the option's value as the scenario's key needs it, between `begin` and `end`.
   for (const auto& [option, key, begin, end] : kKeysOfOptions) {
     const auto value = arguments.text(option);
     if (!value) continue;

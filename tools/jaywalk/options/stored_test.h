@@ -31,7 +31,7 @@ inline constexpr OptionSpec kAllowCommandsOption{
 
 [[nodiscard]] Commands commands_of(const Arguments& arguments);
 
-/// The store named by the only operand; null after reporting what is wrong.
+/// The store named by the only operand; null after reporting an error.
 [[nodiscard]] std::unique_ptr<ResultsReader> open_results(const Arguments& arguments,
                                                           std::string_view command,
                                                           Console& console);

@@ -13,9 +13,9 @@
 
 namespace jaywalk {
 
-/// Compiles and checks a program that was loaded with the diagnostics `found`, which are added to;
-/// what is wrong already is not looked at further. `complete` turns what is known of the
-/// environment (null: nothing) into what is known of the agent.
+/// Compiles and checks a program that was loaded with the diagnostics `found`, and adds to them; a
+/// program with errors is not checked further. `complete` adds what is known of the agent to the
+/// environment's vocabulary (null: none is known).
 void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
                   const std::function<void(Vocabulary&)>& complete, Diagnostics& found);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the lines of `--trace FILE.jsonl` go.
+// Output of the lines of `--trace FILE.jsonl`.
 
 #include <cstdint>
 #include <cstdio>
