@@ -118,8 +118,8 @@ std::optional<FinishedTests> read_finished(Database& database, const SearchPlan&
   return finished;
 }
 
-/// What keeps the store from being continued by this experiment. Its files may have other names
-/// now: the folder may have been moved.
+/// The error that prevents this experiment from continuing the store. Its files may have other
+/// names now: the folder may have been moved.
 std::optional<std::string> mismatch(Database& database, const SearchExperiment& experiment) {
   const auto origin = database.text("SELECT origin FROM search_experiment");
   const auto seed = database.text("SELECT seed FROM search_experiment");
