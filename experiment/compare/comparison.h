@@ -33,7 +33,7 @@ struct Comparison {
   KillMatrix kills;
   /// How models of the AV rank; empty unless several were compared.
   AvRanking avs;
-  /// What went wrong with the agents of each of the summaries.
+  /// The failures of the agents of each of the summaries.
   std::vector<Troubles> troubles;
   /// False if the user ended it before all of its tests were run.
   bool complete = true;

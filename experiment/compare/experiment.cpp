@@ -156,7 +156,7 @@ class Work {
   void fail(std::uint64_t chunk, const TestKey& key, Diagnostics why) {
     failed_ = true;
     const std::lock_guard lock(mutex_);
-    // Of failures in several threads the first one in the plan is reported.
+    // If tests fail in several threads, the first one in the plan is reported.
     if (failed_chunk_ && *failed_chunk_ < chunk) return;
     failed_chunk_ = chunk;
     failed_test_ = key;

@@ -11,7 +11,8 @@
 
 namespace jaywalk {
 
-/// Collects what tests cover from several threads; what it sums up depends on the tests alone.
+/// Collects the covered bins of tests from several threads; the coverage depends on the tests
+/// alone.
 class SituationTable {
  public:
   /// REQUIRES: the plan outlives it.

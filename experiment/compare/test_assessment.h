@@ -56,7 +56,7 @@ struct VerdictCounts {
   [[nodiscard]] std::uint64_t of(Verdict verdict) const {
     return tests[static_cast<std::size_t>(verdict)];
   }
-  /// Those that met the precondition.
+  /// The number of tests that met the precondition.
   [[nodiscard]] std::uint64_t exercised() const;
   [[nodiscard]] std::uint64_t all() const;
 };
@@ -72,7 +72,7 @@ struct AssessmentSummary {
   std::vector<Distribution> robustness;
 };
 
-/// Collects assessments from several threads; what it sums up depends on the tests alone.
+/// Collects assessments from several threads; the summaries depend on the tests alone.
 class AssessmentTable {
  public:
   AssessmentTable(const Criteria& criteria, const ExperimentPlan& plan);

@@ -69,7 +69,7 @@ class TroublesSum {
   std::map<std::string, SharedError> errors_;  // by message
 };
 
-/// Those of several numbers of agents together.
+/// The sum of the failures with several numbers of agents.
 [[nodiscard]] Troubles together(std::span<const Troubles> parts);
 
 /// Collects from several threads.

@@ -23,8 +23,8 @@ struct ExportRequest {
   /// Where the files go; it exists.
   std::string folder;
   ScenarioDialect dialect = ScenarioDialect::standard;
-  /// Of `postgis`: what `ogr2ogr` is to connect to; the schema for the tables (empty: named after
-  /// the store), and whether those that it has may be replaced.
+  /// For `postgis`: the connection for `ogr2ogr`, the schema for the tables (empty: named after the
+  /// store), and whether existing tables may be replaced.
   std::string connection;
   std::string schema;
   bool overwrite = false;

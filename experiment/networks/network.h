@@ -46,7 +46,7 @@ class Network {
   void add_to(Adam& optimiser);
 
  private:
-  /// Of units, by their sums or by their outputs, which have the same signs.
+  /// The slopes of units, from their sums or their outputs, which have the same signs.
   void find_slopes(const Matrix& units, Matrix& slopes) const;
   void activate(Matrix& units) const;
 

@@ -11,7 +11,7 @@
 namespace jaywalk {
 
 struct ObjectiveSettings {
-  /// How far the probability of an option may change, as a share of what it was.
+  /// How far the probability of an option may change, as a share of its former value.
   double clip = 0.2;
   /// The bonus for an entropy of 1.
   double entropy = 0.01;

@@ -65,7 +65,7 @@ struct ExperimentDescription {
   std::uint64_t seed = 0;
   /// Seconds from one tick to the next.
   double tick_s = 1;
-  /// Where its points lie; empty: on a plane of their own.
+  /// The reference system of its points; empty: a plane of their own.
   std::optional<Anchor> anchor;
   StoreLevel level = StoreLevel::found;
   Shard shard;
@@ -84,8 +84,8 @@ struct ExperimentDescription {
                                              const ScenarioOptions& options,
                                              const ExperimentPlan& plan, std::uint64_t seed);
 
-/// Takes out of the names what they say about this machine (portable_names.h). `files` are those
-/// that the scenario was read from.
+/// Removes paths of this machine from the names (portable_names.h). `files` are those that the
+/// scenario was read from.
 void make_portable(ExperimentDescription& description, const SourceFiles& files);
 
 /// Takes note that its tests are judged by the assertions of these files, and whether they are
@@ -96,7 +96,7 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
 /// The number under which a store keeps a test, from 1 in the order of the plan. Shards and the
 /// whole run agree on it. REQUIRES: a test of the plan.
 [[nodiscard]] std::int64_t test_id(const ExperimentDescription& description, const TestKey& test);
-/// That of the same test with the first vehicle.
+/// The id of the same test with the first vehicle.
 [[nodiscard]] std::int64_t twin_id(const ExperimentDescription& description, TestKey test);
 /// The inverse of test_id(). Nothing if the plan has no such test.
 [[nodiscard]] std::optional<TestKey> find_test(const ExperimentDescription& description,

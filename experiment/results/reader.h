@@ -103,11 +103,11 @@ class ResultsReader {
   /// The scenario as it was, made ready to run from the texts in the store, not from files; made
   /// once, then kept.
   [[nodiscard]] Result<std::shared_ptr<const PreparedScenario>> prepared() const;
-  /// What its tests are judged by, as it was: the assertions of the files of `--assertions`, or
-  /// else the scenario's.
+  /// The assertions by which its tests were judged: those of the files of `--assertions`, or else
+  /// the scenario's.
   [[nodiscard]] Result<std::vector<Assertion>> assertions() const;
-  /// What to run for a test: `run_test(*prepared, setup)` repeats it. Error: it would start a
-  /// command, which is refused.
+  /// The setup of a test: `run_test(*prepared, setup)` repeats it. Error: it would start a command,
+  /// which is refused.
   [[nodiscard]] Result<TestSetup> setup(std::int64_t id) const;
   /// Runs a test again, with what the caller wants to see of it; one that ended errored does so
   /// again, perhaps of something else. Error: its outcome is not the stored one, as when another

@@ -1,6 +1,6 @@
 #pragma once
 
-// One test as a store takes it and gives it back.
+// One test in the form in which a store takes it and returns it.
 
 #include <cstdint>
 #include <string>

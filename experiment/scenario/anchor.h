@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a scenario's plane lies on the Earth, for maps to show it there. Nothing is computed with
-// it: tests, measures and recordings stay in the plane's own metres.
+// The place of a scenario's plane on the Earth, for maps. No computation uses it: tests, measures
+// and recordings stay in the plane's own metres.
 
 namespace jaywalk {
 

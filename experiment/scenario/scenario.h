@@ -54,7 +54,7 @@ struct BehaviourSpec {
   ValueOrigin origin;
 };
 
-/// When a test is given up, which is then errored. All but the time give the same on any machine.
+/// Limits beyond which a test ends errored. All but the time have the same effect on any machine.
 struct TestLimits {
   /// Reasoning cycles of one agent; 0: no limit but that of a tick.
   std::uint64_t cycles = 0;
@@ -90,7 +90,7 @@ struct ExperimentSpec {
   ReachableBins reachable;
 };
 
-/// Where programs look for what they include, after their own folder (IncludePath).
+/// The folders in which programs look for included files, after their own folder (IncludePath).
 struct IncludeFolders {
   std::vector<std::string> folders;
   std::vector<std::pair<std::string, std::string>> mapped;
@@ -111,7 +111,7 @@ struct Scenario {
   /// behaviour's agents choose by the first one that has its options.
   LearningSpec learning;
   std::vector<SourcePtr> policies;
-  /// Where the world is on the Earth, for stores.
+  /// The world's place on the Earth, for stores.
   std::optional<Anchor> anchor;
   /// The assertions by which tests are judged.
   std::vector<Assertion> assertions;
@@ -139,7 +139,7 @@ struct ScenarioOptions {
   std::map<std::string, SourcePtr> given_by;
   /// Names of the scenario's behaviours, or paths of programs: these and no others, in this order.
   std::vector<std::string> behaviours;
-  /// Where the scenario and all that it names are read: the disk, unless copies are given.
+  /// The source of the scenario and all files that it names: the disk, unless copies are given.
   SourceFiles files;
   IncludeFolders include;
 };

@@ -1,4 +1,4 @@
-// How agents learn, and what they have learned: the keys `learning` and `policy` of a scenario.
+// The keys `learning` (how agents learn) and `policy` (learned policies) of a scenario.
 
 #include <set>
 

@@ -125,7 +125,7 @@ class LayerReader : LayerPart {
               });
   }
 
-  // Whose number is in no list runs the first program.
+  // Agents whose number is in no list run the first program.
   void read_team(const ConfigNode& node, BehaviourSpec& behaviour) {
     if (node.kind != ConfigNode::Kind::map || node.entries.empty()) {
       reader_.unexpected(node, "agents' numbers and their programs, {1..3: random_action.asl}");

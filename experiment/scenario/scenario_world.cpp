@@ -1,4 +1,4 @@
-// The key `world` of a scenario: what all worlds have. The rest is read by the world itself
+// The keys below `world` of a scenario that all worlds have. The world itself reads the others
 // (env/world/world_section.h).
 
 #include <array>

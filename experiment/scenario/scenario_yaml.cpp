@@ -42,7 +42,7 @@ std::string as_message(std::string text) {
   return text;
 }
 
-/// What people write who do not know YAML well, and why it is not read as it was meant.
+/// A frequent mistake in YAML, and why YAML reads it otherwise than it was meant.
 struct Slip {
   std::size_t begin = 0;
   std::size_t end = 0;

@@ -168,8 +168,8 @@ class Preparation {
   std::map<std::string, std::shared_ptr<const Program>> loaded_;
 };
 
-/// Policies to the behaviours that have their options. One that is for none is a mistake; who has
-/// without one chooses by chance, and a note says so.
+/// Assigns policies to the behaviours that have their options. A policy without such a behaviour is
+/// an error. A behaviour with options but without a policy chooses at random; a note says so.
 void give_policies(const Scenario& scenario, const SymbolTable& symbols,
                    std::vector<PreparedBehaviour>& behaviours, Diagnostics& errors,
                    Diagnostics& warnings) {

@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-/// One test, as the measures see it.
+/// The values of one test that the measures use.
 struct TestResult {
   bool succeeded = false;
   /// It came to no end of its own: an agent looped or stopped the system, a limit was reached, the

@@ -108,8 +108,8 @@ struct TestRun {
 /// A test that is errored for that reason without having been run.
 [[nodiscard]] TestRun errored_test(std::string why, const TestOptions& options);
 
-/// Runs tests one after another, each as if it were the only one: what it has built for one is
-/// used again for the next, which with the same behaviour and number of agents costs little.
+/// Runs tests one after another, each as if it were the only one. It reuses its objects for the
+/// next test, which is cheap if that has the same behaviour and number of agents.
 class TestRunner {
  public:
   /// The scenario must outlive it.
@@ -165,7 +165,7 @@ class TestRunners {
 /// The start cells of a test, in a world that has cells: the scenario's own or drawn ones.
 [[nodiscard]] std::vector<Position> start_cells(const Scenario& scenario, const TestSetup& setup);
 
-/// Those of the tests from 0, by number (print_start_cells).
+/// The start cells of the tests from 0, by number (print_start_cells).
 [[nodiscard]] std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scenario,
                                                                          std::uint32_t agents,
                                                                          std::uint64_t seed,

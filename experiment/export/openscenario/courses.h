@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// What sets a course in motion.
+/// The event that sets a course in motion.
 enum class CourseStart { at_once, time_to_collision, at_time };
 
 struct Waypoint {
@@ -51,9 +51,9 @@ struct Courses {
 [[nodiscard]] Courses timed_courses(const Recording& recording);
 
 /// Each pedestrian waits where it stepped out, that is, made its first step across the road, until
-/// the AV's time to collision with it has fallen to what it was in the test, and then goes all the
-/// way that it went. Where a time to collision cannot say when (the AV stood, or had passed), its
-/// time does. Everybody else keeps to a timetable.
+/// the AV's time to collision with it has fallen to the value in the test, and then repeats its
+/// way. If a time to collision cannot trigger it (the AV stood, or had passed), the time of the
+/// step does. All other actors keep to a timetable.
 [[nodiscard]] Courses reactive_courses(const Recording& recording);
 
 }  // namespace jaywalk

@@ -149,7 +149,7 @@ std::string ScenarioText::by_av(std::string_view name, std::string_view conditio
       name, entity(0), condition);
 }
 
-// Time to the box of the pedestrian who stands: the vehicle need not be on its way to hit it yet.
+// Time to the box of the standing pedestrian: the vehicle need not be on its way to hit it yet.
 // 1.0 demands alongRoute; later versions still take it.
 std::string ScenarioText::ttc_below(std::size_t actor, std::string_view seconds) const {
   return condition_group(

@@ -1,6 +1,6 @@
 #pragma once
 
-// One test as an OpenSCENARIO document: entities, where they begin, what they do, when it ends.
+// One test as an OpenSCENARIO document: entities, their starts and actions, the end of the test.
 // Only what is valid in all of 1.0 to 1.3 is written. Read courses.h first.
 
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// Names of parameters with what a test gives for them.
+/// Names of parameters with a test's values.
 using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 
 /// For each actor the number of waypoints of its longest course in a batch.
@@ -31,8 +31,8 @@ class ScenarioText {
   /// Everybody on a timetable, to the end of the test.
   [[nodiscard]] std::string trajectories(std::string_view description,
                                          const Courses& courses) const;
-  /// As the courses begin: the AV on a timetable, pedestrians when it comes near. Ends at a
-  /// collision.
+  /// The AV keeps to a timetable, pedestrians start as their courses say, when the AV comes near.
+  /// Ends at a collision.
   [[nodiscard]] std::string reactive(std::string_view description, const Courses& courses) const;
   /// The reactive scenario with parameters for numbers, and these as their defaults.
   [[nodiscard]] std::string batch(std::string_view description, const BatchShape& shape,

@@ -27,13 +27,13 @@ struct Assertion {
   std::string id;
   /// The requirement in a sentence; may be empty.
   std::string summary;
-  /// Where the rule comes from.
+  /// The source of the rule, such as a law or standard.
   std::string source;
   AssertionSeverity severity = AssertionSeverity::major;
   std::map<std::string, double> parameters;
   stl::Expression precondition;
   stl::Expression requirement;
-  /// When a violation was unavoidable.
+  /// The condition under which a violation was unavoidable.
   std::optional<stl::Expression> unavoidable;
 
   /// Whether it is judged for each road user separately, because some of its expressions are about
@@ -63,8 +63,8 @@ struct Judgement {
   double exercised = 0;
   /// The first tick that violates the requirement; empty unless the verdict is fail or unavoidable.
   std::optional<std::uint32_t> tick;
-  /// The road users who gave rise to the verdict; empty if it is vacuous or the assertion is about
-  /// the AV alone.
+  /// The road users with this verdict; empty if it is vacuous or the assertion is about the AV
+  /// alone.
   std::vector<ActorIndex> witnesses;
 
   friend bool operator==(const Judgement&, const Judgement&) = default;
@@ -72,7 +72,7 @@ struct Judgement {
 
 [[nodiscard]] Judgement judge(const Assertion& assertion, const TestView& view);
 
-/// Parses what a file holds. All mistakes are reported, with their places.
+/// Parses the text of a file. All errors are reported, with their places.
 [[nodiscard]] Result<std::vector<Assertion>> parse_assertions(const SourcePtr& source);
 [[nodiscard]] Result<std::vector<Assertion>> read_assertions(const std::string& path);
 

@@ -72,9 +72,9 @@ class Trace {
                                           const Trace& trace, std::uint32_t self);
 
 /// The tick that shows that condition `id` does not hold at `tick`: for `always` the first at which
-/// what it demands does not hold, and there the same again; for `eventually` and `until` the last
-/// of the window; for `and` and `forall` the earliest, for `or` the latest of its parts'. REQUIRES:
-/// it does not hold.
+/// its operand does not hold, and there the operand's own violation; for `eventually` and `until`
+/// the last of the window; for `and` and `forall` the earliest, for `or` the latest tick of its
+/// parts. REQUIRES: it does not hold.
 [[nodiscard]] std::size_t first_violation(const Expression& expression, NodeId id,
                                           const Trace& trace, std::uint32_t self, std::size_t tick);
 

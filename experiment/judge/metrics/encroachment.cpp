@@ -94,7 +94,7 @@ std::vector<Visit> visits(const TestView& view, ActorIndex actor) {
   return result;
 }
 
-/// When the AV touches what the road user covers in that visit.
+/// The time in which the AV touches the area that the road user covers in that visit.
 std::optional<Span1D> av_passage(const TestView& view, const Visit& visit) {
   std::optional<Span1D> result;
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {

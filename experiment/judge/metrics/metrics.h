@@ -17,15 +17,15 @@ namespace jaywalk {
 /// Not NaN; infinite if nothing would help (a deceleration).
 struct MetricValue {
   double value = 0;
-  /// When it was so; of a duration, when that began.
+  /// The tick of the value; for a duration, the tick in which it began.
   std::uint32_t tick = 0;
   ActorIndex actor = 0;
 
   friend bool operator==(const MetricValue&, const MetricValue&) = default;
 };
 
-/// Whose value is the test's: that of the road user with the least one, the greatest one, or of the
-/// one who comes nearest.
+/// Which road user's value is the test's: the least one, the greatest one, or that of the nearest
+/// road user.
 enum class Worst { least, greatest, nearest };
 
 struct Metric {

@@ -64,7 +64,7 @@ class TestView {
   /// The road user nearest to the AV at each tick, the first of equals. REQUIRES: there are road
   /// users.
   [[nodiscard]] std::span<const ActorIndex> nearest() const;
-  /// Where the AV would be at each tick if the careful and competent driver drove it
+  /// The AV's states at each tick if the careful and competent driver drove it
   /// (careful_driver.cpp); goes on after the record's end until that driver stands or has a free
   /// road ahead.
   [[nodiscard]] std::span<const ActorState> careful_drive() const;

@@ -45,7 +45,7 @@ std::string facts_of(const ReportData& data) {
   return terms(list);
 }
 
-/// Where a measure is best for a behaviour.
+/// A behaviour's best value of a measure, and the number of agents that gave it.
 struct Best {
   double value = 0;
   std::uint32_t agents = 0;

@@ -1,4 +1,4 @@
-// Where on the road agents met the precondition.
+// The section with the places on the road where agents met the precondition.
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 namespace jaywalk {
 
-/// Those of one behaviour, all numbers of agents together.
+/// The failures of one behaviour, all numbers of agents together.
 struct BehaviourTroubles {
   std::string behaviour;
   Troubles troubles;

@@ -34,7 +34,7 @@ class Database {
 
   /// Opens the file; failure() says whether that succeeded.
   Database(const std::string& path, Mode mode);
-  /// Makes one in an empty file that is open already and stays so; what it has is good after the
+  /// Makes one in an empty file that is open already and stays open. Its content is valid up to the
   /// last COMMIT only.
   explicit Database(int descriptor);
   ~Database();
