@@ -26,7 +26,7 @@ class MaybeBound {
   void add_everything() { everything_ = true; }
 
   [[nodiscard]] Mark mark() const { return trail_.size(); }
-  /// Takes back what was added since; returns it.
+  /// Removes the variables that were added since the mark, and returns them.
   std::vector<std::string_view> undo(Mark mark);
   /// Like undo(), and remembers why for the hint.
   void lose(Mark mark, std::string_view why);

@@ -5,7 +5,8 @@
 // a program's beliefs, goals and plans may come from other agents. Each warning has a code, a row
 // of checks.def; CHECKS.md and FORMULA_CHECKS.md show when it is given.
 //
-// Comments silence them, and say what a file needs of programs that include it (support/remarks.h).
+// Comments silence them, and list what a file requires of programs that include it
+// (support/remarks.h).
 
 #include <functional>
 #include <set>
@@ -30,9 +31,9 @@ struct Vocabulary {
     std::string summary;
     /// The atoms that each argument takes; none, or no entry, where it takes others, too.
     std::vector<std::vector<std::string>> values = {};
-    /// Of percepts: the keys that would give it, where the scenario does not.
+    /// For percepts that the scenario does not give: the keys that would give it.
     std::string absent_without = {};
-    /// Of internal actions: its value can stand in a term.
+    /// For internal actions: whether it is a function, whose value can stand in a term.
     bool is_function = false;
   };
   /// A scenario's values of an initial belief: `radius: 15` is radius(15).
@@ -58,7 +59,7 @@ struct Vocabulary {
   std::vector<Entry> actions;
   /// With their dots, functions such as math.abs included. Empty: they are not checked.
   std::vector<Entry> internal_actions;
-  /// Of messages. Empty: they are not checked.
+  /// The performatives of messages. Empty: they are not checked.
   std::vector<std::string> performatives = {};
   std::vector<Setting> settings = {};
   /// Reads the installed libraries, which hints name; null: there are none.

@@ -68,7 +68,7 @@ class Subsumption {
     return a.ns->kind == Kind::literal && a.ns->text == b.ns->text;
   }
 
-  // Those of the general one must be among those of the event.
+  // Whether the annotations of the general literal are among those of the special one.
   static bool annots_covered(const Node& general, const Node& special) {
     if (general.annots == nullptr) return true;
     return special.annots != nullptr && is_ground(*general.annots) &&
@@ -166,7 +166,7 @@ bool is_atomic(const Plan& plan) { return has_annotation(plan, "atomic", 0); }
 bool waits(const Node& action) {
   const ActionTraits traits = traits_of(action.text);
   if (!traits.waits_with(action.args.size())) return false;
-  // Of messages those that ask.
+  // Messages suspend the intention only if they ask.
   return traits.about != About::message ||
          action.args[traits.performative]->text.starts_with("ask");
 }

@@ -173,7 +173,7 @@ void count_arguments(std::span<const ast::Component> components, AtomTimes& time
   }
 }
 
-/// Facts by name and arity; of those that the program adds while it runs, nothing is known.
+/// Facts by name and arity; the arguments of facts that the program adds while it runs are unknown.
 class Facts {
  public:
   explicit Facts(Checking& checking) {

@@ -45,8 +45,8 @@ class Translator {
   Translator(Heap& heap, SymbolTable& symbols, const ActionRegistry& actions)
       : heap_(heap), symbols_(symbols), actions_(actions) {}
 
-  /// What stands as a term, an argument or an element of a list, is in the default namespace;
-  /// literals and formulas are in the one in force.
+  /// Terms, such as arguments and elements of lists, are in the default namespace; literals and
+  /// formulas are in the one in force.
   [[nodiscard]] Value term(const ast::Node& node, VariableScope& scope);
   /// A literal that is written without annotations gets those given.
   [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope,

@@ -90,7 +90,7 @@ class Residents {
   /// Begins a round: the agents that may have something to do, in the order of numbers. An agent
   /// woken during the round takes part in the next one.
   [[nodiscard]] std::span<const std::uint32_t> begin_round();
-  /// Those who have nothing left to do no longer take part.
+  /// Agents that have nothing left to do no longer take part.
   void end_round();
 
  private:

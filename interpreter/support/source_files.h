@@ -28,7 +28,7 @@ class SourceFiles {
   /// The disk; the installed programs are in the folder `library`, lists of assertions in another.
   explicit SourceFiles(std::string library, std::string assertions = {})
       : library_(std::move(library)), assertions_(std::move(assertions)) {}
-  /// These, by their names, and no others.
+  /// Only these copies, by their names.
   explicit SourceFiles(std::span<const SourcePtr> copies);
 
   /// Allows programs to read this folder, besides their own (`--allow-read`).

@@ -27,7 +27,7 @@ class Builder {
     Span span;
     std::string message;
     std::string hint;
-    /// Where the parser was when it noticed.
+    /// The parser's place when it noticed the mistake.
     std::uint32_t noticed = 0;
   };
 

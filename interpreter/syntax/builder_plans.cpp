@@ -216,7 +216,7 @@ void Builder::recover(const Token* next) {
   failure_.reset();
   finished_plan_ = nullptr;
   if (checkpoints_.empty()) return;
-  // All stacks as they were when the component began: what it has pushed is given up.
+  // Restores all stacks to their sizes when the component began.
   const Checkpoint checkpoint = checkpoints_.back();
   checkpoints_.pop_back();
   nesting_ = checkpoint.nesting;

@@ -20,7 +20,7 @@ inline constexpr std::string_view kMissingInclude = "missing-include";
 inline constexpr std::string_view kMissingIncludeHint =
     "`// jaywalk: allow missing-include` in the line before runs without it";
 
-/// Where included files are looked for, after the folder of the including file.
+/// The folders in which included files are searched for, after the folder of the including file.
 struct IncludePath {
   /// Folders that a project names, in order (`aslSourcePath`). Of those that lie outside what its
   /// programs may read (SourceFiles::readable_from), nothing is.

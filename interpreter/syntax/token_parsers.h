@@ -37,7 +37,7 @@ constexpr std::uint64_t set_of(Kinds... kinds) {
   return (bit(kinds) | ...);
 }
 
-// One token of a set of kinds. The name is that of diagnostics; a single kind has one already.
+// Matches one token of a set of kinds. The name is for diagnostics; a single kind has one already.
 struct Terminal : x3::parser<Terminal> {
   using attribute_type = x3::unused_type;
   static constexpr bool has_attribute = false;

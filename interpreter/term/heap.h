@@ -1,6 +1,6 @@
 #pragma once
 
-// Where terms live. A Heap is a bump allocator with a copying collector. Each agent has one; a
+// The memory of terms. A Heap is a bump allocator with a copying collector. Each agent has one; a
 // program's constants have another whose cells never move. Nothing is freed one by one: at the end
 // of a reasoning cycle the agent may collect, giving all its roots, so a Value that is held in a
 // local variable is good until the end of the cycle, and no longer.
@@ -229,9 +229,9 @@ class Heap {
   /// The size of all collections, without the terms in them.
   [[nodiscard]] std::size_t object_bytes() const;
 
-  // The limit holds for all that the owner has: its terms, twice, since while they are collected
-  // both the old and the new ones are there, and what it has beside them, which the owner notes
-  // when it gets something and counts anew now and then.
+  // Sets the limit for all memory of the owner: its terms, counted twice, since a collection needs
+  // the old and the new ones at once, and its other memory, which the owner notes at each
+  // allocation and recounts now and then.
   void set_limit(std::size_t bytes) {
     if (bytes < limit_bytes_) look_sooner(bytes);
     limit_bytes_ = bytes;

@@ -22,7 +22,7 @@ struct ActionKind {
   bool is_uncounted = false;
 };
 
-/// What its arguments stand for, the first unless said otherwise.
+/// The meaning of its arguments, the first one unless said otherwise.
 enum class About : std::uint8_t {
   anything,
   goal,

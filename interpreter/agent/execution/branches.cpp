@@ -1,8 +1,8 @@
-// External changes of belief that sub-plans of goals being pursued are for (AgentSpeak(ER)). As in
-// Jason, a branch handles them: an intention with a copy of the other one's stack, so that a
-// failure looks for handlers there. When the sub-plan is done, so is the branch; when the failure
-// of one of the copied goals has been handled, the branch goes on below that goal in the other
-// one's place.
+// Handles external changes of belief by sub-plans of goals being pursued (AgentSpeak(ER)). As in
+// Jason, a branch handles them: an intention with a copy of the goal's stack, so that a failure
+// looks for handlers there. When the sub-plan is done, so is the branch; when the failure of one of
+// the copied goals has been handled, the branch goes on below that goal and replaces the original
+// intention.
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-// Rule ExecInt for `for`. The condition's solutions are looked for as the rounds need them: the
-// conjuncts are gone through one by one, each a level with all that satisfies it together with
-// those before. So a round's changes of belief are seen by the later conjuncts of rounds to come,
-// as in Jason. A conjunct that might be satisfied without end is asked for a few solutions at a
-// time: it is asked again for more, and what has had its round is left out.
+// Rule ExecInt for `for`. The condition is solved as the rounds need solutions: each conjunct is a
+// level with all solutions of it together with the conjuncts before. So later conjuncts of later
+// rounds see a round's changes of belief, as in Jason. A conjunct that might have endlessly many
+// solutions is asked for a few at a time; when it is asked again for more, solutions that have had
+// their round are left out.
 
 #include <algorithm>
 #include <unordered_map>

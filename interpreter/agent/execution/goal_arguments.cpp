@@ -39,7 +39,7 @@ void Agent::rename_in_goal(Intention& intention) {
   means.returns = intention.values.size() - first;
 }
 
-// Behind the frame stands what a call is to bring back: each variable with its copy.
+// Records the results of a call behind the frame: each variable with its copy.
 void Agent::note_returns(Intention& intention) {
   IntendedMeans& means = intention.top();
   intention.values.cut(means.frame + means.plan->slot_count);

@@ -123,7 +123,7 @@ void Agent::leave_plan_at_limit(const Plan& plan, std::size_t trail, Heap::Mark 
   leave_context_at_limit(plan, error, unused);
 }
 
-// Nothing of what was made while the context was solved is in use.
+// Releases all terms that were made while the context was solved: none of them is in use.
 void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
   heap_.release(unused);
   const std::string where = "the context of " + plan_name(plan);

@@ -43,7 +43,7 @@ class OptionPolicies {
   /// same. Returns why the choice cannot be made, an unknown option, say; empty: it can.
   [[nodiscard]] virtual std::string weigh(const LearnedChoice& choice,
                                           std::span<double> probabilities) = 0;
-  /// One was drawn.
+  /// An option was drawn.
   virtual void drawn(const LearnedChoice& /*choice*/, const DrawnOption& /*drawn*/) {}
 };
 

@@ -15,8 +15,8 @@ namespace {
 using ast::Kind;
 using ast::Node;
 
-/// Calls `visit(node)` for all that is within a program but what it defines: the literals of the
-/// triggers of plans and of the heads of rules.
+/// Calls `visit(node)` for all nodes of a program, except for the literals that it defines:
+/// triggers of plans and heads of rules.
 template <class Visit>
 class Reader {
  public:

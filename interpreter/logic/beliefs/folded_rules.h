@@ -55,7 +55,7 @@ struct FoldedRules {
   FoldedRules& operator=(const FoldedRules&) = delete;
 
   Predicate predicate{};
-  /// Those of the rules themselves included.
+  /// The rows that the answers depend on, the rules' own rows included.
   std::vector<Need> needs;
   Answers answers;
   RuleTable table;

@@ -22,8 +22,7 @@ namespace jaywalk {
 /// Thrown by `X div 0`; caught where the agent executes a step, which fails.
 struct DivisionByZero {};
 
-/// What evaluating terms needs from the outside: functions that are queries, and a place for
-/// warnings.
+/// Callbacks of the evaluation of terms: functions that are queries, and warnings.
 class FunctionCaller {
  public:
   virtual ~FunctionCaller() = default;
