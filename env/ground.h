@@ -1,8 +1,8 @@
 #pragma once
 
 // The ground that a test takes place on, in metres: lanes and pavements as areas, and what stands
-// or is marked on them. The axes are those of scene.h. Metrics and assertions use it to find who is
-// on the road, who keeps its lane, and what a driver can see.
+// or is marked on them. The axes are those of scene.h. Metrics and assertions use it to find which
+// actors are on the road or in a lane, and what a driver can see.
 
 #include <optional>
 #include <string>

@@ -44,7 +44,7 @@ struct SearchExperiment {
   /// The texts of all other files that its tests are made from.
   std::vector<SourcePtr> inputs;
   SearchOptions options;
-  /// Text and options in one: what a store compares before it goes on.
+  /// Text and options as one text, which a store compares before it is continued.
   std::string origin;
 };
 

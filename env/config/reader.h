@@ -26,7 +26,7 @@ struct IntegerRange {
   std::int64_t most = 0;
 };
 
-/// A word and what it stands for.
+/// A word and its value.
 template <class T>
 struct Choice {
   std::string_view word;

@@ -33,8 +33,8 @@ struct AvParameters {
   /// Length in cells, and the rows that its body covers.
   int length = 3;
   Interval rows{3, 4};
-  /// The cruising speed in cells per tick: what the AV keeps to unless its model brakes. Where a
-  /// position is not whole, the AV's cell is that rounded down.
+  /// The cruising speed in cells per tick, which the AV keeps unless its model brakes. If its
+  /// position is not a whole number, the AV's cell is the position rounded down.
   double speed = 6;
   /// How it drives.
   VehicleParameters vehicle;
@@ -182,8 +182,8 @@ struct CrossingParameters {
   /// it. Nothing is scored any more.
   int aftermath = 0;
   TestEnd end = TestEnd::precondition;
-  /// Seconds after which a test ends in any case; 0: ten times what the road takes at full speed if
-  /// the AV can brake, else no limit.
+  /// Seconds after which a test ends in any case; 0: ten times the time for the road at full speed
+  /// if the AV can brake, else no limit.
   double time_limit_s = 0;
   SpawnParameters spawn;
   ScoringParameters scoring;

@@ -56,9 +56,9 @@ struct RoadUser {
 [[nodiscard]] bool is_blocked(const RoadUser& body, const Layout& layout, Direction direction,
                               double cells);
 
-/// Why a step cannot be made; empty if `body` was moved. It leads `cells` in a direction, less at
-/// the grid's edge; at the edge itself, or where it is blocked, no step is possible. Those that may
-/// leave go on beyond the edge and are gone.
+/// Moves `body` by `cells` in a direction, less at the grid's edge. Returns why no step is possible
+/// (at the edge itself, or where it is blocked); empty if it was moved. Bodies that may leave go on
+/// beyond the edge and are gone.
 [[nodiscard]] std::string step(RoadUser& body, const Layout& layout, Direction direction,
                                double cells, int tick);
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // The crossing's side of a simulator (env/simulator/simulator.h): it reports to the simulator where
-// the world's bodies go, checks what comes back and finds whom the automated vehicle (AV) touches.
-// In the world by itself a body is at its new place during the whole tick; here it goes there
+// the world's bodies go, checks its answers and finds the bodies that the automated vehicle (AV)
+// touches. Without a simulator a body is at its new place during the whole tick; here it goes there
 // evenly.
 
 #include <cstddef>

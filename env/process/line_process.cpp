@@ -73,7 +73,7 @@ LineProcess::~LineProcess() { finish(); }
 
 std::string LineProcess::start() {
   if (command_.empty()) return "no program is given";
-  // A pair of sockets, since writing to one whose other end is gone need not raise a signal.
+  // A pair of sockets, since writing to one whose other end is closed need not raise a signal.
   std::array<int, 2> pair{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
     return std::strerror(errno);

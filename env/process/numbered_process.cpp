@@ -22,7 +22,7 @@ std::string joined(std::span<const std::string> lines) {
   return text;
 }
 
-/// One line. Names of files may be any bytes; what is not UTF-8 becomes U+FFFD.
+/// The object as one line. Names of files may be any bytes; invalid UTF-8 becomes U+FFFD.
 std::string text_of(const nlohmann::json& line) {
   return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-// Which simulator moves a world's vehicles, and what the scenario says about it under
-// `world.simulator`. The keys are those of the simulator's row (simulator.h); the scenario's reader
-// checks them by that table and knows none of them.
+// The simulator that moves a world's vehicles, and its settings under `world.simulator`. The keys
+// are those of the simulator's row (simulator.h); the scenario's reader checks them by that table
+// alone.
 
 #include <functional>
 #include <map>

@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kLimit{5000};
 // How long one that does not repeat the step is watched for unexpected lines.
 constexpr std::chrono::milliseconds kSettling{1};
-// Answers beyond a hundred times gravity are refused; what is less absurd is limited.
+// Answers beyond a hundred times gravity are refused; smaller ones are limited.
 constexpr double kAbsurdMps2 = 1000;
 
 }  // namespace

@@ -28,7 +28,7 @@ class ControllerProcess {
   /// Begins a drive of a kept process. If it repeats the drive before, nothing is sent until a view
   /// comes that was not seen in that drive; then all earlier views are sent again.
   [[nodiscard]] std::string begin(nlohmann::json reset);
-  /// Its answer: an acceleration in m/s^2, which may exceed what a vehicle can do.
+  /// Its answer: an acceleration in m/s^2, not yet limited to what a vehicle can do.
   [[nodiscard]] std::string decide(const VehicleView& view, std::uint64_t test,
                                    double& acceleration_mps2);
   [[nodiscard]] std::string end(nlohmann::json end);

@@ -1,10 +1,10 @@
 #pragma once
 
-// The Vehicle Behaviour Interface: what stands between the controller of an automated vehicle (AV)
-// and the world. The world gives out what the vehicle's sensors see, the controller answers with an
-// acceleration; the world moves the vehicle. The vehicle keeps its row: a controller accelerates
-// and brakes, it does not steer. Models are the rows of models.def; another one is a class in a
-// file of its own and a row, or an external process (external.cpp).
+// The Vehicle Behaviour Interface between the controller of an automated vehicle (AV) and the
+// world. The world provides the view of the vehicle's sensors, the controller answers with an
+// acceleration, and the world moves the vehicle. The vehicle keeps its row: a controller
+// accelerates and brakes, it does not steer. Models are the rows of models.def; another one is a
+// class in its own file and a row, or an external process (external.cpp).
 
 #include <cstdint>
 #include <limits>
@@ -75,7 +75,7 @@ struct VehicleView {
   double right_m = 0;
   double lane_left_m = 0;
   double lane_right_m = 0;
-  /// In the order of their numbers; what is hidden or out of range is not among them.
+  /// The seen actors in the order of their numbers, without those that are hidden or out of range.
   std::span<const SeenActor> actors;
   std::span<const StopLine> stop_lines;
   /// The map's obstacles, ahead and behind.
@@ -163,7 +163,8 @@ class VehicleController {
   virtual void begin(const DriveBriefing& /*briefing*/) {}
   virtual void end(const DriveEnd& /*end*/) {}
   [[nodiscard]] virtual VehicleDecision decide(const VehicleView& view) = 0;
-  /// The longest period between two decisions, in seconds, even if the parameters ask for longer ones.
+  /// The longest period between two decisions, in seconds, even if the parameters ask for longer
+  /// ones.
   [[nodiscard]] virtual double longest_period_s() const {
     return std::numeric_limits<double>::infinity();
   }

@@ -1,9 +1,9 @@
 #pragma once
 
-// The seam between a world and all that runs tests in it: a world is what agents perceive and do
-// (Environment), what it looks like from outside (env/scene.h), the events of a test, what ends it
-// and what it scores. Tests, stores, metrics, assertions and pages know worlds by this file alone;
-// how a scenario describes one is in world_spec.h.
+// The interface between a world and the code that runs tests in it. A world defines the percepts
+// and actions of agents (Environment), the scene (env/scene.h), the events of a test, its end and
+// its score. Tests, stores, metrics, assertions and pages use worlds by this file alone;
+// world_spec.h has a scenario's description of a world.
 //
 // The agents under comparison come first, by their numbers, then a world's other agents. Actors are
 // the scene's: the first is the automated vehicle (AV) under test, then the agents in their order,
@@ -31,7 +31,8 @@ struct AgentOutcome {
 
 /// The AV's first contact with an agent or actor.
 struct Collision {
-  /// Index of the agent; the world's other bodies are numbered after the agents. The actor's number less one.
+  /// Index of the agent; the world's other bodies are numbered after the agents. The actor's number
+  /// less one.
   std::size_t body = 0;
   int tick = 0;
   double impact_mps = 0;
@@ -76,8 +77,8 @@ class World : public Environment {
   [[nodiscard]] double tick_ms() const final { return tick_s() * 1000; }
   /// Ticks that have passed.
   [[nodiscard]] virtual int ticks() const = 0;
-  /// Passes on the caller's share of what the AV's controller or simulator receives before the test.
-  /// There may be more actors from then on.
+  /// Passes on the caller's share of what the AV's controller or simulator receives before the
+  /// test. There may be more actors from then on.
   virtual void begin(DriveBriefing briefing) = 0;
   /// Reports to the AV's controller how the test ended. REQUIRES: it is finished.
   virtual void end() = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
-// A world as a scenario describes it: what is the same in all tests. It is read by the world's own
-// WorldSection, layer upon layer (world_section.h), and is immutable then; bound to the symbols of
-// a scenario's programs it makes the worlds of single tests. Read world.h first.
+// A world as a scenario describes it, the same for all tests. The world's own WorldSection reads it
+// layer by layer (world_section.h); then it is immutable. Bound to the symbols of a scenario's
+// programs it makes the worlds of single tests. Read world.h first.
 
 #include <cstdint>
 #include <memory>

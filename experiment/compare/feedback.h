@@ -21,7 +21,7 @@ namespace jaywalk {
 /// in the order of their numbers (run_experiment), so the first that is not finished never waits.
 class CoverageFeedback {
  public:
-  /// `table` has what the tests cover. REQUIRES: both outlive it; a generation has tests.
+  /// `table` has the bins that the tests cover. REQUIRES: both outlive it; a generation has tests.
   CoverageFeedback(const ExperimentPlan& plan, std::uint64_t generation,
                    const SituationTable& table);
 

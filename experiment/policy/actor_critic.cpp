@@ -259,7 +259,7 @@ class ActorCritic final : public Learner {
         advantage = reward + decision.discount * next - here +
                     decision.discount * settings_.trace * advantage;
         batch.advantages[first + i] = advantage;
-        // The critic's target: what it expected, corrected by what was better.
+        // The critic's target: its expectation plus the advantage.
         batch.returns[first + i] = advantage + here;
         next = here;
       }

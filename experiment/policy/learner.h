@@ -47,7 +47,7 @@ class Learner {
  public:
   virtual ~Learner() = default;
 
-  /// Whether to try what is not known well, for the sake of learning.
+  /// Whether to try options that are not well known, in order to learn.
   enum class Mode { explore, exploit };
 
   /// Sets how probable each of these options is. REQUIRES: numbers of the shape.

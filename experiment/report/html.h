@@ -23,8 +23,8 @@ namespace jaywalk::reporting {
 /// Colours repeat after as many; markers too, but out of step with them.
 inline constexpr std::size_t kColours = 8;
 
-/// The attributes of a group that belongs to a series: its colour, and by what the page's switches
-/// find it.
+/// The attributes of a group that belongs to a series: its colour, and the key for the page's
+/// switches.
 [[nodiscard]] std::string series_attributes(std::size_t series);
 /// The mark of a series around that point, as SVG.
 [[nodiscard]] std::string marker(std::size_t series, double x, double y);
@@ -59,7 +59,7 @@ enum class PictureSize { small, normal, wide };
 /// Pictures side by side, as many as there is room for.
 [[nodiscard]] std::string gallery(const std::string& figures,
                                   PictureSize size = PictureSize::normal);
-/// An entry of a list of terms and what is said of them, and the list; both are HTML.
+/// An entry of a list of terms with descriptions, and the list; both are HTML.
 [[nodiscard]] std::string term(std::string_view name, std::string_view html);
 [[nodiscard]] std::string terms(std::string_view entries);
 /// The names of series with their marks; switches them on and off.

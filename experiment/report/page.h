@@ -17,7 +17,7 @@ struct PageSection {
   std::string html;
 };
 
-/// `kind`: what the page is, above the title.
+/// `kind`: the kind of the page, shown above the title.
 [[nodiscard]] std::string render_page(std::string_view kind, std::string_view title,
                                       std::span<const PageSection> sections);
 

@@ -53,7 +53,7 @@ struct ReportData {
   std::vector<ReplayLink> replays;
   /// The file it was made from; empty if there is none.
   std::string store_path;
-  /// The store itself for what is not above (single tests, recordings); null if there is none.
+  /// The store itself, for other data (single tests, recordings); null if there is none.
   const ResultsReader* store = nullptr;
 };
 

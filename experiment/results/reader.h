@@ -109,8 +109,8 @@ class ResultsReader {
   /// The setup of a test: `run_test(*prepared, setup)` repeats it. Error: it would start a command,
   /// which is refused.
   [[nodiscard]] Result<TestSetup> setup(std::int64_t id) const;
-  /// Runs a test again, with what the caller wants to see of it; one that ended errored does so
-  /// again, perhaps of something else. Error: its outcome is not the stored one, as when another
+  /// Runs a test again, with the caller's options; a test that ended errored has to do so again,
+  /// perhaps with another error. Error: its outcome differs from the stored one, as when another
   /// version of the program wrote the store.
   [[nodiscard]] Result<TestRun> rerun(std::int64_t id, const TestOptions& options = {}) const;
 

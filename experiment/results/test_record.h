@@ -36,7 +36,7 @@ struct TestRecord {
   Recording recording;
 };
 
-/// Puts the outcome of a test and its recording together. `result` is what the measures see.
+/// Puts the outcome of a test and its recording together. `result` has the values for the measures.
 [[nodiscard]] TestRecord make_test_record(const TestKey& test, const TestResult& result,
                                           const TestRun& run, Recording recording);
 

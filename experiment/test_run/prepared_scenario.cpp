@@ -91,7 +91,7 @@ class Preparation {
   std::shared_ptr<const Program> load(const std::string& path, const ValueOrigin& origin,
                                       PreparedBehaviour& result) {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
-    // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
+    // A missing file is an error of the scenario; errors in a file are the program's.
     if (!include_path_.files.has(path)) {
       std::string hint = similar_behaviour(path, installed_behaviours(world_, include_path_.files));
       if (hint.empty() && include_path_.files.are_on_disk()) hint = hint_for_missing(path);

@@ -56,17 +56,17 @@ using TestObserver = std::function<void(const World& world, const Mas& mas)>;
 
 struct TestOptions {
   TestObserver observe;
-  /// Receives every scene of the test, and its events: `precondition`, of each agent that met it,
-  /// `collision`, of the one the AV touched, the world's own (World::events), `errored`, why the
-  /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
-  /// `head_start`, if there was one. Null: nothing is recorded.
+  /// Receives every scene of the test, and its events: `precondition` for each agent that met it,
+  /// `collision` for each one that the AV touched, the world's own (World::events), `errored` with
+  /// the reason, `feedback` with the agents' beliefs about earlier tests, and `head_start`, if
+  /// there was one. Null: nothing is recorded.
   Recording* record = nullptr;
   /// Observes the agents as they reason (interpreter/agent/surroundings/observer.h). Null: none
   /// does.
   ReasoningObserver* observer = nullptr;
   /// Chooses for learning agents instead of the behaviour's policy; null: the policy does.
   OptionPolicies* policies = nullptr;
-  /// Shortens paths in what is kept of errors; null: they stay as they are.
+  /// Shortens paths in kept messages of errors; null: they stay as they are.
   const PortableNames* names = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;

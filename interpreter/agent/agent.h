@@ -50,7 +50,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Belief update (Jason's buf): adds new percepts and removes those that are no longer perceived
   /// (perception.cpp). With `nrcbp` it waits for the next cycle with an update.
   void update_percepts(const Percepts& percepts, const KnownToAll& known = {});
-  /// Looks now at what the environment has shown, whatever `nrcbp` says (`.perceive`).
+  /// Updates beliefs now from the latest percepts, whatever `nrcbp` says (`.perceive`).
   void perceive_now();
   /// Reasons for at least one cycle and `most` at most, as long as it has something to do and has
   /// not asked anything of its host. The result is how many cycles that were.

@@ -81,7 +81,7 @@ class Probes {
   [[nodiscard]] const std::vector<ProbedCondition>& conditions() const { return conditions_; }
   [[nodiscard]] const std::vector<const Step*>& formulas() const { return formulas_; }
 
-  /// Indices; kNone for what was made at run time or is no part of the programs.
+  /// Indices; kNone for plans made at run time and for those that are no part of the programs.
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   [[nodiscard]] std::size_t find(const Plan& plan) const { return look_up(plan_index_, &plan); }
   [[nodiscard]] std::size_t find(const RuleCode& rule) const { return look_up(rule_index_, &rule); }

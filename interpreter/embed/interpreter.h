@@ -81,8 +81,8 @@ class Interpreter {
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(
       const std::string& name, std::string text, const IncludePath& include_path = {});
 
-  /// Agents may come at any time; a name that is taken gets a suffix. `customisation` is what the
-  /// agent does in its own way (agent/surroundings/customisation.h). No program: it has none.
+  /// Agents may be added at any time; a name that is taken gets a suffix. `customisation` has the
+  /// agent's own functions (agent/surroundings/customisation.h). Without a program it has no plans.
   AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program,
                     std::shared_ptr<const Customisation> customisation = {});
 
@@ -114,7 +114,7 @@ class Interpreter {
   /// interpreter goes, so for single beliefs the functions above are better.)
   [[nodiscard]] Diagnostics include(AgentId agent, const std::string& name, std::string text);
 
-  /// The whole system, for what is not here.
+  /// The whole system, for functions that this class does not have.
   [[nodiscard]] Mas& mas() { return *mas_; }
   [[nodiscard]] const ActionRegistry& actions() const { return actions_; }
 

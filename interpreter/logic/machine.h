@@ -171,8 +171,7 @@ class Machine : public FunctionCaller {
   [[nodiscard]] std::uint64_t inferences() const { return inferences_; }
   /// Its stacks have taken much memory, which they keep.
   [[nodiscard]] bool has_grown() const { return has_grown_; }
-  /// Throws QueryLimit if what is being made, `bytes` beside the terms, is too much for the memory
-  /// allowed.
+  /// Throws QueryLimit if an object of `bytes` bytes, beside the terms, exceeds the memory limit.
   void check_memory(std::size_t bytes);
   /// Call this between queries now and then: drops code of formulas made at run time.
   void forget_temporary_code() {

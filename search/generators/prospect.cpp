@@ -240,8 +240,7 @@ class Prospect : public Generator {
     return site;
   }
 
-  /// The values around a failure, varied; before and after them something new or, before, what was
-  /// there.
+  /// The values around a failure, varied; after them new ones, before them new or the former ones.
   Site varied_sequence(const Site& parent) {
     const double most = values_[kVariation] * std::pow(random_.uniform(0, 1), 2);
     const int back =

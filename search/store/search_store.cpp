@@ -65,7 +65,7 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text) {
   if (!json.is_array()) return std::nullopt;
   std::vector<double> numbers;
   for (const Json& each : json) {
-    // As JSON has it, `null` stands for what is infinite.
+    // JSON has no infinity, so `null` stands for it.
     if (!each.is_number() && !each.is_null()) return std::nullopt;
     numbers.push_back(each.is_null() ? 0 : each.get<double>());
     if (!std::isfinite(numbers.back())) return std::nullopt;

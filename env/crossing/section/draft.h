@@ -1,7 +1,7 @@
 #pragma once
 
-// A crossing world while a scenario's section is being read, and what the readers of its parts
-// share. Read ../parameters.h and env/world/world_section.h first.
+// A crossing world while a scenario's section is being read, and the base of the readers of its
+// parts. Read ../parameters.h and env/world/world_section.h first.
 
 #include <memory>
 #include <optional>
@@ -24,7 +24,7 @@ struct CrossingDraft {
   std::vector<std::optional<double>> actor_mps;
   /// The agents of the world's actors, in the same order.
   std::vector<WorldAgent> agents;
-  /// The file with start cells, and what is in it.
+  /// The file with start cells, and its content.
   std::optional<std::string> start_cells_file;
   std::shared_ptr<const StartCells> start_cells;
 };

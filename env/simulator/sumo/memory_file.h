@@ -1,6 +1,6 @@
 #pragma once
 
-// A file without a name, in memory: what SUMO reads and writes. It is gone with us, however we end.
+// A file without a name, in memory, which SUMO reads and writes. It disappears with our process.
 
 #include <string>
 #include <string_view>

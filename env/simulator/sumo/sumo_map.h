@@ -62,7 +62,7 @@ class SumoMap {
   /// The way of flow number `flow`. REQUIRES: prepared.
   [[nodiscard]] const SumoWay& flow_way(std::size_t flow) const { return flow_ways_[flow]; }
   [[nodiscard]] const RoadFrame& frame() const { return frame_; }
-  /// The lights that show what the world's signals do.
+  /// The lights that show the colours of the world's signals.
   [[nodiscard]] const std::vector<SumoLight>& lights() const { return lights_; }
   /// Where persons begin.
   [[nodiscard]] const std::string& walking_edge() const { return walking_edge_; }

@@ -33,7 +33,7 @@ enum class TraciCommand : std::uint8_t {
   vehicle_context = 0x84,
 };
 
-/// Identifiers of what is read and changed, each of meaning for some commands only.
+/// Identifiers of the variables to read or change; each is valid for some commands only.
 enum class TraciVariable : std::uint8_t {
   ids = 0x00,
   lamps = 0x20,

@@ -57,7 +57,7 @@ bool is_shipped(const std::string& path, const SourcePtr& source) {
   return ("\n" + std::string(kPublishedPrograms)).find("\n" + line) != std::string::npos;
 }
 
-/// The program of that name and what it includes are those of agents/crossing.
+/// Whether the program of that name and its includes are those of agents/crossing.
 bool has_published_program(const PreparedBehaviour& behaviour) {
   if (!behaviour.team.empty() || behaviour.sources.empty()) return false;
   if (!is_shipped(behaviour.name + ".asl", behaviour.sources.front())) return false;

@@ -198,7 +198,7 @@ class CourseFinder {
     return true;
   }
 
-  /// Makes steps faster, and then the walk earlier, until a player finds what the test found.
+  /// Makes steps faster, and then the walk earlier, until a player has the outcome of the test.
   [[nodiscard]] Course keeping_outcome(std::size_t actor, std::size_t from, bool waits) const {
     const bool triggered = waits && !stands_still(actor, from);
     constexpr double kLeadStep = 1.0 / 8;

@@ -184,7 +184,7 @@ class Planner {
     if (rows.empty()) return;
     const Interval cells = side_cells(junction, row);
     if (cells.empty()) return;
-    // It runs from the AV's left to its right: what is ahead of the AV is on the left.
+    // It runs from the AV's left to its right, so the side ahead of the AV is its left side.
     std::vector<PlannedLane> lanes;
     for (int cell = cells.last; cell >= cells.first; --cell) {
       add_lane(lanes, lane_of(letter(row, cell), cell_));
@@ -362,7 +362,7 @@ class Planner {
     });
   }
 
-  /// Names what is drawn as road and is none in the plan, or the other way round.
+  /// Notes cells that are road in the map but not in the plan, or the other way round.
   void compare_with_map() {
     int missing = 0;
     int added = 0;

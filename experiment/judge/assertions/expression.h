@@ -108,7 +108,7 @@ struct ExpressionText {
 
 class Vocabulary;
 
-/// Nodes in the order in which they were completed: operands come before what they belong to.
+/// Nodes in the order in which they were completed: operands come before their operators.
 class Expression {
  public:
   std::vector<Node> nodes;

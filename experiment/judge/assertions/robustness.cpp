@@ -14,7 +14,7 @@ using Numbers = std::vector<double>;
 /// `a - b`, where equal infinities do not differ.
 double difference(double a, double b) { return a == b ? 0 : a - b; }
 
-/// No operation leaves a NaN behind: what is undefined is 0.
+/// Replaces an undefined result (NaN) by 0.
 double defined(double value) { return std::isnan(value) ? 0 : value; }
 
 Truth compared(NodeKind kind, double a, double b, double tolerance) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The words of assertions' expressions, and what is suggested in place of others.
+// The words of assertions' expressions, and suggestions for words of other languages.
 
 #include <string>
 #include <string_view>

@@ -82,7 +82,7 @@ std::optional<std::string> damage(Database& database, Scrutiny scrutiny) {
   return fmt::format("the store is damaged: {}", found.value_or("it cannot be checked"));
 }
 
-/// Lets SQLite undo what a process was writing when it was killed, if the file is a store.
+/// Lets SQLite undo the unfinished transaction of a killed process, if the file is a store.
 void undo_interrupted(const std::string& path, const StoreKind& kind) {
   Database untouched(path, Database::Mode::untouched);
   if (objection(untouched, kind) || untouched.failure()) return;

@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// A file that an experiment was made from: scenario, start cells, programs and what they include.
+/// An input file of an experiment: scenario, start cells, programs and their includes.
 struct StoredInput {
   /// As it was named when it was read.
   std::string path;

@@ -74,7 +74,7 @@ struct IntendedMeans {
   const Step* current = nullptr;  // the formula that it has come to; null: it is done
   TriggerOperator op = TriggerOperator::add;
   TriggerKind kind = TriggerKind::belief;
-  /// The event's literal. Unset: it is the plan's trigger with what the frame has in its slots
+  /// The event's literal. Unset: it is the plan's trigger with the frame's values in its slots
   /// (Agent::goal_of), which is made on demand.
   Value trigger;
   std::size_t frame = 0;    // index into the intention's values

@@ -19,7 +19,7 @@ void Agent::start_branches(const Event& event) {
     for (std::size_t i = intention->stack.size(); i > intention->shared; --i) {
       const IntendedMeans& means = intention->stack[i - 1];
       if (means.plan->subplans == nullptr) continue;
-      // The sub-plan sees what the plan's variables are now.
+      // The sub-plan sees the present values of the plan's variables.
       const std::span<const Value> values(intention->frame(means), means.plan->slot_count);
       const std::vector<const Plan*>& plans = means.plan->subplans->candidates(key);
       const auto chosen = std::find_if(plans.begin(), plans.end(), [&](const Plan* plan) {

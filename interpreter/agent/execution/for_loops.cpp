@@ -102,7 +102,7 @@ void remove_known(const Level& before, Level& again) {
 
 }  // namespace
 
-// At most `most` solutions of a conjunct, each with what the levels before have bound.
+// At most `most` solutions of a conjunct, each with the bindings of the levels before.
 Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition,
                                      std::span<const Value> before, std::size_t most) {
   Level level;
@@ -183,7 +183,7 @@ void Agent::extend_level(Intention& intention, Loop& loop) {
   level.solutions.insert(level.solutions.end(), again.solutions.begin(), again.solutions.end());
 }
 
-// Binds what the next round begins with. False: there is no other round.
+// Restores the bindings of the next round. False: there is no other round.
 bool Agent::begin_round(Intention& intention, Loop& loop) {
   while (!loop.levels.empty()) {
     undo_round(intention, loop);

@@ -1,5 +1,5 @@
-// The literals of formulas that make events, `!g(X+1)`, `+b`: their arguments, and what is to come
-// back in them. The usual ones are operands, decoded when the plan was compiled
+// The literals of formulas that make events, `!g(X+1)`, `+b`: their arguments, and the variables in
+// which results come back. The usual ones are operands, decoded when the plan was compiled
 // (program/event_code.h); the unifier makes the others.
 
 #include "interpreter/agent/execution/goal_arguments.h"

@@ -7,8 +7,8 @@
 
 namespace jaywalk {
 
-// The event's literal with what the head and the context have given its variables. What is still
-// open in it, the body may bind, and a failure frees again (free_goal).
+// The event's literal with the bindings of the head and the context. The body may bind its
+// remaining variables, and a failure unsets them again (free_goal).
 Value Agent::settled_literal(const Event& event) {
   work().binds_event = false;
   const Unifier::KeepCircles keep(machine().unifier());

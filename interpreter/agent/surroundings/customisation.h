@@ -49,8 +49,8 @@ class BeliefRevision {
   /// Makes the change as it was asked for, as an agent without a function of its own would. False:
   /// it changed nothing.
   bool accept();
-  /// Changes something besides, or instead. Each change is an event of its own; the first one is
-  /// what the intention that asked waits for. REQUIRES: is_literal(literal).
+  /// Adds a change besides the requested one, or instead. Each change is an event of its own; the
+  /// intention that requested the change waits for the first one. REQUIRES: is_literal(literal).
   bool add(Value literal);
   bool remove(Value literal);
 

@@ -48,8 +48,8 @@ class BeliefBase {
     perceived_ = std::move(remains.perceived_);
   }
 
-  /// Adds a literal with its annotations. The result is what is new: the literal with the
-  /// annotations that it did not have; nothing if it was believed with all of them.
+  /// Adds a literal with its annotations. Returns the new part: the literal with the annotations
+  /// that it did not have; nothing if it was believed with all of them.
   std::optional<Value> add(Value literal, Place place = Place::front);
   /// Rules are added without looking for an equal one. Static rules belong to a program.
   void add_rule(const RuleCode& rule, Place place);
@@ -59,8 +59,8 @@ class BeliefBase {
     known_.reserve(predicates);
     relations_.reserve(predicates);
   }
-  /// Believes what the agents of a program begin with, of a predicate of which nothing is believed;
-  /// false, and nothing: something is. The rows outlive the belief base.
+  /// Shares the initial beliefs of a program for a predicate without beliefs. Returns false, and
+  /// does nothing, if there are some. The rows outlive the belief base.
   [[nodiscard]] bool share(Predicate predicate, const SharedRows& rows);
   /// Rules that have been added are those of a table, which outlives them.
   void share_rule_table(Predicate predicate, const RuleTable& table) {

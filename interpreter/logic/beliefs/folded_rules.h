@@ -48,7 +48,7 @@ struct FoldedRules {
     const SharedRows* rows = nullptr;
   };
 
-  /// `rules` and what is needed outlive it.
+  /// `rules` and the rows in `needed` outlive it.
   FoldedRules(Predicate of, const RuleTable& rules, std::vector<Need> needed, Answers found)
       : predicate(of), needs(std::move(needed)), answers(std::move(found)), table(rules, answers) {}
   FoldedRules(const FoldedRules&) = delete;

@@ -47,7 +47,7 @@ class Console {
   [[nodiscard]] static bool can_print();
   /// Sets the command line in which errors of options are shown from now on.
   void set_command_line(CommandLine line);
-  /// Diagnostics of what the user wrote.
+  /// Prints diagnostics of the user's files and options.
   void report(const Diagnostics& diagnostics);
   /// `error: message` and, on a line of its own, the hint.
   void error(std::string_view message, std::string_view hint = {});

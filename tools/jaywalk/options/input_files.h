@@ -17,9 +17,9 @@ namespace jaywalk {
 /// `search`: an experiment with `sut`. `store`: of tests or of searches.
 enum class InputKind { program, project, scenario, search, assertions, store };
 
-/// The file of an operand, or of an option's value: what is there, or else what is installed under
-/// that name (shipped.h). Nothing after adding an error: there is no such file, or it is plainly of
-/// a kind that is not `wanted`; then the error names the commands that take it.
+/// The file of an operand, or of an option's value: at that path, or else the installed one of that
+/// name (shipped.h). Nothing after adding an error: there is no such file, or it is plainly of a
+/// kind that is not `wanted`; then the error names the commands that take it.
 [[nodiscard]] std::optional<std::string> input_file(const std::string& word,
                                                     std::span<const InputKind> wanted,
                                                     Diagnostics& diagnostics);

@@ -128,7 +128,7 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
     return nullptr;
   }
   if (!arguments.has(option::kNoCheck)) {
-    // They are among what the checker says.
+    // They are among the checker's warnings.
     const Scenario& own = prepared.value()->scenario();
     warnings = own.warnings;
     Checked checked;

@@ -12,7 +12,7 @@ namespace {
 Value literal_of(Agent& agent, const Intention& intention, const Step& step, std::size_t& trail) {
   Unifier& unifier = agent.machine().unifier();
   trail = unifier.mark();
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): what is bound in the frame is undone
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): bindings in the frame are undone
   Value* const frame = const_cast<Intention&>(intention).frame(intention.stack.back());
   return deref(unifier.instantiate(step.term, frame));
 }

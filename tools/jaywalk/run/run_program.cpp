@@ -140,7 +140,7 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
     const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
                                         : load_agent(source.path, source.include_path, diagnostics);
     const auto program = compile(tree, symbols, diagnostics);
-    // The agent runs without what is missing, as in Jason; but that is a mistake.
+    // The agent runs without the missing include, as in Jason, but it is reported as an error.
     diagnostics = with_errors(diagnostics, kMissingInclude, kMissingIncludeHint);
     if (program && check != ProgramCheck::off) {
       check_compiled(tree, source.path,
