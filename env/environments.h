@@ -20,7 +20,7 @@ struct EnvironmentWord {
   std::string_view meaning;
   /// The atoms that arguments of the form take, by the arguments' names: "Way: left right; ...".
   std::string_view values = {};
-  /// Of percepts: the keys of a scenario under which agents have it; empty: they always do.
+  /// For percepts: the keys of a scenario under which agents have it; empty: they always do.
   std::string_view needs = {};
 };
 
@@ -32,9 +32,9 @@ struct EnvironmentKind {
   std::string_view summary;
   std::span<const EnvironmentWord> percepts;
   std::span<const EnvironmentWord> actions;
-  /// The first one is what a scenario begins with that names none; there may be none at all.
+  /// A scenario that names no preset begins with the first one; may be empty.
   std::span<const Preset> presets;
-  /// What reads a scenario's key `world` (world/world_section.h).
+  /// Makes the reader of a scenario's key `world` (world/world_section.h).
   std::unique_ptr<WorldSection> (*section)() = nullptr;
 };
 

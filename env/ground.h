@@ -1,8 +1,8 @@
 #pragma once
 
 // The ground that a test takes place on, in metres: lanes and pavements as areas, and what stands
-// or is marked on them. The axes are those of scene.h. What is measured and judged asks it who is
-// on the road, who keeps its lane, and what a driver sees there.
+// or is marked on them. The axes are those of scene.h. Metrics and assertions use it to find which
+// actors are on the road or in a lane, and what a driver can see.
 
 #include <optional>
 #include <string>
@@ -28,7 +28,7 @@ struct GroundCrosswalk {
   /// It is closed while a pedestrian's middle is in one of `parts`; else while a signal is not
   /// green.
   bool zebra = true;
-  /// What it covers of the lanes, and where it begins along the road.
+  /// The areas of lanes that it covers, and the y at which it begins.
   std::vector<Rectangle> parts;
   double begins_m = 0;
   /// The names of the actors that are its signals.
@@ -37,7 +37,7 @@ struct GroundCrosswalk {
 
 struct Ground {
   std::vector<Area> areas;
-  /// What stands there and hides those behind it.
+  /// Objects that hide actors behind them.
   std::vector<Rectangle> obstacles;
   std::vector<GroundCrosswalk> crosswalks;
   /// The speed at which the AV drives there while nothing is in its way; empty if that is not

@@ -9,7 +9,7 @@ namespace jaywalk {
 
 struct NumberParameter {
   std::string_view name;
-  /// The default, and what it may be.
+  /// The default, and the least and greatest value.
   double value = 0;
   double least = 0;
   double most = 0;

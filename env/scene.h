@@ -1,11 +1,11 @@
 #pragma once
 
-// What a world looks like from outside at one moment, in metres and seconds: its actors (road users
-// and whatever else is logged) with their boxes. Everything that logs, measures, draws or exports a
-// test reads scenes, so none of it knows the world's own units.
+// The state of a world at one moment, in metres and seconds: its actors (road users and whatever
+// else is logged) with their boxes. All code that logs, measures, draws or exports a test reads
+// scenes, so none of it knows the world's own units.
 //
 // The plane: y runs along the road, the way the automated vehicle (AV) drives, x to its right; the
-// origin is the corner of the world at the far left of its beginning. Headings are counted
+// origin is the left corner of the world at its beginning. Headings are counted
 // counter-clockwise from x: the AV's is pi / 2.
 
 #include <span>
@@ -30,12 +30,12 @@ struct BoxSize {
 };
 [[nodiscard]] BoxSize size_of(ActorKind kind);
 
-/// Who takes part; the same during a whole test.
+/// A participant of a test; does not change during the test.
 struct Actor {
   /// Unique in the test: `av`, or the agent's name.
   std::string name;
   ActorKind kind = ActorKind::pedestrian;
-  /// Of the box that surrounds it; the length is that along its heading.
+  /// The size of the box around it; the length is along its heading.
   double length_m = 0;
   double width_m = 0;
 

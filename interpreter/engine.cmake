@@ -119,8 +119,8 @@ jaywalk_add_library(engine
 
 # Tables that tests/tutorial extends are compiled by themselves.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/actions/standard_actions.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-# What every cycle passes through is compiled as one: the compiler may then inline across files, and
-# the headers are read once. The other files are groups of eight, or alone.
+# The files of the reasoning cycle are compiled as one, so that the compiler can inline across files
+# and reads the headers once. The other files are compiled in groups of eight, or alone.
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(hot
     term/compare.cpp term/heap.cpp term/transfer.cpp

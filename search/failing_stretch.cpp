@@ -164,7 +164,7 @@ double twin_share(std::span<const FailingStretch> stretches, double reach_m) {
 }
 
 double edit_distance(std::span<const RoadPiece> a, std::span<const RoadPiece> b) {
-  // One row of the usual table, overwritten from left to right; `diagonal` is what stood there.
+  // One row of the usual table, overwritten from left to right; `diagonal` is the former value.
   std::vector<double> costs(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) costs[j] = static_cast<double>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -201,7 +201,7 @@ double sparseness(std::span<const FailingStretch> stretches) {
   const std::size_t count = std::min(stretches.size(), kMostCompared);
   if (count < 2) return 0;
   const auto pieces = [&](std::size_t i) -> const std::vector<RoadPiece>& {
-    // Of more stretches than are compared, evenly spaced ones.
+    // If there are more stretches than are compared, take evenly spaced ones.
     return stretches[i * stretches.size() / count].pieces;
   };
   std::vector<double> farthest(count);

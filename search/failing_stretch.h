@@ -1,8 +1,8 @@
 #pragma once
 
-// Where on its road a test failed. Generators that vary what failed before find many failing tests
-// that are copies of one failure; comparing the stretches on which tests failed counts failures
-// that differ. Read run_summary.h before.
+// The stretch of its road on which a test failed. Generators that vary earlier failures find many
+// failing tests that are copies of one failure; comparing stretches counts failures that differ.
+// Read run_summary.h first.
 
 #include <optional>
 #include <span>

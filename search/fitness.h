@@ -1,7 +1,7 @@
 #pragma once
 
 // The fitness that a search maximises: one measure of the SUT, scaled so that 0 is harmless and 1
-// the worst. Read sut.h before.
+// the worst. Read sut.h first.
 
 #include "search/sut.h"
 

@@ -52,7 +52,7 @@ KillCell SearchKills::cell_of(std::size_t generator) const {
 }
 
 std::vector<SearchKills::Team> SearchKills::best_tests(std::size_t generator) const {
-  // Of tests that kill the same, one.
+  // One test of each set that kills the same defects.
   std::map<std::vector<bool>, const std::vector<double>*> kinds;
   for (const auto& [values, killed] : killers_[generator]) kinds.emplace(killed, &values);
   const auto count = [](const std::vector<bool>& killed) {

@@ -2,7 +2,7 @@
 
 // Searches for defects as rows of the kill matrix, beside behaviours
 // (experiment/compare/kills/kills.h): a generator's tests with each defective AV. Read
-// search_experiment.h before.
+// search_experiment.h first.
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-// The results of a generator's searches, and how two generators compare. Read search.h before.
+// The results of a generator's searches, and how two generators compare. Read search.h first.
 
 #include <functional>
 #include <limits>
@@ -46,7 +46,7 @@ struct RunSummary {
   /// them; not a number if the SUT does not measure them.
   double situation_bins = kUnknown;
   double situation_bins_100 = kUnknown;
-  /// What really passed for each test, in milliseconds.
+  /// The real time for each test, in milliseconds.
   double generation_ms = 0;
   double execution_ms = 0;
 };

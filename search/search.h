@@ -2,7 +2,7 @@
 
 // The loop: a generator is asked for a test input, the SUT executes it, the generator receives its
 // fitness, until the budget is spent. Many such searches run in parallel, and none depends on
-// another one or on the number of threads. Read generator.h and sut.h before.
+// another one or on the number of threads. Read generator.h and sut.h first.
 
 #include <cstdint>
 #include <functional>
@@ -22,9 +22,9 @@ namespace jaywalk::search {
 struct Budget {
   std::uint64_t tests = 0;
   std::uint64_t failures = 0;
-  /// Of virtual time: for each test the simulated time, the overhead (starting the simulator,
-  /// loading the road) and a constant for generating it. What really passes would make results
-  /// depend on the machine. The test that goes beyond it does not count. Without overhead,
+  /// The budget of virtual time: for each test the simulated time, the overhead (starting the
+  /// simulator, loading the road) and a constant for generating it. Real time would make results
+  /// depend on the machine. The test that goes beyond the budget does not count. Without overhead,
   /// simulated time alone counts, as in the SBST tool competition; a search whose tests take no
   /// time at all is given up.
   double virtual_s = 7200;
@@ -37,7 +37,7 @@ struct GeneratorSpec {
   std::string name;
   const GeneratorKind* kind = nullptr;
   std::vector<double> values;
-  /// What generating each of its tests costs, in virtual seconds; none: the budget's.
+  /// The cost of generating each of its tests, in virtual seconds; none: the budget's.
   std::optional<double> generation_s = std::nullopt;
   /// The SUT that it searches; null: the plan's. So behaviours or controllers are compared, too.
   std::shared_ptr<const SutModel> model = nullptr;
@@ -69,12 +69,12 @@ struct SearchPlan {
   [[nodiscard]] std::size_t searches() const { return generators.size() * repetitions; }
 };
 
-/// A test and what it took to find it.
+/// A test and the cost of finding it.
 struct TestRow {
   ExecutedTest test;
   std::uint64_t candidates = 0;
   std::uint64_t invalid = 0;
-  /// What really passed, for information.
+  /// The real time of generating it, for information.
   double generation_s = 0;
   double execution_s = 0;
 };
@@ -92,7 +92,7 @@ struct SearchRun {
 
 enum class Continue { yes, no };
 
-/// Where finished tests are kept while searches run. Called from several threads at once.
+/// Keeps finished tests while searches run. Called from several threads at once.
 class TestLog {
  public:
   TestLog() = default;

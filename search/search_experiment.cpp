@@ -321,7 +321,8 @@ class ExperimentReader {
     reader_.error(node.origin, "this system under test measures other things than 'sut'");
   }
 
-  /// Those that the options name; all of the table if neither file nor options name any.
+  /// Selects the generators that the options name; all of the table if neither file nor options
+  /// name any.
   void select_generators() {
     std::vector<GeneratorSpec>& known = experiment_.plan.generators;
     if (options_.generators.empty()) {

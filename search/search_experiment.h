@@ -25,7 +25,7 @@ struct SearchOptions {
   std::optional<std::string> defects;
   /// Names of the file's generators or of kinds; these and no others, in this order. Empty: all.
   std::vector<std::string> generators;
-  /// Where the programs of agents are looked for.
+  /// The source of the agents' programs.
   SourceFiles files;
   IncludeFolders include;
   SutCheck sut_check = SutCheck::done;
@@ -44,7 +44,7 @@ struct SearchExperiment {
   /// The texts of all other files that its tests are made from.
   std::vector<SourcePtr> inputs;
   SearchOptions options;
-  /// Text and options in one: what a store compares before it goes on.
+  /// Text and options as one text, which a store compares before it is continued.
   std::string origin;
 };
 

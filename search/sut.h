@@ -1,7 +1,7 @@
 #pragma once
 
-// The system under test (SUT): executes a test input and says what it measured. A row of suts.def
-// and a file of suts/ for each kind. Read test_input.h before.
+// The system under test (SUT): executes a test input and returns its measures. A row of suts.def
+// and a file of suts/ for each kind. Read test_input.h first.
 
 #include <cstdint>
 #include <functional>

@@ -18,7 +18,7 @@ enum class Form {
   vector,
   /// As many numbers as one likes, nominally from -1 to 1: what Frenetic calls a chromosome.
   sequence,
-  /// What both are made into: x and y of one road point after the other.
+  /// The form into which both are converted: x and y of one road point after the other.
   points,
 };
 

@@ -1,5 +1,5 @@
-// What the leak sanitizer is to overlook: memory that libraries keep until the process ends. Part
-// of every program that has one of them: `jaywalk`, `jaywalk-draw`, the unit tests of tools.
+// Suppressions for the leak sanitizer: memory that libraries keep until the process ends. Linked
+// into every program that uses one of them: `jaywalk`, `jaywalk-draw`, the unit tests of tools.
 
 #ifdef __SANITIZE_ADDRESS__
 // - libfontconfig, beneath cairo (tools/picture), keeps what it has read of the fonts.

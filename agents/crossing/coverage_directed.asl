@@ -1,7 +1,7 @@
-// Coverage-directed: a pedestrian who meets the AV as soon as that is possible, unless it is told
-// what earlier tests have covered (experiment.feedback). Then it goes for a hole: a meeting in a row
-// of the AV's way, so many cells ahead of the AV, walking across, along or standing, that covers
-// what they have not.
+// Coverage-directed: a pedestrian who meets the AV as soon as that is possible, unless it believes
+// what earlier tests have covered. With such beliefs (experiment.feedback) it aims for a gap: a meeting
+// with the AV (in which row of its way, how many cells ahead of it, walking across, along or standing)
+// that covers bins which those tests have not.
 
 { include("shared/steps.asl") }
 { include("shared/prediction.asl") }
@@ -16,7 +16,7 @@
 +!go_for_a_hole : meets_av_in(_) <- !cross_road.
 +!go_for_a_hole                  <- !walk; !go_for_a_hole.
 
-// One of the meetings that are still possible and have the fewest bins that are covered already.
+// A random one of the meetings that are still possible and have the fewest covered bins.
 hole(Meeting) :-
   is_covered(_, _) & .findall(option(Old, M), possible(M) & bins_covered(M, Old), All) &
   .min(All, option(Least, _)) & .findall(M, .member(option(Least, M), All), Best) &

@@ -1,4 +1,4 @@
-// A cyclist (or any other vehicle): goes its way, stops for whoever is right in front of it and
+// A cyclist (or any other vehicle): goes its way, stops for road users right in front of it and
 // before a crosswalk whose signal is not green.
 
 riding(back).  // its way: back, against the AV, or forward
@@ -24,5 +24,5 @@ must_stop :-
 +!ride : in_the_way  <- stay; !ride.
 +!ride : must_stop   <- stay; !ride.
 +!ride : riding(Way) <- move(Way); !ride.
-// Where the road ends it has left, and its ride ends.
+// At the end of the road the rider has left the world, and its ride ends.
 -!ride.

@@ -1,6 +1,6 @@
-// Directed: a pedestrian who is told which of the AV's assertions to go for, and has a desire for
-// each that it knows. What it takes to exercise them differs: to be close in front of the AV, to
-// stand in its way in good time, to have crossed its lane before it comes.
+// Directed: a pedestrian with a given assertion of the AV to exercise, and a desire for each assertion
+// that it knows. One needs a pedestrian close in front of the AV, one needs a pedestrian that stands in
+// the AV's way in good time, one needs a pedestrian that has crossed the AV's lane before it comes.
 
 { include("shared/steps.asl") }
 { include("shared/prediction.asl") }
@@ -17,7 +17,7 @@ assertion(collision_avoidance).  // its id in the scenario's file of assertions
 +!exercise(recovery) : crosses_before            <- !cross_road.
 +!exercise(Id)                                   <- !walk; !exercise(Id).
 
-// Between 2 s and 4 s ahead of the AV when the row of its body is reached: time enough to brake.
+// The pedestrian reaches the AV's rows when the AV is 2 s to 4 s away: time enough to brake.
 stands_in_time :-
   at(_, Y) & av_rows(First, Last) & seconds_to_rows(First, Last, S) & av_in(S + 2, From) &
   av_in(S + 4, To) & Y >= From & Y <= To.

@@ -1,18 +1,18 @@
 // Hunter: looks for what the AV does wrong. In every tick it pursues what is worth most as the AV
-// now drives: to be met by it where it drives on though somebody is in its lane; to try its
-// patience where it stands; to draw it on; to step out on the brink; to lure it; and where it stands
-// back from where a driver would, to outlast that driver and to walk into it as it goes on. It
-// remembers how the AV reacted. Of several the first whom it comes to lures it. After two tries it
-// lets the AV go, unless a driver would have gone.
+// now drives: to be hit where it drives on though a pedestrian is in its lane; to try its patience
+// where it stands; to make it move off; to step out at the last moment; to lure it; and where it stops
+// short of where a careful driver would, to wait until that driver is gone and walk into its path. It
+// remembers how the AV reacted. Of several hunters the first in the AV's way lures it. After two
+// tries a hunter lets the AV go, unless the careful driver would have gone.
 
 { include("shared/stepping.asl") }
 { include("shared/company.asl") }
 
 patience(2.6).    // s, how long to try the AV in one place
-lures(14).        // m short of which a driver would stand who is lured
+lures(14).        // m that a lured driver must have left when it stands
 lures_from(4.4).  // s before the AV comes
-falls_back(2.5).  // m by which an AV that reacts otherwise leaves that driver behind
-stays_back(0.3).  // m short of where the driver stands, for an AV that stands back
+falls_back(2.5).  // m ahead of the driver from which an AV counts as reacting otherwise
+stays_back(0.3).  // m short of the driver from which a standing AV counts as standing back
 
 !exercise_av.
 
@@ -24,7 +24,7 @@ somebody_hides_here :-
   id(Me) & stood(Me, Side, _) & stood(Other, Side, _) & Other > Me & in_sight(Other, _, Near) &
   near(Mine) & math.abs(Near - Mine) < 1.5.
 
-// It has slowed as the driver has, or by now leaves that one far behind.
+// The AV has slowed as the careful driver has, or is by now far ahead of that driver.
 reacts(as_a_driver) :-
   slows & driver(_, V, _) & cruise(Most) & V < Most - 0.8 & leads(M) & math.abs(M) < 0.2 &
   av_seen(_, Av, _) & Av - V < 0.3.
@@ -34,29 +34,29 @@ leads(M) :- av_seen(F, _, _) & driver(D, _, _) & M = F - D.
 can_lure :-
   comes_in(S) & lures_from(Most) & S < Most & not stands & spare(0, M) & lures(Least) & M > Least.
 
-// The driver stands before whoever is in the lane here, and does so as long as that one is there; or
-// drives past, as it could not stop any more or is further than that one.
+// The driver stands before this pedestrian and waits as long as it is in the lane; or the driver
+// passes, since it could not stop any more or its front is already beyond the pedestrian.
 driver_waits  :- driver(F, V, _) & V < 0.01 & near(N) & N > F - 0.01.
 driver_passes :- not avoids(0) & not driver_waits & not gone.
 
 passes      :- comes_past & gap(M) & M < 0.
 stands_back :- stands & leads(M) & stays_back(Least) & M < -Least.
 
-// On a zebra the AV waits before it, and so near the road's end it is gone before it has passed.
+// On a zebra the AV would wait before it; close to the road's end the AV leaves before it has passed.
 no_place_to_stand :- on_the_zebra(_).
 no_place_to_stand :- road_end(End) & cell_length(C) & av_metres(L) & y(Y) & Y > End * C - L.
 
-// Where the way to the other side, or along the lane, ends at a parked car.
+// A parked car blocks the other side of the lane, or the way along it.
 car_across :-
   home(Side) & parked(Other, From, To) & Other \== Side & far(Y) & Y > From - 5 & near(N) & N < To.
 at_a_car :- side(Side) & parked(Side, From, To) & far(Y) & Y > From - 0.3 & Y < To.
 
-// Somebody whom the AV comes to first.
+// The AV comes to another pedestrian first.
 first_to_others :-
   driver(F, _, _) & near(Mine) & in_sight(Id, _, Y) & Id \== me & Y > F + 12 & Y < Mine - 1.
 
-// It may go. A foot in the lane as it passes holds no driver up, but may hold up an AV that takes
-// people to be further ahead than they are: it stands where one can walk into it.
+// Let the AV go. A foot in the lane as it passes holds no driver up, but may stop an AV that believes
+// pedestrians to be further ahead than they are: it then stands where one can walk into it.
 takes_leave    :- draws(N) & N > 1.
 about_to_leave :- not stands & not gone & not avoids(0).
 stands_beside  :- stands & gap(M) & M < -0.1 & not gone.
@@ -105,7 +105,7 @@ desire(be_ready).
      !come_to_the_brink.
 +!be_ready <- -aim(_); !rest; !turn_round; !to(beside).
 
-// How often it has drawn the AV on.
+// Counts how often it has made the AV move off.
 +!rest : drawing & draws(N) <- -drawing; -+draws(N + 1).
 +!rest : drawing <- -drawing; +draws(1).
 +!rest.
@@ -118,23 +118,23 @@ desire(be_ready).
 
 +!remember(How) <- +reacted(How); !be_ready.
 
-// A foot in the lane until the AV reacts.
+// Keep a foot in the lane until the AV reacts.
 +!come_on : slows <- !wait.
 +!come_on <- !to(toe).
 
-// Somewhere else in its lane, for as long as the patience lasts.
+// Stand at another place in the AV's lane, for as long as the patience lasts.
 +!try(Place) : trying(Place, Since) & now(S) & patience(P) & S - Since > P & trials([_|Rest])
   <- -+trials(Rest);
      !wait.
 +!try(Place) : trying(Place, _) <- !aim_at(Place).
 +!try(Place) : now(S)           <- -+trying(Place, S); !aim_at(Place).
 
-// Beside its path, and so far back that the driver, but not the AV, has nobody ahead in the lane.
+// Stand beside the AV's path, so far back that the lane is free ahead of the driver, but not of the AV.
 +!outlast : in_path      <- !leave_path.
 +!outlast : driver_waits <- !along(back).
 +!outlast                <- !wait.
 
-// Ahead in its lane until a driver who had stopped would have the way to pick up speed, then out.
+// Walk ahead in the AV's lane until a stopped driver would have room to pick up speed, then leave it.
 +!draw_on : not drawing <- +drawing; !wait.
 +!draw_on : in_path     <- !leave_path.
 +!draw_on : on_the_zebra(_) & not at_a_car & free(forward) <- !along(forward).

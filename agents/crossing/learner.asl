@@ -1,6 +1,6 @@
-// Learner: in every tick one of a handful of steps, which one is learned (jaywalk learn). It is told
-// nothing of the road but how many rows it is from where the AV drives, and how far ahead of the AV.
-// Without a policy all steps that are possible are as probable as each other.
+// Learner: in every tick one of a handful of steps, which one is learned (jaywalk learn). All that it
+// uses of the road is how many rows away the AV drives, and how far ahead of the AV it is itself.
+// Without a policy all possible steps are equally probable.
 
 { include("shared/steps.asl") }
 

@@ -1,6 +1,6 @@
 // Coverage learner: learns which meetings with the AV cover what no test has covered, where new bins of
-// situations are rewarded (jaywalk learn). It crosses at once, or chooses how to be, in which row and how
-// many cells ahead of the AV, one after another. It is told nothing of earlier tests.
+// situations are rewarded (jaywalk learn). It crosses at once, or chooses how to move, in which row and
+// how many cells ahead of the AV, one after another. It knows nothing of earlier tests.
 
 { include("shared/steps.asl") }
 { include("shared/prediction.asl") }

@@ -7,7 +7,7 @@
 
 +!exercise_av <- !set_out_across; !go_on.
 
-// What was chosen is pursued as long as nothing changes.
+// Pursues the chosen desire as long as what it sees does not change.
 +!go_on : pursuing(Desire, Seen) & observation(desire, Seen) <- !pursue(Desire); !note; !go_on.
 +!go_on : observation(desire, Seen)
   <- !choose(Desire);
@@ -41,7 +41,7 @@
 +!pursue(Place) <- !to(Place).
 +!leave_path : side(Side) & place(brim, Side, X) <- !step_to(X).
 
-// How far the AV is ahead of where a careful driver would be by now.
+// Metres that the AV is ahead of where a careful driver would be by now.
 leads(M) :- av_seen(F, _, _) & driver(D, _, _) & M = F - D.
 at_a_car :- side(Side) & parked(Side, From, To) & far(Y) & Y > From - 0.3 & Y < To.
 

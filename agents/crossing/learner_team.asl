@@ -1,5 +1,5 @@
-// Team learner: as learner, one of several who are paid as a whole (learning.shared). They send no
-// messages; what each of them is for, it can learn by its own number.
+// Team learner: as learner, one of several that share one reward (learning.shared). They send no
+// messages; each can learn a role of its own by its number.
 
 { include("shared/steps.asl") }
 

@@ -1,6 +1,6 @@
-// Negotiating: as proximity, but nobody walks through anybody. In every tick each pedestrian tells all
-// others where it stands and where it wants to step; it steps unless somebody stands there, or one of
-// a lower number wants to go there, too.
+// Negotiating: as proximity, but pedestrians do not walk through each other. In every tick each tells
+// all others where it stands and where it wants to step; it steps unless another stands there, or one
+// with a lower number wants to go there, too.
 
 { include("shared/steps.asl") }
 { include("shared/nearness.asl") }
@@ -33,7 +33,7 @@ turned(back, forward).
 
 +claim(T, _, _, _, _, _) : pedestrians(N) & .count(claim(T, _, _, _, _, _), N) <- !decide(T).
 
-// Whoever steps from (X,Y) to (ToX,ToY) comes too near to (OtherX,OtherY): the bodies would touch.
+// A step from (X,Y) to (ToX,ToY) would make the body touch, and come nearer to, one at (OtherX,OtherY).
 size(0.5).  // of a body, in metres
 touches(X, Y, ToX, ToY, OtherX, OtherY) :-
   size(M) & cell_length(Cell) & math.abs(ToX - OtherX) < M / Cell &

@@ -1,5 +1,5 @@
 // Random behaviour: walk along the pavement, and in every tick start to cross the road with the
-// same small probability. Who has started crosses to and fro until the test ends.
+// same small probability. Once it has started, it crosses to and fro until the test ends.
 
 { include("shared/steps.asl") }
 

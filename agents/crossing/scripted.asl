@@ -1,11 +1,11 @@
 // Walks along the pavement, or stands, and crosses the road from a given moment on; on the way it may
-// change its mind once. A pedestrian without a will of its own, for whom a search decides.
+// change its mind once. It decides nothing itself: a search sets all its parameters.
 
 { include("shared/steps.asl") }
 
 cross_at(5).  // tick
-ahead(none).  // or, in its place: in the AV's path so many seconds before it, if it drives on
-changes_mind(never).  // or so many seconds before it would get into that path; negative: after
+ahead(none).  // or, instead of cross_at: seconds in the AV's path before the AV, if that drives on
+changes_mind(never).  // or seconds before it would get into that path; negative: after
 meanwhile(back).  // back, stand, forward (as the AV drives) or along (towards the AV)
 pause(1).  // seconds after which it goes on across
 moves(none).  // or, in place of all that, a letter for each tick: forward, back, left, right, stay
@@ -26,7 +26,7 @@ moves(none).  // or, in place of all that, a letter for each tick: forward, back
 time_to_cross :- ahead(none) & tick(T) & cross_at(Start) & T >= Start.
 time_to_cross :- sets_out(Start) & tick(T) & T >= Start.
 
-// Ticks until the AV is level with the own cell, and until one is in its path.
+// Ticks until the AV is level with this pedestrian's cell, and until this pedestrian is in its path.
 comes_in(T) :- av(Y) & at(_, Own) & av_speed(V) & V > 0 & T = (Own - Y) / V.
 ticks_to_path(N) :-
   at(X, _) & av_rows(First, _) & X < First & walking_speed(V) & N = (First - X - 0.5) / V.
@@ -51,7 +51,7 @@ turned(along, _, back).
 +!steps(N, Way) : free(Way) <- move(Way); !steps(N - 1, Way).
 +!steps(N, Way)             <- stay; !steps(N - 1, Way).
 
-// Letter by letter, then it stays; what is in the way is waited for.
+// Moves letter by letter, then stays; waits for an obstacle in the way to leave.
 +!follow(Letters, I)
   : .length(Letters, N) & I < N & .substring(Letter, Letters, I, I + 1) & letter(Letter, Way) &
     free(Way)

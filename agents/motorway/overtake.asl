@@ -1,4 +1,4 @@
-// Overtake: pass the AV and return to its lane with a distance that nobody has to brake for.
+// Overtake: pass the AV and return to its lane so far ahead that the AV need not brake.
 
 { include("shared/looking.asl") }
 

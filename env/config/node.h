@@ -1,7 +1,7 @@
 #pragma once
 
-// Values that a scenario or another file of settings gives, with the places where they were
-// written: what is left of YAML once it is parsed (experiment/scenario/scenario_yaml.h).
+// The parsed values of a scenario or another YAML file of settings, each with the place where it
+// was written. experiment/scenario/scenario_yaml.h makes them.
 
 #include <string>
 #include <string_view>

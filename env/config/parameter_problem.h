@@ -1,6 +1,6 @@
 #pragma once
 
-// What does not fit together in a section of a scenario.
+// An error in a section of a scenario: values that do not fit together.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // The parameters of a program: initial beliefs that a scenario sets, and where programs are. Read
-// reader.h before.
+// reader.h first.
 
 #include <string>
 #include <string_view>
@@ -16,7 +16,7 @@ namespace jaywalk {
 /// A number or the name of an atom.
 using ParameterValue = std::variant<double, std::string>;
 
-/// What takes the place of a program's initial beliefs of that name: `radius: 15` is radius(15).
+/// Replaces a program's initial beliefs of that name: `radius: 15` is radius(15).
 struct ParameterSetting {
   std::string name;
   std::vector<ParameterValue> values;
@@ -39,8 +39,8 @@ void read_parameters(const ConfigNode& node, const ConfigReader& reader,
 [[nodiscard]] std::vector<std::string> installed_behaviours(std::string_view world,
                                                             const SourceFiles& files);
 /// `$jaywalk/crossing/proximity.asl` for `proximity` in `crossing`,
-/// `$jaywalk/crossing/specialists/brink.asl` for `brink`; a file in the world's folder for a name
-/// that none has.
+/// `$jaywalk/crossing/specialists/brink.asl` for `brink`. An unknown name gives a path in the
+/// world's folder at which there is no file.
 [[nodiscard]] std::string installed_behaviour(std::string_view world, std::string_view name,
                                               const SourceFiles& files);
 

@@ -1,4 +1,5 @@
-// What a scenario may ask for, where several of its keys ask alike; generous, but safe to multiply.
+// Ranges of numbers that several keys of a scenario share: generous, but small enough that products
+// of them do not overflow.
 #pragma once
 
 #include "env/config/reader.h"

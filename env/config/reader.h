@@ -1,7 +1,7 @@
 #pragma once
 
 // Typed values out of a scenario's nodes: each function reports what it found and what it expected.
-// Read node.h before.
+// Read node.h first.
 
 #include <array>
 #include <functional>
@@ -26,7 +26,7 @@ struct IntegerRange {
   std::int64_t most = 0;
 };
 
-/// A word and what it stands for.
+/// A word and its value.
 template <class T>
 struct Choice {
   std::string_view word;
@@ -78,7 +78,8 @@ class ConfigReader {
   }
 
   void error(const ValueOrigin& origin, std::string message, std::string hint = {}) const;
-  /// What is wrong with another file, which `origin` names: where that file has it, if it says so.
+  /// Reports errors of another file, which the value at `origin` names: at their places in that
+  /// file if they have any, otherwise at `origin`.
   void error_in(const ValueOrigin& origin, const Diagnostics& found) const;
   /// `expected X, found Y`.
   void unexpected(const ConfigNode& node, std::string_view expected, std::string hint = {}) const;

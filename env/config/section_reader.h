@@ -1,7 +1,7 @@
 #pragma once
 
-// What the readers of a scenario's sections share: keys are read in a fixed order, and where each
-// was given is kept. Read reader.h before.
+// Base of the readers of a scenario's sections: reads keys in a fixed order, and keeps where each
+// was given. Read reader.h first.
 
 #include <cstdint>
 #include <functional>
@@ -23,11 +23,11 @@ namespace jaywalk {
 /// Where each key was given last, by its path.
 using ValueOrigins = std::map<std::string, ValueOrigin>;
 
-/// What a section is read with. All must outlive the reading.
+/// The files around a section while it is read. All references must outlive the reading.
 struct SectionContext {
-  /// What paths are relative to; empty: the current folder.
+  /// The folder that paths are relative to; empty: the current folder.
   const std::string& folder;
-  /// Where files that are named are read.
+  /// Reads the files that the section names.
   const SourceFiles& files;
   ValueOrigins& origins;
   Diagnostics& diagnostics;
@@ -48,7 +48,7 @@ class SectionReader {
     context_.origins[path] = node.origin;
   }
 
-  // Keeps where the key was given, for what is found to be wrong with it later.
+  // Keeps where the key was given, for errors that later checks find.
   void read_keys(const ConfigNode& node, const std::string& path,
                  std::initializer_list<ConfigKey> keys) {
     read_keys(node, path, std::span(keys.begin(), keys.size()));
@@ -102,7 +102,7 @@ class SectionReader {
     };
   }
 
-  // Each item of a list, which takes the place of what was there.
+  // Reads each item of a list; the new list replaces the items that `target` had.
   template <class Item>
   void read_list(const ConfigNode& node, const std::string& path, std::string_view expected,
                  std::vector<Item>& target, std::function<void(const ConfigNode&, Item&)> read) {
@@ -130,7 +130,7 @@ class SectionReader {
   ConfigReader reader_;
 };
 
-/// A program and its arguments, of which one that is a file beside the scenario is found there.
+/// A program and its arguments. Words that name a file beside the scenario become that file's path.
 [[nodiscard]] std::optional<std::vector<std::string>> read_command_words(
     const ConfigNode& node, const SectionContext& context, const ConfigReader& reader);
 

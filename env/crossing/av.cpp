@@ -143,7 +143,7 @@ std::vector<SeenObstacle> Av::seen_obstacles() const {
 double Av::decide(double time_s, double period_s, const Surroundings& around) {
   if (!controller_) return 0;
   const double cell = parameters_.cell_m;
-  // Off the lanes what it drives on counts as its lane.
+  // An AV that drives off the lanes has its own rows as its lane.
   const Interval lane = av_lane(parameters_).empty() ? parameters_.av.rows : av_lane(parameters_);
   const std::vector<SeenActor> actors = look(around);
   const std::vector<StopLine> lines = stop_lines(around);

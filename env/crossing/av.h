@@ -19,10 +19,10 @@ namespace jaywalk {
 
 class Av {
  public:
-  /// Begins so many cells ahead of where the parameters, which must outlive it, let it start.
+  /// Begins `head_start` cells ahead of the parameters' start. The parameters must outlive it.
   explicit Av(const CrossingParameters& parameters, int head_start = 0);
 
-  /// Cells that it is ahead of where the parameters let it start.
+  /// Cells that it is ahead of the parameters' start.
   [[nodiscard]] double driven() const { return driven_; }
   /// Cells per tick, now.
   [[nodiscard]] double speed() const { return speed_; }
@@ -40,13 +40,13 @@ class Av {
   void begin(DriveBriefing briefing, const std::vector<Actor>& actors, const Scene& scene);
   void end(const DriveEnd& end);
   [[nodiscard]] std::vector<std::string> take_notes();
-  /// Why its controller or simulator can go on no longer; empty while all is well.
+  /// Why its controller or simulator failed; empty while it works.
   [[nodiscard]] std::string failure() const;
 
   [[nodiscard]] Actor actor() const;
   /// Where it is now.
   [[nodiscard]] ActorState state() const;
-  /// Who moves it, with other traffic, in place of a controller; null if nobody does.
+  /// The simulator that moves it and other traffic; null if a controller drives it.
   [[nodiscard]] const SimulatedDrive* simulated() const { return simulated_.get(); }
 
  private:

@@ -149,7 +149,7 @@ void Crossing::sweep_zone() {
   const Interval cells = zone_cells();
   for (const Position& position : positions_) {
     if (!in_zone(position, cells)) continue;
-    // The cell nearest to the AV is what it would hit first.
+    // The AV would hit the pedestrian in the nearest cell first.
     result_.hit_cell = std::min(result_.hit_cell.value_or(position.y), position.y);
   }
   if (!result_.hit_cell) return;

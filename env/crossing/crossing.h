@@ -79,7 +79,7 @@ class Crossing final : public World {
   /// The pedestrians, then the other actors, then the traffic of a simulator, which has no agents.
   [[nodiscard]] std::span<const RoadUser> bodies() const { return bodies_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  /// What the signal of a crosswalk shows to vehicles.
+  /// The colour that the signal of a crosswalk shows to vehicles.
   [[nodiscard]] SignalColour signal(std::size_t crosswalk) const { return signals_[crosswalk]; }
   [[nodiscard]] const Av& vehicle() const { return av_; }
   /// The cell of the AV's leading edge; its body lies behind it.
@@ -89,7 +89,7 @@ class Crossing final : public World {
   /// The cells of the zone that the next tick tests.
   [[nodiscard]] Interval zone_cells() const;
   [[nodiscard]] Interval zone_rows() const { return zone_rows_; }
-  /// Of a simulator's own traffic there are bodies and actors from then on.
+  /// Starts the controller or simulator. Adds the simulator's own traffic to the bodies and actors.
   void begin(DriveBriefing briefing) override;
   void end() override;
   [[nodiscard]] std::vector<std::string> take_notes() override { return av_.take_notes(); }
@@ -136,7 +136,7 @@ class Crossing final : public World {
   int ticks_ = 0;
   int max_ticks_ = 0;
   int origin_ = 0;
-  // What agents perceive from `id` on has changed so often; see Percepts::keep_rest.
+  // Counts the changes of what agents perceive from `id` on; see Percepts::keep_rest.
   std::uint64_t rest_number_ = 1;
   CrossingResult result_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// The ground of the crossing world. Read env/ground.h before.
+// The ground of the crossing world. Read env/ground.h first.
 
 #include <vector>
 

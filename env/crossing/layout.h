@@ -35,7 +35,7 @@ class Layout {
     const Surface ground = at(position);
     return ground == Surface::lane || ground == Surface::crosswalk;
   }
-  /// Somebody can be there: it lies on the grid and is not blocked.
+  /// Whether a body can be there: the position lies on the grid and is not blocked.
   [[nodiscard]] bool is_free(Position position) const {
     return grid_.contains(position) && at(position) != Surface::blocked;
   }
@@ -51,7 +51,7 @@ class Layout {
   std::vector<Surface> cells_;  // else, row by row
 };
 
-/// What a letter of a map stands for.
+/// The surface that a letter of a map stands for; nothing for an unknown letter.
 [[nodiscard]] std::optional<Surface> find_surface(char letter);
 
 }  // namespace jaywalk

@@ -41,7 +41,7 @@ void check_av(const CrossingParameters& parameters, std::vector<ParameterProblem
   }
 }
 
-// What would drive the AV beside the simulator, or needs to know how it is driven.
+// Refuses keys that a simulator makes meaningless, since the world does not drive the AV then.
 void check_simulator(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   const AvParameters& av = parameters.av;
   if (parameters.simulator.name.empty()) return;
@@ -156,7 +156,7 @@ void check_actors(const CrossingParameters& parameters, std::vector<ParameterPro
   }
 }
 
-// What is carried over are whole cells of a drive that is the zone's sweep itself.
+// Carrying over needs whole cells per tick, and a zone that is exactly the AV's drive of a tick.
 void check_carry_over(const CrossingParameters& parameters, std::vector<ParameterProblem>& found) {
   if (!parameters.av.carry_over || !parameters.simulator.name.empty()) return;
   const double speed = parameters.av.speed;

@@ -1,8 +1,8 @@
 #pragma once
 
 // Everything about the crossing world that is a number or a choice. The defaults are the case
-// study's, the preset `paper`. Rows count from the left of the automated vehicle (AV), cells along
-// its way; one tick is the time of a pedestrian's step. Read ../grid/grid.h before.
+// study's, the preset `paper`. Rows count from the far left as the automated vehicle (AV) drives,
+// cells along its way; one tick is the time of a pedestrian's step. Read ../grid/grid.h first.
 
 #include <map>
 #include <optional>
@@ -33,21 +33,22 @@ struct AvParameters {
   /// Length in cells, and the rows that its body covers.
   int length = 3;
   Interval rows{3, 4};
-  /// The cruising speed in cells per tick: what the AV keeps to unless its model brakes. Where a
-  /// position is not whole, the AV's cell is that rounded down.
+  /// The cruising speed in cells per tick, which the AV keeps unless its model brakes. If its
+  /// position is not a whole number, the AV's cell is the position rounded down.
   double speed = 6;
   /// How it drives.
   VehicleParameters vehicle;
-  /// How it would drive if it were healthy, where defects alone do not say so: the twin of a
-  /// controller of one's own. Its sensors and its period are the vehicle's (see section.h there).
+  /// How a custom controller would drive if it were healthy; not needed where the vehicle's defects
+  /// say what to leave out. Sensors and period are those of `vehicle`
+  /// (env/vehicle/section.h).
   std::optional<VehicleParameters> twin;
   /// The cell of the leading edge before the first tick; may lie before the grid.
   int start = 0;
   /// Cells that it would take to stop; matters only to a zone measured from there.
   int stopping_distance = 0;
-  /// What the AV has not driven yet of a tick when the test ends within it, it drives before the
-  /// first tick of the next test, as in the program that the paper's figures come from. So each
-  /// test depends on the one before it.
+  /// Whether the cells that the AV had left to drive in the tick that ended a test become its head
+  /// start in the next test, as in the program that the paper's figures come from. Each test then
+  /// depends on the one before it.
   bool carry_over = false;
 
   friend bool operator==(const AvParameters&, const AvParameters&) = default;
@@ -91,9 +92,10 @@ struct SpawnParameters {
   friend bool operator==(const SpawnParameters&, const SpawnParameters&) = default;
 };
 
-/// On the road, its cost takes the place of the pavement's or comes on top of it.
+/// How the road's cost combines with the pavement's: it replaces it, or is added to it.
 enum class RoadCost { replace, add };
-/// Who gets the reward: the agents in the first cell that the AV's sweep meets, or all in the zone.
+/// Which agents get the reward: those in the first cell that the AV's sweep meets, or all in the
+/// zone.
 enum class Rewarded { first_hit, zone };
 
 struct ScoringParameters {
@@ -127,7 +129,7 @@ struct Crosswalk {
   friend bool operator==(const Crosswalk&, const Crosswalk&) = default;
 };
 
-/// A parked car, a kiosk: nobody can be where it stands, and who is behind it is hidden.
+/// A parked car, a kiosk: its cells are blocked, and bodies behind it are hidden from the AV.
 struct Obstacle {
   Interval rows;
   Interval cells;
@@ -167,7 +169,7 @@ struct CrossingParameters {
   std::vector<Obstacle> obstacles;
   std::vector<ActorParameters> actors;
   PedestrianParameters pedestrians;
-  /// Who moves the AV and other traffic, if the world itself does not.
+  /// The simulator that moves the AV and other traffic; without a name the world moves the AV.
   SimulatorParameters simulator;
   double cell_m = 1.5;
   double tick_s = 1;
@@ -180,8 +182,8 @@ struct CrossingParameters {
   /// it. Nothing is scored any more.
   int aftermath = 0;
   TestEnd end = TestEnd::precondition;
-  /// Seconds after which a test ends in any case; 0: ten times what the road takes at full speed if
-  /// the AV can brake, else no limit.
+  /// Seconds after which a test ends in any case; 0: ten times the time for the road at full speed
+  /// if the AV can brake, else no limit.
   double time_limit_s = 0;
   SpawnParameters spawn;
   ScoringParameters scoring;
@@ -189,7 +191,7 @@ struct CrossingParameters {
   friend bool operator==(const CrossingParameters&, const CrossingParameters&) = default;
 };
 
-/// It keeps its speed whatever is in its way: no model brakes, no simulator drives.
+/// Whether the AV keeps its speed whatever is in its way: no model brakes, no simulator drives.
 [[nodiscard]] bool is_steady(const CrossingParameters& parameters);
 [[nodiscard]] Grid grid(const CrossingParameters& parameters);
 /// The rows of each band, in the same order.
@@ -206,12 +208,12 @@ struct CrossingParameters {
 /// cells per tick).
 [[nodiscard]] Interval zone_ahead(const CrossingParameters& parameters);
 [[nodiscard]] Interval zone_ahead(const CrossingParameters& parameters, double speed);
-/// The cell of the zone's origin after so many ticks at the cruising speed.
+/// The cell of the zone's origin after `ticks` ticks at the cruising speed.
 [[nodiscard]] int zone_origin(const CrossingParameters& parameters, int ticks);
-/// The same when the AV's leading edge is so many cells ahead of where it started.
+/// The cell of the zone's origin when the AV's leading edge is `driven` cells ahead of its start.
 [[nodiscard]] int zone_origin_at(const CrossingParameters& parameters, double driven);
 
-/// What does not fit together.
+/// The values that do not fit together.
 [[nodiscard]] std::vector<ParameterProblem> problems(const CrossingParameters& parameters);
 
 }  // namespace jaywalk

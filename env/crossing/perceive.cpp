@@ -1,4 +1,4 @@
-// What the agents of the crossing world perceive: the rows of percepts.def, in their order.
+// The percepts of the agents of the crossing world: the rows of percepts.def, in their order.
 
 #include <cassert>
 #include <cmath>
@@ -29,7 +29,7 @@ class Crossing::Perceiver {
     add(CrossingPercept::zone_ahead, world_.zone_ahead_.first, world_.zone_ahead_.last);
     end_of_road();
   }
-  // What of that everybody perceives, whatever happens.
+  // Percepts that all agents share and that never change during a test.
   void perceive_constants() {
     number_of_pedestrians();
     road();

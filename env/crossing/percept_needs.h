@@ -20,7 +20,7 @@ struct PerceptNeed {
 namespace percept_needs {
 
 inline constexpr PerceptNeed always{"", [](const CrossingParameters&) { return true; }};
-// What ends a test is perceived only if the test goes on after it.
+// Agents perceive what ends a test only if the test goes on after it.
 inline constexpr PerceptNeed aftermath{
     "world.aftermath or world.until", [](const CrossingParameters& world) {
       return world.end != TestEnd::precondition || world.aftermath > 0;

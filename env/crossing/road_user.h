@@ -1,7 +1,7 @@
 #pragma once
 
-// What an agent of the crossing world moves: a pedestrian, a cyclist, another vehicle; and what a
-// signal shows. Read parameters.h before.
+// The bodies that agents of the crossing world move (pedestrians, cyclists, other vehicles), and
+// the colours of signals. Read parameters.h first.
 
 #include "env/crossing/layout.h"
 #include "env/scene.h"
@@ -27,16 +27,16 @@ struct RoadUser {
   double step = 0;
   int stepped_in = 0;
   int acted_in = 0;
-  /// It has left at the end of the road, and goes on without its agent.
+  /// Whether it has left at the end of the road; it then goes on without its agent.
   bool gone = false;
-  /// It is a simulator's, and not on the road now.
+  /// Whether it belongs to a simulator's traffic and is not on the road now.
   bool absent = false;
 
   /// Vehicles and cyclists leave where the grid ends; pedestrians turn round there.
   [[nodiscard]] bool may_leave() const {
     return kind == ActorKind::vehicle || kind == ActorKind::cyclist;
   }
-  /// What it has moved in a tick, in cells.
+  /// The cells that it moved in the given tick.
   [[nodiscard]] double step_in(int tick) const { return stepped_in == tick ? step : 0; }
 };
 
@@ -56,13 +56,14 @@ struct RoadUser {
 [[nodiscard]] bool is_blocked(const RoadUser& body, const Layout& layout, Direction direction,
                               double cells);
 
-/// Why a step cannot be made; empty if `body` was moved. It leads `cells` in a direction, less at
-/// the grid's edge; at the edge itself, or where it is blocked, no step is possible. Those that may
-/// leave go on beyond the edge and are gone.
+/// Moves `body` by `cells` in a direction, less at the grid's edge. Returns why no step is possible
+/// (at the edge itself, or where it is blocked); empty if it was moved. Bodies that may leave go on
+/// beyond the edge and are gone.
 [[nodiscard]] std::string step(RoadUser& body, const Layout& layout, Direction direction,
                                double cells, int tick);
 
-/// One more tick of somebody who is gone: as the last step, until it is out of everybody's sight.
+/// Repeats the last step of a body that has left the road, until it is more than `out_of_sight`
+/// cells beyond the grid.
 void leave(RoadUser& body, const Layout& layout, double out_of_sight, int tick);
 
 }  // namespace jaywalk

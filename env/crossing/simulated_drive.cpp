@@ -166,7 +166,7 @@ std::vector<SimulatedBody> SimulatedDrive::bodies_in(int tick,
     const RoadUser& body = bodies[i];
     const double step = body.step_in(tick);
     const double speed = step * cell / parameters_.tick_s;
-    // Nobody makes more than one step in a tick.
+    // A body makes at most one step in a tick.
     const GridPoint before = ahead_of(body.place, body.facing, -step);
     moved.push_back({.actor = i,
                      .before = state_at(before, speed, body.facing, cell),
@@ -199,7 +199,7 @@ bool SimulatedDrive::touches(const SimulatedScene& scene, std::size_t body,
   const Actor& other = ours ? actors_[body] : traffic_[body - actors_.size()];
   const ActorState at =
       ours ? body_at(bodies[body], share) : scene.traffic[body - actors_.size()].state;
-  // What the AV's box has swept since the scene before.
+  // The area that the AV's box has swept since the scene before.
   const ActorState& from = now_.av.state;
   const ActorState& to = scene.av.state;
   Actor swept = body_;

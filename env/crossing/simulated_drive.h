@@ -1,8 +1,8 @@
 #pragma once
 
 // The crossing's side of a simulator (env/simulator/simulator.h): it reports to the simulator where
-// the world's bodies go, checks what comes back and finds whom the automated vehicle (AV) touches.
-// In the world by itself a body is at its new place during the whole tick; here it goes there
+// the world's bodies go, checks its answers and finds the bodies that the automated vehicle (AV)
+// touches. Without a simulator a body is at its new place during the whole tick; here it goes there
 // evenly.
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace jaywalk {
 
 struct Collision;
 
-/// What the simulator is asked whether it can simulate. REQUIRES: parameters without problems().
+/// The site that the simulator checks before any test. REQUIRES: parameters without problems().
 [[nodiscard]] SimulatedSite simulated_site(const CrossingParameters& parameters);
 
 class SimulatedDrive {
@@ -36,7 +36,7 @@ class SimulatedDrive {
   [[nodiscard]] const SimulatedVehicle& av() const { return now_.av; }
   /// The simulator's own vehicles; they do not change during the test.
   [[nodiscard]] std::span<const Actor> traffic() const { return traffic_; }
-  /// Where each of them is. One that is not in the simulation is out of everybody's sight.
+  /// The state of one of them. One that is not in the simulation is put out of the AV's sight.
   [[nodiscard]] ActorState traffic_state(std::size_t index) const;
   [[nodiscard]] bool is_present(std::size_t index) const { return now_.traffic[index].present; }
   [[nodiscard]] const std::string& failure() const { return failure_; }
@@ -53,7 +53,7 @@ class SimulatedDrive {
   [[nodiscard]] std::vector<SimulatedBody> bodies_in(int tick,
                                                      std::span<const RoadUser> bodies) const;
   [[nodiscard]] std::vector<ShownSignal> shown(std::span<const SignalColour> signals) const;
-  /// Whether the AV touches somebody between the scene before and `scene`.
+  /// Whether the AV touches the body number `body` between the scene before and `scene`.
   [[nodiscard]] bool touches(const SimulatedScene& scene, std::size_t body,
                              const std::vector<SimulatedBody>& bodies, double share) const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The crossing behind the seam of all worlds. Read crossing.h and env/world/world_spec.h before.
+// The crossing behind the seam of all worlds. Read crossing.h and env/world/world_spec.h first.
 
 #include <memory>
 #include <utility>
@@ -20,7 +20,7 @@ class CrossingSpec final : public WorldSpec, public std::enable_shared_from_this
       : parameters_(std::move(parameters)), start_cells_(std::move(start_cells)) {}
 
   [[nodiscard]] const CrossingParameters& parameters() const { return parameters_; }
-  /// Those that take the place of spawning; null: none do.
+  /// The start cells of the scenario's file; null if start cells are drawn.
   [[nodiscard]] const StartCells* given_starts() const { return start_cells_.get(); }
 
   [[nodiscard]] std::string_view kind() const override { return kCrossing; }
@@ -52,7 +52,7 @@ class CrossingSpec final : public WorldSpec, public std::enable_shared_from_this
 
 /// REQUIRES: the world is a crossing.
 [[nodiscard]] const CrossingParameters& crossing_parameters(const WorldSpec& world);
-/// What is of the crossing alone; null for other worlds.
+/// The crossing's own specification or world; null for other worlds.
 [[nodiscard]] const CrossingSpec* find_crossing(const WorldSpec& world);
 [[nodiscard]] const Crossing* find_crossing(const World& world);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Positions, directions and bounds on a grid of square cells. Worlds with a road lay it along +y:
-// `x` is the lateral row, counted from the left of someone who drives forward, `y` the
+// `x` is the lateral row, counted from the far left as seen when driving forward, `y` the
 // longitudinal cell.
 
 #include <optional>
@@ -44,7 +44,7 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// The four neighbours, as seen by someone who drives forward (+y): left is x - 1.
+/// The four neighbours, as seen when driving forward (+y): left is x - 1.
 enum class Direction { left, right, forward, back };
 
 inline constexpr int kDirectionCount = 4;
@@ -55,7 +55,7 @@ inline constexpr int kDirectionCount = 4;
 
 /// The neighbour in that direction, on the grid or not.
 [[nodiscard]] Position neighbour(Position position, Direction direction);
-/// The place so many cells away in that direction.
+/// The place `cells` cells away in that direction.
 [[nodiscard]] GridPoint ahead_of(GridPoint place, Direction direction, double cells);
 
 struct Grid {

@@ -1,7 +1,7 @@
 #pragma once
 
 // Lane-keeping assistants: each steers a car along the right lane of a road that it knows. A row of
-// controllers.def and a file in controllers/ for each. Read vehicle.h and path.h before.
+// controllers.def and a file in controllers/ for each. Read vehicle.h and path.h first.
 
 #include <memory>
 #include <span>
@@ -20,7 +20,7 @@ class Controller {
   Controller& operator=(const Controller&) = delete;
   virtual ~Controller() = default;
 
-  /// What to do now. Called at equal intervals.
+  /// The command for now. Called at equal intervals.
   [[nodiscard]] virtual Command command(const VehicleState& state) = 0;
   [[nodiscard]] virtual Actuator actuator() const = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 // One test of a lane-keeping assistant: it drives a road, and how far the car leaves its lane is
-// measured. A pure function of its arguments. Read controller.h before.
+// measured. A pure function of its arguments. Read controller.h first.
 
 #include <vector>
 

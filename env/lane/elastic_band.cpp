@@ -15,7 +15,7 @@ Point between(const Point& a, const Point& b, double share) {
   return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
 }
 
-/// Nodes at equal distances along the line, and what a shift by one metre to the left is.
+/// Nodes at equal distances along the line, and the vector of a shift by one metre to the left.
 class Band {
  public:
   Band(const Polyline& centre, double node_m) {

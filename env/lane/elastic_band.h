@@ -1,7 +1,7 @@
 #pragma once
 
-// The line that a driver takes who cuts corners: an elastic band along the lane's middle. Read
-// road.h before.
+// The line of a driver that cuts corners: an elastic band along the lane's middle. Read road.h
+// first.
 
 #include "env/lane/road.h"
 

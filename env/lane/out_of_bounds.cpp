@@ -62,7 +62,7 @@ class CommonArea {
   explicit CommonArea(const Polygon& box) : box_(box) {}
 
   double with(const Quad& quad) {
-    // The quadrilateral's interior lies to the left of its sides if it runs counter-clockwise.
+    // The interior of a counter-clockwise quadrilateral lies on the left side of its edges.
     const double side = doubled_area(quad) > 0 ? 1 : -1;
     const Polygon* rest = &box_;
     Polygon* next = &first_;

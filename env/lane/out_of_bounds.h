@@ -1,7 +1,7 @@
 #pragma once
 
 // How much of the car is outside of the right lane: the competition's oob_percentage. Read
-// vehicle.h and road.h before.
+// vehicle.h and road.h first.
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // A line to be followed: arc length, heading and curvature of each of its points, and which of them
-// is nearest to a car that moves along it. Metres, radians. Read road.h before.
+// is nearest to a car that moves along it. Metres, radians. Read road.h first.
 
 #include <cstddef>
 #include <vector>

@@ -44,7 +44,7 @@ bool passes_bounds(std::span<const Point> line, double map) {
 /// Whether the outline touches the map's boundary or has the map's corner within.
 bool touches_boundary(const Road& road, double map) {
   const Polyline ring = outline(road);
-  // What lies strictly inside, as most roads do, touches nothing.
+  // A road that lies strictly inside, as most do, touches no border.
   if (std::ranges::all_of(ring, [map](const Point& point) {
         return 0 < point.x_m && point.x_m < map && 0 < point.y_m && point.y_m < map;
       })) {

@@ -36,8 +36,7 @@ struct RoadVerdict {
 /// The rules are applied in the competition's order; the first one broken gives the message.
 [[nodiscard]] RoadVerdict validate(Polyline points, const RoadRules& rules = {});
 
-/// Whether validate() has no objection, which takes less time to find out than what the first one
-/// is.
+/// Whether validate() has no objection; faster than finding the first objection.
 [[nodiscard]] bool is_valid(Polyline points, const RoadRules& rules = {});
 
 /// The smallest radius of a circle through every other of five neighbouring points, in metres;

@@ -32,7 +32,7 @@ struct MotorwayParameters {
     friend bool operator==(const AutomatedVehicle&, const AutomatedVehicle&) = default;
   } av;
 
-  /// Whom agents drive.
+  /// The vehicles that agents drive.
   struct Drivers {
     double greatest_speed_mps = 40;
     double acceleration_mps2 = 3;

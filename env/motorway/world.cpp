@@ -35,7 +35,7 @@ double apart_m(const MotorwayParameters& parameters) {
   return std::max(size_of(ActorKind::vehicle).length_m, parameters.av.length_m) + kStartGapM;
 }
 
-/// The fronts of those who are in a lane already, the AV's too.
+/// The fronts of all vehicles that are in a lane already, the AV's too.
 std::vector<double> fronts_in(int lane, const MotorwayParameters& parameters,
                               const std::vector<MotorwayVehicle>& vehicles) {
   std::vector<double> fronts;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The motorway behind the seam of all worlds. Read motorway.h and env/world/world_spec.h before.
+// The motorway behind the seam of all worlds. Read motorway.h and env/world/world_spec.h first.
 
 #include <memory>
 #include <utility>

@@ -11,13 +11,13 @@
 
 namespace jaywalk {
 
-/// The program is asked to end (Ctrl-C, SIGTERM, SIGHUP): whoever waits for a child gives up. A
-/// signal handler sets it, which can reach nothing but a global. A program that leaves it false,
-/// because it embeds this library, waits as long as the limits say.
+/// The program is asked to end (Ctrl-C, SIGTERM, SIGHUP): all waits for a child end. It is global
+/// because a signal handler sets it. A host program that embeds this library may leave it false;
+/// waits then end at their limits alone.
 inline std::atomic<bool> end_requested = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// What wait_for_child() says if nobody waits any longer: the program is to end, or it is too late.
+/// Results of wait_for_child(): the program was asked to end, or the deadline has passed.
 inline constexpr std::string_view kInterrupted = "interrupted";
 inline constexpr std::string_view kLate = "late";
 

@@ -27,7 +27,7 @@ using std::chrono::steady_clock;
 // From here to guard_until_the_end() the code runs between fork and exec, where other threads may
 // hold any lock: no memory is allocated and only async-signal-safe functions are called.
 
-/// What a new process is made from.
+/// The program, arguments and descriptors of a process to start.
 struct Plan {
   char* const* arguments;
   const char* folder;  // null: the current one
@@ -103,7 +103,7 @@ void note_child(int /*signal*/) {}
   const pid_t program = fork();
   if (program < 0) give_up_start(plan);
   if (program == 0) become_program(plan, self);
-  // Whoever waits for the end of a stream must not wait for us.
+  // A reader that waits for the end of a stream must not have to wait for this guard.
   close_all_from(0, lifeline);
   sigset_t nothing_blocked;
   sigemptyset(&nothing_blocked);

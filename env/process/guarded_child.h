@@ -34,8 +34,8 @@ struct ChildStreams {
                                         GuardedChild& child);
 
 /// Waits for the program to end by itself, unless we are asked to end (child_wait.h), then kills
-/// what is left of the group: the status of waitpid, -1 if it had to be killed. REQUIRES: it was
-/// started. Afterwards there is none.
+/// the remaining processes of its group. Returns the status of waitpid, -1 if it had to be killed,
+/// and resets `child`. REQUIRES: the child was started.
 int end_guarded(GuardedChild& child, std::chrono::milliseconds patience);
 
 }  // namespace jaywalk

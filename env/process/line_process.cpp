@@ -73,7 +73,7 @@ LineProcess::~LineProcess() { finish(); }
 
 std::string LineProcess::start() {
   if (command_.empty()) return "no program is given";
-  // A pair of sockets, since writing to one whose other end is gone need not raise a signal.
+  // A pair of sockets, since writing to one whose other end is closed need not raise a signal.
   std::array<int, 2> pair{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
     return std::strerror(errno);
@@ -101,7 +101,7 @@ std::string LineProcess::start() {
   return {};
 }
 
-/// Meanwhile the child's errors are read, so that it never waits for somebody to read them.
+/// Reads the child's standard error meanwhile, so that a full pipe never blocks the child.
 std::string LineProcess::wait_for(short events, Deadline deadline) {
   while (true) {
     std::array<pollfd, 2> waits{pollfd{channel_, events, 0}, pollfd{error_pipe_, POLLIN, 0}};
@@ -161,7 +161,7 @@ std::optional<std::string> LineProcess::unasked_so_far() const {
   return buffer_.substr(0, buffer_.find('\n'));
 }
 
-/// Nothing is read at the end of its output: that is noticed when it is asked.
+/// Does not report the end of the child's output; the next question does.
 void LineProcess::read_what_is_there() {
   std::array<char, 256> chunk{};
   const ssize_t count = recv(channel_, chunk.data(), chunk.size(), MSG_DONTWAIT);

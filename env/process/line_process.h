@@ -1,8 +1,7 @@
 #pragma once
 
-// A child process that is asked one line and answers one line: how controllers and systems under
-// test are attached that live outside of this program. It, and what it started, end with us
-// (guarded_child.h).
+// A child process that receives one line and answers one line: external controllers and systems
+// under test are attached so. It and the processes that it started end with us (guarded_child.h).
 
 #include <chrono>
 #include <cstddef>
@@ -43,17 +42,18 @@ class LineProcess {
   /// answers after it would belong to other questions. After an error the process is gone; the next
   /// question starts it anew.
   [[nodiscard]] LineAnswer ask(std::string_view line, std::chrono::milliseconds limit);
-  /// The same in two parts, for several questions at once: sends `text`, lines without the last
-  /// line break, and returns only what went wrong; waits for the answer to the next of them.
+  /// ask() in two parts, for several questions at once. send_lines() sends `text`, lines without
+  /// the last line break, and returns only an error; next_answer() waits for the answer to the next
+  /// of those lines.
   [[nodiscard]] LineAnswer send_lines(std::string_view text, std::chrono::milliseconds limit);
   [[nodiscard]] LineAnswer next_answer(std::chrono::milliseconds limit);
-  /// Sends a line that is not answered, to a process that was asked before. One that does not take
-  /// it is gone.
+  /// Sends a line that needs no answer, to a process that was asked before. Kills a process that
+  /// does not read it within the limit.
   void tell(std::string_view line, std::chrono::milliseconds limit);
   /// The first line, or its beginning, that the process has written without being asked, or writes
   /// within `settling`.
   [[nodiscard]] std::optional<std::string> unasked(std::chrono::milliseconds settling);
-  /// The same of what has come together with the last answer.
+  /// Like unasked(), but looks only at output that was read together with the last answer.
   [[nodiscard]] std::optional<std::string> unasked_so_far() const;
   /// Kills the process, as after an error: for an answer that makes no sense.
   void give_up() { end(std::chrono::milliseconds(0)); }
@@ -90,7 +90,7 @@ class LineProcess {
   std::size_t lines_ = 0;
 };
 
-/// Bytes of what a process wrote that messages quote.
+/// The most bytes of a process's output that messages quote.
 inline constexpr std::size_t kMostQuoted = 80;
 
 }  // namespace jaywalk

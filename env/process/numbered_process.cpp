@@ -10,7 +10,7 @@
 namespace jaywalk {
 namespace {
 
-// Few enough that their answers find room while nobody reads them.
+// Few enough that their answers fit into the socket's buffer until we read them.
 constexpr std::size_t kAtOnce = 64;
 
 std::string joined(std::span<const std::string> lines) {
@@ -22,7 +22,7 @@ std::string joined(std::span<const std::string> lines) {
   return text;
 }
 
-/// One line. Names of files may be any bytes; what is not UTF-8 becomes U+FFFD.
+/// The object as one line. Names of files may be any bytes; invalid UTF-8 becomes U+FFFD.
 std::string text_of(const nlohmann::json& line) {
   return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -43,7 +43,7 @@ JsonAnswer NumberedProcess::ask_text(std::string_view question, std::size_t numb
                                      std::chrono::milliseconds limit) {
   JsonAnswer answer = read(process_.ask(question, limit), number);
   if (!answer.error.empty()) return answer;
-  // The next question looks for what comes later, and a number that is repeated tells it apart.
+  // Output that comes later is noticed at the next question, where a repeated number identifies it.
   std::string more =
       repeats_ ? complaint(process_.unasked_so_far()) : said_more(settings_.settling);
   if (!more.empty()) return {{}, std::move(more)};
@@ -56,7 +56,7 @@ std::vector<JsonAnswer> NumberedProcess::ask_texts(std::span<const std::string> 
   std::vector<JsonAnswer> answers;
   while (answers.size() < questions.size()) {
     const std::size_t done = answers.size();
-    // Without numbers nothing tells the answers apart.
+    // Without numbers the answers could not be matched to questions.
     const std::size_t count = repeats_ ? std::min(kAtOnce, questions.size() - done) : 1;
     if (count == 1) {
       answers.push_back(ask_text(questions[done], first + done, limit));
@@ -90,7 +90,7 @@ std::string NumberedProcess::said_more(std::chrono::milliseconds settling) {
   return asked_ ? complaint(process_.unasked(settling)) : std::string();
 }
 
-/// Nothing of what was not said.
+/// Empty if there is no such text.
 std::string NumberedProcess::complaint(const std::optional<std::string>& text) {
   if (!text) return {};
   return refuse(

@@ -2,7 +2,7 @@
 
 // A child process that answers questions in lines of JSON, each question with its number. The
 // answer may repeat the number; if it does, it is checked, so that question and answer cannot get
-// out of step. Read line_process.h before.
+// out of step. Read line_process.h first.
 
 #include <chrono>
 #include <optional>
@@ -46,7 +46,7 @@ class NumberedProcess {
   /// reports about itself, the process is gone; the next question starts it anew.
   [[nodiscard]] JsonAnswer ask(nlohmann::json question, std::size_t number,
                                std::chrono::milliseconds limit);
-  /// The same of a question that is one line of text already, with its number in it.
+  /// Like ask(), for a question that is one line of text already and contains its number.
   [[nodiscard]] JsonAnswer ask_text(std::string_view question, std::size_t number,
                                     std::chrono::milliseconds limit);
   /// Several of those, whose numbers count on from `first`; the process may read one while it
@@ -54,15 +54,15 @@ class NumberedProcess {
   [[nodiscard]] std::vector<JsonAnswer> ask_texts(std::span<const std::string> questions,
                                                   std::size_t first,
                                                   std::chrono::milliseconds limit);
-  /// What to say if it has answered the last question with more than one line, or does within
-  /// `settling`; it is ended then. Empty if all is well.
+  /// An error if it has answered the last question with more than one line, or does so within
+  /// `settling`; the process is ended then. Empty otherwise.
   [[nodiscard]] std::string said_more(std::chrono::milliseconds settling);
-  /// Sends an object that is not answered; of a process that is gone nothing is sent.
+  /// Sends an object that needs no answer; does nothing if the process is gone.
   void tell(const nlohmann::json& line, std::chrono::milliseconds limit);
-  /// Ends the process, whose last answer makes no sense. What to say about it: the answer, which
-  /// line of its output that was, and `why`.
+  /// Ends the process because its last answer makes no sense. Returns the message for the user: the
+  /// answer, the number of that line of its output, and `why`.
   [[nodiscard]] std::string refuse(std::string_view why);
-  /// As those of LineProcess.
+  /// Like the functions of LineProcess.
   void finish() { process_.finish(); }
   [[nodiscard]] std::string take_errors() { return process_.take_errors(); }
 

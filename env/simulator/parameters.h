@@ -1,8 +1,8 @@
 #pragma once
 
-// Which simulator moves a world's vehicles, and what the scenario says about it under
-// `world.simulator`. The keys are those of the simulator's row (simulator.h); the scenario's reader
-// checks them by that table and knows none of them.
+// The simulator that moves a world's vehicles, and its settings under `world.simulator`. The keys
+// are those of the simulator's row (simulator.h); the scenario's reader checks them by that table
+// alone.
 
 #include <functional>
 #include <map>
@@ -32,14 +32,14 @@ struct SettingKey {
   std::string_view name;
   SettingKind kind = SettingKind::text;
   std::string_view meaning;
-  /// Of a number.
+  /// The range of a number.
   double least = 0;
   double most = 0;
-  /// Of a choice, separated by blanks.
+  /// The words of a choice, separated by blanks.
   std::string_view words = {};
 };
 
-/// What the scenario says for a key.
+/// The scenario's value for a key.
 struct SettingValue {
   double number = 0;
   std::string text;
@@ -52,7 +52,7 @@ struct SettingValue {
 struct SimulatorParameters {
   /// A row of simulators.def; empty: the world moves its vehicles by itself.
   std::string name;
-  /// Of one step of the simulator, in seconds; a tick has several.
+  /// The length of one step of the simulator, in seconds; a tick has several.
   double step_s = 0.1;
   std::map<std::string, SettingValue, std::less<>> settings;
 
@@ -73,7 +73,7 @@ struct SimulatorParameters {
   friend bool operator==(const SimulatorParameters&, const SimulatorParameters&) = default;
 };
 
-/// What is wrong with a key's value; no key: with the section.
+/// An error in a key's value, or in the whole section if `key` is empty.
 struct SettingProblem {
   std::string key;
   std::string message;

@@ -62,7 +62,7 @@ class SimulatorReader : SectionReader {
 
   void read_setting(const SettingKey& key, const ConfigNode& node) {
     SettingValue value;
-    // A map changes single values of what was there.
+    // A map changes single values of an earlier layer.
     const SettingValue* const before = parameters_.find(key.name);
     if (before != nullptr && key.kind == SettingKind::map) value = *before;
     if (read_value(key, node, value)) {

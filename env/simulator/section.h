@@ -1,7 +1,7 @@
 #pragma once
 
-// The key `world.simulator` of a scenario: a simulator's name, or its name with keys of its own.
-// What keys there are is known to its row of simulators.def alone.
+// The key `world.simulator` of a scenario: a simulator's name, or its name with its own keys, which
+// only the simulator's row of simulators.def knows.
 
 #include <string>
 
@@ -19,8 +19,8 @@ void read_simulator(const ConfigNode& node, const std::string& path, const Secti
 void report_settings(std::vector<SettingProblem> problems, const ValueOrigins& origins,
                      const std::string& scenario, Diagnostics& diagnostics);
 
-/// Reports what the simulator finds wrong; of the site only if that is all right by itself, else it
-/// is null. REQUIRES: a simulator is named.
+/// Reports the simulator's errors in the settings and in the site; the site is null if it has
+/// errors itself. REQUIRES: a simulator is named.
 void check_simulator(const SimulatorParameters& parameters, const SimulatedSite* site,
                      const std::string& scenario, const SectionContext& context);
 

@@ -2,7 +2,7 @@
 
 // The simulator seam: what stands between a world and a simulator that moves the automated vehicle
 // (AV) and other traffic in it. Agents, percepts, preconditions, scores, collisions and recordings
-// stay the world's; the simulator receives where everybody goes and answers where its vehicles are.
+// stay the world's; the simulator receives where the bodies go and answers where its vehicles are.
 // Everything is in metres, seconds and radians on the plane of env/scene.h: y runs along the road
 // the way the AV drives, x to its right, headings are counted counter-clockwise from x. Simulators
 // are the rows of simulators.def; another one is a class in a folder beside this file and a row.
@@ -31,7 +31,7 @@ struct RoadBand {
   AreaKind kind = AreaKind::pavement;
   double left_m = 0;
   double right_m = 0;
-  /// Of a lane: its traffic comes towards the AV.
+  /// Whether the lane's traffic comes towards the AV; unused for pavements.
   bool oncoming = false;
 };
 
@@ -53,7 +53,7 @@ struct SimulatedSite {
   double tick_s = 1;
 };
 
-/// Somebody whom the world moves, as it goes from the begin of a tick to its end.
+/// An actor that the world moves, as it goes from the begin of a tick to its end.
 struct SimulatedBody {
   /// Index into the actors of the test.
   std::size_t actor = 0;
@@ -61,7 +61,7 @@ struct SimulatedBody {
   ActorState after;
 };
 
-/// What a signal of the world shows to vehicles: `green`, `amber` or `red`.
+/// The colour that a signal of the world shows to vehicles: `green`, `amber` or `red`.
 struct ShownSignal {
   /// Index into the crosswalks of the ground.
   std::size_t crosswalk = 0;
@@ -83,8 +83,8 @@ struct SimulatedTest {
   double cruise_mps = 0;
   /// Limits and habits of the AV as the scenario gives them under `world.av`.
   const VehicleParameters& vehicle;
-  /// Whom the world moves: the pedestrians, then others, perhaps vehicles and signals; and where
-  /// they begin.
+  /// The actors that the world moves: the pedestrians, then others, perhaps vehicles and signals;
+  /// and where they begin.
   std::span<const Actor> actors;
   std::span<const ActorState> starts;
 };
@@ -93,18 +93,19 @@ struct SimulatedTest {
 struct SimulatedVehicle {
   ActorState state;
   double acceleration_mps2 = 0;
-  /// It is in the simulation; of one that is not (yet, or no longer), the state has no meaning.
+  /// Whether it is in the simulation; if not (yet, or no longer), the state has no meaning.
   bool present = true;
 };
 
-/// What the simulator has come to.
+/// The state of the simulator's vehicles at one moment.
 struct SimulatedScene {
   /// Since the test began.
   double time_s = 0;
   SimulatedVehicle av;
   /// In the order of SimulatedStart::traffic.
   std::vector<SimulatedVehicle> traffic;
-  /// Whom of the actors the AV touches, as indices; empty: the world finds that out from the boxes.
+  /// Indices of the actors that the AV touches; nothing if the simulator does not report contacts
+  /// and the world has to find them from the boxes.
   std::optional<std::vector<std::size_t>> contacts;
 };
 
@@ -121,18 +122,18 @@ struct SimulatedTick {
   std::uint64_t tick = 1;
   double begin_s = 0;
   double length_s = 1;
-  /// One for each actor of the test, in their order. In between they go evenly (body_at).
+  /// A body for each actor of the test, in their order. Within the tick they move evenly (body_at).
   std::span<const SimulatedBody> bodies;
   std::span<const ShownSignal> signals;
 };
 
-/// What stores and reports say of it.
+/// A simulator's name and version, as stores and reports show them.
 struct SimulatorIdentity {
   std::string name;
   std::string version;
-  /// What it simulates on: the path of a file, or how it was made; empty if there is none.
+  /// The network that it simulates on: a file's path, or how it was made; empty if it has none.
   std::string network;
-  /// The same test gives the same, whatever was simulated before it.
+  /// Whether a test has the same result whatever was simulated before it.
   bool deterministic = true;
 };
 
@@ -140,7 +141,8 @@ class Simulator {
  public:
   virtual ~Simulator() = default;
 
-  /// Who it is, after starting it if it has to be started. Why that failed, if it did.
+  /// Fills in the identity, and starts the simulator first if needed. Returns why that failed;
+  /// empty if it did not.
   [[nodiscard]] virtual std::string identify(SimulatorIdentity& identity) = 0;
   /// Errors of the scenario that show once the simulator runs, before any test; usually none.
   [[nodiscard]] virtual std::vector<SettingProblem> survey(const SimulatedSite& /*site*/) {
@@ -148,10 +150,10 @@ class Simulator {
   }
   /// A test begins; one that has not ended is given up.
   [[nodiscard]] virtual std::string begin(const SimulatedTest& test, SimulatedStart& start) = 0;
-  /// The scenes that it has come to, at equal distances; the last one is at the end of the tick.
+  /// Simulates a tick: its scenes at equal distances in time, the last one at the end of the tick.
   [[nodiscard]] virtual std::string advance(const SimulatedTick& tick,
                                             std::vector<SimulatedScene>& scenes) = 0;
-  /// The test is over. Why something is wrong even so, if it is.
+  /// Ends the test. Returns an error that shows only then; empty if there is none.
   [[nodiscard]] virtual std::string end(const DriveEnd& /*end*/) { return {}; }
   /// Remarks on the test for the scenario's author, each once; usually none.
   [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
@@ -169,8 +171,8 @@ struct SimulatorKind {
   std::string_view summary;
   /// The keys of the scenario's `world.simulator`, besides `name` and `step`.
   std::span<const SettingKey> keys;
-  /// What does not fit together, or what it cannot simulate of the site; usually nothing. Null:
-  /// something is wrong with the site itself.
+  /// Settings that contradict each other, and parts of the site that it cannot simulate; usually
+  /// none. The site is null if it has errors itself.
   std::vector<SettingProblem> (*check)(const SimulatorParameters&, const SimulatedSite*);
   std::unique_ptr<Simulator> (*make)(const SimulatorParameters&);
 };

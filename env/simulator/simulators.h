@@ -1,6 +1,6 @@
 #pragma once
 
-// What the rows of simulators.def name.
+// The functions that the rows of simulators.def name.
 
 #include <memory>
 #include <span>

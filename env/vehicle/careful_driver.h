@@ -4,7 +4,7 @@
 // annex on traffic disturbances), also of ISO 34502. A risk begins as hazards.h defines it; the
 // driver perceives it for 0.4 s, begins to brake 0.75 s later, and presses the pedal so that the
 // deceleration grows at 12.65 m/s^3 up to 0.774 g, until no actor is a risk any more. The model
-// `careful-competent` drives so, and so does the driver by whom tests are judged
+// `careful-competent` drives so, and so does the imagined driver of the signal `avoidable`
 // (experiment/judge/signals/careful_driver.cpp).
 
 #include <limits>

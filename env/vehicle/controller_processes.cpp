@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kLimit{5000};
 // How long one that does not repeat the step is watched for unexpected lines.
 constexpr std::chrono::milliseconds kSettling{1};
-// Answers beyond a hundred times gravity are refused; what is less absurd is limited.
+// Answers beyond a hundred times gravity are refused; smaller ones are limited.
 constexpr double kAbsurdMps2 = 1000;
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string ControllerProcess::decide(const VehicleView& view, std::uint64_t tes
 
 std::string ControllerProcess::end(nlohmann::json end) {
   if (follows_) return {};
-  // One that drives on is asked again, which finds what comes later.
+  // A kept process is asked again, which finds output that comes later.
   const bool is_kept = !reset_.is_null();
   std::string more = process_.said_more(is_kept ? std::chrono::milliseconds(0) : kSettling);
   if (!more.empty()) return failed(std::move(more));
@@ -67,8 +67,8 @@ std::string ControllerProcess::say_reset() {
   return failed(answer.error.empty() ? read_fields(answer.json) : answer.error);
 }
 
-/// Says again what led here; an answer that is another one now shows that it is not told by what it
-/// is asked.
+/// Sends all earlier views of the drive again. An answer that differs from the first time shows
+/// that the controller's answers do not depend on the views alone, which is an error.
 std::string ControllerProcess::catch_up() {
   follows_ = false;
   if (std::string why = say_reset(); !why.empty()) return why;

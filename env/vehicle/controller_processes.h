@@ -1,8 +1,8 @@
 #pragma once
 
-// Processes of external controllers (external.cpp has what they read and answer). One that drives
-// in many tests, one after another, is kept by the runner of the tests, as starting it takes longer
-// than most tests do; it belongs to one thread.
+// Processes of external controllers (external.cpp describes the protocol). The runner of the tests
+// keeps a process that drives in many tests, one after another, since starting it takes longer than
+// most tests do; it belongs to one thread.
 
 #include <cstdint>
 #include <map>
@@ -25,14 +25,14 @@ class ControllerProcess {
  public:
   explicit ControllerProcess(const std::vector<std::string>& command);
 
-  /// One that is kept begins a drive. If it is the drive before once more, nothing is sent until a
-  /// view comes that was not seen in it: then all that went before is asked again.
+  /// Begins a drive of a kept process. If it repeats the drive before, nothing is sent until a view
+  /// comes that was not seen in that drive; then all earlier views are sent again.
   [[nodiscard]] std::string begin(nlohmann::json reset);
-  /// Its answer: an acceleration in m/s^2, which may exceed what a vehicle can do.
+  /// Its answer: an acceleration in m/s^2, not yet limited to what a vehicle can do.
   [[nodiscard]] std::string decide(const VehicleView& view, std::uint64_t test,
                                    double& acceleration_mps2);
   [[nodiscard]] std::string end(nlohmann::json end);
-  /// As those of LineProcess.
+  /// Like the functions of LineProcess.
   void finish() { process_.finish(); }
   [[nodiscard]] std::string take_errors() { return process_.take_errors(); }
 
@@ -42,7 +42,7 @@ class ControllerProcess {
   [[nodiscard]] std::string ask(const std::string& view, double& acceleration_mps2);
   [[nodiscard]] std::string read_acceleration(const JsonAnswer& answer, double& acceleration_mps2);
   [[nodiscard]] std::string read_fields(const nlohmann::json& answer);
-  /// Forgets what was known of a process that is gone.
+  /// Resets the state of a process that has ended.
   [[nodiscard]] std::string failed(std::string why);
 
   NumberedProcess process_;

@@ -22,7 +22,7 @@ ValueOrigin origin_of_part(const ConfigNode& node, std::string_view part, std::s
   return origin;
 }
 
-/// What stands between commas.
+/// The texts between commas.
 std::vector<ConfigNode> parts_of(const ConfigNode& node) {
   const std::string_view text = node.text;
   std::vector<ConfigNode> parts;

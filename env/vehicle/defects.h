@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// Where on the way from the world to the wheels the fault is.
+/// The part of the chain from sensors to wheels in which the fault is.
 enum class DefectFamily { perception, prediction, decision, actuation };
 
 [[nodiscard]] std::string_view name(DefectFamily family);

@@ -65,7 +65,7 @@ nlohmann::json to_json(const DriveEnd& end) {
   return said;
 }
 
-/// What to call a controller: its script rather than what interprets it.
+/// The name of a controller in messages: its script rather than the interpreter of the script.
 std::string title_of(const std::vector<std::string>& command) {
   std::error_code ignored;
   for (std::size_t i = 1; i < command.size(); ++i) {

@@ -15,7 +15,7 @@ constexpr double kPastLineM = -1;
 constexpr double kTouchM = 1e-6;
 // Times are sums of periods.
 constexpr double kRoundingS = 1e-9;
-// Where a line seems to lie moves a little for a sensor that is late.
+// With a late sensor the seen place of a line moves a little.
 constexpr double kSameLineM = 1;
 
 bool is_closed_ahead(const StopLine& line) { return line.closed && line.gap_m >= kPastLineM; }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whom a vehicle has to mind: what its models share. Here is the one definition of when a risk
-// begins: models brake by it, and tests are judged by it (experiment/judge/signals).
+// The actors that a vehicle has to brake for. This is the one definition of when a risk begins: all
+// models brake by it, and tests are judged by it (experiment/judge/signals).
 
 #include <cstdint>
 #include <limits>
@@ -29,8 +29,8 @@ struct Hazard {
 /// The actor's box is over the strip, `after_s` seconds from now if it keeps its speed.
 [[nodiscard]] bool is_over(const SeenActor& actor, const Strip& strip, double after_s = 0);
 
-/// Whom a vehicle sees is a risk to it while some part of the other's box is over the vehicle's
-/// lane and ahead of its front. The risk begins when that becomes true.
+/// Whether a seen actor is a risk: some part of its box is over the vehicle's lane and ahead of the
+/// vehicle's front. The risk begins when that becomes true.
 [[nodiscard]] bool is_risk(const SeenActor& actor, const Strip& lane);
 
 /// The nearest of the closed stop lines ahead.
@@ -78,8 +78,8 @@ class Perception {
 inline constexpr double kComfortableMps2 = 2;
 
 /// Stops at closed lines as any driver would: it begins when comfortable braking is needed, and
-/// goes on until the line opens. A line that closes is perceived as a risk is, each by itself: who
-/// ran one has not seen the next before it closes.
+/// goes on until the line opens. The closing of each line is perceived after the reaction time,
+/// like a risk, independently of other lines.
 class LineStop {
  public:
   /// Seconds from the closing of a line until braking may begin.

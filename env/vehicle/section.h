@@ -1,7 +1,7 @@
 #pragma once
 
 // How a scenario describes the automated vehicle (AV) of any world: the keys of `world.av` that say
-// how it is driven. Read vehicle.h and env/config/section_reader.h before.
+// how it is driven. Read vehicle.h and env/config/section_reader.h first.
 
 #include <optional>
 #include <string>
@@ -40,8 +40,8 @@ void check_vehicle(const VehicleParameters& vehicle, const std::optional<Vehicle
 /// that is in.
 void warn_of_speed(double mps, const std::string& path, std::string unit,
                    const SectionContext& context);
-/// What keeps defects from showing: whoever does not brake can neither brake wrongly nor show how
-/// it is done rightly.
+/// Adds errors if defects cannot have an effect: a model that never brakes can neither brake
+/// wrongly nor be the healthy twin.
 void check_defects(const VehicleParameters& vehicle, const std::optional<VehicleParameters>& twin,
                    std::vector<ParameterProblem>& found);
 
@@ -50,7 +50,7 @@ void check_defects(const VehicleParameters& vehicle, const std::optional<Vehicle
 [[nodiscard]] VehicleParameters healthy_twin(const VehicleParameters& vehicle,
                                              const std::optional<VehicleParameters>& twin);
 
-/// A defect of the AV, `latency` or `latency=0.6`; nothing after reporting what is wrong.
+/// A defect of the AV, `latency` or `latency=0.6`; nothing after reporting an error.
 [[nodiscard]] std::optional<VehicleDefect> read_defect(const ConfigNode& node,
                                                        const ConfigReader& reader);
 /// `all`, which is every defect with each of its severities; or a list, or a text with commas.
@@ -61,7 +61,8 @@ void check_defects(const VehicleParameters& vehicle, const std::optional<Vehicle
 /// are: av_model_names().
 [[nodiscard]] std::vector<std::string> read_av_list(const ConfigNode& node,
                                                     const ConfigReader& reader);
-/// Those that a simulator has, or without one the world; none if the simulator has no such key.
+/// The names of the models of the AV that the simulator has, or the world if there is no simulator;
+/// none if the simulator has no such key.
 [[nodiscard]] std::vector<std::string> av_model_names(const SimulatorParameters& simulator);
 
 }  // namespace jaywalk

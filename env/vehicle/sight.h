@@ -1,7 +1,7 @@
 #pragma once
 
 // How a vehicle sees others. It serves the automated vehicle (AV) of a world and the driver with
-// which a test's judge compares it. Read vehicle.h before.
+// which a test's judge compares it. Read vehicle.h first.
 
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@ struct Strip {
   double right_m = 0;
 };
 
-/// Where a vehicle looks from, and what it cannot look through.
+/// The place from which a vehicle looks, and the obstacles to its view.
 struct Sight {
   Strip body;
   double front_m = 0;
@@ -27,7 +27,7 @@ struct Sight {
   std::span<const Rectangle> obstacles;
 };
 
-/// Somebody whom it may see.
+/// A road user that the vehicle may see.
 struct RoadUserBox {
   std::uint32_t id = 0;
   ActorKind kind = ActorKind::pedestrian;

@@ -1,10 +1,10 @@
 #pragma once
 
-// The Vehicle Behaviour Interface: what stands between the controller of an automated vehicle (AV)
-// and the world. The world gives out what the vehicle's sensors see, the controller answers with an
-// acceleration; the world moves the vehicle. The vehicle keeps its row: a controller accelerates
-// and brakes, it does not steer. Models are the rows of models.def; another one is a class in a
-// file of its own and a row, or an external process (external.cpp).
+// The Vehicle Behaviour Interface between the controller of an automated vehicle (AV) and the
+// world. The world provides the view of the vehicle's sensors, the controller answers with an
+// acceleration, and the world moves the vehicle. The vehicle keeps its row: a controller
+// accelerates and brakes, it does not steer. Models are the rows of models.def; another one is a
+// class in its own file and a row, or an external process (external.cpp).
 
 #include <cstdint>
 #include <limits>
@@ -20,7 +20,7 @@
 
 namespace jaywalk {
 
-/// Somebody in the way, or who could come there, as the sensors see them.
+/// A road user in the way, or that could get there, as the sensors see it.
 struct SeenActor {
   /// The actor's number in the world, the same in every view.
   std::uint32_t id = 0;
@@ -36,7 +36,7 @@ struct SeenActor {
   double speed_right_mps = 0;
   /// The box's length along the way: its far side is at gap_m + length_m.
   double length_m = 0;
-  /// Where it looks, clockwise from the vehicle's way.
+  /// Its heading, clockwise from the vehicle's way.
   double heading_rad = 0;
 };
 
@@ -75,7 +75,7 @@ struct VehicleView {
   double right_m = 0;
   double lane_left_m = 0;
   double lane_right_m = 0;
-  /// In the order of their numbers; what is hidden or out of range is not among them.
+  /// The seen actors in the order of their numbers, without those that are hidden or out of range.
   std::span<const SeenActor> actors;
   std::span<const StopLine> stop_lines;
   /// The map's obstacles, ahead and behind.
@@ -103,7 +103,7 @@ struct DriveBriefing {
   /// Processes that outlive the test, for an external controller that keeps its; null: there are
   /// none.
   ControllerProcesses* processes = nullptr;
-  /// Those of the thread, for a world whose vehicles one of them moves.
+  /// The thread's simulators, for a world whose vehicles a simulator moves.
   Simulators* simulators = nullptr;
 };
 
@@ -174,7 +174,7 @@ class VehicleController {
   [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
-/// What no vehicle on a dry road exceeds: answers of external controllers are limited to that.
+/// The hardest braking on a dry road; answers of external controllers are limited to it.
 inline constexpr double kHardestBrakingMps2 = kGravityMps2;
 inline constexpr double kHardestAccelerationMps2 = 5;
 
@@ -186,8 +186,8 @@ struct Motion {
   double speed = 0;
   double way = 0;
 };
-/// After a period in which the speed changes evenly by `change`, kept between 0 and `highest`:
-/// whoever comes to a stand stays there until the period ends. In any units that fit together.
+/// The motion in a period in which the speed changes evenly by `change`, kept between 0 and
+/// `highest`: a vehicle that stops stands until the period ends. In any consistent units.
 [[nodiscard]] Motion drive_on(double speed, double change, double highest, double period);
 
 struct VehicleModel {

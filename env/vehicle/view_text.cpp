@@ -34,7 +34,7 @@ class ViewText {
     put(second);
     text_ += ']';
   }
-  /// Of characters that JSON need not escape.
+  /// Writes a text without characters that JSON has to escape.
   void word(std::string_view key, std::string_view value) {
     if (!begin(key)) return;
     text_ += '"';

@@ -1,8 +1,8 @@
 #pragma once
 
-// The ground of a world as cells, for pictures and pages: what each cell is, and the bands along
-// the road that they belong to. Rows count from the automated vehicle's (AV's) left, cells along
-// its way. What is measured and judged asks env/ground.h instead, which is in metres.
+// The ground of a world as cells, for pictures and pages: the kind of each cell, and the bands
+// along the road. Rows count from the automated vehicle's (AV's) left, cells along its way. Metrics
+// and assertions use env/ground.h instead, which is in metres.
 
 #include <string_view>
 #include <vector>

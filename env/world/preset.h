@@ -9,8 +9,8 @@ namespace jaywalk {
 /// Whether the published results are of the world and the parameters that a preset describes.
 enum class PresetResults { published, other };
 
-/// Values that a scenario begins with, by name. `text` is what a scenario would say; what it says
-/// of behaviours goes to those of these names that the scenario has.
+/// Named default values of a scenario. `text` has the form of a scenario; its parameters of
+/// behaviours apply to the scenario's behaviours of these names.
 struct Preset {
   std::string_view name;
   std::string_view summary;

@@ -1,9 +1,9 @@
 #pragma once
 
-// The seam between a world and all that runs tests in it: a world is what agents perceive and do
-// (Environment), what it looks like from outside (env/scene.h), the events of a test, what ends it
-// and what it scores. Tests, stores, metrics, assertions and pages know worlds by this file alone;
-// how a scenario describes one is in world_spec.h.
+// The interface between a world and the code that runs tests in it. A world defines the percepts
+// and actions of agents (Environment), the scene (env/scene.h), the events of a test, its end and
+// its score. Tests, stores, metrics, assertions and pages use worlds by this file alone;
+// world_spec.h has a scenario's description of a world.
 //
 // The agents under comparison come first, by their numbers, then a world's other agents. Actors are
 // the scene's: the first is the automated vehicle (AV) under test, then the agents in their order,
@@ -44,14 +44,15 @@ struct WorldResult {
   bool success = false;
   /// The ticks that it took, until success or in all.
   int ticks = 0;
-  /// Those of the whole test, and what has ended it, a word of the world's; empty while it goes on.
+  /// The ticks of the whole test, and the reason that ended it, a word of the world's; empty while
+  /// it goes on.
   int all_ticks = 0;
   std::string_view end;
   /// One outcome for each compared agent, in their order.
   std::vector<AgentOutcome> agents;
   /// The agents that met the precondition, as indices.
   std::vector<std::size_t> met_by;
-  /// Whom the AV has touched, each once, in the order of time. Assertions judge it.
+  /// The actors that the AV has touched, each once, in the order of time. Assertions judge them.
   std::vector<Collision> collisions;
 
   /// Rewards less costs, as mean over all agents.

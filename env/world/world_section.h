@@ -2,7 +2,7 @@
 
 // How a world reads its section of a scenario, the key `world`: layer upon layer (preset, file,
 // options), each into the same draft, then it is checked and finished. Read world_spec.h and
-// env/config/section_reader.h before.
+// env/config/section_reader.h first.
 
 #include <memory>
 #include <span>
@@ -27,8 +27,8 @@ struct WorldAgent {
 class WorldSection {
  public:
   virtual ~WorldSection() = default;
-  /// Reads what one layer says; `path` is that of the section. The keys `common` are of all worlds,
-  /// and come before the world's own.
+  /// Reads the section of one layer; `path` is that of the section. The keys `common` belong to all
+  /// worlds, and come before the world's own.
   virtual void read(const ConfigNode& node, const std::string& path, const SectionContext& context,
                     std::span<const ConfigKey> common) = 0;
   /// Reports what does not fit together, once all layers are read; `scenario` is its name.

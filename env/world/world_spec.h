@@ -1,8 +1,8 @@
 #pragma once
 
-// A world as a scenario describes it: what is the same in all tests. It is read by the world's own
-// WorldSection, layer upon layer (world_section.h), and is immutable then; bound to the symbols of
-// a scenario's programs it makes the worlds of single tests. Read world.h before.
+// A world as a scenario describes it, the same for all tests. The world's own WorldSection reads it
+// layer by layer (world_section.h); then it is immutable. Bound to the symbols of a scenario's
+// programs it makes the worlds of single tests. Read world.h first.
 
 #include <cstdint>
 #include <memory>
@@ -23,7 +23,7 @@ namespace jaywalk {
 
 struct SimulatedSite;
 
-/// What a world is given to begin a test with.
+/// The inputs of a world for one test.
 struct WorldStart {
   /// How many agents are compared, without the world's others.
   std::uint32_t agents = 1;
@@ -54,7 +54,7 @@ class WorldSpec {
   [[nodiscard]] virtual std::string_view kind() const = 0;
   [[nodiscard]] virtual double tick_s() const = 0;
   [[nodiscard]] virtual Ground ground() const = 0;
-  /// What pictures show of it.
+  /// The ground that pictures show.
   [[nodiscard]] virtual GroundPlan plan() const = 0;
   /// The name of a compared agent, by number, from 1.
   [[nodiscard]] virtual std::string agent_name(std::uint32_t number) const;
@@ -72,9 +72,10 @@ class WorldSpec {
   /// The words of the program that tests start; none if they start none.
   [[nodiscard]] virtual std::vector<std::string> command() const;
 
-  /// Every test comes out the same in both.
+  /// Whether every test has the same outcome in both worlds.
   [[nodiscard]] virtual bool same_as(const WorldSpec& other) const = 0;
-  /// Tests are given what those before have left over, so that they have to run in order.
+  /// Whether each test starts from the head start that the one before it left over, so that tests
+  /// must run in order.
   [[nodiscard]] virtual bool carries_over() const { return false; }
   /// The row's percepts that agents do not have in this world, as indices.
   [[nodiscard]] virtual std::vector<std::size_t> absent_percepts() const { return {}; }
@@ -83,7 +84,7 @@ class WorldSpec {
   [[nodiscard]] virtual std::vector<Position> start_cells(const WorldStart& /*start*/) const {
     return {};
   }
-  /// The scenario gives them, rather than that they are drawn.
+  /// Whether the scenario gives the start cells, rather than having them drawn.
   [[nodiscard]] virtual bool has_given_starts() const { return false; }
   /// Why a test cannot begin so; empty if it can.
   [[nodiscard]] virtual std::string problem(const WorldStart& /*start*/) const { return {}; }

@@ -1,7 +1,6 @@
 #pragma once
 
-// What was found out about one test, as stores keep it: the value of a metric or the verdict of an
-// assertion, whatever computed it.
+// A result about one test, as stores keep it: the value of a metric or the verdict of an assertion.
 
 #include <cstdint>
 #include <optional>
@@ -19,7 +18,7 @@ enum class StoredVerdict { none, vacuous, pass, fail, unavoidable };
 
 /// One row of the table `assessments`. Numbers may be infinite but not NaN.
 struct AssessmentRow {
-  /// Of the metric or assertion, `min_distance`; unique in its test together with the actor.
+  /// The id of the metric or assertion, `min_distance`; unique in its test together with the actor.
   std::string id;
   std::optional<double> value;
   /// The tick that the value belongs to, or the first one that violates the assertion.

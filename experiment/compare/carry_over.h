@@ -1,9 +1,9 @@
 #pragma once
 
-// Chains of tests: with `world.av.carry_over` what a test leaves of the AV's last tick is the head
-// start of the next test of the same behaviour and number of agents. Such tests run one after
-// another (TestOrder::chained). A stored test keeps its head start, and can be run again alone.
-// Read test_run.h and experiment.h before.
+// Chains of tests: with `world.av.carry_over` the cells that the AV had left to drive in a test's
+// last tick are its head start in the next test of the same behaviour and number of agents. Such
+// tests run one after another (TestOrder::chained). A stored test keeps its head start and can run
+// again alone. Read test_run.h and experiment.h first.
 
 #include <cstdint>
 #include <functional>
@@ -20,7 +20,8 @@ namespace jaywalk {
 /// How the tests of a scenario may be ordered.
 [[nodiscard]] TestOrder test_order(const Scenario& scenario);
 
-/// What each chain has left over. Chains may be at work on several threads, each on one.
+/// The cells that the tests of each chain left over. Chains may run on several threads, each chain
+/// on one.
 class CarryOver {
  public:
   /// The plan must outlive it.
@@ -31,7 +32,7 @@ class CarryOver {
   void finished(const TestKey& test, int left_over);
 
  private:
-  /// By the test's number: of the last one, and of those that were finished long ago.
+  /// Left-over cells by test number: of the last test, and of tests from a continued store.
   using Chain = std::map<std::uint64_t, int>;
   [[nodiscard]] std::size_t chain_of(const TestKey& test) const;
 

@@ -23,17 +23,17 @@ struct Comparison {
   std::uint64_t tests = 0;
   /// In the order of behaviours, then of the numbers of agents.
   std::vector<Summary> summaries;
-  /// Which of them the paper's figures may stand beside.
+  /// The summaries beside which the paper's figures may be shown.
   PublishedRows published;
-  /// The assertions that were judged, and what assertions and metrics say of each of the summaries;
-  /// empty if none were asked for.
+  /// The ids of the judged assertions, and the verdicts and metrics of each of the summaries; empty
+  /// if none were asked for.
   std::vector<std::string> assertions;
   std::vector<AssessmentSummary> assessments;
-  /// What the tests with defective AVs came to; empty without such.
+  /// The kills of the tests with defective AVs; empty without such tests.
   KillMatrix kills;
   /// How models of the AV rank; empty unless several were compared.
   AvRanking avs;
-  /// What went wrong with the agents of each of the summaries.
+  /// The failures of the agents of each of the summaries.
   std::vector<Troubles> troubles;
   /// False if the user ended it before all of its tests were run.
   bool complete = true;

@@ -20,9 +20,9 @@ namespace {
 /// end together and that Ctrl-C takes effect at once.
 constexpr std::uint64_t kChunk = 16;
 
-/// How many vehicles a test runs with one after another, so that what they have in common is at
-/// hand. Models may each have a simulator, which takes long to start: the tests of one are run
-/// before those of the next, and so are chains.
+/// How many vehicles a test runs with one after another, which reuses cached data. Models may each
+/// have a simulator, which takes long to start, so all tests of one model run before those of the
+/// next; so do chains.
 std::size_t vehicles_together(const ExperimentPlan& plan) {
   const bool apart = plan.order == TestOrder::chained || compares_models(plan.vehicles);
   return apart ? 1 : plan.vehicles.size();
@@ -61,7 +61,7 @@ class Work {
     for (Cell& cell : cells_) cell.remaining = plan.tests;
   }
 
-  /// What a worker does. An exception is kept for the thread that waits.
+  /// Runs chunks until none is left. An exception is kept for the thread that waits.
   void run_chunks() {
     std::exception_ptr thrown;
     try {
@@ -84,7 +84,7 @@ class Work {
   void wait(unsigned workers, const ProgressFunction& progress) {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, kProgressInterval, [&] { return workers_done_ == workers; })) {
-      // The callback may take its time: not under the mutex that workers end with.
+      // The callback may be slow, so it is not called under the mutex that workers need to end.
       lock.unlock();
       if (progress(this->progress()) == Proceed::no) cancelled_ = true;
       lock.lock();
@@ -139,7 +139,7 @@ class Work {
       cell.results[key.number] = result.value();
     }
     done_.fetch_add(1, std::memory_order_relaxed);
-    // Whoever finishes the cell's last test sums it up.
+    // The worker that finishes the cell's last test sums the cell up.
     if (cell.remaining.fetch_sub(1) == 1) finish(cell, key);
     return true;
   }
@@ -156,7 +156,7 @@ class Work {
   void fail(std::uint64_t chunk, const TestKey& key, Diagnostics why) {
     failed_ = true;
     const std::lock_guard lock(mutex_);
-    // Of failures in several threads the first one in the plan is reported.
+    // If tests fail in several threads, the first one in the plan is reported.
     if (failed_chunk_ && *failed_chunk_ < chunk) return;
     failed_chunk_ = chunk;
     failed_test_ = key;

@@ -44,7 +44,7 @@ struct ExperimentPlan {
   /// The AVs that every test is run with; the measures are of the first.
   std::vector<std::string> vehicles{"given"};
   TestOrder order = TestOrder::any;
-  /// Otherwise the outcome has no summaries: the caller sums up what a store has.
+  /// Whether the outcome has summaries; if not, the caller sums up the tests of a store.
   bool summed_up = true;
   /// REQUIRES: at least 1.
   unsigned threads = 1;
@@ -81,7 +81,7 @@ struct ExperimentOutcome {
   [[nodiscard]] bool complete() const { return progress.done == progress.total; }
 };
 
-/// What a test throws (there is no memory left, say) is thrown from here.
+/// Runs all tests of the plan. Rethrows an exception of a test (no memory left, say).
 [[nodiscard]] ExperimentOutcome run_experiment(const ExperimentPlan& plan, const TestFunction& test,
                                                const ProgressFunction& progress);
 

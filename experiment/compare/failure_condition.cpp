@@ -26,7 +26,7 @@ constexpr std::array<std::pair<std::string_view, BoundKind>, 6> kBoundKinds = {{
     {">", BoundKind::greater},
 }};
 
-/// What can be asked of an assertion: the verdicts, in their order, and the share of tests.
+/// The fields of an assertion in conditions: the verdicts, in their order, and the share of tests.
 constexpr std::array<std::string_view, kVerdictCount + 1> kFields = {
     "vacuous", "pass", "fail", "unavoidable", "exercised_pct"};
 

@@ -20,7 +20,7 @@ enum class BoundKind { less, less_equal, greater, greater_equal, equal, not_equa
 struct FailureCondition {
   std::string text;
   const Measure* measure = nullptr;
-  /// Instead of a measure: the assertion and what is asked of it.
+  /// Instead of a measure: an assertion and the verdict or share of it that is compared.
   std::string assertion;
   std::string field;
   BoundKind kind = BoundKind::less;
@@ -35,14 +35,14 @@ struct FailureCondition {
 [[nodiscard]] std::optional<double> value_of(const FailureCondition& condition,
                                              const Comparison& comparison, std::size_t row);
 
-/// What the condition is about, `accuracy` or `recovery.fail`.
+/// The measure or verdict that the condition compares, `accuracy` or `recovery.fail`.
 [[nodiscard]] std::string subject_of(const FailureCondition& condition);
 
 /// Why the comparison has no such assertion; nothing if it has.
 [[nodiscard]] Diagnostics problems(const FailureCondition& condition,
                                    std::span<const Assertion> assertions);
 
-/// A row without such a number fails, too: nothing shows that it is as wanted.
+/// Whether the row meets the condition. A row without such a number fails, too.
 [[nodiscard]] bool fails(const FailureCondition& condition, const Comparison& comparison,
                          std::size_t row);
 

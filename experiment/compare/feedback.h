@@ -1,9 +1,9 @@
 #pragma once
 
-// Coverage feedback: what earlier tests covered reaches the pedestrians of later ones as beliefs.
-// The tests of one behaviour with one number of agents are run in generations; all tests of a
-// generation receive the same, what all tests of the generations before have covered, so that the
-// outcome does not depend on threads. A stored test keeps what it received, and can be run again.
+// Coverage feedback: pedestrians receive the bins that earlier tests covered as beliefs. The tests
+// of one behaviour with one number of agents are run in generations. All tests of a generation
+// receive the bins that all tests of the generations before have covered, so that the outcome does
+// not depend on threads. A stored test keeps the bins that it received, and can be run again.
 
 #include <condition_variable>
 #include <cstdint>
@@ -21,15 +21,17 @@ namespace jaywalk {
 /// in the order of their numbers (run_experiment), so the first that is not finished never waits.
 class CoverageFeedback {
  public:
-  /// `table` has what the tests cover. REQUIRES: both outlive it; a generation has tests.
+  /// `table` has the bins that the tests cover. REQUIRES: both outlive it; a generation has tests.
   CoverageFeedback(const ExperimentPlan& plan, std::uint64_t generation,
                    const SituationTable& table);
 
-  /// What a test receives. Nothing: waiting has been given up.
+  /// Waits for the generations before the test's; returns the bins that it receives. Nothing after
+  /// give_up().
   [[nodiscard]] std::optional<std::vector<CoveredBin>> wait_for(const TestKey& test);
-  /// The table has the test. Each test once, those that were finished long ago, too.
+  /// Reports that the table has the test. Call it once for each test, also for tests of a continued
+  /// store.
   void finished(const TestKey& test);
-  /// Ends all waiting: a test has failed, or the user wants to stop.
+  /// Ends all waiting, because a test has failed or the user wants to stop.
   void give_up();
 
  private:

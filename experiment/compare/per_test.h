@@ -1,7 +1,7 @@
 #pragma once
 
-// The tests of a comparison one by one, for calculations of your own: how each ended, when
-// its precondition was met, whether the AV hit somebody, the verdicts.
+// A row for each test of a comparison, for your own calculations: how it ended, when its
+// precondition was met, whether there was a collision, the verdicts.
 
 #include <mutex>
 #include <span>
@@ -33,7 +33,7 @@ class PerTestLines {
 
 [[nodiscard]] std::vector<Verdict> verdicts_of(const TestAssessment& assessment);
 
-/// Collects from several threads; what it holds depends on the tests alone.
+/// Collects tests from several threads; the table depends on the tests alone.
 class PerTestTable {
  public:
   /// `assertions`: their ids, in the order of the verdicts.

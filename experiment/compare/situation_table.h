@@ -1,6 +1,6 @@
 #pragma once
 
-// The situations that an experiment's tests have met. Read situations.h before.
+// The situations that an experiment's tests have met. Read situations.h first.
 
 #include <cstdint>
 #include <mutex>
@@ -11,7 +11,8 @@
 
 namespace jaywalk {
 
-/// Collects what tests cover from several threads; what it sums up depends on the tests alone.
+/// Collects the covered bins of tests from several threads; the coverage depends on the tests
+/// alone.
 class SituationTable {
  public:
   /// REQUIRES: the plan outlives it.
@@ -19,8 +20,8 @@ class SituationTable {
 
   /// REQUIRES: a test of the plan.
   void add(const TestKey& test, const SituationBins& bins);
-  /// Of the first `tests` tests of a behaviour with a number of agents; those that were not added
-  /// cover nothing. REQUIRES: no thread adds to those at the same time.
+  /// The coverage of the first `tests` tests of a behaviour with a number of agents; tests that
+  /// were not added cover nothing. REQUIRES: no thread adds one of these tests at the same time.
   [[nodiscard]] SituationCoverage coverage(std::size_t behaviour, std::uint32_t agents,
                                            std::uint64_t tests) const;
   /// Tests from `first` up to, not including, `last` are added to a coverage.

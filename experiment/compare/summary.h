@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests of one behaviour with one number of agents came to; from it every measure (see
-// compare/measures/measures.h) is computed.
+// The summary of the tests of one behaviour with one number of agents; every measure
+// (compare/measures/measures.h) is computed from it.
 
 #include <cstdint>
 #include <span>
@@ -17,7 +17,7 @@ struct Summary {
   std::uint32_t agents = 0;
   std::uint64_t tests = 0;
   std::uint64_t successes = 0;
-  /// Those that ended errored; the samples, and shares of tests, are of the others.
+  /// Tests that ended errored; samples and shares of tests are about the others.
   std::uint64_t errored = 0;
   Sample score;  // of the successful tests
   Sample ticks_success;
@@ -27,7 +27,7 @@ struct Summary {
   /// Lines of AgentSpeak of the behaviour, without blank ones and comments.
   std::uint64_t code_lines = 0;
 
-  /// How many came to an end of their own.
+  /// The number of tests that did not end errored.
   [[nodiscard]] std::uint64_t judged() const { return tests - errored; }
 };
 

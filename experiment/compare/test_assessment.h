@@ -1,8 +1,8 @@
 #pragma once
 
-// What the assertions and metrics say of an experiment's tests, and what that comes to for each
-// behaviour and number of agents. Read judge/assertions/assertion.h and judge/metrics/metrics.h
-// before.
+// The verdicts of assertions and the values of metrics for an experiment's tests, and their sums
+// for each behaviour and number of agents. Read judge/assertions/assertion.h and
+// judge/metrics/metrics.h first.
 
 #include <array>
 #include <cstdint>
@@ -20,11 +20,11 @@
 
 namespace jaywalk {
 
-/// What is to be found out about each test.
+/// The assertions and metrics to evaluate on each test.
 struct Criteria {
   std::vector<Assertion> assertions;
   bool metrics = false;
-  /// The files that take the place of the scenario's own assertions.
+  /// Files whose assertions replace the scenario's own.
   std::vector<SourcePtr> files;
 };
 
@@ -40,12 +40,12 @@ struct TestAssessment {
 [[nodiscard]] TestAssessment assess(const Criteria& criteria, const Recording& recording,
                                     const Ground& ground);
 
-/// As stores keep them: a row for each assertion and for each metric that has a value.
+/// Rows for a store: one for each assertion and for each metric that has a value.
 [[nodiscard]] std::vector<AssessmentRow> to_rows(const Criteria& criteria,
                                                  const TestAssessment& assessment);
 
-/// The inverse, as far as stores keep it: judgements in the order of those ids (vacuous if there is
-/// no row) and, if there is a value of any, metrics. Of the witnesses the first is kept.
+/// The inverse of to_rows(): judgements in the order of the ids (vacuous if there is no row) and,
+/// if there is a value of any, metrics. Stores keep only the first witness.
 [[nodiscard]] TestAssessment from_rows(std::span<const AssessmentRow> rows,
                                        std::span<const std::string> assertions);
 
@@ -56,7 +56,7 @@ struct VerdictCounts {
   [[nodiscard]] std::uint64_t of(Verdict verdict) const {
     return tests[static_cast<std::size_t>(verdict)];
   }
-  /// Those that met the precondition.
+  /// The number of tests that met the precondition.
   [[nodiscard]] std::uint64_t exercised() const;
   [[nodiscard]] std::uint64_t all() const;
 };
@@ -64,22 +64,22 @@ struct VerdictCounts {
 /// The share of tests that met the precondition; 0 if there are none.
 [[nodiscard]] double exercised_pct(const VerdictCounts& counts);
 
-/// Of one behaviour with one number of agents.
+/// The sums for one behaviour with one number of agents.
 struct AssessmentSummary {
   std::vector<VerdictCounts> verdicts;  // in the order of the assertions
   std::vector<Distribution> metrics;    // in the order of metrics(), if asked for
-  /// Of the tests that met the precondition, in the order of the assertions.
+  /// The robustness of tests that met the precondition, in the order of the assertions.
   std::vector<Distribution> robustness;
 };
 
-/// Collects assessments from several threads; what it sums up depends on the tests alone.
+/// Collects assessments from several threads; the summaries depend on the tests alone.
 class AssessmentTable {
  public:
   AssessmentTable(const Criteria& criteria, const ExperimentPlan& plan);
 
   /// REQUIRES: a test of the plan; each once.
   void add(const TestKey& test, const TestAssessment& assessment);
-  /// Of the tests that were added. REQUIRES: no thread adds at the same time.
+  /// The summary of the tests that were added. REQUIRES: no thread adds at the same time.
   [[nodiscard]] AssessmentSummary summary(std::size_t behaviour, std::uint32_t agents) const;
 
  private:

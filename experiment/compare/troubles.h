@@ -1,8 +1,8 @@
 #pragma once
 
-// What went wrong with agents, beside what the measures see: intentions that they dropped, and
-// pedestrians that never acted, and tests that ended errored. A misspelt action gives an accuracy
-// of 0 %; this says why. Read interpreter/agent/drops.h before.
+// Failures of agents that explain the measures: dropped intentions, pedestrians that never acted,
+// tests that ended errored. A misspelt action gives an accuracy of 0 %; this says why. Read
+// interpreter/agent/drops.h first.
 
 #include <cstdint>
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace jaywalk {
 
-/// What several tests ended errored of.
+/// An error that ended several tests.
 struct SharedError {
   std::string message;
   std::uint64_t tests = 0;
@@ -28,22 +28,22 @@ struct SharedError {
 
 /// A reason that several agents had.
 struct SharedCause {
-  /// Of the first agent in the first test; `times` is the sum over all.
+  /// The cause as the first agent in the first test had it; `times` is the sum over all agents.
   DropCause cause;
   std::uint64_t agents = 0;
 };
 
-/// Of all tests of a behaviour with one number of agents, or with several.
+/// The failures in all tests of a behaviour with one number of agents, or with several.
 struct Troubles {
-  /// In all tests together, as the next three.
+  /// Counts over all tests, this one and the next three.
   std::uint64_t agents = 0;
   std::uint64_t pedestrians = 0;
   std::uint64_t idle = 0;
   /// Agents that dropped at least one intention.
   std::uint64_t dropping = 0;
-  /// Those of most agents first.
+  /// The causes, those with most agents first.
   std::vector<SharedCause> causes;
-  /// Tests that ended errored, and why: what most of them ended of first.
+  /// The number of tests that ended errored, and their errors, the most frequent one first.
   std::uint64_t errored = 0;
   std::vector<SharedError> errors;
 
@@ -69,7 +69,7 @@ class TroublesSum {
   std::map<std::string, SharedError> errors_;  // by message
 };
 
-/// Those of several numbers of agents together.
+/// The sum of the failures with several numbers of agents.
 [[nodiscard]] Troubles together(std::span<const Troubles> parts);
 
 /// Collects from several threads.

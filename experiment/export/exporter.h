@@ -23,17 +23,17 @@ struct ExportRequest {
   /// Where the files go; it exists.
   std::string folder;
   ScenarioDialect dialect = ScenarioDialect::standard;
-  /// Of `postgis`: what `ogr2ogr` is to connect to; the schema for the tables (empty: named after
-  /// the store), and whether those that it has may be replaced.
+  /// For `postgis`: the connection for `ogr2ogr`, the schema for the tables (empty: named after the
+  /// store), and whether existing tables may be replaced.
   std::string connection;
   std::string schema;
   bool overwrite = false;
 };
 
 struct Exported {
-  /// What was written, in its order.
+  /// The written files, in the order of writing.
   std::vector<std::string> files;
-  /// What of the tests could not be said in them.
+  /// Warnings about parts of the tests that the format cannot express.
   Diagnostics warnings;
   /// A hint for programs that read them; usually empty.
   std::string note = {};
@@ -59,7 +59,7 @@ struct Exporter {
 [[nodiscard]] bool write_export(const ExportRequest& request, const std::string& name,
                                 std::string_view text, std::vector<std::string>& written,
                                 Diagnostics& diagnostics);
-/// The same piece by piece; a source that gives up has said why in the diagnostics.
+/// Writes a file of the export piece by piece; a source that fails reports it in the diagnostics.
 [[nodiscard]] bool write_export(const ExportRequest& request, const std::string& name,
                                 const TextSource& source, std::vector<std::string>& written,
                                 Diagnostics& diagnostics);

@@ -1,8 +1,8 @@
 #pragma once
 
-// A comparison as JSON: what was compared, then an object for each behaviour and number of agents
-// with the fields of the CSV and what the paper published, where that may be shown (published.h).
-// What does not exist is null.
+// A comparison as JSON: the experiment, then an object for each behaviour and number of agents with
+// the fields of the CSV and the paper's figures, where these may be shown (published.h). Values
+// that do not exist are null.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Plays courses as a player of scenarios does: linearly from waypoint to waypoint. Read courses.h
-// before.
+// first.
 
 #include <optional>
 
@@ -26,9 +26,9 @@ struct Moving {
 [[nodiscard]] std::optional<double> first_touch(const Moving& first, const Moving& second,
                                                 double until_s, double step_s);
 
-/// The AV's time to collision with somebody who stands: the distance between the boxes by the AV's
-/// speed, as OpenSCENARIO has it (free space, not along the route). Empty if the AV stands, or if
-/// its front has come to the other's box.
+/// The AV's time to collision with a standing actor: the distance between the boxes divided by the
+/// AV's speed, as OpenSCENARIO has it (free space, not along the route). Empty if the AV stands, or
+/// if its front has come to the other's box.
 [[nodiscard]] std::optional<double> time_to_collision(const Moving& av, const Moving& other,
                                                       double time_s);
 

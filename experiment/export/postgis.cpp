@@ -16,7 +16,7 @@
 namespace jaywalk {
 namespace {
 
-/// What PostgreSQL keeps of a name.
+/// The most characters of a name that PostgreSQL keeps.
 constexpr std::size_t kLongestName = 63;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
@@ -48,7 +48,7 @@ std::string dataset(std::string_view connection) {
   return fmt::format("PG:{}", has_prefix ? connection.substr(3) : connection);
 }
 
-/// What is wrong with a run of one of GDAL's programs; false if nothing is.
+/// Whether one of GDAL's programs failed; adds an error if so.
 bool failed(std::string_view program, int status, Diagnostics& diagnostics) {
   if (status == 0) return false;
   if (status == 127) {

@@ -9,13 +9,14 @@
 namespace jaywalk {
 
 struct CsvField {
-  /// As it stands in the line.
+  /// The field as it stands in the line.
   std::string_view where;
   /// Without quotes.
   std::string text;
 };
 
-/// What is between commas; quotes hold them together, two within are one. At least one field.
+/// The fields between commas. A field in quotes may contain commas, and two quotes for one. Returns
+/// at least one field.
 [[nodiscard]] std::vector<CsvField> csv_fields(std::string_view line);
 /// A text as a field: in quotes if it holds a separator or quotes.
 [[nodiscard]] std::string csv_quoted(std::string_view text);

@@ -1,5 +1,6 @@
-# What a test recorded as signals, situations and metrics of it, and temporal logic over it. Included by CMakeLists.txt above.
-# The grammar's rules are named as what they make, so it is compiled by itself.
+# Signals, situations and metrics of recorded tests, and temporal logic over them. Included by
+# CMakeLists.txt above.
+# The grammar's rules have the names of their results, so it is compiled by itself.
 set_source_files_properties(judge/assertions/grammar.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # Tables that tests/tutorial extends are compiled by themselves.
 set_source_files_properties(judge/metrics/metrics.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -377,7 +377,7 @@ class TraceParser {
     const std::size_t count = scenes.front().size();
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t t = 0; t < scenes.size(); ++t) {
-        // Of the step that led here; of the first scene, of the one that leads on.
+        // Derived from the step that led here; in the first scene, from the next step.
         const ActorState& from = scenes[t == 0 ? 0 : t - 1][i];
         const ActorState& to = scenes[t == 0 ? 1 : t][i];
         const double dx = to.x_m - from.x_m;
@@ -387,8 +387,8 @@ class TraceParser {
         if (!columns_[kSpeed]) state.speed_mps = way / step;
         if (columns_[kHeading]) continue;
         state.heading_rad = way > 0 ? std::atan2(dy, dx)
-                            // Who stands keeps the heading; who never moved looks along the road
-                            // (+y).
+                            // A standing actor keeps its heading; one that never moved faces along
+                            // the road (+y).
                             : t > 0 ? scenes[t - 1][i].heading_rad
                                     : std::numbers::pi / 2;
       }

@@ -1,7 +1,7 @@
 #pragma once
 
-// A drive as a table: what a recording looks like as CSV, for drives that were recorded or
-// simulated elsewhere. One row for each actor at each time:
+// Reads a recording from CSV, for drives that were recorded or simulated elsewhere. One row for
+// each actor at each time:
 //
 //   time     s, from the same beginning for all; the times are evenly spaced
 //   actor    its name; `av` is the automated vehicle, or else the first vehicle of the file

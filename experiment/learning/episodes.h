@@ -1,7 +1,7 @@
 #pragma once
 
 // The choices of one test's agents and the rewards that followed, in the form that learners take.
-// Read policy/learner.h before.
+// Read policy/learner.h first.
 
 #include <cstdint>
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace jaywalk {
 
-/// Is asked by the agents in place of their policy, which explores, and keeps what they choose.
+/// Stands between the agents and their exploring policy, and records their choices.
 class EpisodeRecorder final : public OptionPolicies {
  public:
   /// A reward counts `discount` of itself a tick earlier. The policy must outlive it.

@@ -1,7 +1,7 @@
 #pragma once
 
 // The rewards that a test gives its agents, by the scenario's `learning.reward`. Read
-// policy/learning_spec.h before.
+// policy/learning_spec.h first.
 
 #include <cstdint>
 #include <set>
@@ -18,7 +18,7 @@
 
 namespace jaywalk {
 
-/// Hands out what each tick brings, as it passes.
+/// Distributes the rewards of each tick as it passes.
 class TickRewards {
  public:
   /// REQUIRES: both outlive it.
@@ -45,9 +45,9 @@ struct FinishedTest {
   std::span<const Assertion> assertions;
 };
 
-/// Hands out what the end of the test brings: who met the precondition gets that, all get what is
-/// of the test. `covered` has the bins of situations that tests before covered, as "item bin", and
-/// receives the test's own.
+/// Distributes the rewards at the end of the test: agents that met the precondition get its reward,
+/// all agents those of the test. `covered` has the bins of situations that earlier tests covered,
+/// as "item bin", and receives the test's own.
 void add_end_rewards(const LearningSpec& spec, const FinishedTest& test,
                      std::set<std::string>& covered, EpisodeRecorder& episodes);
 

@@ -27,7 +27,8 @@ std::string texts_hash(const std::vector<SourcePtr>& sources) {
   return sha256(texts);
 }
 
-/// With its weights in the order in which a file has them, so that who goes on finds the same.
+/// The specification with its weights in the order of a file, so that continuing a policy finds an
+/// equal one.
 LearningSpec spec_of(const Scenario& scenario) {
   LearningSpec spec = scenario.learning;
   std::ranges::sort(spec.reward.violation);
@@ -177,7 +178,7 @@ std::string Training::learn(std::vector<Lesson>& lessons) {
   return {};
 }
 
-// Where there would be too many points, neighbours become one.
+// If there are too many points, neighbours are merged.
 void Training::note_point(const std::vector<Lesson>& lessons) {
   LearningPoint point{.tests = policy_->origin().tests};
   double counted = 0;

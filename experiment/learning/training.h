@@ -2,7 +2,7 @@
 
 // Agents that learn: tests in generations, between which a policy learns from its agents' choices
 // and rewards. Within a generation the policy does not change, and it learns in the tests' order,
-// so the result does not depend on threads. Read policy/policy.h before.
+// so the result does not depend on threads. Read policy/policy.h first.
 
 #include <cstdint>
 #include <functional>

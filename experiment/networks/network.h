@@ -1,7 +1,7 @@
 #pragma once
 
 // Networks of two hidden layers with (leaky) rectified linear units and a linear output: forward,
-// backward, and the gradient penalty of a Wasserstein critic in closed form. Read layer.h before.
+// backward, and the gradient penalty of a Wasserstein critic in closed form. Read layer.h first.
 
 #include <array>
 
@@ -46,7 +46,7 @@ class Network {
   void add_to(Adam& optimiser);
 
  private:
-  /// Of units, by their sums or by their outputs, which have the same signs.
+  /// The slopes of units, from their sums or their outputs, which have the same signs.
   void find_slopes(const Matrix& units, Matrix& slopes) const;
   void activate(Matrix& units) const;
 

@@ -31,7 +31,7 @@ struct LanesOf {
 
 constexpr Index rounded_up(Index count, Index step) { return (count + step - 1) / step * step; }
 
-/// One strip, by columns; what it has more than the factor is filled up with zeros.
+/// One strip, by columns; columns beyond the factor's are filled with zeros.
 template <Index height>
 void pack_strip(const Factor& factor, Index first, float* strip) {
   const Index depth = factor.columns;
@@ -95,7 +95,7 @@ template <Index width>
   }
 }
 
-/// Of packed strips. REQUIRES: the rows are a multiple of kRowsOfTiles.
+/// The product of packed strips. REQUIRES: the rows are a multiple of kRowsOfTiles.
 template <Index width>
 [[gnu::always_inline]] inline void add_tiles(const float* left, const float* right, Index depth,
                                              Eigen::MatrixXf& sum) {
@@ -126,7 +126,7 @@ bool has_wide_lanes() {
 }  // namespace
 
 void fix_order_of_sums() {
-  // Said once, before any other thread can multiply: whoever multiplies has called this before.
+  // Set once, before any other thread can multiply: every multiplication calls this first.
   static const bool is_fixed = [] {
     constexpr std::ptrdiff_t kKilobyte = 1024;
     Eigen::setCpuCacheSizes(32 * kKilobyte, 512 * kKilobyte, 4096 * kKilobyte);

@@ -31,8 +31,7 @@ inline constexpr Eigen::Index kRowsOfTiles = 16;
 
 /// Eigen cuts products to what the processor's caches hold and adds them up piece by piece. From
 /// the first call on it takes the caches of one processor for those of all (32, 512 and 4,096 KB),
-/// so that sums are rounded alike everywhere. To be called by whatever multiplies large matrices,
-/// before it does.
+/// so that sums are rounded alike everywhere. Call this before multiplying large matrices.
 void fix_order_of_sums();
 
 /// sum += a b, each number of the product added up in order of the inner index and rounded to float

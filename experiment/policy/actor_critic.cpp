@@ -1,10 +1,10 @@
-// Two small networks: the actor says how probable each option is, the critic what is to be
-// expected. The actor follows a clipped objective, with what a choice was better than expected as
-// Schulman et al. estimate it
-// ("High-dimensional continuous control using generalized advantage estimation", 2016, equation
-// 16). Features, rewards and advantages are brought to a common scale by what was seen of them so
-// far: by those of one generation alone, what chance is left in the advantages once nearly all is
-// learned would be made as large as what was there to learn.
+// Two small networks: the actor gives the probability of each option, the critic the expected
+// reward. The actor follows a clipped objective, with the advantage of a choice over the
+// expectation as Schulman et al. estimate it ("High-dimensional continuous control using
+// generalized advantage estimation", 2016, equation 16). Features, rewards and advantages are
+// scaled by all values seen so far. Scaled by one generation alone, the noise that remains in the
+// advantages once nearly all is learned would become as large as the advantages that there were to
+// learn.
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ class SeenScale {
   double squares_ = 0;
 };
 
-/// The decisions of a generation side by side, and what they are learned by.
+/// The decisions of a generation as columns, and the values that they are learned from.
 struct ChoiceBatch {
   std::vector<const Transition*> decisions;
   Matrix features;  // a decision in each column
@@ -91,7 +91,7 @@ void fill(Target& target, const nlohmann::json& from) {
   if (std::cmp_not_equal(numbers.size(), target.size())) {
     throw std::invalid_argument("a layer of the network has another size");
   }
-  // A weight beyond what a network's numbers hold has become infinite.
+  // A weight beyond the range of float has become infinite.
   if (!std::ranges::all_of(numbers, [](float each) { return std::isfinite(each); })) {
     throw std::invalid_argument("a weight of the network is too large");
   }
@@ -259,7 +259,7 @@ class ActorCritic final : public Learner {
         advantage = reward + decision.discount * next - here +
                     decision.discount * settings_.trace * advantage;
         batch.advantages[first + i] = advantage;
-        // The critic's target: what it expected, corrected by what was better.
+        // The critic's target: its expectation plus the advantage.
         batch.returns[first + i] = advantage + here;
         next = here;
       }
@@ -275,8 +275,8 @@ class ActorCritic final : public Learner {
     }
   }
 
-  /// What chance is worth by now: much at first, so that what succeeds seldom is met before it is
-  /// given up.
+  /// The present weight of entropy: large at first, so that options that rarely succeed are tried
+  /// often enough before they are given up.
   [[nodiscard]] double entropy() const {
     const double halvings = static_cast<double>(episodes_) / settings_.halves_after;
     return std::max(settings_.entropy_least, settings_.entropy * std::exp2(-halvings));

@@ -2,7 +2,7 @@
 
 // The actor's loss: the clipped objective of Schulman et al. ("Proximal policy optimization
 // algorithms", 2017, equation 7) with a bonus for entropy, as a function of the options' scores.
-// Read learner.h before.
+// Read learner.h first.
 
 #include <span>
 
@@ -11,7 +11,7 @@
 namespace jaywalk {
 
 struct ObjectiveSettings {
-  /// How far the probability of an option may change, as a share of what it was.
+  /// How far the probability of an option may change, as a share of its former value.
   double clip = 0.2;
   /// The bonus for an entropy of 1.
   double entropy = 0.01;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What learns from agents' choices, and says how probable each option is. A learner is a policy of
-// its own: what it has learned stands in a file (policy.h), and it goes on from there. Each is a
-// file and a row of learners.def.
+// Learners: they learn from agents' choices and give the probability of each option. A learner is a
+// policy of its own: a file (policy.h) keeps its state, from which learning can go on. Each learner
+// is a source file and a row of learners.def.
 
 #include <cstdint>
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace jaywalk {
 
-/// One choice of an agent, and what it led to until its next one.
+/// One choice of an agent, and the rewards until its next one.
 struct Transition {
   std::vector<double> features;
   /// The options that there were, by their numbers in the policy, and which of them was chosen, as
@@ -28,14 +28,14 @@ struct Transition {
   double probability = 1;
   /// The reward until the agent's next choice or the end, discounted from the choice on.
   double reward = 0;
-  /// What rewards from the next choice on count here, 0 to 1.
+  /// The weight here of rewards from the next choice on, 0 to 1.
   double discount = 1;
 };
 
 /// The choices of one agent in one test, in order. Nothing follows the last one.
 using Episode = std::vector<Transition>;
 
-/// What there is to choose from.
+/// The features and options of a choice.
 struct PolicyShape {
   /// The labels of the plans, in the program's order.
   std::vector<std::string> options;
@@ -47,7 +47,7 @@ class Learner {
  public:
   virtual ~Learner() = default;
 
-  /// Whether to try what is not known well, for the sake of learning.
+  /// Whether to try options that are not well known, in order to learn.
   enum class Mode { explore, exploit };
 
   /// Sets how probable each of these options is. REQUIRES: numbers of the shape.

@@ -1,7 +1,7 @@
 #pragma once
 
-// How agents are to learn: what is rewarded, which learner, and its settings, as the section
-// `learning` of a scenario says it (scenarios/README.md).
+// The section `learning` of a scenario (scenarios/README.md): rewards, the learner and its
+// settings.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,22 +15,22 @@ namespace jaywalk {
 /// Files of policies that are longer are not read.
 inline constexpr std::size_t kMostPolicyBytes = std::size_t{1} << 28U;
 
-/// How to learn, as a scenario's `learning` has it; each learner uses what it knows of.
+/// Settings of a learner from a scenario's `learning`; each learner uses those that it knows.
 struct LearnerSettings {
-  /// Of q-table: the width of each feature's bins; those that are not given have 1.
+  /// For q-table: the width of each feature's bins; 1 where it is not given.
   std::vector<double> bins;
-  /// Of both: how much of what follows later counts beside what is expected after one step, 0 to 1.
+  /// For both: the weight of real later rewards against the expectation after one step, 0 to 1.
   double trace = 0.8;
-  /// Of q-table, by which part of its error a value is corrected at least; of actor-critic, the
-  /// step of its optimiser. Not set: 0.05 and 0.003.
+  /// For q-table the least share of its error by which a value is corrected; for actor-critic the
+  /// step size of its optimiser. Not set: 0.05 and 0.003.
   std::optional<double> rate;
-  /// Of both: after how many episodes `explores` or `entropy` has halved.
+  /// For both: the number of episodes after which `explores` or `entropy` has halved.
   double halves_after = 500;
-  /// Of q-table: the share of choices that are made at random, at first and at least.
+  /// For q-table: the share of random choices, at first and at least.
   double explores = 0.5;
   double explores_least = 0.01;
-  /// Of actor-critic: units in each hidden layer, passes over each generation, how far the
-  /// probability of an option may change in one, and what chance is worth, at first and at least.
+  /// For actor-critic: units in each hidden layer, passes over each generation, how far the
+  /// probability of an option may change in one, and the weight of entropy, at first and at least.
   std::uint32_t hidden = 32;
   std::uint32_t passes = 4;
   double clip = 0.2;
@@ -65,7 +65,7 @@ struct LearningSpec {
   std::string learner = "q-table";
   LearnerSettings settings;
   RewardTerms reward{.score = 1};
-  /// Every agent of a test gets the mean of what all get.
+  /// Whether every agent of a test gets the mean of all agents' rewards.
   bool is_shared = false;
   /// The factor by which a reward counts less when it comes a second later, 0 to 1.
   double discount = 0.98;

@@ -1,4 +1,4 @@
-# What agents learn, as files and as who decides. Included by CMakeLists.txt above.
+# Policies that agents learn: their files and learners. Included by CMakeLists.txt above.
 target_sources(jaywalk_experiment PRIVATE
   policy/actor_critic.cpp
   policy/clipped_objective.cpp

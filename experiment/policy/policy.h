@@ -1,7 +1,7 @@
 #pragma once
 
 // A policy file: what agents have learned, where and how (`jaywalk learn`). A behaviour's plans
-// that are labelled learned(P) are the options of its part P. Read learner.h before.
+// that are labelled learned(P) are the options of its part P. Read learner.h first.
 
 #include <cstdint>
 #include <memory>
@@ -108,7 +108,7 @@ class Policy {
 /// Why the policy is not for a program with these plans; empty if it is.
 [[nodiscard]] std::string mismatch(const Policy& policy, std::span<const LearnedPlans> plans);
 
-/// The policy as agents ask it, exploiting what was learned.
+/// The policy for agents, which exploits what was learned and does not explore.
 class PolicyReader final : public OptionPolicies {
  public:
   explicit PolicyReader(std::shared_ptr<const Policy> policy) : policy_(std::move(policy)) {}

@@ -1,4 +1,4 @@
-// A policy as a file, JSON: where it is from, then what each part has learned.
+// Policy files, JSON: the policy's origin, then the learned values of each part.
 
 #include <algorithm>
 #include <exception>

@@ -1,7 +1,7 @@
-// A table of what each option is worth, by bins of the features: Q(lambda) after Watkins ("Learning
-// from delayed rewards", 1989), in the forward view. Episodes are learned from backwards. What
-// follows a choice counts, in part, as it came (Monte Carlo), but only as far as the choices after
-// it were the best that was known: exploration must not lower an option's value.
+// A table of each option's value, by bins of the features: Q(lambda) after Watkins ("Learning from
+// delayed rewards", 1989), in the forward view. Episodes are processed backwards. Real later
+// rewards count in part (Monte Carlo), but only while the choices after it were the best known
+// ones: exploration must not lower an option's value.
 
 #include <algorithm>
 #include <cmath>

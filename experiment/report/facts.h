@@ -1,6 +1,6 @@
 #pragma once
 
-// What a report needs of the single tests, beyond their sums: which succeeded (to compare
+// Data of single tests that a report needs beside their sums: which succeeded (to compare
 // behaviours test by test), how long they took, and where pedestrians met the precondition.
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace jaywalk::reporting {
 using Square = std::pair<int, int>;
 inline constexpr double kSquare_m = 0.5;
 
-/// Of one behaviour with one number of agents.
+/// The facts of the tests of one behaviour with one number of agents.
 struct CellFacts {
   /// By the number of the test, as the next.
   std::vector<bool> succeeded;
@@ -30,7 +30,7 @@ struct CellFacts {
   std::map<Square, std::uint64_t> places;
 };
 
-/// Collects facts from several threads; what it holds depends on the tests alone.
+/// Collects facts from several threads; the result depends on the tests alone.
 class FactsTable {
  public:
   explicit FactsTable(const ExperimentPlan& plan);

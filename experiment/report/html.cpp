@@ -18,7 +18,7 @@ std::string compact(double value) {
   const double size = std::fabs(value);
   if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
   if (size >= 1e6 || (size > 0 && size < 1e-4)) return fmt::format("{:.3g}", value);
-  // What four digits would round to 10,000 is written like it, too.
+  // Values that four digits would round to 10,000 are written like 10,000.
   if (size >= 9999.5)
     return grouped(static_cast<std::uint64_t>(std::llround(size))).insert(0, value < 0 ? "−" : "");
   return fmt::format("{:.4g}", value);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What pages are made of: numbers, tables, the styles of series.
+// Building blocks of pages: numbers, tables, the styles of series.
 
 #include <cstdint>
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace jaywalk::reporting {
 
-/// With so many digits after the point, `–` if there is none, `∞` if it is infinite.
+/// The value with `decimals` digits after the point, `–` if there is none, `∞` if it is infinite.
 [[nodiscard]] std::string decimal(std::optional<double> value, int decimals);
-/// With about four digits, for axes and lists: `0.25`, `12.5`, `1,200`, `2.5e6`.
+/// The value with about four digits, for axes and lists: `0.25`, `12.5`, `1,200`, `2.5e6`.
 [[nodiscard]] std::string compact(double value);
 /// `12,345`.
 [[nodiscard]] std::string grouped(std::uint64_t value);
@@ -23,8 +23,8 @@ namespace jaywalk::reporting {
 /// Colours repeat after as many; markers too, but out of step with them.
 inline constexpr std::size_t kColours = 8;
 
-/// The attributes of a group that belongs to a series: its colour, and by what the page's switches
-/// find it.
+/// The attributes of a group that belongs to a series: its colour, and the key for the page's
+/// switches.
 [[nodiscard]] std::string series_attributes(std::size_t series);
 /// The mark of a series around that point, as SVG.
 [[nodiscard]] std::string marker(std::size_t series, double x, double y);
@@ -59,7 +59,7 @@ enum class PictureSize { small, normal, wide };
 /// Pictures side by side, as many as there is room for.
 [[nodiscard]] std::string gallery(const std::string& figures,
                                   PictureSize size = PictureSize::normal);
-/// An entry of a list of terms and what is said of them, and the list; both are HTML.
+/// An entry of a list of terms with descriptions, and the list; both are HTML.
 [[nodiscard]] std::string term(std::string_view name, std::string_view html);
 [[nodiscard]] std::string terms(std::string_view entries);
 /// The names of series with their marks; switches them on and off.

@@ -10,14 +10,14 @@
 namespace jaywalk::reporting {
 
 struct PageSection {
-  /// Of the section's anchor.
+  /// The name of the section's anchor.
   std::string_view name;
   std::string_view title;
   /// Sections without are left out.
   std::string html;
 };
 
-/// `kind`: what the page is, above the title.
+/// `kind`: the kind of the page, shown above the title.
 [[nodiscard]] std::string render_page(std::string_view kind, std::string_view title,
                                       std::span<const PageSection> sections);
 

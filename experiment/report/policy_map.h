@@ -1,6 +1,7 @@
 #pragma once
 
-// What agents choose by a learned policy, by where they are before the AV. Read report.h before.
+// Maps of agents' choices by a learned policy, by their place relative to the AV. Read report.h
+// first.
 
 #include <cstdint>
 #include <map>
@@ -32,9 +33,9 @@ struct PolicyMapTests {
   std::uint64_t count = 0;
 };
 
-/// Runs tests of a behaviour that has a policy; a map for each part that agents chose by. Nothing
-/// is run, and there are none, where tests start a program or a simulator: who made a stored
-/// scenario chose it.
+/// Runs tests of a behaviour that has a policy and returns a map for each used part of the policy.
+/// Returns none, without running a test, if tests would start a program or a simulator, which the
+/// author of a stored scenario may have chosen.
 [[nodiscard]] std::vector<PolicyMap> policy_maps(const PreparedScenario& prepared,
                                                  const PolicyMapTests& tests);
 

@@ -2,7 +2,7 @@
 
 // The report: one self-contained HTML page, a section for each row of sections.def. A
 // section is a function of ReportData in a file of sections/ that returns HTML (html.h and plot.h
-// make it), or nothing if there is nothing to say. Read comparison.h and facts.h before.
+// make it), or nothing if there is nothing to say. Read comparison.h and facts.h first.
 
 #include <cstdint>
 #include <optional>
@@ -23,7 +23,7 @@ struct ReplayLink {
   TestKey test;
   /// "the first that met the precondition", …
   std::string reason;
-  /// Everybody's way, from the store; empty if it has no scenes of it.
+  /// The ways of all actors, from the store; empty if it has no scenes of the test.
   Recording recording;
   /// Relative to the report; empty if no page was written.
   std::string page;
@@ -41,18 +41,19 @@ struct Violation {
 struct ReportData {
   Comparison comparison;
   ExperimentDescription description;
-  /// Of each of the comparison's summaries, in the same order.
+  /// The facts of each of the comparison's summaries, in the same order.
   std::vector<CellFacts> facts;
   /// The world that the tests ran in.
   std::shared_ptr<const PreparedScenario> prepared;
-  /// Those of the comparison, with all that is said of them; others are known by their ids alone.
+  /// The comparison's assertions with their texts; of assertions that are not here only the ids are
+  /// known.
   std::vector<Assertion> assertions;
   /// Each behaviour's worst of each assertion; empty without a store.
   std::vector<Violation> violations;
   std::vector<ReplayLink> replays;
   /// The file it was made from; empty if there is none.
   std::string store_path;
-  /// The store itself for what is not above (single tests, recordings); null if there is none.
+  /// The store itself, for other data (single tests, recordings); null if there is none.
   const ResultsReader* store = nullptr;
 };
 
@@ -68,7 +69,7 @@ struct ReportData {
 [[nodiscard]] const ReplayLink* find_replay(const ReportData& data, const TestKey& test);
 
 struct Section {
-  /// Of the section's anchor in the page.
+  /// The name of the section's anchor in the page.
   std::string_view name;
   std::string_view title;
   std::string (*render)(const ReportData& data);
@@ -78,8 +79,8 @@ struct Section {
 
 [[nodiscard]] std::string render_report(const ReportData& data);
 
-/// Everything that the store has: what was judged and measured, the scenes, nothing is run again.
-/// The store must outlive the data.
+/// Reads a report's data from a store (verdicts, metrics, scenes) without running tests again. The
+/// store must outlive the data.
 [[nodiscard]] Result<ReportData> read_report_data(const ResultsReader& store);
 
 namespace section {

@@ -73,7 +73,7 @@ class DataReader {
       if (test.vehicle > 0) return;
       for (const AssessmentRow& row : rows) note_violation(test, row);
     }));
-    // Those of files, if there are any, take the place of the scenario's.
+    // Assertions of files come first: they replace those of the scenario with the same ids.
     take(store_.assertions(), data_.assertions);
     for (const Assertion& assertion : data_.prepared->scenario().assertions) {
       if (std::ranges::find(data_.assertions, assertion.id, &Assertion::id) ==

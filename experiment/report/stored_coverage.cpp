@@ -47,7 +47,7 @@ Result<std::uint64_t> count(const ResultsReader& store, const std::vector<TestFi
   return tests;
 }
 
-/// Adds what a test covers to the row; why that is unknown, to `trouble`.
+/// Adds a test's covered bins to the row, or the reason why they are unknown to `trouble`.
 void add_test(const ResultsReader& store, const StoredTest& test, const Ground& where,
               SituationRow& row, Diagnostics& trouble) {
   if (test.result.errored) return;

@@ -15,7 +15,7 @@ namespace jaywalk {
 struct CoverageWanted {
   std::optional<std::string> behaviour;
   std::optional<std::uint32_t> agents;
-  /// At most so many of each behaviour and number of agents, the first ones.
+  /// The most tests of each behaviour and number of agents; the first ones are taken.
   std::optional<std::uint64_t> tests;
 };
 
@@ -27,7 +27,8 @@ using CoverageProgress = std::function<Proceed(const Progress&)>;
                                                                   const CoverageWanted& wanted,
                                                                   const CoverageProgress& progress);
 
-/// On so many threads; the result does not depend on them.
+/// Runs the tests again and returns the coverage of their programs. The result does not depend on
+/// the number of threads.
 [[nodiscard]] Result<SourceCoverage> stored_plan_coverage(const ResultsReader& store,
                                                           const CoverageWanted& wanted,
                                                           unsigned threads,

@@ -58,7 +58,7 @@ std::string options_of(const ExperimentDescription& description) {
   return text.empty() ? "none" : text.substr(0, text.size() - 1);
 }
 
-/// As the command line would have it.
+/// The options of judging in the form of a command line.
 std::string judging_of(const ExperimentDescription& description) {
   std::string text = description.metrics ? "--metrics " : "";
   for (const std::string& file : description.assertion_files) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a store says about the experiment whose tests it holds: enough to run any of them again.
+// A store's description of the experiment whose tests it holds: enough to run any of them again.
 
 #include <cstdint>
 #include <optional>
@@ -65,13 +65,14 @@ struct ExperimentDescription {
   std::uint64_t seed = 0;
   /// Seconds from one tick to the next.
   double tick_s = 1;
-  /// Where its points lie; empty: on a plane of their own.
+  /// The reference system of its points; empty: a plane of their own.
   std::optional<Anchor> anchor;
   StoreLevel level = StoreLevel::found;
   Shard shard;
-  /// Of the program that ran the tests.
+  /// The version of the program that ran the tests.
   std::string version;
-  /// Who moved the vehicles, and its version (simulator_version.h); empty: the world itself.
+  /// The simulator that moved the vehicles, and its version (simulator_version.h); empty: the world
+  /// itself moved them.
   std::string simulator;
   std::vector<StoredInput> inputs;
   /// How paths were shortened in these names, for the messages of tests; not stored.
@@ -83,8 +84,8 @@ struct ExperimentDescription {
                                              const ScenarioOptions& options,
                                              const ExperimentPlan& plan, std::uint64_t seed);
 
-/// Takes out of the names what they say about this machine (portable_names.h). `files` are those
-/// that the scenario was read from.
+/// Removes paths of this machine from the names (portable_names.h). `files` are those that the
+/// scenario was read from.
 void make_portable(ExperimentDescription& description, const SourceFiles& files);
 
 /// Takes note that its tests are judged by the assertions of these files, and whether they are
@@ -95,13 +96,13 @@ void add_judging(ExperimentDescription& description, std::span<const SourcePtr> 
 /// The number under which a store keeps a test, from 1 in the order of the plan. Shards and the
 /// whole run agree on it. REQUIRES: a test of the plan.
 [[nodiscard]] std::int64_t test_id(const ExperimentDescription& description, const TestKey& test);
-/// That of the same test with the first vehicle.
+/// The id of the same test with the first vehicle.
 [[nodiscard]] std::int64_t twin_id(const ExperimentDescription& description, TestKey test);
 /// The inverse of test_id(). Nothing if the plan has no such test.
 [[nodiscard]] std::optional<TestKey> find_test(const ExperimentDescription& description,
                                                std::int64_t id);
 
-/// What was run, on one thread.
+/// The plan of the described experiment, on one thread.
 [[nodiscard]] ExperimentPlan plan_of(const ExperimentDescription& description);
 
 /// The plan's pairs of behaviour and number of agents, for every vehicle.

@@ -9,9 +9,9 @@
 
 namespace jaywalk {
 
-/// Copies the store `from` to a new file `to` and leaves out all tests but those of these ids.
-/// The copy says of the experiment what the original says; it is for programs that read its tables.
-/// Returns why that was not possible.
+/// Copies the store `from` to a new file `to` with the tests of these ids only. The copy keeps the
+/// description of the whole experiment; it is for programs that read its tables. Returns why that
+/// was not possible.
 [[nodiscard]] std::optional<std::string> copy_tests(const std::string& from, const std::string& to,
                                                     std::span<const std::int64_t> ids);
 

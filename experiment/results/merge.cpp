@@ -19,7 +19,7 @@ struct Part {
   ExperimentDescription description;
 };
 
-/// The parts in an order that depends on what they are, not on how they were named.
+/// The parts in an order that depends on their content, not on their names.
 Result<std::vector<Part>> read_parts(const std::vector<std::string>& inputs) {
   Diagnostics diagnostics;
   std::vector<Part> parts;

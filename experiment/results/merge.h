@@ -18,7 +18,7 @@ struct MergeOutcome {
 };
 
 /// Writes a new store with the tests of all `inputs`, each once; the inputs stay as they are. The
-/// new one holds the whole experiment: what is missing can be run with --resume. Errors: `output`
+/// new one describes the whole experiment: missing tests can be run with --resume. Errors: `output`
 /// exists, an input is no store or is damaged, two hold different experiments or levels, or the
 /// same test with different outcomes.
 [[nodiscard]] Result<MergeOutcome> merge_stores(const std::string& output,

@@ -238,8 +238,8 @@ Result<TestSetup> ResultsReader::setup(std::int64_t id) const {
     return store_error(path(), fmt::format("to run its tests again it starts '{}'", command),
                        "--allow-commands lets it; whoever made the store chose the command");
   }
-  // What the test received from earlier ones was stored with it, so that it runs alone as it did
-  // then.
+  // The beliefs that the test received from earlier tests were stored with it, so that it can run
+  // alone.
   const auto event = impl_->checked(read_event(impl_->database(), id, "feedback"));
   if (!event) return event.diagnostics();
   const auto ahead = impl_->checked(read_event(impl_->database(), id, "head_start"));

@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a store: which experiment, which tests, what each of them was like. Nothing is written. A
-// reader belongs to one thread; several may read the same file.
+// Reads a store: its experiment, its tests and their recordings. Nothing is written. A reader
+// belongs to one thread; several may read the same file.
 //
 //   Result<std::unique_ptr<ResultsReader>> store = ResultsReader::open("runs.gpkg");
 //   for (const StoredTest& test : store.value()->tests().value()) ...
@@ -39,12 +39,12 @@ struct TestFilter {
   std::optional<std::uint32_t> agents;
   std::optional<bool> succeeded;
   std::optional<bool> errored;
-  /// At most so many, the first ones.
+  /// The most tests; the first ones are taken.
   std::optional<std::uint64_t> limit;
 };
 
-/// Whether tests that are run again may start the command that the stored scenario names (an AV of
-/// one's own): the store's author chose it.
+/// Whether tests that are run again may start the command that the stored scenario names (a custom
+/// AV): the store's author chose it.
 enum class Commands { refused, allowed };
 
 class ResultsReader {
@@ -69,8 +69,8 @@ class ResultsReader {
 
   /// In the order of their ids, which is that of the plan.
   [[nodiscard]] Result<std::vector<StoredTest>> tests(const TestFilter& filter = {}) const;
-  /// The same one by one, so that there may be millions, until the callback has enough. The error
-  /// is what could not be read.
+  /// Calls back for each test, until the callback has enough, so that there may be millions. The
+  /// error is what could not be read.
   [[nodiscard]] std::optional<Diagnostics> for_each_test(
       const TestFilter& filter, const std::function<Proceed(const StoredTest&)>& callback) const;
   /// How many of them there are.
@@ -81,7 +81,7 @@ class ResultsReader {
   [[nodiscard]] Result<std::string> error(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AgentScore>> scores(std::int64_t id) const;
   [[nodiscard]] Result<std::vector<AssessmentRow>> assessments(std::int64_t id) const;
-  /// Who took part in the test; the first is the AV.
+  /// The actors of the test; the first is the AV.
   [[nodiscard]] Result<std::vector<Actor>> actors(std::int64_t id) const;
 
   /// Calls back for each event of that kind which has a place, in the order of the tests. The
@@ -103,14 +103,14 @@ class ResultsReader {
   /// The scenario as it was, made ready to run from the texts in the store, not from files; made
   /// once, then kept.
   [[nodiscard]] Result<std::shared_ptr<const PreparedScenario>> prepared() const;
-  /// What its tests are judged by, as it was: the assertions of the files of `--assertions`, or
-  /// else the scenario's.
+  /// The assertions by which its tests were judged: those of the files of `--assertions`, or else
+  /// the scenario's.
   [[nodiscard]] Result<std::vector<Assertion>> assertions() const;
-  /// What to run for a test: `run_test(*prepared, setup)` repeats it. Error: it would start a
-  /// command, which is refused.
+  /// The setup of a test: `run_test(*prepared, setup)` repeats it. Error: it would start a command,
+  /// which is refused.
   [[nodiscard]] Result<TestSetup> setup(std::int64_t id) const;
-  /// Runs a test again, with what the caller wants to see of it; one that ended errored does so
-  /// again, perhaps of something else. Error: its outcome is not the stored one, as when another
+  /// Runs a test again, with the caller's options; a test that ended errored has to do so again,
+  /// perhaps with another error. Error: its outcome differs from the stored one, as when another
   /// version of the program wrote the store.
   [[nodiscard]] Result<TestRun> rerun(std::int64_t id, const TestOptions& options = {}) const;
 

@@ -31,7 +31,7 @@ std::optional<double> real_or_null(const Statement& row, int column) {
   return row.real(column);
 }
 
-/// Of what may be infinite: the braking that would still help once two boxes overlap, say.
+/// A value that may be infinite, such as the braking needed once two boxes overlap.
 std::optional<double> any_real_or_null(const Statement& row, int column) {
   if (row.is_null(column)) return std::nullopt;
   return row.any_real(column);
@@ -111,7 +111,7 @@ std::pair<std::int64_t, std::int64_t> ids_of(const ExperimentDescription& descri
   first += static_cast<std::int64_t>(*filter.vehicle) * of_vehicle;
   if (!filter.behaviour) return {first, first + of_vehicle - 1};
   first += static_cast<std::int64_t>(*filter.behaviour) * width;
-  // Of a number of agents that the plan does not have the WHERE clause leaves nothing.
+  // A number of agents that is not in the plan needs no check here: the WHERE clause excludes it.
   const auto column = std::ranges::find(description.agents, filter.agents.value_or(0));
   if (column != description.agents.end()) {
     first += (column - description.agents.begin()) * tests;
@@ -325,7 +325,7 @@ Recording read_recording(Database& database, double tick_s, const StoredTest& te
                         .actor = count_or_null(row, 1),
                         .kind = row.label(2),
                         .text = row.text(3)};
-    // Whoever gets it looks the actor and the scene up.
+    // Callers use the actor and the tick as indices, so check them here.
     if (event.actor.value_or(0) >= recording.actors().size() || event.tick >= recording.scenes()) {
       damaged(database, "an event", test.id);
     } else {

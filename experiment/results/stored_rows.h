@@ -1,6 +1,6 @@
 #pragma once
 
-// Turns rows back into what they were made from. Ask the database afterwards whether all went well.
+// Turns rows back into objects. Check the database for a failure afterwards.
 
 #include <functional>
 #include <string>
@@ -21,7 +21,7 @@ void read_tests(Database& database, const ExperimentDescription& description,
                                                   std::int64_t id);
 [[nodiscard]] std::vector<AgentScore> read_scores(Database& database, std::int64_t test_id);
 [[nodiscard]] std::vector<AssessmentRow> read_assessments(Database& database, std::int64_t test_id);
-/// What went wrong with the agents of the tests with these ids, both included.
+/// The failures of the agents of the tests with ids from `first` to `last`.
 [[nodiscard]] Troubles read_troubles(Database& database, std::int64_t first, std::int64_t last);
 [[nodiscard]] std::vector<Actor> read_actors(Database& database, std::int64_t test_id);
 /// The names of assertions, in the order in which tests were judged by them.

@@ -1,6 +1,6 @@
 #pragma once
 
-// One test as a store takes it and gives it back.
+// One test in the form in which a store takes it and returns it.
 
 #include <cstdint>
 #include <string>
@@ -27,7 +27,7 @@ struct TestRecord {
   TestKey test;
   TestResult result;
   TestOutcome outcome;
-  /// Of the agents in their order; the agent i is the recording's actor i + 1.
+  /// The agents' scores in their order; agent i is the recording's actor i + 1.
   std::vector<AgentScore> scores;
   std::vector<AssessmentRow> assessments;
   /// Why agents dropped intentions.
@@ -36,7 +36,7 @@ struct TestRecord {
   Recording recording;
 };
 
-/// Puts the outcome of a test and its recording together. `result` is what the measures see.
+/// Puts the outcome of a test and its recording together. `result` has the values for the measures.
 [[nodiscard]] TestRecord make_test_record(const TestKey& test, const TestResult& result,
                                           const TestRun& run, Recording recording);
 

@@ -39,7 +39,7 @@ std::optional<std::string> excess(const ExperimentDescription& description) {
   return fmt::format("more than {} tests cannot be stored", kMaxTestId);
 }
 
-/// What keeps the store from being continued by this experiment.
+/// The errors that prevent this experiment from continuing the store.
 std::optional<Diagnostics> mismatch(const std::string& path, const ExperimentDescription& stored,
                                     const ExperimentDescription& wanted) {
   const auto refuse = [&](std::string why) {
@@ -192,7 +192,7 @@ class ResultsWriter::Impl {
   }
 
   void finish_file() {
-    // A store that is complete may still be without what comes last, if it was killed just then.
+    // A store with all tests may lack the last steps of finishing, if the process was killed then.
     if (written_ > 0 || !is_completed(*database_)) {
       note_extents(*database_, Placement(description_.anchor));
     }

@@ -1,9 +1,9 @@
 #pragma once
 
 // Writes the tests of an experiment into a store (README.md beside this file has its tables). Any
-// number of threads hand in tests, one thread writes them, a transaction for what has come in
-// meanwhile. A process that is killed leaves every test that was committed: at most those are lost
-// that were running or came in within the last moment.
+// number of threads hand in tests; one thread writes them, in one transaction for all tests that
+// wait. If the process is killed, every committed test is kept: only tests that were running or
+// came in within the last moment are lost.
 
 #include <cstdint>
 #include <memory>
@@ -30,7 +30,7 @@ class ResultsWriter {
       const std::string& path, const ExperimentDescription& description,
       ErroredTests errored = ErroredTests::kept);
 
-  /// Closes the store as it is; what was handed in is written.
+  /// Writes the tests that were handed in, and closes the store as it is.
   ~ResultsWriter();
   ResultsWriter(const ResultsWriter&) = delete;
   ResultsWriter& operator=(const ResultsWriter&) = delete;
@@ -44,11 +44,11 @@ class ResultsWriter {
   /// after a failure.
   void add(TestRecord record);
 
-  /// Why nothing more can be written (the disk is full, say); what was committed is kept.
+  /// Why nothing more can be written (the disk is full, say); committed tests are kept.
   [[nodiscard]] std::optional<std::string> failure() const;
 
-  /// Writes what is left and makes the store one plain file. Why that failed, if it did. Nothing
-  /// may be added afterwards.
+  /// Writes the remaining tests and makes the store one plain file. Returns why that failed; empty
+  /// if it did not. Nothing may be added afterwards.
   [[nodiscard]] std::optional<std::string> finish();
 
  private:
@@ -57,7 +57,7 @@ class ResultsWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Puts assessments in the place of those that a store has of a test: what `judge` does afterwards.
+/// Replaces the assessments that a store has of its tests, for `judge --write`.
 class AssessmentWriter {
  public:
   [[nodiscard]] static Result<std::unique_ptr<AssessmentWriter>> open(const std::string& path);

@@ -22,9 +22,9 @@ constexpr NumberRange kParameters{-1e9, 1e9};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// Where each byte of a scalar stands in the file: YAML folds lines and strips indentation, but
-/// keeps every character that is no blank. If it does not (an escape), all of them stand where it
-/// begins.
+/// The place of each byte of a scalar in the file: YAML folds lines and strips indentation, but
+/// keeps every character that is not a blank. If it does not (an escape), all bytes get the place
+/// where the scalar begins.
 std::vector<std::uint32_t> places_of(const ConfigNode& node) {
   const std::string_view file = node.origin.where.source->text();
   const std::uint32_t begin = node.origin.where.span.begin;

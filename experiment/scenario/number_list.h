@@ -13,8 +13,8 @@ namespace jaywalk {
 /// More agents in a test than this are a slip.
 inline constexpr std::uint32_t kMaxAgents = 10'000;
 
-/// Numbers of agents and ranges of them, in the order given, each once. `subject` is what the list
-/// belongs to, for messages ("--agents").
+/// Numbers of agents and ranges of them, in the order given, each once. `subject` names the list in
+/// messages ("--agents").
 [[nodiscard]] Result<std::vector<std::uint32_t>> parse_number_list(std::string_view text,
                                                                    std::string_view subject);
 

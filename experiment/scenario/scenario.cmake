@@ -1,4 +1,4 @@
-# The scenario: what a comparison runs, read from YAML. Included by CMakeLists.txt above.
+# The scenario of a comparison, read from YAML. Included by CMakeLists.txt above.
 target_sources(jaywalk_experiment PRIVATE
   scenario/assertion_file.cpp
   scenario/files/code_lines.cpp

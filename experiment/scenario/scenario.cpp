@@ -26,7 +26,7 @@ ConfigNode map_of(std::string key, ConfigNode value) {
   return map;
 }
 
-/// Puts the layers of a scenario on top of each other and checks what has come of it.
+/// Merges the layers of a scenario and checks the result.
 class ScenarioBuilder {
  public:
   ScenarioBuilder(SourcePtr source, const ScenarioOptions& options)
@@ -34,8 +34,8 @@ class ScenarioBuilder {
 
   Result<Scenario> build() {
     if (!parse_layers() || !choose_world()) return std::move(diagnostics_);
-    // The order of the layers: preset, file, settings; each takes the place of what those before
-    // say.
+    // The order of the layers: preset, file, settings; values of each replace those of the earlier
+    // ones.
     read_preset();
     const std::string folder = std::filesystem::path(source_->name()).parent_path().string();
     read_layer(file_, folder, draft_, diagnostics_);
@@ -142,7 +142,7 @@ class ScenarioBuilder {
     read_layer(*layer, "", draft_, diagnostics_);
   }
 
-  // Which behaviours there are, the file says. What it says of them takes the preset's place.
+  // The file decides which behaviours there are, and its parameters replace the preset's.
   void set_behaviours_of_preset() {
     for (BehaviourSpec& behaviour : draft_.scenario.behaviours) {
       const ConfigNode* const value = preset_behaviours_.find(behaviour.name);

@@ -54,7 +54,7 @@ struct BehaviourSpec {
   ValueOrigin origin;
 };
 
-/// When a test is given up, which is then errored. All but the time give the same on any machine.
+/// Limits beyond which a test ends errored. All but the time have the same effect on any machine.
 struct TestLimits {
   /// Reasoning cycles of one agent; 0: no limit but that of a tick.
   std::uint64_t cycles = 0;
@@ -73,7 +73,7 @@ struct TestLimits {
   static constexpr std::uint64_t kMostMegabytes = 1'000'000'000;
 };
 
-/// The defaults of an experiment; options of the command line take their place.
+/// The defaults of an experiment; options of the command line replace them.
 struct ExperimentSpec {
   std::uint64_t tests = 1000;
   /// The numbers of agents to compare, in this order.
@@ -90,7 +90,7 @@ struct ExperimentSpec {
   ReachableBins reachable;
 };
 
-/// Where programs look for what they include, after their own folder (IncludePath).
+/// The folders in which programs look for included files, after their own folder (IncludePath).
 struct IncludeFolders {
   std::vector<std::string> folders;
   std::vector<std::pair<std::string, std::string>> mapped;
@@ -101,7 +101,7 @@ struct Scenario {
   std::string name;
   /// Empty if it began with none.
   std::string preset;
-  /// What the scenario's world has read of it; shared, since it does not change.
+  /// The scenario's world; shared, since it does not change.
   std::shared_ptr<const WorldSpec> world = default_world();
   std::vector<BehaviourSpec> behaviours;
   /// The programs of the world's other agents, in their order.
@@ -111,16 +111,16 @@ struct Scenario {
   /// behaviour's agents choose by the first one that has its options.
   LearningSpec learning;
   std::vector<SourcePtr> policies;
-  /// Where the world is on the Earth, for stores.
+  /// The world's place on the Earth, for stores.
   std::optional<Anchor> anchor;
-  /// What tests are judged by.
+  /// The assertions by which tests are judged.
   std::vector<Assertion> assertions;
   /// The texts that it was read from (programs are read when it is prepared), and where they and
   /// the programs are.
   std::vector<SourcePtr> sources;
   SourceFiles files;
   IncludeFolders include;
-  /// Where each key was given, for what is found to be wrong with its value later.
+  /// Where each key was given, for errors in its value that later checks find.
   ValueOrigins origins;
   /// Warnings about values that are allowed but unusual.
   Diagnostics warnings;
@@ -130,16 +130,16 @@ struct Scenario {
 };
 
 struct ScenarioOptions {
-  /// Takes the place of the file's `preset`.
+  /// Replaces the file's `preset`.
   std::optional<std::string> preset;
   /// `dotted.path=value`, in order, as given to `--set`.
   std::vector<std::string> sets;
-  /// Of those of `sets` whose value another option gave: that value, as a source with the option's
-  /// name, so that mistakes are shown there.
+  /// For entries of `sets` whose value came from another option: that value, as a source with the
+  /// option's name, so that errors are shown there.
   std::map<std::string, SourcePtr> given_by;
   /// Names of the scenario's behaviours, or paths of programs: these and no others, in this order.
   std::vector<std::string> behaviours;
-  /// Where the scenario and all that it names are read: the disk, unless copies are given.
+  /// The source of the scenario and all files that it names: the disk, unless copies are given.
   SourceFiles files;
   IncludeFolders include;
 };
@@ -149,7 +149,8 @@ inline constexpr std::size_t kMaxScenarioBytes = std::size_t{1} << 20U;
 
 [[nodiscard]] Result<Scenario> read_scenario(const std::string& path,
                                              const ScenarioOptions& options = {});
-/// The same for a text in memory; programs are found relative to the folder in the source's name.
+/// Reads a scenario from a text in memory. Programs are found relative to the folder in the
+/// source's name.
 [[nodiscard]] Result<Scenario> parse_scenario(const SourcePtr& source,
                                               const ScenarioOptions& options = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the readers of a scenario's parts share: the draft. Read scenario_schema.h before.
+// The draft that the readers of a scenario's parts fill in. Read scenario_schema.h first.
 
 #include <string>
 #include <string_view>
@@ -28,7 +28,7 @@ class LayerPart : protected SectionReader {
 using PartReader = void(const ConfigNode& node, const std::string& path, const std::string& folder,
                         ScenarioDraft& draft, Diagnostics& diagnostics);
 
-/// The key `world` of a layer: what all worlds have, and the world's own.
+/// The key `world` of a layer: the keys that all worlds have, and the world's own.
 PartReader read_world;
 /// The keys `learning` and `policy`.
 PartReader read_learning, read_policies;

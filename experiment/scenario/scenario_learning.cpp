@@ -1,4 +1,4 @@
-// How agents learn, and what they have learned: the keys `learning` and `policy` of a scenario.
+// The keys `learning` (how agents learn) and `policy` (learned policies) of a scenario.
 
 #include <set>
 
@@ -64,7 +64,7 @@ class LearningReader : LayerPart {
     }
   }
 
-  // What a file says takes the place of the default as a whole; an option changes what it names.
+  // A reward in a file replaces the whole default; an option changes only the terms that it names.
   void read_reward(const ConfigNode& node, const std::string& path) {
     RewardTerms& reward = spec().reward;
     if (node.origin.option.empty()) reward = {};

@@ -12,7 +12,7 @@
 namespace jaywalk {
 namespace {
 
-// What a scenario may ask for; generous, but safe to multiply.
+// Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr IntegerRange kTests{1, 1'000'000'000};
 constexpr IntegerRange kGenerations{0, 1'000'000'000};
 constexpr IntegerRange kLimits{0, TestLimits::kMost};
@@ -125,7 +125,7 @@ class LayerReader : LayerPart {
               });
   }
 
-  // Whose number is in no list runs the first program.
+  // Agents whose number is in no list run the first program.
   void read_team(const ConfigNode& node, BehaviourSpec& behaviour) {
     if (node.kind != ConfigNode::Kind::map || node.entries.empty()) {
       reader_.unexpected(node, "agents' numbers and their programs, {1..3: random_action.asl}");

@@ -1,7 +1,7 @@
 #pragma once
 
 // The keys of a scenario: each layer (preset, file, option) is read into the same draft, in order.
-// scenarios/README.md describes the keys. Read env/world/world_section.h before.
+// scenarios/README.md describes the keys. Read env/world/world_section.h first.
 
 #include <map>
 #include <optional>
@@ -28,7 +28,7 @@ struct ScenarioDraft {
   std::vector<std::pair<std::string, ValueOrigin>> policy_files;
   /// The file that says which situations tests can meet, and where it was named.
   std::optional<std::pair<std::string, ValueOrigin>> reachable_file;
-  /// Of learners by their names, and the assertions that rewards name.
+  /// The settings of learners by their names, and the assertions that rewards name.
   std::map<std::string, LearnerSettings> learner_settings;
   std::vector<std::pair<std::string, ValueOrigin>> rewarded;
 };

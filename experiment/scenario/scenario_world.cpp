@@ -1,4 +1,4 @@
-// The key `world` of a scenario: what all worlds have. The rest is read by the world itself
+// The keys below `world` of a scenario that all worlds have. The world itself reads the others
 // (env/world/world_section.h).
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace jaywalk {
 namespace {
 
-// What a scenario may ask for; generous, but safe to multiply.
+// Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr IntegerRange kEpsg{1024, 32767};
 constexpr NumberRange kOnEarth{-1e8, 1e8};
 constexpr NumberRange kBearing{-360, 360};

@@ -42,7 +42,7 @@ std::string as_message(std::string text) {
   return text;
 }
 
-/// What people write who do not know YAML well, and why it is not read as it was meant.
+/// A frequent mistake in YAML, and why YAML reads it otherwise than it was meant.
 struct Slip {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -117,7 +117,7 @@ class Converter {
         std::move(slip.message), std::move(slip.hint));
   }
 
-  // What is wrong with a text that yaml-cpp refuses.
+  // Reports the error in a text that yaml-cpp refuses.
   void report_failure(const YAML::Exception& error) {
     auto slip = source_ == nullptr ? std::nullopt : slip_above(source_->text(), error.mark.line);
     if (slip) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // YAML as scenarios use it: values with the places where they were written. The library that
-// parses it is seen by scenario_yaml.cpp alone. Read env/config/node.h before.
+// parses it is seen by scenario_yaml.cpp alone. Read env/config/node.h first.
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ inline constexpr int kMaxConfigDepth = 32;
                                                      Diagnostics& diagnostics);
 
 /// Parses `dotted.path=value` into maps within maps; the value may be any YAML. If another option
-/// than `--set` gave it, `value` is what it gave, under the option's name.
+/// than `--set` gave it, `value` is the text of that option, under the option's name.
 [[nodiscard]] std::optional<ConfigNode> parse_setting(const std::string& setting,
                                                       Diagnostics& diagnostics,
                                                       const SourcePtr& value = nullptr);

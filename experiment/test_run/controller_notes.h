@@ -14,7 +14,7 @@
 
 namespace jaywalk {
 
-/// Collects from several threads; what it says depends on the tests alone.
+/// Collects notes from several threads; the result depends on the tests alone.
 class ControllerNotes {
  public:
   /// `place`: the test's place in the plan; each test once.

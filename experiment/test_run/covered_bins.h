@@ -23,7 +23,7 @@ struct CoveredBin {
   friend bool operator==(const CoveredBin&, const CoveredBin&) = default;
 };
 
-/// As the event `feedback` has it: "entry_ttc 3 17; entry_side 1 40".
+/// The text of the event `feedback`: "entry_ttc 3 17; entry_side 1 40".
 [[nodiscard]] std::string feedback_text(const std::vector<CoveredBin>& feedback);
 /// Nothing if the text is not of that form.
 [[nodiscard]] std::optional<std::vector<CoveredBin>> parse_feedback(std::string_view text);

@@ -12,7 +12,7 @@ void add_programs(const PreparedScenario& prepared, const BehavioursRun& behavio
                   Probes& probes) {
   for (const auto& [index, agents] : behaviours) {
     const PreparedBehaviour& behaviour = prepared.behaviours()[index];
-    // The behaviour's own program is for those whom the team leaves out.
+    // The behaviour's own program is for agents that are not in the team.
     std::uint32_t with_own = 0;
     for (const auto& [number, program] : behaviour.team) with_own += number <= agents ? 1 : 0;
     if (with_own < agents) probes.add(behaviour.program);

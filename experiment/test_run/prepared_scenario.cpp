@@ -91,7 +91,7 @@ class Preparation {
   std::shared_ptr<const Program> load(const std::string& path, const ValueOrigin& origin,
                                       PreparedBehaviour& result) {
     if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
-    // A path that leads nowhere is the scenario's mistake; what is in a file is the program's.
+    // A missing file is an error of the scenario; errors in a file are the program's.
     if (!include_path_.files.has(path)) {
       std::string hint = similar_behaviour(path, installed_behaviours(world_, include_path_.files));
       if (hint.empty() && include_path_.files.are_on_disk()) hint = hint_for_missing(path);
@@ -168,8 +168,8 @@ class Preparation {
   std::map<std::string, std::shared_ptr<const Program>> loaded_;
 };
 
-/// Policies to the behaviours that have their options. One that is for none is a mistake; who has
-/// without one chooses by chance, and a note says so.
+/// Assigns policies to the behaviours that have their options. A policy without such a behaviour is
+/// an error. A behaviour with options but without a policy chooses at random; a note says so.
 void give_policies(const Scenario& scenario, const SymbolTable& symbols,
                    std::vector<PreparedBehaviour>& behaviours, Diagnostics& errors,
                    Diagnostics& warnings) {

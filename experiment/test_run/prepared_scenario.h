@@ -1,6 +1,6 @@
 #pragma once
 
-// A scenario made ready to run: its programs compiled, its worlds checked. Read scenario.h before.
+// A scenario made ready to run: its programs compiled, its worlds checked. Read scenario.h first.
 
 #include <cstdint>
 #include <map>
@@ -24,7 +24,7 @@ struct PreparedBehaviour {
   /// Lines of AgentSpeak, of the program and all that it includes, without blank ones and comments.
   std::uint64_t code_lines = 0;
   std::vector<Parameter> parameters;
-  /// What its agents choose by where plans are learned(P) (policy/policy.h); null: by chance.
+  /// The policy for choices among plans learned(P) (policy/policy.h); null: they are random.
   std::shared_ptr<const Policy> policy;
   /// The texts that `program` and the team's were made from: programs and all that they include.
   std::vector<SourcePtr> sources;
@@ -34,7 +34,7 @@ struct PreparedBehaviour {
   std::map<std::uint32_t, std::vector<Parameter>> agent_parameters;
 };
 
-/// Where a scenario's programs look for what they include.
+/// The folders in which a scenario's programs look for included files.
 [[nodiscard]] IncludePath include_path(const Scenario& scenario);
 
 /// A scenario made ready to run: immutable, shared by all tests on all threads.

@@ -13,7 +13,7 @@
 namespace jaywalk {
 namespace {
 
-/// A map by what is in it: its path is another one on each machine, and in a store's copies.
+/// A map's name by its content, since its path differs between machines and in a store's copies.
 std::string network_name(const std::string& network) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(network, ignored)) return network;

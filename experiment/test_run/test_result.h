@@ -1,6 +1,6 @@
 #pragma once
 
-// How one test went: what the measures see of it, and what else is reported.
+// The result of one test: the values for the measures, and other outcomes to report.
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-/// One test, as the measures see it.
+/// The values of one test that the measures use.
 struct TestResult {
   bool succeeded = false;
   /// It came to no end of its own: an agent looped or stopped the system, a limit was reached, the
@@ -27,7 +27,7 @@ struct TestResult {
 /// How tests that came to no end of their own are said to have ended.
 inline constexpr std::string_view kErrored = "errored";
 
-/// How one test went, beside what the measures see.
+/// The outcome of one test, beside the values for the measures.
 struct TestOutcome {
   /// Ticks of the whole test.
   std::uint32_t ticks = 0;

@@ -228,7 +228,7 @@ void run_to_the_end(Mas& mas, const World& world, const TestOptions& options,
   }
 }
 
-/// What the controller makes of the end may be wrong, too.
+/// Tells the controller that the test ends, which may fail, too.
 void end_drive(World& world, TestRun& result) {
   world.end();
   if (std::string failure = world.failure(); !failure.empty()) {
@@ -397,7 +397,7 @@ TestRun TestRunners::run(const TestSetup& setup, const TestOptions& options) {
     if (runner == nullptr) runner = std::make_unique<TestRunner>(prepared_);
     result = runner->run(setup, options);
   } catch (const std::bad_alloc&) {
-    // Of the runner nothing is used again.
+    // The runner is dropped, not returned to the idle ones: its state is unknown.
     return errored_test("the machine has no memory left for the test", options);
   }
   const std::lock_guard lock(mutex_);

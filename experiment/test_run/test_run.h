@@ -56,17 +56,17 @@ using TestObserver = std::function<void(const World& world, const Mas& mas)>;
 
 struct TestOptions {
   TestObserver observe;
-  /// Receives every scene of the test, and its events: `precondition`, of each agent that met it,
-  /// `collision`, of the one the AV touched, the world's own (World::events), `errored`, why the
-  /// test came to no end of its own, `feedback`, what the agents believed of earlier tests, and
-  /// `head_start`, if there was one. Null: nothing is recorded.
+  /// Receives every scene of the test, and its events: `precondition` for each agent that met it,
+  /// `collision` for each one that the AV touched, the world's own (World::events), `errored` with
+  /// the reason, `feedback` with the agents' beliefs about earlier tests, and `head_start`, if
+  /// there was one. Null: nothing is recorded.
   Recording* record = nullptr;
   /// Observes the agents as they reason (interpreter/agent/surroundings/observer.h). Null: none
   /// does.
   ReasoningObserver* observer = nullptr;
   /// Chooses for learning agents instead of the behaviour's policy; null: the policy does.
   OptionPolicies* policies = nullptr;
-  /// Shortens paths in what is kept of errors; null: they stay as they are.
+  /// Shortens paths in kept messages of errors; null: they stay as they are.
   const PortableNames* names = nullptr;
   std::function<void(std::string_view line)> print;
   std::function<void(std::string_view line)> log;
@@ -108,8 +108,8 @@ struct TestRun {
 /// A test that is errored for that reason without having been run.
 [[nodiscard]] TestRun errored_test(std::string why, const TestOptions& options);
 
-/// Runs tests one after another, each as if it were the only one: what it has built for one is
-/// used again for the next, which with the same behaviour and number of agents costs little.
+/// Runs tests one after another, each as if it were the only one. It reuses its objects for the
+/// next test, which is cheap if that has the same behaviour and number of agents.
 class TestRunner {
  public:
   /// The scenario must outlive it.
@@ -165,7 +165,7 @@ class TestRunners {
 /// The start cells of a test, in a world that has cells: the scenario's own or drawn ones.
 [[nodiscard]] std::vector<Position> start_cells(const Scenario& scenario, const TestSetup& setup);
 
-/// Those of the tests from 0, by number (print_start_cells).
+/// The start cells of the tests from 0, by number (print_start_cells).
 [[nodiscard]] std::map<std::uint64_t, std::vector<Position>> start_cells(const Scenario& scenario,
                                                                          std::uint32_t agents,
                                                                          std::uint64_t seed,

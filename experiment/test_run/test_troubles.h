@@ -1,7 +1,7 @@
 #pragma once
 
-// What went wrong with the agents of one test: intentions that they dropped, pedestrians that never
-// acted, and why the test ended errored. Read interpreter/agent/drops.h before.
+// Failures of the agents of one test: dropped intentions, pedestrians that never acted, and why the
+// test ended errored. Read interpreter/agent/drops.h first.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ namespace jaywalk {
 
 /// An agent of one test has dropped intentions for that reason.
 struct AgentDrop {
-  /// As in recordings: the agents are numbered from 1, the pedestrians first.
+  /// The number in recordings: agents are numbered from 1, the pedestrians first.
   std::uint32_t actor = 0;
   DropCause cause;
 };

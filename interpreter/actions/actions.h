@@ -21,7 +21,7 @@ namespace jaywalk::actions {
   return holds ? Outcome::succeeded : Outcome::failed;
 }
 
-/// The elements of a list, dereferenced; what is not a list gives none.
+/// The elements of a list, dereferenced; none if the value is not a list.
 [[nodiscard]] std::vector<Value> elements(Value list);
 
 /// Whether Java's cast to a Literal succeeds: in Jason structures, lists, bodies, triggers,

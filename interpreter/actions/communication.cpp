@@ -118,7 +118,7 @@ std::optional<Outcome> send_to(Value receiver, OutgoingMessage& message, ActionC
                    "there is no agent " + std::string(name_of(receiver, call.symbols(), buffer)));
 }
 
-/// The intention waits for what so many receivers answer a question.
+/// Suspends the intention until `receivers` agents have answered the question.
 Outcome await_answers(ActionCall& call, const OutgoingMessage& question, std::size_t receivers) {
   PendingAsk ask;
   ask.id = question.id;

@@ -102,7 +102,7 @@ bool pi(Args, Heap&, SymbolTable&, Value& result) {
   return true;
 }
 
-// Of no numbers, Jason's answers: Double.MIN_VALUE, which is above zero, and Double.MAX_VALUE.
+// Without numbers, Jason's answers: Double.MIN_VALUE, which is above zero, and Double.MAX_VALUE.
 bool maximum(Args args, Heap&, SymbolTable&, Value& result) {
   return extreme(args, result, std::numeric_limits<double>::denorm_min(), java_max);
 }

@@ -1,4 +1,4 @@
-// Intentions as terms: their state, and their stack of plans with what is left of each.
+// Intentions as terms: their state, and their stack of plans with the remaining formulas of each.
 
 #include <array>
 #include <memory>
@@ -13,8 +13,8 @@
 namespace jaywalk::actions {
 namespace {
 
-// What is left of a body, from the current formula of each level on. As in Jason it is as it was
-// written, with variables that have no values: the map of bindings names these.
+// The rest of a body, from the current formula of each level on. As in Jason it is the text as
+// written, with unbound variables; the map of bindings has their values.
 Value remaining_body(Agent& agent, const IntendedMeans& means) {
   Unifier& unifier = agent.machine().unifier();
   unifier.set_slot_names({});

@@ -83,7 +83,7 @@ bool has_future_goal(Agent& agent, Intention& intention, Value goal) {
   return false;
 }
 
-// Drops what is not the intention that executes the action; that one afterwards.
+// Drops the intentions; the one that executes the action last.
 Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
   bool own = false;
   const bool tells_states = call.agent()->library().has_goal_state_plans();
@@ -103,7 +103,7 @@ Outcome drop_all(ActionCall& call, const std::vector<Intention*>& intentions) {
       call.agent()->drop(*intention);
     }
   }
-  // The executing intention last: with it goes what the action refers to.
+  // The executing intention last, since the action's arguments end with it.
   if (!own) return Outcome::succeeded;
   call.agent()->drop(*call.intention());
   return Outcome::suspended;

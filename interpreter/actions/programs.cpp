@@ -96,7 +96,7 @@ class ProgramText {
     }
   }
 
-  // What the agent has from its percepts alone is for the copy to perceive by itself.
+  // Beliefs that come from percepts alone are left out: the copy perceives by itself.
   void write_fact(const Row& row) {
     Value fact = row.fact;
     if (row.percept_generation != 0) {
@@ -125,8 +125,7 @@ class ProgramText {
     text_ += '\n';
   }
 
-  // Labels that plans got because they had none are left out; their annotations are not, but for
-  // the file that the plan was in.
+  // Leaves out generated labels, but keeps their annotations, except for the file of the plan.
   void write_label(const LiteralParts& label) {
     const Predicate url = agent_.symbols().predicate("url", 1);
     std::vector<Value> kept;

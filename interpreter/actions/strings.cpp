@@ -95,8 +95,8 @@ Outcome delete_elements(ActionCall& call) {
   return call.result(2, call.heap().list(kept));
 }
 
-// Where a text occurs, from a byte on; npos at the end. As in Java the empty text does not occur
-// behind the last character.
+// The next place of a text, from a byte on; npos if there is none. As in Java the empty text does
+// not occur behind the last character.
 std::size_t next_occurrence(std::string_view text, std::string_view part, std::size_t from) {
   return from < text.size() ? text.find(part, from) : text.npos;
 }

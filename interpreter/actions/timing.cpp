@@ -1,4 +1,4 @@
-// What waits for a time or an event, and what makes one.
+// Internal actions that wait for a time or an event, and those that make one.
 
 #include <algorithm>
 #include <charconv>

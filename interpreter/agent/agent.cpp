@@ -137,7 +137,7 @@ void Agent::begin_with(const Program::Belief& belief, std::span<const Predicate>
   }
 }
 
-// What no plan hears of is shared with the program's other agents.
+// Shares initial beliefs for which there is no plan with the program's other agents.
 void Agent::begin_with_shared(const Program& program, std::span<const Predicate> replaced) {
   constexpr std::size_t kMore = 1;  // what it comes to believe
   beliefs_.expect(program.beginnings().size() + kMore);

@@ -47,10 +47,10 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Starts as a copy of another agent of the same program, in the midst of its work (clone.cpp).
   void copy_from(const Agent& original);
 
-  /// Belief update, Jason's buf: believes what is perceived now, and no more what was and is not
-  /// (perception.cpp). With `nrcbp` it waits for the cycle that looks.
+  /// Belief update (Jason's buf): adds new percepts and removes those that are no longer perceived
+  /// (perception.cpp). With `nrcbp` it waits for the next cycle with an update.
   void update_percepts(const Percepts& percepts, const KnownToAll& known = {});
-  /// Looks now at what the environment has shown, whatever `nrcbp` says (`.perceive`).
+  /// Updates beliefs now from the latest percepts, whatever `nrcbp` says (`.perceive`).
   void perceive_now();
   /// Reasons for at least one cycle and `most` at most, as long as it has something to do and has
   /// not asked anything of its host. The result is how many cycles that were.
@@ -87,8 +87,8 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] BeliefBase& beliefs() { return beliefs_; }
   [[nodiscard]] const BeliefBase& beliefs() const { return beliefs_; }
   [[nodiscard]] Heap& heap() { return heap_; }
-  /// Collects garbage and counts what it owns, as far as its heap wants that. REQUIRES: it is
-  /// between two cycles.
+  /// Collects garbage and recounts the agent's memory, if its heap needs that. REQUIRES: the agent
+  /// is between two cycles.
   void clean_up();
   [[nodiscard]] SymbolTable& symbols() { return symbols_; }
   [[nodiscard]] const SymbolTable& symbols() const { return symbols_; }

@@ -87,7 +87,7 @@ class AgentParts {
     kGoalStates = 32,     // there are plans for goal states
     kSeldomLooks = 64,    // it does not look at the world in every cycle
     kKeepsCallers = 128,  // last calls do not take the caller's place
-    kShowsEvents = 256,   // who observes it looks at the literals of its events
+    kShowsEvents = 256,   // its observer reads the literals of its events
   };
   std::uint32_t unusual_ = 0;
   std::uint32_t goal_conditions_ = 0;  // means with a goal condition

@@ -39,7 +39,7 @@ void Agent::copy_beliefs(const Agent& original, Transfer& transfer) {
   }
 }
 
-// The original's plans and what each has become.
+// Maps the original's plans to their copies.
 Agent::PlanMap Agent::copy_plans(const Agent& original, Transfer& transfer) {
   PlanMap copies;
   const auto add = [&](const Plan& plan, const Plan& copy) {

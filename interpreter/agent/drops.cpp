@@ -28,7 +28,7 @@ std::string goal_with_place(const Intention& intention, const IntendedMeans& mea
   return line == 0 ? text : fmt::format("{} ({}:{})", text, means.plan->file, line);
 }
 
-// Where the formula stands that has failed; nowhere if it was made at run time.
+// The place of the failed formula; none if it was made at run time.
 StepPlace place_of(const Intention* intention) {
   if (intention == nullptr || intention->is_finished() || intention->top().is_finished()) {
     return {};

@@ -16,8 +16,8 @@ struct DropCause {
   std::string file;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
-  /// The formula or goal, "move(rigth)", and what was wrong with it, of the first time; both may be
-  /// empty, and long ones are cut.
+  /// The formula or goal, "move(rigth)", and its error, when it first failed; both may be empty,
+  /// and long ones are cut.
   std::string formula;
   std::string message;
   /// The goals that were under way the first time, the outermost first, each with the line that it

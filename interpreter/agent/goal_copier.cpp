@@ -89,7 +89,7 @@ void Agent::GoalCopier::copy_intention(Intention& intention) {
   }
 }
 
-// What loops have bound is copied as places and values, so that the clone can undo it, too.
+// Bindings of loops are copied as places and values, so that the clone can undo them, too.
 void Agent::GoalCopier::copy_terms(Intention& intention, Intention& copy) {
   const FreedRounds freed(intention);
   copy.values = intention.values;

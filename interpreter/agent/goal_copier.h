@@ -15,7 +15,7 @@ namespace jaywalk {
 /// made at run time.
 class Agent::GoalCopier {
  public:
-  /// `plans`: the original's plans and what each has become in the clone.
+  /// `plans`: maps the original's plans to the clone's.
   GoalCopier(const Agent& original, Agent& clone, Transfer& transfer, const PlanMap& plans)
       : original_(original), clone_(clone), transfer_(transfer), plans_(plans) {}
 
@@ -40,7 +40,7 @@ class Agent::GoalCopier {
   Agent& clone_;
   Transfer& transfer_;
   const PlanMap& plans_;
-  /// Those to be copied, by their numbers.
+  /// The intentions to copy, by their numbers.
   std::map<std::uint32_t, Intention*> chosen_;
   std::map<std::uint32_t, Intention*> copies_;
   std::map<const Fork*, std::shared_ptr<Fork>> forks_;

@@ -29,8 +29,7 @@ namespace jaywalk {
 /// The goals in the middle of a deep stack are left out.
 [[nodiscard]] std::string goal_stack_text(const Intention& intention, const SymbolTable& symbols);
 
-/// Where the formula stands that the intention has come to, `x.asl:2:21`; empty if it was made at
-/// run time.
+/// The place of the intention's current formula, `x.asl:2:21`; empty if it was made at run time.
 [[nodiscard]] std::string formula_place(const Intention& intention);
 
 }  // namespace jaywalk

@@ -1,6 +1,6 @@
 #pragma once
 
-// What agents of one program share of what they perceive.
+// Percepts and answers of rules that all agents of one program share.
 
 #include <memory>
 #include <span>

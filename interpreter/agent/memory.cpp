@@ -58,7 +58,7 @@ std::size_t bytes_of(const Loop::Level& level) {
 
 std::size_t Intention::bytes() const {
   constexpr std::size_t kLeastValues = 8;
-  // One that is finished has these still, until it is forgotten.
+  // A finished intention keeps these until it is forgotten.
   std::size_t bytes = sizeof(Intention) + 2 * kContainerBytes +
                       grown_bytes(std::max<std::size_t>(stack.size(), 1), sizeof(IntendedMeans)) +
                       grown_bytes(std::max(values.size(), kLeastValues), sizeof(Value));
@@ -101,7 +101,7 @@ bool Agent::handles_failure(const Intention& intention) {
   return top.is_goal() && top.op == TriggerOperator::remove;
 }
 
-// Of many failures for want of memory some are logged: the first ones, then fewer and fewer.
+// Whether to log a failure for lack of memory: the first four, then the 8th, 16th, 32nd and so on.
 bool Agent::tells_of_memory() {
   constexpr std::uint32_t kFirst = 4;
   ++memory_failures_;

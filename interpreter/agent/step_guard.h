@@ -36,8 +36,8 @@ template <class Body>
   return false;
 }
 
-/// Memory beyond an agent's limit while it lives: what it takes to report a failure when there is
-/// none left, or work on another's account. The next collection comes at the end of the cycle.
+/// Allows memory beyond an agent's limit while it lives: for reporting a failure when none is left,
+/// or for work on another agent's account. The next collection comes at the end of the cycle.
 class MemoryReserve {
  public:
   static constexpr std::size_t kForReports = std::size_t{1} << 20U;

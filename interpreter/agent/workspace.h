@@ -57,7 +57,7 @@ struct Workspace {
     std::vector<BeliefBase::PerceptChange> news;
   } percept_changes;
   std::vector<std::unique_ptr<Intention>> spare_intentions;
-  // Where an agent's terms stand in the first cycles of its life (term/heap.h).
+  // Memory for an agent's terms in the first cycles of its life (term/heap.h).
   Heap::Remains nursery;
   Heap::Remains aside;
 
@@ -141,7 +141,7 @@ class WorkspacePool {
     idle_.pop_back();
     return lent;
   }
-  /// One that has grown large is not kept.
+  /// A workspace that has grown large is not kept.
   void take_back(std::unique_ptr<Workspace> workspace) {
     if (workspace->machine.has_grown()) {
       inferences_ += workspace->machine.inferences();
@@ -160,7 +160,7 @@ class WorkspacePool {
   [[nodiscard]] std::uint64_t inferences_left() const { return inferences_left_; }
   void set_inferences_left(std::uint64_t left) { inferences_left_ = left; }
 
-  /// Those of an agent with this program, if there are any.
+  /// The kept parts of an earlier agent with this program, if there are any.
   [[nodiscard]] std::optional<AgentRemains> take_remains(const Program* program);
   [[nodiscard]] bool wants_remains() const { return remains_.size() < most_remains_; }
   void keep(AgentRemains remains) { remains_.push_back(std::move(remains)); }

@@ -1,4 +1,4 @@
-// Names that are known, but not with so many arguments.
+// Known names with a number of arguments that they do not have.
 
 #include <algorithm>
 #include <set>
@@ -30,8 +30,8 @@ void goals(Checking& checking, CheckedFile& file) {
   }
 }
 
-// Other agents may send what the program itself does not say, but never a percept of the
-// environment.
+// Other agents may send literals that the program itself does not contain, but never a percept of
+// the environment.
 void beliefs(Checking& checking, CheckedFile& file) {
   if (checking.index().has_open_beliefs) return;
   for (const Node* belief : file.uses.queries) {

@@ -58,7 +58,7 @@ class Beginning {
     return told;
   }
 
-  /// Some plan is for what the agent believes at first, or perceives.
+  /// Whether some plan is for an initial belief or a percept.
   [[nodiscard]] bool reacts() const {
     return std::ranges::any_of(checking_.files(), [this](const CheckedFile& file) {
       return std::ranges::any_of(file.uses.plans, [this](const Plan* plan) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which variables may have a value at a point of a plan or rule. What is entered can be taken back
-// to a mark, as branches and loops want it.
+// Which variables may have a value at a point of a plan or rule. Entries can be undone to a mark,
+// for branches and loops.
 
 #include <cstddef>
 #include <map>
@@ -22,13 +22,13 @@ class MaybeBound {
   void add_all_in(const ast::Node& term);
   void add(std::string_view name);
   void add(const std::vector<std::string_view>& names);
-  /// From here on anything may have a value: a body that is not known here was carried out.
+  /// From here on every variable may have a value, because an unknown body was carried out.
   void add_everything() { everything_ = true; }
 
   [[nodiscard]] Mark mark() const { return trail_.size(); }
-  /// Takes back what was added since; returns it.
+  /// Removes the variables that were added since the mark, and returns them.
   std::vector<std::string_view> undo(Mark mark);
-  /// The same, and remembers why for the hint.
+  /// Like undo(), and remembers why for the hint.
   void lose(Mark mark, std::string_view why);
   /// Why the variable has no value any more; empty if it never had one.
   [[nodiscard]] std::string_view why_lost(std::string_view name) const;

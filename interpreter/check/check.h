@@ -5,7 +5,8 @@
 // a program's beliefs, goals and plans may come from other agents. Each warning has a code, a row
 // of checks.def; CHECKS.md and FORMULA_CHECKS.md show when it is given.
 //
-// Comments silence them, and say what a file needs of programs that include it (support/remarks.h).
+// Comments silence them, and list what a file requires of programs that include it
+// (support/remarks.h).
 
 #include <functional>
 #include <set>
@@ -30,17 +31,17 @@ struct Vocabulary {
     std::string summary;
     /// The atoms that each argument takes; none, or no entry, where it takes others, too.
     std::vector<std::vector<std::string>> values = {};
-    /// Of percepts: the keys that would give it, where the scenario does not.
+    /// For percepts that the scenario does not give: the keys that would give it.
     std::string absent_without = {};
-    /// Of internal actions: its value can stand in a term.
+    /// For internal actions: whether it is a function, whose value can stand in a term.
     bool is_function = false;
   };
-  /// What a scenario sets an initial belief to: `radius: 15` is radius(15).
+  /// A scenario's values of an initial belief: `radius: 15` is radius(15).
   struct Setting {
     std::string name;
-    /// Of its values those that are atoms; others are empty.
+    /// The values that are atoms; entries of other values are empty.
     std::vector<std::string> atoms;
-    /// Where that stands, or the option that says so.
+    /// The place of the setting in a file or option.
     SourceSpan where;
     std::string option = {};
   };
@@ -58,7 +59,7 @@ struct Vocabulary {
   std::vector<Entry> actions;
   /// With their dots, functions such as math.abs included. Empty: they are not checked.
   std::vector<Entry> internal_actions;
-  /// Of messages. Empty: they are not checked.
+  /// The performatives of messages. Empty: they are not checked.
   std::vector<std::string> performatives = {};
   std::vector<Setting> settings = {};
   /// Reads the installed libraries, which hints name; null: there are none.
@@ -67,8 +68,8 @@ struct Vocabulary {
   bool may_be_alone = true;
   /// Whether the agent is run without others that could give it a goal.
   bool begins_by_itself = false;
-  /// Whether all agents of the system are known: what the others may post, tell or ask for bears
-  /// one of the names below.
+  /// Whether all agents of the system are known: the others can post, tell or ask for names in
+  /// `named_by_others` only.
   bool others_known = false;
   std::set<std::string, std::less<>> named_by_others;
 };
@@ -85,12 +86,12 @@ struct CheckInfo {
 /// plans or beliefs of unknown content, only what these cannot change is reported.
 void check_program(const SourceTree& program, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
-/// The same of a program whose words somebody has looked at already, `words_of(program)`.
+/// Checks a program for which the caller has `words_of(program)` already.
 void check_program(const SourceTree& program, ProgramWords words, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics);
 
-/// All names of literals that a program's text mentions, within strings too: what it might post,
-/// tell or ask for in other agents.
+/// All names of literals that a program's text mentions, within strings too: any of them may be
+/// posted, told or asked for in other agents.
 [[nodiscard]] std::set<std::string, std::less<>> names_in(const SourceTree& program);
 
 }  // namespace jaywalk

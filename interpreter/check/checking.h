@@ -1,7 +1,7 @@
 #pragma once
 
-// What every check of checks.def is given: the program, what is known of its names, and where to
-// report what was found.
+// The input of every check of checks.def: the program, what is known of its names, and the
+// functions that report warnings.
 
 #include <cstdint>
 #include <set>
@@ -21,13 +21,13 @@ namespace jaywalk {
 struct CheckedFile {
   const ast::File* file = nullptr;
   Uses uses;
-  /// It is the program itself, not included by it.
+  /// Whether it is the program itself, not an included file.
   bool is_main = false;
   /// Codes that a comment silences in the whole file.
   std::set<std::string, std::less<>> allowed;
   /// Names that a program which includes the file must define, as `radius/1` or `!cross/0`.
   std::set<std::string_view> asked;
-  /// What was reported: by place and code, once each.
+  /// The reported warnings, by place and code, so that each is reported once.
   std::set<std::pair<std::uint32_t, std::string_view>> reported;
   Diagnostics found;
 };
@@ -40,16 +40,16 @@ class Checking {
   [[nodiscard]] const Vocabulary& vocabulary() const { return vocabulary_; }
   [[nodiscard]] const ProgramIndex& index() const { return index_; }
   [[nodiscard]] const Mentions& mentions() const { return *mentions_; }
-  /// What can answer a query: beliefs, percepts and plans for test goals.
+  /// Names that can answer a query: beliefs, percepts and plans for test goals.
   [[nodiscard]] const NameSet& answers() const { return answers_; }
   [[nodiscard]] std::vector<CheckedFile>& files() { return files_; }
 
-  /// Its beliefs come from the program itself and its known environment alone.
+  /// Whether its beliefs come from the program itself and its known environment alone.
   [[nodiscard]] bool told_everything() const {
     return vocabulary_.environment_known && !index_.sends_messages;
   }
-  /// Nobody unknown posts goals to the agent or asks it: the other agents are known, or the program
-  /// begins by itself and there seem to be none, since it speaks of nobody.
+  /// Whether no unknown agent posts goals to the agent or asks it: the other agents are known, or
+  /// the program has its own goals and does not mention other agents.
   [[nodiscard]] bool asked_by_nobody() const;
   [[nodiscard]] bool has_initial_goal() const { return has_initial_goal_; }
   /// Whether plans or goals may come from where the checker cannot look.

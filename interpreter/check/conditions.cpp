@@ -37,7 +37,7 @@ void each_relation(const Node& formula, Visit&& visit) {
   }
 }
 
-// What type a term has whatever its variables are; empty if that depends.
+// The type of a term whatever its variables are; empty if it depends on them.
 std::string_view type_of(const Node& node) {
   if (node.kind == Kind::number || ast::is_arithmetic(node)) return "a number";
   if (node.kind == Kind::string) return "a string";

@@ -68,7 +68,8 @@ std::string hint_for_dot(const Node& action) {
   return fmt::format("internal actions begin with a dot: '.{}'", action.text);
 }
 
-// Where nothing is known of the environment, nor taken of it.
+// Warns of actions that lack their dot, if the environment is unknown and there are no other
+// actions.
 void actions_without_dot(Checking& checking) {
   const auto is_slip = [&](const Node* action) {
     return lacks_dot(checking.vocabulary(), *action);

@@ -25,7 +25,7 @@ using ast::Plan;
 using ast::TriggerKind;
 using ast::TriggerOperator;
 
-// Of the plans for one trigger, so many are compared with those behind them.
+// The most plans for one trigger that are compared with later ones.
 constexpr std::size_t kMostCompared = 100;
 
 bool is_always(const Node* context) {
@@ -68,7 +68,7 @@ class Subsumption {
     return a.ns->kind == Kind::literal && a.ns->text == b.ns->text;
   }
 
-  // Those of the general one must be among those of the event.
+  // Whether the annotations of the general literal are among those of the special one.
   static bool annots_covered(const Node& general, const Node& special) {
     if (general.annots == nullptr) return true;
     return special.annots != nullptr && is_ground(*general.annots) &&
@@ -130,7 +130,7 @@ void look_for_unreachable(Checking& checking, CheckedFile& file,
   }
 }
 
-// Whether plans can go, or be chosen by the program itself.
+// Whether the program can remove plans, or choose among them itself.
 bool changes_choice(const Checking& checking) {
   const auto& names = checking.mentions().names;
   const auto removes = [](std::string_view name) { return traits_of(name).removes_plans; };
@@ -166,7 +166,7 @@ bool is_atomic(const Plan& plan) { return has_annotation(plan, "atomic", 0); }
 bool waits(const Node& action) {
   const ActionTraits traits = traits_of(action.text);
   if (!traits.waits_with(action.args.size())) return false;
-  // Of messages those that ask.
+  // Messages suspend the intention only if they ask.
   return traits.about != About::message ||
          action.args[traits.performative]->text.starts_with("ask");
 }

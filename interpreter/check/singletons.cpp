@@ -21,7 +21,7 @@ using ast::Node;
 
 bool is_named(std::string_view variable) { return variable.front() != '_'; }
 
-/// Where each named variable occurs first, and whether it does again.
+/// The first place of each named variable, and whether it occurs again.
 class Occurrences {
  public:
   void operator()(const Node& node) {

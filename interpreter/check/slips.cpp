@@ -1,5 +1,5 @@
-// What is written as in other languages: a result as a value, a query as an action, an atom for a
-// variable, a variable for a name; performatives that nobody understands.
+// Habits from other languages: a result as a value, a query as an action, an atom for a variable, a
+// variable for a name; also unknown performatives.
 
 #include <algorithm>
 #include <map>
@@ -173,7 +173,7 @@ void count_arguments(std::span<const ast::Component> components, AtomTimes& time
   }
 }
 
-/// Facts by name and arity; of those that the program adds while it runs, nothing is known.
+/// Facts by name and arity; the arguments of facts that the program adds while it runs are unknown.
 class Facts {
  public:
   explicit Facts(Checking& checking) {

@@ -31,14 +31,14 @@ class Flow {
   Flow(Checking& checking, CheckedFile& file) : checking_(checking), file_(file) {}
 
   void plan(const ast::Plan& plan) {
-    // What the trigger has may be bound by the event; whether it is, nobody knows here.
+    // The event may bind the trigger's variables, so they count as bound.
     if (plan.label != nullptr) bound_.add_all_in(*plan.label);
     bound_.add_all_in(*plan.trigger.literal);
     if (plan.context != nullptr) query(*plan.context);
     const auto entered = bound_.mark();
     if (plan.goal_condition != nullptr) {
       query(*plan.goal_condition);
-      // The condition is looked at before each step of the goal: what it binds does not stay.
+      // The condition is tested before each step of the goal, and its bindings are undone.
       bound_.undo(entered);
     }
     formulas(plan.body);
@@ -123,7 +123,7 @@ class Flow {
     const auto before = bound_.mark();
     query(asked);
     if (node.args.size() == 3) term(*node.args[0]);
-    // `=` within .eval and .count is said to leak; that is not reported.
+    // `=` within .eval and .count may leak bindings, so that is not reported.
     bound_.lose(before, kCollector);
     for (const Node* argument : node.args) {
       // With two arguments (`.count(Query, N)`) the other one is the result, with three the last.
@@ -259,7 +259,7 @@ class Flow {
     }
   }
 
-  // What needs a value.
+  // An operand that needs a value.
   void operand(const Node& node, std::string_view hint = {}) {
     if (node.kind != Kind::variable) {
       term(node);

@@ -37,7 +37,7 @@ bool is_test(const ast::Plan& plan) {
   return false;
 }
 
-// Beyond so many goals, none is looked for that has almost a plan's name.
+// With more goals than this, no similar names are searched for.
 constexpr std::size_t kMostGoals = 500;
 
 /// The goals that are posted, those with plans and those without.
@@ -119,7 +119,7 @@ void unused_plans(Checking& checking) {
           is_reserved(literal.text) || is_test(*plan)) {
         continue;
       }
-      // What is included may be meant for other programs.
+      // Plans of included files may be meant for other programs.
       const bool included = !file.is_main;
       if (plan->trigger.kind == TriggerKind::belief) {
         if (!included) belief(checking, file, heads, literal);

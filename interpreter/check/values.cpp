@@ -99,7 +99,7 @@ class Values {
     }
   }
 
-  // The program itself shows the other values: what is asked for should be given somewhere.
+  // The program itself shows the possible values: a queried atom should be given somewhere.
   void judge_inferred(const ValueClass& values, const Atoms& allowed) {
     const bool asks = std::ranges::any_of(values.uses, [](const AtomUse& use) {
       return use.role == AtomRole::wanted || use.setting != nullptr;

@@ -260,7 +260,7 @@ Value Translator::translate_literal(const ast::Node& node, VariableScope& scope,
       Value::empty_list(), Form::decorated);
 }
 
-// Where a literal is expected, a variable stands for one of the namespace in force.
+// A variable at the place of a literal stands for a literal of the namespace in force.
 Value Translator::translate_variable(const ast::Node& node, VariableScope& scope) {
   const Value variable = scope.variable(node.text);
   const Symbol ns = node.this_namespace ? module_ : namespace_;

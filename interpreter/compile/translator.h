@@ -45,8 +45,8 @@ class Translator {
   Translator(Heap& heap, SymbolTable& symbols, const ActionRegistry& actions)
       : heap_(heap), symbols_(symbols), actions_(actions) {}
 
-  /// What stands as a term, an argument or an element of a list, is in the default namespace;
-  /// literals and formulas are in the one in force.
+  /// Terms, such as arguments and elements of lists, are in the default namespace; literals and
+  /// formulas are in the one in force.
   [[nodiscard]] Value term(const ast::Node& node, VariableScope& scope);
   /// A literal that is written without annotations gets those given.
   [[nodiscard]] Value literal(const ast::Node& node, VariableScope& scope,
@@ -68,7 +68,7 @@ class Translator {
   void set_namespace(Symbol ns) { module_ = namespace_ = ns; }
   [[nodiscard]] Symbol current_namespace() const { return module_; }
   void rename_namespace(Symbol written, Symbol meant) { renamed_[written] = meant; }
-  /// What the names of a file's local namespaces stand for. Other files have others.
+  /// The generated names of a file's local namespaces, which no other file shares.
   using LocalNamespaces = std::unordered_map<Symbol, Symbol>;
   LocalNamespaces exchange_local(LocalNamespaces local) {
     return std::exchange(renamed_, std::move(local));

@@ -14,7 +14,7 @@ struct CoveredLine {
   /// The greatest count of what begins on the line: how often a plan was chosen, a condition asked,
   /// a formula executed.
   std::uint64_t count = 0;
-  /// What on the line was not covered, in words, in the order of the text.
+  /// Descriptions of the parts of the line that were not covered, in the order of the text.
   std::vector<std::string> gaps;
 };
 

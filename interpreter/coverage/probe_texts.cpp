@@ -1,4 +1,4 @@
-// Where in the programs' texts the probes' subjects stand.
+// Finds the places of the probes' subjects in the programs' texts.
 
 #include <map>
 #include <memory>
@@ -32,7 +32,7 @@ CoveredPlace place_of(const Source& source, Span span) {
   return {first.line, first.column, last.line, last.column};
 }
 
-/// Where the conditions and formulas of a plan or rule stand, in the order of the probes.
+/// The places of the conditions and formulas of a plan or rule, in the order of the probes.
 struct Places {
   Span whole;
   std::vector<Span> conditions;

@@ -1,10 +1,9 @@
 #pragma once
 
-// Where to look at a program as it runs: its plans, the conditions of which contexts and rules
-// consist, the formulas of bodies, each with a number. Contexts and rules are compiled anew with
-// goals around every condition that report to the observer (agent/surroundings/observer.h) that it
-// is asked and that it holds; they mean what they meant. The programs themselves are left as they
-// are.
+// Probes observe a program as it runs: its plans, the conditions in contexts and rules, the
+// formulas of bodies, each with a number. Contexts and rules are compiled again with goals around
+// every condition that report to the observer (agent/surroundings/observer.h) that it is asked and
+// that it holds; their meaning does not change. The programs themselves are left as they are.
 //
 //   Probes probes(symbols, Probes::Detail::counts);
 //   probes.add(program);
@@ -32,8 +31,8 @@ struct ProbedCondition {
   std::span<const Symbol> slot_names;
   /// How many `not` stand right before it, with nothing else between.
   std::uint32_t nots = 0;
-  /// What these make of it stands within an odd number of further negations: the formula wants it
-  /// to fail.
+  /// Whether the condition with its `nots` stands within an odd number of further negations, so
+  /// that the formula needs it to fail.
   bool negated = false;
   /// The predicate that it queries; empty if it is not a literal.
   std::optional<Predicate> asks;
@@ -82,7 +81,7 @@ class Probes {
   [[nodiscard]] const std::vector<ProbedCondition>& conditions() const { return conditions_; }
   [[nodiscard]] const std::vector<const Step*>& formulas() const { return formulas_; }
 
-  /// Indices; kNone for what was made at run time or is no part of the programs.
+  /// Indices; kNone for plans made at run time and for those that are no part of the programs.
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   [[nodiscard]] std::size_t find(const Plan& plan) const { return look_up(plan_index_, &plan); }
   [[nodiscard]] std::size_t find(const RuleCode& rule) const { return look_up(rule_index_, &rule); }
@@ -110,7 +109,7 @@ class Probes {
   std::vector<ProbedRule> rules_;
   std::vector<ProbedCondition> conditions_;
   std::vector<const Step*> formulas_;
-  // By the address of what they are of.
+  // The numbers of probes, by the address of the plan, condition or formula.
   FlatIndex<std::uint64_t> plan_index_;
   FlatIndex<std::uint64_t> rule_index_;
   FlatIndex<std::uint64_t> step_index_;

@@ -91,8 +91,8 @@ struct SourceCoverage {
   [[nodiscard]] CoverageTotals totals() const;
 };
 
-/// Where a probe's subject stands, and its text on one line: a plan's trigger, a rule's head, a
-/// condition, a formula.
+/// The place of a probe's subject (a plan's trigger, a rule's head, a condition, a formula) and its
+/// text on one line.
 struct WrittenAs {
   /// Null: it is not written anywhere (goal patterns rewrite plans), or the file is not known.
   SourcePtr source;
@@ -115,8 +115,8 @@ struct ProbeTexts {
 [[nodiscard]] SourceCoverage locate(const Probes& probes, const CoverageCounts& counts,
                                     const ProbeTexts& texts);
 
-/// As a listing of code coverage: a table of the files, then each with counts before its lines and
-/// what was not covered below them. 80 columns and more where the text is wider.
+/// A listing of code coverage: a table of the files, then each file with counts before its lines
+/// and the uncovered parts below them. 80 columns, or more where the text is wider.
 [[nodiscard]] std::string coverage_text(const SourceCoverage& coverage);
 /// The coverage as a self-contained page; `subject`, a sentence's worth of text, names
 /// what ran: the program, or the store, the behaviours and the tests.

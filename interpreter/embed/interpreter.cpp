@@ -243,7 +243,7 @@ Result<std::vector<Answer>> Interpreter::ask(AgentId agent, const std::string& q
   return answers;
 }
 
-// What all functions that tell an agent something have in common.
+// Shared by all functions that give an agent a belief, goal or message.
 Diagnostics Interpreter::tell(AgentId agent, const std::string& name, const std::string& text,
                               const std::function<void(Agent&, Value literal)>& what) {
   Text parsed(name, text, parse_literal);

@@ -31,7 +31,7 @@ namespace jaywalk {
 
 struct CompileOptions;
 
-/// One solution of a query: what its variables stand for, in the order of the query. Variables that
+/// One solution of a query: the values of its variables, in the order of the query. Variables that
 /// are still free are left out.
 class Answer {
  public:
@@ -81,8 +81,8 @@ class Interpreter {
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(
       const std::string& name, std::string text, const IncludePath& include_path = {});
 
-  /// Agents may come at any time; a name that is taken gets a suffix. `customisation` is what the
-  /// agent does in its own way (agent/surroundings/customisation.h). No program: it has none.
+  /// Agents may be added at any time; a name that is taken gets a suffix. `customisation` has the
+  /// agent's own functions (agent/surroundings/customisation.h). Without a program it has no plans.
   AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program,
                     std::shared_ptr<const Customisation> customisation = {});
 
@@ -94,9 +94,9 @@ class Interpreter {
   /// do. False: the run has ended.
   bool step();
 
-  // Each function returns what is wrong with its text, that the agent is gone or was never there,
-  // or that a limit was reached; if that is empty, it has been done. So it is, too, if the
-  // functions that this interpreter calls (actions, answers, output) call it in turn.
+  // Each function returns errors in its text, or that the agent has ended or never existed, or that
+  // a limit was reached. Without errors it has been done. A call from a function that this
+  // interpreter calls (an action, an answer, output) returns an error, too.
 
   /// The first `most` answers to a formula of a plan's context (0: all): "age(X, N) & N > 18".
   [[nodiscard]] Result<std::vector<Answer>> ask(AgentId agent, const std::string& query,
@@ -114,7 +114,7 @@ class Interpreter {
   /// interpreter goes, so for single beliefs the functions above are better.)
   [[nodiscard]] Diagnostics include(AgentId agent, const std::string& name, std::string text);
 
-  /// The whole system, for what is not here.
+  /// The whole system, for functions that this class does not have.
   [[nodiscard]] Mas& mas() { return *mas_; }
   [[nodiscard]] const ActionRegistry& actions() const { return actions_; }
 
@@ -127,7 +127,7 @@ class Interpreter {
   void note_loading(const std::string& program, const IncludePath& include_path);
   /// Why the agents may not read or list a file; empty: they may.
   [[nodiscard]] std::string why_denied(std::string_view verb, const std::string& path) const;
-  /// What keeps this interpreter from doing anything with the agent now, or nothing.
+  /// Why this interpreter cannot do anything with the agent now; empty if it can.
   [[nodiscard]] std::string obstacle(AgentId agent) const;
   [[nodiscard]] Diagnostics tell(AgentId agent, const std::string& name, const std::string& text,
                                  const std::function<void(Agent&, Value literal)>& what);
@@ -136,8 +136,8 @@ class Interpreter {
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Mas> mas_;
   std::vector<std::shared_ptr<const Program>> programs_;
-  // What agents may read as they run: as the program that was loaded last, and from its folder and
-  // those of all before.
+  // The files that agents may read as they run: those of the program that was loaded last, and in
+  // the folders of all programs.
   IncludePath include_path_;
   std::set<std::string> folders_;
   bool is_at_work_ = false;

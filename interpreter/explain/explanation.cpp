@@ -261,7 +261,7 @@ void ExplainingObserver::formula_failed(Agent& agent, const Intention& intention
   deliberations_.insert(place, std::move(added));
 }
 
-// Those that were not tried, too, in the order of the program.
+// Adds all relevant plans, also those that were not tried, in the order of the program.
 void ExplainingObserver::add_candidates(Agent& agent, const Event& event) {
   if (!is_literal(event.literal)) return;
   const TriggerKey key =

@@ -1,9 +1,9 @@
 #pragma once
 
-// Why an agent did something, or did not: each of its deliberations with the plans that were
-// relevant, those that were applicable, how far the contexts of the others came and with which
-// bindings, what was chosen, and where the beliefs came from that were asked for. Recorded while
-// the agents run (agent/surroundings/observer.h), from probes that report bindings.
+// Why an agent did something, or did not: each of its deliberations with the relevant and
+// applicable plans, the conditions up to which the other contexts held and their bindings, the
+// chosen plan, and the origins of the beliefs that were asked for. Recorded while the agents run
+// (agent/surroundings/observer.h), from probes that report bindings.
 
 #include <cstdint>
 #include <map>
@@ -50,7 +50,7 @@ struct TriedPlan {
   /// "file:line".
   std::string where;
   State state = State::not_matching;
-  /// Those that were asked, in order; of a very long query not all conditions of rules.
+  /// The conditions that were asked, in order; not all conditions of rules in a very long query.
   std::vector<AskedCondition> asked;
   /// The place in `asked` of the condition on which the context failed; its size if that cannot be
   /// told.
@@ -78,7 +78,7 @@ struct FailedFormula {
   std::string formula;
   /// "file:line:column"; empty if it was made at run time.
   std::string where;
-  /// "action_failed", and what was wrong.
+  /// "action_failed", and the error.
   std::string error;
   std::string message;
   /// The goals for which it was executed, the outermost first.
@@ -107,7 +107,7 @@ struct Deliberation {
 
 class ExplainingObserver : public ReasoningObserver {
  public:
-  /// Of which agent, and in which tick; empty: any. REQUIRES: probes with Detail::bindings.
+  /// The agent and the tick to record; empty: any. REQUIRES: probes with Detail::bindings.
   struct Wanted {
     std::optional<std::string> agent;
     std::optional<std::uint32_t> tick;
@@ -154,7 +154,7 @@ class ExplainingObserver : public ReasoningObserver {
   std::size_t current_ = 0;         // the entry being tried
   std::size_t in_rules_ = 0;        // conditions of rules that it has asked
   bool trying_ = false;
-  // When and how beliefs came: by agent and literal.
+  // The time and origin of beliefs, by agent and literal.
   std::map<std::pair<std::string, std::string>, std::string> origins_;
 };
 

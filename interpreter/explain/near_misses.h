@@ -1,6 +1,6 @@
 #pragma once
 
-// Where AgentSpeak programmers go wrong: beliefs and plans that are almost what was asked for.
+// Finds beliefs and plans that almost match a query or an event, a frequent error of programmers.
 
 #include <string>
 

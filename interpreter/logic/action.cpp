@@ -106,7 +106,7 @@ Value ActionCall::applied(std::size_t index) {
 }
 
 bool ActionCall::unify(std::size_t index, Value value) {
-  // Arguments that were applied have no slots; what is bound meanwhile, unifying finds by itself.
+  // Applied arguments have no slots; unification finds later bindings by itself.
   const bool raw = goal_.action == nullptr || goal_.action->raw_args;
   const Value own = args()[index];
   const Value variable = deref(own);

@@ -1,6 +1,6 @@
 #pragma once
 
-// How internal actions are called: what a call gives them, and what they give back.
+// Calls of internal actions: their arguments and their results.
 
 #include <array>
 #include <functional>
@@ -34,7 +34,7 @@ class Solutions {
   [[nodiscard]] virtual const CountedNumbers* numbers() const { return nullptr; }
 };
 
-/// What ends a query or a step before it is done.
+/// The limit that ends a query or a step before it is done.
 enum class ReachedLimit : std::uint8_t { none, inferences, memory, nesting, interruption };
 
 /// Why an action failed, beyond saying no: becomes the failure event's annotations.
@@ -56,7 +56,7 @@ class ActionCall {
   [[nodiscard]] std::span<const Value> args() const {
     return {count_ <= few_args_.size() ? few_args_.data() : many_args_.data(), count_};
   }
-  /// The argument with what it now means for variables bound meanwhile.
+  /// The argument with the values of variables that were bound meanwhile.
   [[nodiscard]] Value applied(std::size_t index);
   /// Unifies an argument with a value.
   [[nodiscard]] bool unify(std::size_t index, Value value);
@@ -69,8 +69,8 @@ class ActionCall {
   }
   /// error(id), error_msg(message).
   [[nodiscard]] Outcome fail(std::string id, std::string message);
-  /// Where Jason ends in an exception of Java: error(unknown), and error_msg is empty. `message` is
-  /// for people.
+  /// Fails with error(unknown) and an empty error_msg, where Jason throws an exception of Java.
+  /// `message` is for people.
   [[nodiscard]] Outcome java_exception(std::string message);
   /// error(wrong_arguments), in the words of Jason's own checks.
   [[nodiscard]] Outcome wrong_arguments(std::string_view reason);

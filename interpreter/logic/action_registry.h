@@ -1,8 +1,8 @@
 #pragma once
 
-// Internal actions and arithmetic functions: what they are and how they are found. The standard
-// ones stand in actions/table/actions.def, a row each; programs that embed the interpreter may
-// register their own. How they are called: action.h.
+// The definitions of internal actions and arithmetic functions, found by name. The standard ones
+// are rows of actions/table/actions.def; programs that embed the interpreter may register their
+// own. action.h has the calls.
 
 #include <cstdint>
 #include <deque>
@@ -51,7 +51,7 @@ struct ActionDefinition {
   bool is_uncounted = false;
   /// It is none, but reports how far a query comes (coverage/probes.h).
   Probe probe = Probe::none;
-  /// What own_action() calls: a function object with what it needs.
+  /// The function object that own_action() calls.
   std::function<Outcome(ActionCall& call)> own;
 };
 
@@ -73,13 +73,13 @@ struct FunctionDefinition {
   std::string summary;
 };
 
-/// What error_msg says when an action is called with another number of arguments.
+/// The error_msg of an action that is called with another number of arguments.
 [[nodiscard]] std::string wrong_number_of_arguments(const ActionDefinition& action);
 /// Whether it takes `count` arguments.
 [[nodiscard]] bool takes(const ActionDefinition& action, std::size_t count);
 
-/// All known actions and functions, by name. Immutable once programs are compiled against it. What
-/// is added later stands before what has the same name.
+/// All known actions and functions, by name. Immutable once programs are compiled against it. A
+/// later entry hides an earlier one of the same name.
 class ActionRegistry {
  public:
   ActionRegistry() = default;

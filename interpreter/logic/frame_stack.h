@@ -11,7 +11,7 @@ namespace jaywalk {
 
 class FrameStack {
  public:
-  /// A place to cut back to: the end of what was in use, or the begin of a frame. Null: all.
+  /// A place to cut back to: the end of the used part, or the begin of a frame. Null: all.
   using Mark = std::uint64_t*;
 
   [[nodiscard]] bool has_room(std::size_t words) const {

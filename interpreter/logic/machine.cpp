@@ -165,7 +165,7 @@ void Machine::solve_all_terms(Value formula, const std::function<bool()>& soluti
   solve_all(entry, nullptr, solution);
 }
 
-// One goal. False: it failed.
+// Executes one goal; false if it failed.
 [[gnu::always_inline]] inline bool Machine::step(const Goal& goal) {
   bool holds = false;
   switch (goal.kind) {
@@ -272,7 +272,7 @@ Machine::ChoicePoint& Machine::push(ChoicePoint::Kind kind, const Goal& goal) {
   return choice;
 }
 
-// Those of outer runs are older than this one.
+// Removes the latest choice point. Choice points of outer runs are older than this run's.
 void Machine::pop() {
   choices_.pop_back();
   --choice_count_;

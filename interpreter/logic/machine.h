@@ -71,7 +71,7 @@ class MachineSurroundings {
   virtual void condition_answered(std::size_t /*number*/, std::size_t /*asking*/) {}
 };
 
-/// Whose queries a machine answers.
+/// The agent, or other owner, whose queries a machine answers.
 struct MachineClient {
   Heap* heap = nullptr;
   BeliefBase* beliefs = nullptr;
@@ -165,14 +165,13 @@ class Machine : public FunctionCaller {
   /// Other functions than those of the client until the next attach().
   void use_functions(const std::vector<RuleFunction>& functions) { functions_ = &functions; }
   void set_limits(std::uint64_t inferences) { max_inferences_ = inferences; }
-  /// Where warnings go if there are no surroundings.
+  /// Sets the log for warnings, used if there are no surroundings.
   void set_log(std::function<void(std::string_view)> log) { log_ = std::move(log); }
   /// Inferences made so far, of all queries.
   [[nodiscard]] std::uint64_t inferences() const { return inferences_; }
   /// Its stacks have taken much memory, which they keep.
   [[nodiscard]] bool has_grown() const { return has_grown_; }
-  /// Throws QueryLimit if what is being made, `bytes` beside the terms, is too much for the memory
-  /// allowed.
+  /// Throws QueryLimit if an object of `bytes` bytes, beside the terms, exceeds the memory limit.
   void check_memory(std::size_t bytes);
   /// Call this between queries now and then: drops code of formulas made at run time.
   void forget_temporary_code() {
@@ -228,7 +227,7 @@ class Machine : public FunctionCaller {
   /// The state of a frame over which a formula has no solution.
   enum class Frame : std::uint8_t { restored, given_up };
   bool solve_goals(const Goal* entry, Value* slots, Frame frame);
-  // One comparison or unification is mostly decided by its operands.
+  // A query that is one comparison or unification is mostly decided by its operands.
   [[gnu::always_inline]] bool solve_over(const Goal* entry, Value* slots, Frame frame) {
     bool holds = false;
     return solve_at_once(entry, slots, holds) ? holds : solve_goals(entry, slots, frame);
@@ -360,7 +359,7 @@ class Machine : public FunctionCaller {
     next_check_ = inferences_ + std::min<std::uint64_t>(kChecked, max_inferences_ + 1);
   }
 
-  // Saves what a run changes and puts it back, also when a limit ends the run.
+  // Saves the state that a run changes and restores it, also when a limit ends the run.
   class Run;
   void begin_nested();
   void end_nested();

@@ -1,5 +1,5 @@
-// How the machine calls what is written in C++: internal actions, in queries and in plan bodies,
-// and arithmetic functions.
+// The machine's calls of C++ code: internal actions, in queries and in plan bodies, and arithmetic
+// functions.
 
 #include <fmt/format.h>
 

@@ -32,8 +32,8 @@ Value value_of(Value arg, const Value* slots) {
   return registers;
 }
 
-// Where an argument of a fact meets an unset one, the goal's slot gets its value. False:
-// bindings may remain.
+// Unifies an argument of a fact with one of the goal; an unset slot of the goal gets its value.
+// False: bindings may remain.
 [[gnu::always_inline]] inline bool Machine::match_argument(Value known, Value wanted, Value term) {
   if (wanted.is_unset()) {
     unifier_.set_slot(environment_->slots + term.slot_index(), known);
@@ -91,7 +91,7 @@ bool Machine::asks_for_all(const Goal& goal) const {
   return true;
 }
 
-// Of rules that need not be asked.
+// Answers a query to folded rules by their stored answers.
 bool Machine::query_answers(const Answers& answers, const Goal& goal) {
   count_inferences(answers.inferences[0]);
   if (answers.size() == 0) return false;
@@ -189,7 +189,8 @@ bool Machine::leave_rows(const Row* row, const Goal& goal, const Value* saved) {
   return row != nullptr && enter_row(*row, goal, registers_.data());
 }
 
-// Where one argument at most is given and each of the others takes anything.
+// Counts facts without enumerating them, if at most one argument is bound and the others match any
+// value.
 std::optional<std::size_t> Machine::count_facts(const Goal& goal, const Value* slots) {
   Relation* const relation = beliefs_->find(goal.predicate);
   if (relation == nullptr) return 0;

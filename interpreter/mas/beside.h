@@ -1,6 +1,6 @@
 #pragma once
 
-// How agents that reason beside each other are given to the threads (parallel.cpp).
+// Distributes agents that reason in parallel to the threads (parallel.cpp).
 
 #include <algorithm>
 #include <atomic>
@@ -22,9 +22,9 @@ void Mas::Implementation::take_turn_beside(Resident& resident, Beside& beside, T
 template <class TakeTurn, class IsDone>
 void Mas::Implementation::reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn,
                                         IsDone is_done) {
-  // So many blocks for each thread, so that none waits long for the last one.
+  // Several blocks for each thread, so that no thread waits long for the last one.
   constexpr std::size_t kBlocksPerWorker = 8;
-  // Where outboxes hold more, no other agent begins a turn before they are emptied.
+  // The most bytes in outboxes; beyond, no other agent begins a turn before they are emptied.
   constexpr std::size_t kMostHeld = std::size_t{16} << 20U;
   const std::size_t workers = workers_->count();
   const std::size_t size = std::max<std::size_t>(1, numbers.size() / (workers * kBlocksPerWorker));

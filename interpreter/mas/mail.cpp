@@ -170,7 +170,7 @@ bool Mas::Implementation::deliver_messages() {
         hand_over(each.content, *receiver.agent);
   }
   contents_.clear();
-  if (mail_ && mail_->is_short()) mail_.reset();  // what has failed there is forgotten, too
+  if (mail_ && mail_->is_short()) mail_.reset();  // its failures are forgotten, too
   if (mail_) mail_->clear();
   for (const std::uint32_t number : receivers_) {
     Resident& receiver = residents_[number];

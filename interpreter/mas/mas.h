@@ -87,8 +87,8 @@ struct MasOptions {
   /// Timers, and the ticks of an environment, follow the wall clock.
   bool realtime = false;
   /// Loads a program during the run (of an agent that is created, or for `.include`) into the run's
-  /// own symbols; null after setting `problem`, which with a program is what was left out of it.
-  /// Not set: that is not possible.
+  /// own symbols; null after setting `problem`. With a program, `problem` lists the parts that were
+  /// left out. Not set: programs cannot be loaded during the run.
   std::function<std::shared_ptr<const Program>(const ProgramRequest& request, SymbolTable& symbols,
                                                LoadProblem& problem)>
       load_program;
@@ -97,9 +97,10 @@ struct MasOptions {
       save_program;
   /// Why `.list_files` may not look into a folder; empty: it may. Not set: it may look into none.
   std::function<std::string(const std::string& folder)> why_not_list;
-  /// Where `.print` and its kin write; called with whole lines `[agent] text` without line break.
+  /// Receives the output of `.print` and related actions as lines `[agent] text` without line
+  /// break.
   std::function<void(std::string_view line)> print;
-  /// Where agents with `verbose=0` write, text as it is; not set: nowhere.
+  /// Receives the output of agents with `verbose=0`, the text as it is; not set: it is dropped.
   std::function<void(std::string_view text)> write;
   /// Warnings and errors of the run (an intention that failed, an unknown action).
   std::function<void(std::string_view line)> log;
@@ -142,9 +143,9 @@ struct RunOutcome {
   std::uint64_t cycles = 0;
   int exit_code = 0;    // given to .stopMAS
   std::string message;  // of limit and looping: which agent, doing what
-  /// Of limit and looping: which limit it was, the agent that reached it (empty: all of them
-  /// together) and what it was doing: "x.asl:2:21", "the context of @p1"; may be empty. Of stopped:
-  /// the agent that asked for it at once (empty: it was to be later).
+  /// For limit and looping: the limit, the agent that reached it (empty: all of them together) and
+  /// its work at that moment: "x.asl:2:21", "the context of @p1"; may be empty. For stopped: the
+  /// agent that stopped the system at once (empty: it was stopped with a delay).
   RunLimit limit = RunLimit::none;
   std::string agent;
   std::string where;

@@ -99,7 +99,7 @@ void Mas::Implementation::release_memory(Resident& resident) {
   resident.known_bytes = 0;
 }
 
-// Whether the agent has room for messages. An eighth of what it may have is left to itself.
+// Notes whether the agent has room for messages, which may fill seven eighths of its limit.
 void Mas::Implementation::look_for_room(Resident& receiver) {
   constexpr std::uint32_t kMostDeliveries = 1024;
   Heap& heap = receiver.agent->heap();

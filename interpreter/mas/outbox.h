@@ -1,8 +1,8 @@
 #pragma once
 
-// What agents that reason beside others ask of their system meanwhile: lines to write, messages,
-// timers, the end of the run. It is done afterwards, in the order in which the agents would have
-// asked one after another.
+// Requests to the system from agents that reason in parallel: lines to write, messages, timers, the
+// end of the run. They are carried out afterwards, in the order in which the agents would have made
+// them one after another.
 
 #include <cstdint>
 #include <optional>

@@ -2,8 +2,8 @@
 
 // Whether an agent can reason beside others: only if what it does in a round cannot depend on what
 // others do in the same round, nor theirs on it. Messages, timers and lines to write can wait for
-// the end of the round. But who creates or ends agents, uses the yellow pages or files, or gets new
-// plans, has to take its turn when all before it have taken theirs, and before all behind it.
+// the end of the round. But an agent that creates or ends agents, uses the yellow pages or files,
+// or gets new plans, must take its turn after all agents before it and before all behind it.
 //
 // Programs are judged by their text: does an internal action with such a reach stand anywhere in
 // it? A program that executes terms (a variable as formula, as goal or as waiting condition) can be
@@ -19,7 +19,7 @@
 
 namespace jaywalk {
 
-/// What stands in a program.
+/// Properties of a program's text.
 struct Reach {
   bool is_far = false;
   bool runs_terms = false;

@@ -39,7 +39,7 @@ struct Resident {
   std::uint64_t look_at = 0;      // at this delivery
   std::uint64_t sent_before = 0;  // the delivery of the messages sent last, and their size
   std::size_t sent_bytes = 0;
-  std::size_t known_bytes = 0;    // what the agent owned after it reasoned last
+  std::size_t known_bytes = 0;    // the agent's memory after it reasoned last
   bool is_leaving = false;        // has stopped reasoning
   bool is_near = false;           // can reason beside others (reach.h), as judged when
   std::size_t reach_version = 0;  // the number of programs then
@@ -90,7 +90,7 @@ class Residents {
   /// Begins a round: the agents that may have something to do, in the order of numbers. An agent
   /// woken during the round takes part in the next one.
   [[nodiscard]] std::span<const std::uint32_t> begin_round();
-  /// Those who have nothing left to do no longer take part.
+  /// Agents that have nothing left to do no longer take part.
   void end_round();
 
  private:

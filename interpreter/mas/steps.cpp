@@ -200,7 +200,7 @@ void Mas::Implementation::limit_reached(Agent& agent, ReachedLimit limit, std::s
   }
 }
 
-// Where the intention stands that has come last.
+// The place of the latest intention's formula.
 std::string Mas::Implementation::last_place(const Agent& agent) {
   std::string place;
   for (const auto& intention : agent.circumstance().intentions) {

@@ -249,7 +249,7 @@ bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& 
   return completed;
 }
 
-// What agents ask for.
+// Requests of agents to the system.
 
 void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t token) {
   const Timer timer{.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token};

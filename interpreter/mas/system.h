@@ -40,7 +40,7 @@ struct SystemStock {
 class Mas::Implementation : public AgentHost, public Society {
  public:
   Implementation(std::unique_ptr<SystemStock> stock, MasOptions options, Environment* environment);
-  /// Ends a system; what it was made of stays.
+  /// Ends a system and keeps its parts for the next one.
   [[nodiscard]] static std::unique_ptr<SystemStock> dismantle(
       std::unique_ptr<Implementation> system);
 
@@ -105,7 +105,7 @@ class Mas::Implementation : public AgentHost, public Society {
   // Several steps at once (ahead.cpp).
   void look_whether_solitary(const Program& program);
   [[nodiscard]] bool can_run_ahead(std::uint64_t most) const;
-  /// The agent that reasons for several steps in a row, and what it has logged meanwhile.
+  /// The agent that reasons for several steps in a row, and the lines that it has logged meanwhile.
   struct Ahead {
     struct Line {
       std::uint64_t step;
@@ -147,22 +147,23 @@ class Mas::Implementation : public AgentHost, public Society {
   void run_ahead_beside(std::span<const std::uint32_t> numbers, std::uint64_t most);
   [[nodiscard]] bool can_reason_beside(Resident& resident);
   void empty(Outbox& outbox);
-  /// The turn of agents that a thread reasons for beside others, and what they ask for meanwhile.
+  /// The turn of a block of agents on one of several threads, and the block's requests.
   struct Beside : AgentTurn {
     using AgentTurn::AgentTurn;
     Outbox outbox;
     Ahead ahead;
-    /// Those of its block who have not had their turns.
+    /// The agents of its block that have not had their turns.
     std::span<const std::uint32_t> left;
   };
-  /// Null: the agent has its turn after others, and what it asks for is done at once.
+  /// The block in which the agent reasons in parallel. Null: it reasons alone, and its requests are
+  /// carried out at once.
   [[nodiscard]] Beside* beside(Agent& agent) {
     return &agent.turn() == &turn_ ? nullptr : static_cast<Beside*>(&agent.turn());
   }
   template <class TakeTurn>
   void take_turn_beside(Resident& resident, Beside& beside, TakeTurn take_turn);
-  /// On all threads, `take_turn(resident, beside)` for each of these; then, in order, what they
-  /// asked for is done, and `is_done(beside)` is called for each block of them.
+  /// Calls `take_turn(resident, beside)` for each of these on all threads; then, in order, carries
+  /// out their requests and calls `is_done(beside)` for each block.
   template <class TakeTurn, class IsDone>
   void reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn, IsDone is_done);
 
@@ -219,7 +220,7 @@ class Mas::Implementation : public AgentHost, public Society {
   std::int64_t owned_bytes_ = 0;
   std::size_t left_bytes_ = 0;
   std::size_t least_bytes_ = 0;
-  // What names take that this run has made, and how many were counted.
+  // The bytes of the names that this run has made, and how many names were counted.
   std::size_t name_bytes_ = 0;
   std::size_t counted_symbols_ = 0;
   std::size_t counted_predicates_ = 0;
@@ -236,7 +237,7 @@ class Mas::Implementation : public AgentHost, public Society {
   std::unique_ptr<Workers> workers_;  // null: one thread
   bool ended_ = false;
   RunOutcome outcome_;
-  std::uint64_t inferences_before_ = 0;  // this run, by what it is made of
+  std::uint64_t inferences_before_ = 0;  // of the kept parts, before this run
   std::string last_query_;               // that hit a limit: where it was asked
   double cpu_s_ = 0;
   // Agents of which none can observe when another reasons (program/solitary.h).

@@ -161,7 +161,7 @@ class CodeWriter {
     return found == numbers_.end() ? "end" : std::to_string(found->second);
   }
 
-  // Where it goes on, unless that is the next line of its kind.
+  // The line where it continues, unless that is the next line of its kind.
   [[nodiscard]] std::string text_of(const Goal& goal, std::size_t line) {
     std::string text = named(name_of(goal.kind));
     if (goal.kind == Goal::Kind::negation_done)

@@ -49,14 +49,14 @@ struct Step {
   Value source;
   /// The decoded literal of a goal or a change of belief; else null.
   const EventCode* event = nullptr;
-  /// Of variable: its operator.
+  /// For a variable: its operator.
   Kind variable_kind = Kind::action;
 };
 
 struct Body {
   std::vector<Step> steps;
 
-  /// Where it begins; what follows it if it is empty.
+  /// Its first step; the step after it if it is empty.
   [[nodiscard]] const Step* begin(const Step* next) const {
     return steps.empty() ? next : steps.data();
   }
@@ -159,7 +159,7 @@ class PlanList {
   bool is_short_ = true;
 };
 
-/// Plans in order, and by what they are relevant for.
+/// Plans in order, and by the events that they are relevant for.
 class PlanLibrary {
  public:
   PlanLibrary() = default;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Plans and plan bodies as terms to code (plan.h). The counterpart of formula_compiler.h: serves
-// programs and what is data at run time alike.
+// Compiles plans and plan bodies as terms to code (plan.h), like formula_compiler.h for formulas.
+// Used for programs and for terms at run time.
 
 #include "interpreter/logic/formula_compiler.h"
 #include "interpreter/program/plan.h"

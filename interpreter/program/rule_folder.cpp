@@ -178,7 +178,7 @@ class UnchangedBeliefs {
     query.note_args();
     return query;
   }
-  // Those since the last answer.
+  // Adds the inferences since the last answer.
   void count_inferences(Answers& answers) {
     answers.inferences.push_back(machine_.inferences() - counted_);
     counted_ = machine_.inferences();

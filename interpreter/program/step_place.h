@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a formula stands in its program's text. A body as data keeps it as one number, the second
-// argument of each step, which counts for nothing when bodies are compared.
+// The place of a formula in its program's text. A body as data keeps it as one number, the second
+// argument of each step, which comparisons of bodies ignore.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What events are about, and plans are for.
+// Triggers of events and plans.
 
 #include <cstdint>
 

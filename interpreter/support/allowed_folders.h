@@ -1,9 +1,8 @@
 #pragma once
 
-// Folders in which programs may read or write files. What a program names is looked at as the
-// system would find it: links are followed first, so that one that leads out of the folders counts
-// as outside. Never allowed are devices, pipes, sockets and what the system shows of itself as
-// files (/proc, /sys).
+// Folders in which programs may read or write files. Paths of programs are resolved like the system
+// does: links are followed first, so that one that leads out of the folders counts as outside.
+// Devices, pipes, sockets and files of the system (/proc, /sys) are never allowed.
 
 #include <filesystem>
 #include <optional>

@@ -20,14 +20,14 @@ enum class Colour { off, on };
 
 struct Diagnostic {
   Severity severity = Severity::error;
-  /// One lower-case line without a final stop: what was found and what was expected.
+  /// One lower-case line without a final stop, with the found and the expected text.
   std::string message;
   SourceSpan where;
-  /// What to do about it ("did you mean ..."); may be empty.
+  /// A suggestion ("did you mean ..."); may be empty.
   std::string hint;
   /// The name by which a warning is documented and silenced, "unknown-goal"; empty for errors.
   std::string code;
-  /// Where the trouble lies if there is no source text: a file name or an option.
+  /// The file name or option with the error, if there is no source text.
   std::string subject;
 };
 

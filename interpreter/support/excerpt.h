@@ -13,7 +13,7 @@ namespace jaywalk {
 /// The line of a place and below it the caret, each with a line break. REQUIRES: a source.
 [[nodiscard]] std::string excerpt(const SourceSpan& where, Colour colour = Colour::off);
 
-/// Where a place begins; the end of its line, or of the text, if there is no such place.
+/// The offset of a position; the end of its line, or of the text, if there is no such position.
 [[nodiscard]] std::uint32_t offset_of(const Source& source, Source::Position position);
 
 /// The diagnostics with the warnings of that code turned into errors; `hint` is added to theirs.

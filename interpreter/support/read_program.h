@@ -8,7 +8,7 @@
 
 namespace jaywalk {
 
-/// As read_source(), but what is not UTF-8 is read as U+FFFD, which may stand in comments, strings
+/// Like read_source(), but invalid UTF-8 is read as U+FFFD, which may stand in comments, strings
 /// and quoted atoms; a warning points at the first such byte.
 [[nodiscard]] Result<SourcePtr> read_any_encoding(const std::string& path,
                                                   Diagnostics& diagnostics);

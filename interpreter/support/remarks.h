@@ -22,7 +22,7 @@ struct Remark {
   static constexpr std::string_view kAllowFile = "allow-file";
   static constexpr std::string_view kAsks = "asks";
 
-  /// One of the words above, or whatever was written instead.
+  /// One of the words above, or another word that was written instead.
   std::string_view word;
   Span word_span;
   std::string_view item;  // empty if no item follows the word

@@ -37,8 +37,8 @@ fs::path absolute_folder(const std::string& folder) {
   return own;
 }
 
-/// The folder `agents` that a folder lies in or is: programs of one collection share what lies in
-/// it, whoever's copy of it they are in.
+/// The folder `agents` that a folder lies in or is: programs of a collection share the files in it,
+/// in every copy of the collection.
 std::optional<std::string> collection_of(const std::string& folder) {
   fs::path above = absolute_folder(folder);
   for (int i = 0; i < kHighest; ++i, above = above.parent_path()) {

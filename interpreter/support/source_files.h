@@ -1,10 +1,9 @@
 #pragma once
 
-// Where the texts of files are read from: the disk, or copies that were kept of them, so that what
-// was once read can be read again wherever the files are now. Programs and lists of assertions that
-// are installed with Jaywalk have names of their own, `$jaywalk/crossing/proximity.asl` and
-// `$jaywalk/assertions/crossing.yaml`, which are the same wherever it is installed; that is how
-// copies of them are named, too.
+// Reads texts from the disk, or from copies that were kept of files, so that they can be read again
+// wherever the files are now. Programs and lists of assertions that are installed with Jaywalk have
+// names of their own, `$jaywalk/crossing/proximity.asl` and `$jaywalk/assertions/crossing.yaml`,
+// which are the same wherever it is installed; copies of them have these names, too.
 
 #include <map>
 #include <optional>
@@ -29,14 +28,13 @@ class SourceFiles {
   /// The disk; the installed programs are in the folder `library`, lists of assertions in another.
   explicit SourceFiles(std::string library, std::string assertions = {})
       : library_(std::move(library)), assertions_(std::move(assertions)) {}
-  /// These, by their names, and no others.
+  /// Only these copies, by their names.
   explicit SourceFiles(std::span<const SourcePtr> copies);
 
-  /// Programs may read what lies in this folder, besides their own (`--allow-read`).
+  /// Allows programs to read this folder, besides their own (`--allow-read`).
   void allow_reading(const std::string& folder) { readable_.add(folder); }
-  /// What a program in `folder` may read of the disk: what lies there, in the project that the
-  /// folder belongs to, in a folder `agents` that it lies in, among the installed programs and
-  /// where allow_reading() says.
+  /// The folders that a program in `folder` may read: that folder, the project that it belongs to,
+  /// a folder `agents` that it lies in, the installed programs and those of allow_reading().
   [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
   /// Whether that matters: copies may always be read.
   [[nodiscard]] bool are_on_disk() const { return !copies_; }

@@ -21,7 +21,7 @@ namespace jaywalk {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 
-/// Where the text stops being UTF-8 (RFC 3629); nothing if all of it is.
+/// The first byte that is not valid UTF-8 (RFC 3629); nothing if all are.
 [[nodiscard]] std::optional<std::size_t> first_bad_byte(std::string_view text);
 
 inline constexpr std::string_view kBlanks = " \t\r\n";

@@ -71,7 +71,8 @@ struct Node {
   bool this_namespace = false;
   /// Written within parentheses, as `(X + 1)`; the printer of programs keeps them.
   bool parenthesised = false;
-  /// Of a literal: it is an internal action or a function, `.print`, `math.max`; not a quoted atom.
+  /// Whether a literal is an internal action or a function, `.print`, `math.max`; not a quoted
+  /// atom.
   bool dotted = false;
   Span span;
   std::string_view text;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the grammar (grammar.cpp) does: it puts the syntax tree together on a few stacks, each
-// method being one semantic action. The grammar looks one token ahead and never goes back, so
-// nothing that has been done here is ever undone, save by the recovery from an error.
+// The semantic actions of the grammar (grammar.cpp): each method is one, and together they build
+// the syntax tree on a few stacks. The grammar looks one token ahead and never goes back, so that
+// only the recovery from an error undoes actions.
 
 #include <cstddef>
 #include <iterator>
@@ -27,7 +27,7 @@ class Builder {
     Span span;
     std::string message;
     std::string hint;
-    /// Where the parser was when it noticed.
+    /// The parser's place when it noticed the mistake.
     std::uint32_t noticed = 0;
   };
 

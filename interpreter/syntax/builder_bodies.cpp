@@ -20,7 +20,7 @@ using ast::Kind;
 using ast::Node;
 using ast::Statement;
 
-// Of other languages.
+// Operators of other languages.
 constexpr std::array<std::string_view, 3> kConnectives = {"is", "and", "or"};
 
 BodyOperator body_operator_of(TokenKind kind) {
@@ -60,8 +60,9 @@ bool Builder::may_continue() const { return frames_.back().may_continue; }
 
 void Builder::semicolon() { frames_.back().may_continue = true; }
 
-// Jason 1 and 2 need no semicolons at all, and many programs lack one at the end of some line. What
-// is not indented is the next clause rather, and what has no arguments another language's operator.
+// Jason 1 and 2 need no semicolons at all, and many programs lack one at the end of some line. A
+// text that is not indented is rather the next clause, and a word without arguments another
+// language's operator.
 bool Builder::formula_follows() const {
   const Span last = next_[-1].span;
   const std::string_view name = source_->text(next_->span);

@@ -194,7 +194,7 @@ void Builder::end_component() {
 
 void Builder::report_mistakes(std::uint32_t before) {
   for (Failure& mistake : mistakes_) {
-    // What was noticed behind the place is noticed again when it is read again.
+    // Text behind `before` is parsed again, and its mistakes are noticed again.
     if (mistake.noticed >= before) continue;
     diagnostics_.error({source_, mistake.span}, std::move(mistake.message),
                        std::move(mistake.hint));
@@ -216,7 +216,7 @@ void Builder::recover(const Token* next) {
   failure_.reset();
   finished_plan_ = nullptr;
   if (checkpoints_.empty()) return;
-  // All stacks as they were when the component began: what it has pushed is given up.
+  // Restores all stacks to their sizes when the component began.
   const Checkpoint checkpoint = checkpoints_.back();
   checkpoints_.pop_back();
   nesting_ = checkpoint.nesting;

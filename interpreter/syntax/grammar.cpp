@@ -40,7 +40,7 @@ constexpr std::uint64_t kBeliefOperator =
            K::minus_minus, K::minus_plus);
 constexpr std::uint64_t kFormula = kExpression | kGoalOperator | kBeliefOperator;
 constexpr std::uint64_t kStatement = set_of(K::if_word, K::for_word, K::while_word);
-// What begins a formula after another one without a semicolon: always, and if it looks so.
+// Tokens that begin a formula after another one without a semicolon: always, and if it looks so.
 constexpr std::uint64_t kNeverClause = kGoalOperator | kStatement | bit(K::question);
 constexpr std::uint64_t kNoSemicolon =
     set_of(K::atom, K::variable, K::tilde, K::plus_plus, K::plus_less, K::plus_greater,
@@ -167,7 +167,7 @@ const auto missing_semicolon =
      (Ahead{kNoSemicolon, "a formula"} >> act<&Builder::formula_follows>)) >
     act<&Builder::missing_semicolon>;
 
-// Leaves the frame that begin_body made; who uses the body ends it.
+// Leaves the frame of begin_body; the rule that uses the body ends it.
 const auto body_def = act<&Builder::begin_body> >
                       *(act<&Builder::may_continue> >>
                         ((Ahead{kStatement, "a statement"} > statement > -semicolon) |
@@ -268,7 +268,7 @@ Iterator recover(Builder& builder, Iterator found, const std::string& expected) 
 
 // --- Programs --------------------------------------------------------------------------------
 
-// Where errors are caught: each costs its clause only.
+// Errors are caught here, so that each discards only its clause.
 struct component_tag {
   template <class Context>
   x3::error_handler_result on_error(Iterator& first, const Iterator& /*last*/,
@@ -317,7 +317,7 @@ const auto single_plan = unfinished_plan >
                          -(stop > -subplans) > act<&Builder::end_plan> > end_of_text;
 const auto literals = -(literal > *(comma > literal)) > end_of_text;
 
-// Matches all of the tokens; what is wrong with them becomes diagnostics.
+// Matches all of the tokens; errors become diagnostics.
 template <class Parser>
 void parse(const Parser& parser, Builder& builder) {
   Iterator first = builder.tokens().data();

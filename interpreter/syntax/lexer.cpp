@@ -271,8 +271,8 @@ class Lexer {
     return atom;
   }
 
-  // What word processors and web pages make of plain characters. A text between such quotes is read
-  // as a string or quoted atom, so that the rest is read as it was meant.
+  // Characters that word processors and web pages substitute for plain ones. A text between such
+  // quotes is read as a string or quoted atom, so that the rest is read as it was meant.
   TokenKind read_typographic(const Typographic& written) {
     const std::size_t begin = at_;
     at_ += written.text.size();

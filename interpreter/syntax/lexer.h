@@ -1,7 +1,7 @@
 #pragma once
 
 // Text to tokens, by the longest match. The parser (grammar.cpp) reads a program as a sequence of
-// these, so that blanks and comments concern nobody else.
+// these and sees no blanks and comments.
 
 #include <cstdint>
 #include <string_view>

@@ -185,7 +185,7 @@ class Loader {
     return std::nullopt;
   }
 
-  // A program that was copied away from the installed ones finds what it included there.
+  // A program that was copied from the installed ones finds its included files there.
   std::optional<std::string> find_installed(const std::string& name, const SourceSpan& where) {
     if (name.find('/') == std::string::npos) return std::nullopt;
     std::string_view below = name;  // of a world's folder, from whatever folder in it

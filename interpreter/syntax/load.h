@@ -20,7 +20,7 @@ inline constexpr std::string_view kMissingInclude = "missing-include";
 inline constexpr std::string_view kMissingIncludeHint =
     "`// jaywalk: allow missing-include` in the line before runs without it";
 
-/// Where included files are looked for, after the folder of the including file.
+/// The folders in which included files are searched for, after the folder of the including file.
 struct IncludePath {
   /// Folders that a project names, in order (`aslSourcePath`). Of those that lie outside what its
   /// programs may read (SourceFiles::readable_from), nothing is.
@@ -32,14 +32,14 @@ struct IncludePath {
   /// Texts that stand for files: those of a name, in whatever folder, or the one of a path (a/b).
   std::vector<std::pair<std::string, std::string>> given;
 
-  /// What a program in `folder` may read.
+  /// The folders that a program in `folder` may read.
   [[nodiscard]] AllowedFolders readable_from(const std::string& folder) const;
-  /// The text given for a file; null if it is to be looked for.
+  /// The text given for a file; null if the file must be searched for.
   [[nodiscard]] const std::string* given_text(std::string_view path) const;
-  /// The program's own file, if the text that is loaded only adds to it (options of a project):
-  /// what is wrong there is no mere include's mistake.
+  /// The program's own file, if the loaded text only adds to it (options of a project): an error in
+  /// it is an error of the program, not of an include.
   std::string program;
-  /// What is read from: the disk, unless copies are given.
+  /// The source of files: the disk, unless copies are given.
   SourceFiles files;
 };
 
@@ -50,8 +50,8 @@ struct SourceTree {
   /// The file that each `include` directive (by its component's address) stands for. An include
   /// that could not be read has no entry; its diagnostic has been added.
   std::unordered_map<const ast::Component*, const ast::File*> includes;
-  /// So many of the errors are those of included files that are left out. As in Jason, the program
-  /// can be run without them.
+  /// The number of errors in included files that are left out. As in Jason, the program can be run
+  /// without these files.
   std::size_t left_out_errors = 0;
 
   [[nodiscard]] const ast::File& main() const { return *files.front(); }
@@ -66,7 +66,8 @@ inline constexpr int kMaxIncludedFiles = 1000;
 [[nodiscard]] SourceTree load_agent(const std::string& path, const IncludePath& include_path,
                                     Diagnostics& diagnostics);
 
-/// The same for a text that is in memory already; includes are relative to the source's name.
+/// Reads and parses a program whose text is in memory already; includes are relative to the
+/// source's name.
 [[nodiscard]] SourceTree load_agent(SourcePtr source, const IncludePath& include_path,
                                     Diagnostics& diagnostics);
 

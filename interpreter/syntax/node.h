@@ -16,7 +16,7 @@ namespace jaywalk::ast {
 /// An operation whose value is a number.
 [[nodiscard]] bool is_arithmetic(const Node& node);
 
-/// What diagnostics call the node: "a number", "an internal action".
+/// The name of the node in diagnostics: "a number", "an internal action".
 [[nodiscard]] std::string_view description_of(const Node& node);
 
 }  // namespace jaywalk::ast

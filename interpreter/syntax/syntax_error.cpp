@@ -55,7 +55,7 @@ Place place_of(const Token* clause, const Token* token) {
   return place;
 }
 
-// What people write, coming from other languages, and what they mean.
+// Spellings from other languages, and their meaning here.
 struct Misspelling {
   std::string_view written;
   std::string_view hint;
@@ -233,7 +233,7 @@ class Reporter {
       span = misspelt->span;
       what = fmt::format("'{}'", error_.source->text(span));
       hint = misspelt->hint.empty() ? hint_for_assignment(span.begin) : misspelt->hint;
-      // It begins in a token that the grammar accepted: what was expected there says nothing.
+      // It begins in a token that the grammar accepted, so the expected token does not help.
       if (span.begin < error_.found->span.begin) {
         add(span, fmt::format("unexpected {}", what), std::move(hint));
         return;
@@ -324,7 +324,7 @@ class Reporter {
     return at == &token ? std::string() : fmt::format("names have no '-': write '{}'", name);
   }
 
-  // What `:=` at an offset of the clause is meant for.
+  // A hint on the meaning of `:=` at an offset of the clause.
   [[nodiscard]] std::string hint_for_assignment(std::uint32_t offset) const {
     const Token* token = error_.clause;
     while (token->span.begin < offset && token != error_.found) ++token;
@@ -337,7 +337,7 @@ class Reporter {
                                            : "the body of a plan begins with '<-'";
   }
 
-  // What stands between `if (C)` or `else` and what they do is a brace.
+  // The body of `if (C)` or `else` needs braces.
   [[nodiscard]] std::string hint_for_block() const {
     if (error_.found == error_.clause) return {};
     const TokenKind before = error_.found[-1].kind;

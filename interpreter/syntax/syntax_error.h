@@ -17,7 +17,7 @@ struct SyntaxError {
   /// The first token of the clause in which the parser failed, and the one at which it did.
   const Token* clause = nullptr;
   const Token* found = nullptr;
-  /// What the grammar asked for: `'.'`, `a term`.
+  /// The token or rule that the grammar expected: `'.'`, `a term`.
   std::string expected;
 };
 

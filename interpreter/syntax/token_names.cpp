@@ -8,7 +8,7 @@ namespace {
 
 using enum TokenKind;
 
-// What diagnostics call the tokens, in the order of TokenKind.
+// The names of tokens in diagnostics, in the order of TokenKind.
 constexpr std::array<std::string_view, static_cast<std::size_t>(power) + 1> kNames = {
     "the end of the text",
     "something else",

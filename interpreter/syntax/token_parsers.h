@@ -1,7 +1,8 @@
 #pragma once
 
-// What the grammar (grammar.cpp) is written in: parsers in Boost.Spirit X3 of tokens instead of
-// characters, and of nothing, which call the builder. Their names are what errors say was expected.
+// The building blocks of the grammar (grammar.cpp): parsers in Boost.Spirit X3 that match tokens
+// instead of characters, or match nothing and call the builder. Errors use their names, "expected
+// …".
 
 #include <cstdint>
 #include <string>
@@ -36,7 +37,7 @@ constexpr std::uint64_t set_of(Kinds... kinds) {
   return (bit(kinds) | ...);
 }
 
-// One token of a set of kinds. The name is that of diagnostics; a single kind has one already.
+// Matches one token of a set of kinds. The name is for diagnostics; a single kind has one already.
 struct Terminal : x3::parser<Terminal> {
   using attribute_type = x3::unused_type;
   static constexpr bool has_attribute = false;
@@ -104,7 +105,7 @@ constexpr Do<Method> act{};
 
 }  // namespace jaywalk::grammar
 
-// What "expected ..." says of the parsers that have no name of their own.
+// The names in "expected ..." of parsers that have no name of their own.
 namespace boost::spirit::x3 {
 
 template <>

@@ -62,7 +62,7 @@ inline constexpr std::array kOperators = {
     Spelling{"^", TokenKind::caret},
 };
 
-// Where the operators with a first character begin in the table above.
+// The index in the table above of the first operator with a first character.
 inline constexpr auto kFirstOperator = [] {
   std::array<std::uint8_t, 256> first{};
   first.fill(kOperators.size());

@@ -179,8 +179,8 @@ class Order {
     return compare(a.annots, b.annots);
   }
 
-  // One of them is a program as data, which has a place by what it is as a structure
-  // (program_terms.h): a rule that of its head, others behind the literals of their functor.
+  // Compares terms of which one is a program as data, which is ordered as a structure
+  // (program_terms.h): a rule like its head, others behind the literals of their functor.
   int programs(Value a, Value b) {
     const bool rule_a = is_form(a, Form::rule);
     const bool rule_b = is_form(b, Form::rule);
@@ -206,7 +206,7 @@ class Order {
                              : symbols_.functor(view_of(value).predicate);
   }
 
-  // Formula by formula: first its kind, then what it is about; what ends first stands before.
+  // Compares formula by formula: first the kind, then the term; the shorter body comes first.
   int bodies(const Structure& a, const Structure& b) {
     for (std::size_t i = 0; i < a.arity && i < b.arity; ++i) {
       const std::string_view left = formula_functor(a.arg(i), symbols_);
@@ -267,7 +267,8 @@ class Hash {
       value = value.pair()->tail;
     }
     const std::uint64_t last = single(value);
-    // 0 stands for a term without a hash (it has a variable, say); of others the lowest bit is set.
+    // 0 stands for a term without a hash (it has a variable, say); other hashes have the lowest bit
+    // set.
     return last == 0 ? 0 : mixed_in(result, last) | 1U;
   }
 
@@ -364,7 +365,7 @@ void sort_few(std::vector<Value>& elements, const SymbolTable& symbols) {
   elements.resize(sorted);
 }
 
-// Of equal elements the first one stays, here, too.
+// Of equal elements the first one stays, as in the other sort.
 void sort_many(std::vector<Value>& elements, const SymbolTable& symbols) {
   std::stable_sort(elements.begin(), elements.end(),
                    [&](Value a, Value b) { return compare_terms(a, b, symbols) < 0; });

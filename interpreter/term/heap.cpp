@@ -108,8 +108,8 @@ void Heap::set_beside(std::size_t bytes) {
     failures_ = 0;
     full_at_ = 0;
   }
-  // Counting, and a collection with it, costs little beside what has been got since, and comes
-  // before the limit is reached.
+  // Counting and collecting cost little compared with the allocations since the last time, and
+  // happen before the limit is reached.
   const std::size_t room = limit_bytes_ - std::min(limit_bytes_, all);
   count_at_ = bytes + std::min(std::max(all, kLeast), std::max(room / 2, all / 16 + 256));
   // Without room the next count may be far away, but no request succeeds.
@@ -256,7 +256,7 @@ std::size_t Heap::object_bytes() const {
   return bytes;
 }
 
-// What roots reach is moved before there are very many of them, so that little is pending.
+// Moves reachable terms before there are very many roots, so that few are pending.
 void Heap::Relocator::operator()(Value& value) {
   constexpr std::size_t kMostPending = 4096;
   move(value);

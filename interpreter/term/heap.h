@@ -1,6 +1,6 @@
 #pragma once
 
-// Where terms live. A Heap is a bump allocator with a copying collector. Each agent has one; a
+// The memory of terms. A Heap is a bump allocator with a copying collector. Each agent has one; a
 // program's constants have another whose cells never move. Nothing is freed one by one: at the end
 // of a reasoning cycle the agent may collect, giving all its roots, so a Value that is held in a
 // local variable is good until the end of the cycle, and no longer.
@@ -110,7 +110,7 @@ struct ObjectCell {
 
 /// Thrown when an agent's heap would exceed its limit; caught where the agent executes a step.
 struct HeapExhausted {
-  bool of_all = false;  // it is what is left to the agent of a limit for all together
+  bool of_all = false;  // it is the agent's remainder of a limit for all agents together
 };
 /// Thrown when a term is nested too deeply to be walked; caught where the agent executes a step.
 struct TermTooDeep {};
@@ -229,9 +229,9 @@ class Heap {
   /// The size of all collections, without the terms in them.
   [[nodiscard]] std::size_t object_bytes() const;
 
-  // The limit holds for all that the owner has: its terms, twice, since while they are collected
-  // both the old and the new ones are there, and what it has beside them, which the owner notes
-  // when it gets something and counts anew now and then.
+  // Sets the limit for all memory of the owner: its terms, counted twice, since a collection needs
+  // the old and the new ones at once, and its other memory, which the owner notes at each
+  // allocation and recounts now and then.
   void set_limit(std::size_t bytes) {
     if (bytes < limit_bytes_) look_sooner(bytes);
     limit_bytes_ = bytes;
@@ -260,8 +260,8 @@ class Heap {
   /// Enough has been allocated since the last collection to make another worth while.
   [[nodiscard]] bool wants_collection() const { return bytes() > collect_at_; }
 
-  /// Moves what the roots reach into fresh chunks and frees the rest. `visit_roots` is called with
-  /// a Relocator and must pass every Value that is to survive to it.
+  /// Moves reachable terms into fresh chunks and frees the rest. `visit_roots` is called with a
+  /// Relocator and must pass every Value that must survive to it.
   class Relocator {
    public:
     void operator()(Value& value);
@@ -287,12 +287,12 @@ class Heap {
     std::size_t size = 0;
   };
 
-  /// Moves what is alive into a first chunk of its own, as far as it fits; what is left is the
-  /// first of the old ones.
+  /// Moves live terms into new chunks, of which `first` is the first. Returns the first of the old
+  /// chunks for reuse.
   template <class VisitRoots>
   Remains collect_into(Remains first, VisitRoots& visit_roots) {
     const std::size_t limit = limit_bytes_;
-    limit_bytes_ = std::size_t(-1);  // what is alive fits: it was there before
+    limit_bytes_ = std::size_t(-1);  // live terms fit: they were there before
     std::vector<Chunk> old = start_collection();
     use(std::move(first));
     Relocator relocate(*this);

@@ -11,7 +11,7 @@ struct OperatorName {
   std::string_view functor;
 };
 
-// `+<b` is `+b`; the other formulas without operator have names by what they are.
+// `+<b` is `+b`; formulas without an operator are named by their kind.
 constexpr std::array kBodyFunctors{
     OperatorName{names::achieve, "achieve"},
     OperatorName{names::achieve_new_focus, "achieveNF"},

@@ -19,7 +19,7 @@ namespace jaywalk {
 /// Whether a dereferenced value is a program or formula as data.
 [[nodiscard]] bool is_program(Value value);
 
-/// The head of a rule, which is what a rule is as a literal; other dereferenced values themselves.
+/// The value as a literal: a rule's head; other dereferenced values themselves.
 [[nodiscard]] inline Value as_literal(Value value) {
   return is_form(value, Form::rule) ? deref(value.structure()->arg(0)) : value;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What happens to a structure that would be wider than terms may be (support/width.h).
+// Handles a structure that would be wider than terms may be (support/width.h).
 
 #include "interpreter/support/width.h"
 

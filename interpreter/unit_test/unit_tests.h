@@ -25,7 +25,7 @@ struct UnitTest {
   SourceSpan where;
 };
 
-/// The tests of a program, in the order in which they are written. Adds what is wrong with it.
+/// The tests of a program, in the order in which they are written. Adds errors of the program.
 [[nodiscard]] std::vector<UnitTest> find_unit_tests(const std::string& path,
                                                     const IncludePath& include_path,
                                                     Diagnostics& diagnostics);

@@ -299,7 +299,7 @@ def serve(answers):
 
 
 if __name__ == "__main__":
-    # What the library prints goes nowhere: the output is for answers alone.
+    # Discard the library's output: standard output is for answers alone.
     ours = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     serve(ours)

@@ -153,7 +153,7 @@ void Evolution::breed() {
     for (Genes* child : {&a, &b}) {
       operators_.mutate(*child);
       if (brood_.size() == settings_.children) break;
-      // Where next to all children are known, one that is must do, or this would not end.
+      // If nearly all children are known already, accept a known one, or this would not end.
       if (in_vain < kTries && is_known(*child)) {
         ++in_vain;
       } else {

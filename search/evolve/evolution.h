@@ -1,6 +1,6 @@
 #pragma once
 
-// What evolutionary generators share: genomes of a fixed length, their operators, and a genetic
+// Shared by evolutionary generators: genomes of a fixed length, their operators, and a genetic
 // algorithm that is asked for one individual after the other.
 
 #include <functional>
@@ -29,9 +29,9 @@ class Genome {
   std::size_t size_;
 };
 
-/// One of the mutators of Frenetic as RILaST uses them, by chance: times 1.1 to 1.2, 5 to 12 values
-/// changed by up to 0.05 1/m, reversed, halves swapped, negated. Those that mix the places of
-/// values are for roads alone.
+/// Applies a random mutator of Frenetic as RILaST uses them: times 1.1 to 1.2, 5 to 12 values
+/// changed by up to 0.05 1/m, reversed, halves swapped, negated. Mutators that move values to other
+/// places are for roads alone.
 [[nodiscard]] Genes mutated_curvatures(Genes genes, const Genome& genome, Random& random);
 
 /// The genes of both up to a random place, exchanged. REQUIRES: as many; at least two.

@@ -1,7 +1,7 @@
 #pragma once
 
 // Roads of straight pieces and turns, and a simplified car that drives on them: what AmbieGen
-// (ambiegen.cpp) evolves and judges by. Read env/lane/road.h before.
+// (ambiegen.cpp) evolves and judges by. Read env/lane/road.h first.
 
 #include <span>
 #include <vector>
@@ -27,8 +27,8 @@ using RoadElements = std::vector<RoadElement>;
 /// Draws an element of another kind.
 [[nodiscard]] RoadElement draw_other(const RoadElement& element, Random& random);
 
-/// Where the elements begin and end, from the middle of the map upwards; as far as that stays
-/// inside of it.
+/// The points where the elements begin and end, from the middle of the map upwards, as far as they
+/// stay inside of it.
 [[nodiscard]] lane::Polyline element_points(std::span<const RoadElement> elements, double map_m);
 
 /// How far a simplified car leaves the road's middle line at most, in metres: it goes straight on

@@ -1,7 +1,7 @@
 #pragma once
 
 // Failing roads as files that other programs read: OpenDRIVE with OpenSCENARIO, and the road JSON
-// of the SBST/SBFT CPS tool competition. Read env/lane/spline.h and search.h before.
+// of the SBST/SBFT CPS tool competition. Read env/lane/spline.h and search.h first.
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-// How OGAN and WOGAN choose among what their generator makes (Peltomäki et al. 2022, algorithm 1,
-// lines 9 to 16): candidates are drawn until one's predicted fitness reaches a target, which begins
-// at 1 and shrinks with every valid candidate.
+// How OGAN and WOGAN choose among the candidates of their generator (Peltomäki et al. 2022,
+// algorithm 1, lines 9 to 16): candidates are drawn until the predicted fitness of one reaches a
+// target, which begins at 1 and shrinks with every valid candidate.
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 // AmbieGen (Humeniuk, Khomh and Antoniol 2022, "A search-based framework for automatic generation
 // of testing environments for cyber-physical systems", and at the SBST 2022 tool competition):
-// NSGA-II evolves roads of straight pieces and turns towards what a simplified car leaves farthest
-// and what differs from the five best. No test is executed for that; then those of the first front
-// are, and it begins anew.
+// NSGA-II evolves roads of straight pieces and turns towards roads that a simplified car leaves
+// farthest and that differ from the five best. No test is executed for that; then those of the
+// first front are, and it begins anew.
 //
 // Where there are no roads, difference alone is left: of many random vectors the one that is
 // farthest from the last five.

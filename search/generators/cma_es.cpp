@@ -30,7 +30,7 @@ constexpr double kLeastStep = 0.01;
 /// Generations without a better one before it begins anew.
 constexpr int kStagnation = 12;
 
-/// What depends on the dimension and the size of a generation (table 1).
+/// The constants that depend on the dimension and the size of a generation (table 1).
 struct Constants {
   Constants(double n, std::size_t lambda) {
     for (std::size_t i = 0; i < std::max<std::size_t>(1, lambda / 2); ++i) {

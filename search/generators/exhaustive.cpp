@@ -36,7 +36,7 @@ class AllVectors : public Generator {
     const auto raster = static_cast<std::uint64_t>(std::llround(setup.values[0]));
     for (const std::size_t values : distinct_) {
       const std::uint64_t count = values == 0 ? raster : values;
-      // What lies beyond keeps to the middle of its range.
+      // Further parameters keep the middle of their range.
       counts_.push_back(points_ > kMostPoints / count ? 1 : count);
       points_ *= counts_.back();
     }

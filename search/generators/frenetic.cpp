@@ -70,7 +70,7 @@ class Frenetic : public Generator {
       if (queue_.empty()) continue;
       Candidate candidate = std::move(queue_.front());
       queue_.pop_front();
-      // What does not fit into the map is no candidate.
+      // Roads that do not fit into the map are not candidates.
       if (space_.as_points(candidate.input).values.empty()) continue;
       if (candidate.input.form != Form::points) ++since_crossover_;
       if (!asking.valid(candidate.input)) continue;

@@ -77,7 +77,7 @@ class Graft : public Generator {
     ++asked_;
     const bool explores = asked_ <= static_cast<std::size_t>(values_[kInitial]) ||
                           random_.uniform(0, 1) < values_[kExploration];
-    // Where stretches do not fit, near misses may; where those do not either, something random.
+    // If failing stretches do not fit, try near misses; if those do not either, a random road.
     const int attempts = static_cast<int>(values_[kAttempts]);
     for (int i = 0; i < attempts; ++i) {
       const bool grafts = !explores && !stretches_.empty() && i < attempts / 2;

@@ -132,7 +132,7 @@ class Prospect : public Generator {
   [[nodiscard]] double worst_place(const ExecutedTest& test) const {
     if (!sequences_) return 0;
     const auto last = static_cast<double>(test.input.values.size()) - 1;
-    // Where it is not measured, before the end.
+    // The measured place of the failure; without that measure, a place before the end.
     const double place = where_ ? test.outcome.measures[*where_] / sequences_->element_m : last - 2;
     return std::clamp(place, 0.0, last);
   }
@@ -240,8 +240,7 @@ class Prospect : public Generator {
     return site;
   }
 
-  /// The values around a failure, varied; before and after them something new or, before, what was
-  /// there.
+  /// The values around a failure, varied; after them new ones, before them new or the former ones.
   Site varied_sequence(const Site& parent) {
     const double most = values_[kVariation] * std::pow(random_.uniform(0, 1), 2);
     const int back =

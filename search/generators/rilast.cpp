@@ -217,7 +217,7 @@ class Rilast : public Generator {
                 [this] {
                   if (!genome_.is_road()) return genome_.draw(random_);
                   Genes genes(genome_.size());
-                  // As the autoencoder's prior: such points decode to roads like those it learned
+                  // Points of the autoencoder's prior decode to roads like those that it learned
                   // from.
                   for (double& each : genes) each = standard_normal(random_);
                   return genes;

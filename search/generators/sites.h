@@ -1,7 +1,7 @@
 #pragma once
 
-// Places on roads (or points of vector spaces) as `prospect` compares them: what a model learns
-// from, what shape the road has there, which failures are known. Read search/test_input.h before.
+// Places on roads (or points of vector spaces) as `prospect` compares them: the samples of its
+// model, the road's shape there, the known failures. Read search/test_input.h first.
 
 #include <vector>
 
@@ -21,7 +21,7 @@ struct Site {
   [[nodiscard]] int at() const { return static_cast<int>(place); }
 };
 
-/// What can be said of a site without executing it.
+/// The properties of a site that are known without executing it.
 class SiteView {
  public:
   explicit SiteView(const SearchSpace& space) : space_(space), sequences_(space.sequences()) {}
@@ -29,7 +29,7 @@ class SiteView {
   /// For a sequence: the values from eight before the place to one after it, 0 where there are
   /// none, and the distances to its end and to its beginning. For a vector: its values.
   [[nodiscard]] std::vector<double> features(const Site& site) const;
-  /// Of these features: what lies farther back matters less.
+  /// The length scales of the features: those that lie farther back matter less.
   [[nodiscard]] std::vector<learn::FeatureLength> lengths() const;
 
   /// The road's points from 40 m before the place to 10 m after it, every 5 m, seen from there;

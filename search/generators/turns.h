@@ -2,7 +2,7 @@
 
 // How roads turn around their failures, as the tool competition's sparseness compares it
 // (failing_stretch.h), but in pieces of some metres, since many candidates are compared for each
-// test. Read sites.h before.
+// test. Read sites.h first.
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 // The networks of the online adversarial generators: the one that makes tests from noise, the
 // Wasserstein pair of it and a critic, and the analyzer that predicts a test's fitness. Not
-// movable: the optimisers point into them. Read network.h before.
+// movable: the optimisers point into them. Read network.h first.
 
 #include "experiment/networks/network.h"
 #include "search/random.h"

@@ -19,7 +19,7 @@ constexpr double kPriorSeverity = 0.6;
 /// Observations between two adaptations, and how many of the newest they look at.
 constexpr Index kAdaptEvery = 20;
 constexpr Index kAdaptTo = 150;
-/// Of more observations than this, the oldest fifth is forgotten.
+/// With more observations than this, the oldest fifth is forgotten.
 constexpr Index kMostKnown = 500;
 constexpr Index kForgotten = 100;
 constexpr double kLeastVariance = 1e-4;

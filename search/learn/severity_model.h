@@ -51,7 +51,7 @@ class SeverityModel {
 
   std::vector<FeatureLength> lengths_;
   Scale scale_;
-  Places places_;  // what is known, a column each; only the first count_ are
+  Places places_;  // the observed places, a column each; only the first count_ are valid
   Eigen::VectorXd severities_;
   Eigen::Index count_ = 0;
   // With the kernel of scale_.

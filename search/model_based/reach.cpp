@@ -18,11 +18,11 @@ namespace {
 /// Walks that are followed between two looks at limits: a tenth of a second.
 constexpr std::size_t kAtOnce = 64;
 
-/// Where a walk has led to.
+/// The situation after a walk.
 struct Step {
   ScriptedWalk walk;
-  /// What distinguishes it from others, if it goes on, and what it covers, if it has met the
-  /// precondition.
+  /// The key of the state, by which equal ones are recognised, if the walk goes on; the covered
+  /// bins, if it has met the precondition.
   std::string state = {};
   SituationBins bins = {};
   enum class End { goes_on, met, over } end = End::goes_on;

@@ -40,10 +40,10 @@ struct Reach {
   bool complete = false;
 };
 
-/// Of walks that leave all actors in the same places, and whose starts are in the same bins, the
-/// shortest is followed; up to situation::kLate_s, where it matters when something happens, the
-/// first of each length. For AVs that brake, the same velocities are needed, too; what else
-/// their controllers remember is not compared.
+/// Of walks that leave all actors in the same places, and whose starts are in the same bins, only
+/// the shortest is followed; up to situation::kLate_s, where the time of an event matters, the
+/// first of each length. For AVs that brake, the velocities must be the same, too; other memory of
+/// their controllers is not compared.
 [[nodiscard]] Reach reach(const ReachPlan& plan);
 
 /// How many bins of an item, or of all, have a walk.

@@ -1,6 +1,6 @@
 #pragma once
 
-// The failing tests of a generator in groups of similar ones. Read tables.h before.
+// The failing tests of a generator in groups of similar ones. Read tables.h first.
 
 #include <string>
 

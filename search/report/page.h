@@ -1,8 +1,8 @@
 #pragma once
 
-// The results of searches as a self-contained HTML page: the paper's Table 1 and
-// Figures 1 to 3 with ours, fitness over time, what each generator tried last, clusters of failing
-// tests. Read tables.h before.
+// The results of searches as a self-contained HTML page: the paper's Table 1 and Figures 1 to 3
+// with ours, fitness over time, the last tests of each generator, clusters of failing tests. Read
+// tables.h first.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // The published results that a search of roads repeats, where it repeats them. Read
-// search/search_experiment.h before.
+// search/search_experiment.h first.
 
 #include <string>
 

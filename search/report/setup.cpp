@@ -18,7 +18,7 @@ std::string sut_terms(const SutModel& model) {
   return html;
 }
 
-/// Its parameters that are not the usual ones, and what it costs.
+/// The generator's parameters that differ from the defaults, and its cost.
 std::string generator_text(const SearchPlan& plan, const GeneratorSpec& spec) {
   std::vector<std::string> parts;
   if (spec.name != spec.kind->name) parts.push_back(std::string(spec.kind->name));

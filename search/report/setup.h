@@ -1,7 +1,7 @@
 #pragma once
 
 // The search's setup, its budget and how to get the same results again: the first and the last
-// section of the page. Read tables.h before.
+// section of the page. Read tables.h first.
 
 #include <string>
 

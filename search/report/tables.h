@@ -1,6 +1,6 @@
 #pragma once
 
-// The results of searches as text, CSV and JSON. Read run_summary.h before.
+// The results of searches as text, CSV and JSON. Read run_summary.h first.
 
 #include <string>
 #include <string_view>
@@ -41,10 +41,10 @@ struct GeneratorPair {
   const GeneratorResults* first;
   const GeneratorResults* second;
 
-  /// Of Wilcoxon's signed-rank test. REQUIRES: every search has a value.
+  /// The p-value of Wilcoxon's signed-rank test. REQUIRES: every search has a value.
   [[nodiscard]] double p(double RunSummary::*value) const;
 };
-/// Those with the same number of searches, two or more.
+/// Pairs of generators with the same number of searches, two or more.
 [[nodiscard]] std::vector<GeneratorPair> compared(const std::vector<GeneratorResults>& generators);
 
 /// Means and standard deviations for each generator, and Wilcoxon's p-values of some columns for

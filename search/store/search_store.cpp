@@ -65,7 +65,7 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text) {
   if (!json.is_array()) return std::nullopt;
   std::vector<double> numbers;
   for (const Json& each : json) {
-    // As JSON has it, `null` stands for what is infinite.
+    // JSON has no infinity, so `null` stands for it.
     if (!each.is_number() && !each.is_null()) return std::nullopt;
     numbers.push_back(each.is_null() ? 0 : each.get<double>());
     if (!std::isfinite(numbers.back())) return std::nullopt;
@@ -118,8 +118,8 @@ std::optional<FinishedTests> read_finished(Database& database, const SearchPlan&
   return finished;
 }
 
-/// What keeps the store from being continued by this experiment. Its files may have other names
-/// now: the folder may have been moved.
+/// The error that prevents this experiment from continuing the store. Its files may have other
+/// names now: the folder may have been moved.
 std::optional<std::string> mismatch(Database& database, const SearchExperiment& experiment) {
   const auto origin = database.text("SELECT origin FROM search_experiment");
   const auto seed = database.text("SELECT seed FROM search_experiment");

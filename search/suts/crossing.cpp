@@ -168,7 +168,7 @@ class CrossingReader {
     return true;
   }
 
-  /// As the scenario's `experiment.limits`, which says what is wrong with them.
+  /// Reads the limits with the reader of the scenario's `experiment.limits`, which reports errors.
   void read_limits(const ConfigNode& node) {
     if (node.kind != ConfigNode::Kind::map) return reader_.unexpected(node, "limits of a test");
     for (const ConfigEntry& entry : node.entries) {

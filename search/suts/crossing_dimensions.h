@@ -1,7 +1,7 @@
 #pragma once
 
 // The keys of a scenario that a search chooses values of, as the map `parameters` of a SUT gives
-// them with their ranges. Read env/config/reader.h and crossing_space.h before.
+// them with their ranges. Read env/config/reader.h and crossing_space.h first.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace jaywalk::search {
 
-/// Adds what the map has; of a key that is there already the range is replaced. Errors go to the
-/// reader's diagnostics.
+/// Adds the dimensions of the map; replaces the range of a key that is there already. Errors go to
+/// the reader's diagnostics.
 void read_dimensions(const ConfigNode& node, const ConfigReader& reader,
                      std::vector<CrossingDimension>& dimensions);
 

@@ -16,7 +16,7 @@
 namespace jaywalk::search {
 namespace {
 
-/// What stands for a metric or a robustness that does not exist or is infinite.
+/// The value of a metric or a robustness that does not exist or is infinite.
 constexpr double kNone = 1e6;
 /// The number of a pedestrian's last ticks that make a test's signature.
 constexpr std::size_t kSignatureTicks = 8;
@@ -37,7 +37,7 @@ double share_of_natural_steps(const TestView& view) {
   return steps > 0 ? natural / steps : 1;
 }
 
-/// The last seconds of the pedestrian who is nearest to the AV at the end, seen from the AV.
+/// The last seconds of the pedestrian that is nearest to the AV at the end, seen from the AV.
 std::vector<double> last_approach(const TestView& view) {
   std::vector<double> numbers(2 * kSignatureTicks);
   if (view.road_users().empty()) return numbers;

@@ -21,7 +21,7 @@ namespace jaywalk::search {
 
 struct CrossingSettings {
   SourcePtr scenario;
-  /// That, with what is the same in all tests.
+  /// The parsed scenario, with the settings that are the same in all tests.
   std::shared_ptr<const Scenario> parsed_scenario;
   /// The texts of all files that tests are made from, the scenario's among them; without those of
   /// its programs if no test is run.
@@ -32,16 +32,16 @@ struct CrossingSettings {
   std::vector<Assertion> assertions;
   /// The metrics of metrics.def are measured, too.
   bool metrics = true;
-  /// As the scenario's (ExperimentSpec::feedback).
+  /// Like the scenario's key (ExperimentSpec::feedback).
   std::uint64_t feedback = 0;
   /// Files by which the behaviour chooses among its learned plans, in place of the scenario's.
   std::vector<std::string> policies;
-  /// Where programs are looked for.
+  /// The source of programs.
   SourceFiles files;
   /// Each test's limits, which replace the scenario's; in the form of `--set`.
   std::vector<std::string> limits;
   IncludeFolders include;
-  /// Those that the AV is searched with, one after another, and the index of the one that it has
+  /// The defects that the AV is searched with, one after another, and the index of its present one
   /// among the scenario's vehicles (tested_vehicles.h).
   std::vector<VehicleDefect> defects;
   std::size_t vehicle = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
 // The search space of the pedestrians' world: numbers and words of a scenario that a search may
-// choose, and the cells where the pedestrians start. Read experiment/scenario/scenario.h before.
+// choose, and the cells where the pedestrians start. Read experiment/scenario/scenario.h first.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace jaywalk::search {
 
-/// A key of the scenario and what it may be: a range or some words.
+/// A key of the scenario and its values: a range or some words.
 struct CrossingDimension {
   /// Its dotted path, `world.av.speed`.
   std::string key;
@@ -24,8 +24,8 @@ struct CrossingDimension {
   std::vector<std::string> words;
 };
 
-/// Where pedestrians may start: each by itself in one of the rows and its cells, or all as in one
-/// of the given choices; if neither, chance decides.
+/// The starts of pedestrians: each by itself in one of the rows and its cells, or all as in one of
+/// the given choices; if there is neither, starts are random.
 struct CrossingStarts {
   /// How many pedestrians' starts are searched.
   std::uint32_t searched = 0;
@@ -41,7 +41,7 @@ struct CrossingStarts {
 /// of the given starts it is.
 class CrossingSpace : public SearchSpace {
  public:
-  /// `behaviour`: whose parameters need no other scenario, and who has the moves.
+  /// `behaviour`: the behaviour with the moves; its parameters can be set without another scenario.
   CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
                 CrossingStarts starts);
 
@@ -62,10 +62,10 @@ class CrossingSpace : public SearchSpace {
 
   /// `key=value` of each dimension, as for --set.
   [[nodiscard]] std::vector<std::string> settings(const TestInput& input) const;
-  /// Those of them that are no parameters of the behaviour, and these.
+  /// Settings of the input that are not parameters of the behaviour, and those that are.
   [[nodiscard]] std::vector<std::string> world_settings(const TestInput& input) const;
   [[nodiscard]] std::vector<ParameterSetting> parameters(const TestInput& input) const;
-  /// Where the pedestrians start; empty if chance decides.
+  /// The start cells of the pedestrians; empty if they are random.
   [[nodiscard]] std::vector<Position> starts(const TestInput& input) const;
 
  private:

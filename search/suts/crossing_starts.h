@@ -22,7 +22,7 @@ class CrossingStartsReader {
   /// A word, `{rows: [1, 10], cells: [28, 44, 55]}`: some cells, or `{walks: FILE}`.
   void read(const ConfigNode& node, const std::string& path);
 
-  /// Where `agents` pedestrians may start; nothing after reporting that they cannot start there.
+  /// The possible starts of `agents` pedestrians; nothing after reporting that there are none.
   [[nodiscard]] std::optional<CrossingStarts> space(const CrossingSpec& crossing,
                                                     std::uint32_t agents) const;
   /// The file of walks; null if there is none.

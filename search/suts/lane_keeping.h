@@ -1,6 +1,6 @@
 #pragma once
 
-// The built-in lane-keeping assistants as a SUT. Read env/lane/drive.h before.
+// The built-in lane-keeping assistants as a SUT. Read env/lane/drive.h first.
 
 #include "env/lane/drive.h"
 #include "search/sut.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 // The search space of roads: what vectors and sequences stand for, and which of them are roads.
-// Used by every SUT that drives. Read env/lane/validity.h before.
+// Used by every SUT that drives. Read env/lane/validity.h first.
 
 #include "env/lane/validity.h"
 #include "search/test_input.h"
@@ -12,7 +12,7 @@ struct RoadSpaceSettings {
   /// Curvatures of a vector, and metres between its points (Peltomäki et al. 2022, section 2.1).
   std::size_t curvatures = 5;
   double step_m = 15;
-  /// What 1 stands for, in 1/m.
+  /// The curvature that 1 stands for, in 1/m.
   double most_curvature = 0.07;
   /// By how much neighbours differ at most in the first tests of generators that learn, in 1/m.
   double most_difference = 0.05;

@@ -1,7 +1,7 @@
 #pragma once
 
 // The situations (experiment/judge/situations/situations.h) that a test met, as measures of its
-// SUT: `bin_ITEM` for each item, in their order. Read sut.h before.
+// SUT: `bin_ITEM` for each item, in their order. Read sut.h first.
 
 #include "experiment/judge/situations/situations.h"
 #include "search/sut.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// How the SUT of an experiment is read; what each SUT's file defines, from the table. Read
-// env/config/reader.h and search/sut.h before.
+// Reads the SUT of an experiment, by the functions that each SUT's file defines for its row of the
+// table. Read env/config/reader.h and search/sut.h first.
 
 #include <map>
 #include <memory>
@@ -32,9 +32,9 @@ struct SutSetup {
   const ConfigNode& node;
   std::string path;
   const ConfigReader& reader;
-  /// What paths are relative to; empty: the current folder.
+  /// The folder that paths are relative to; empty: the current folder.
   std::string folder;
-  /// Where the programs of agents are looked for.
+  /// The source of the agents' programs.
   SourceFiles files;
   IncludeFolders include;
   /// The AV's defects to search with, one after another.

@@ -1,7 +1,7 @@
 #pragma once
 
 // Programs that answer lines with lines, as scripts of the shell: what controllers and systems
-// under test say. Read target.h before.
+// under test say. Read target.h first.
 
 #include <string>
 #include <string_view>

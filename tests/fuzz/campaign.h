@@ -1,6 +1,6 @@
 #pragma once
 
-// Cases of a target, one after the other, in processes that may die of them. Read target.h before.
+// Cases of a target, one after the other, in processes that may die of them. Read target.h first.
 
 #include <cstdint>
 #include <string>

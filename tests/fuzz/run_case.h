@@ -1,6 +1,6 @@
 #pragma once
 
-// Carries out a case in this process, which may not survive it. Read target.h before.
+// Carries out a case in this process, which may not survive it. Read target.h first.
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 // What strangers may have done to a store: other values, rows, tables, views and bytes. Read
-// target.h before.
+// target.h first.
 
 #include <string>
 

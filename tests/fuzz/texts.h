@@ -1,6 +1,6 @@
 #pragma once
 
-// The texts that cases begin with, and the ways in which they are spoilt. Read target.h before.
+// The texts that cases begin with, and the ways in which they are spoilt. Read target.h first.
 
 #include <map>
 #include <string>

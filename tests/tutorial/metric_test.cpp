@@ -8,8 +8,8 @@
 namespace jaywalk {
 namespace {
 
-// The AV is 4 m long and passes somebody 1 m beside its side, 2 m a tick: their boxes are less than
-// 2 m apart while its middle is less than 2 + 0.25 + sqrt(3) m before or behind.
+// The AV is 4 m long and passes a pedestrian 1 m beside its side, 2 m a tick: their boxes are less
+// than 2 m apart while its middle is less than 2 + 0.25 + sqrt(3) m before or behind.
 TEST(MetricTutorial, HasAMetricThatCountsSeconds) {
   const Recording past = drive(0.5, {steps({0, 0}, {0, 2}, 11), steps({2.25, 10}, {0, 0}, 11)});
   const Ground ground = road();

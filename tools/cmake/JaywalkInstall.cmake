@@ -1,7 +1,7 @@
-# What `cmake --install` puts where, all below one prefix that may be moved:
+# The files that `cmake --install` installs, all below one prefix that may be moved:
 #
 #   bin/jaywalk                 the command; it finds what it ships with beside itself
-#   bin/jaywalk-draw            what the command becomes to draw pictures
+#   bin/jaywalk-draw            the program that the command runs to draw pictures
 #   include/jaywalk/            the public headers, under the same names as in the project
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
@@ -13,7 +13,7 @@ set(JAYWALK_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/jaywalk)
 set(JAYWALK_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/jaywalk)
 set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
 
-# The command's own libraries are nobody else's.
+# The libraries of the command are not exported: no other program can use them.
 get_property(libraries GLOBAL PROPERTY JAYWALK_LIBRARIES)
 list(REMOVE_ITEM libraries jaywalk_command jaywalk_picture)
 install(TARGETS ${libraries} EXPORT jaywalk-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -13,7 +13,7 @@ if(JAYWALK_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(JAYWALK_UNITY_ALARMS -Wno-subobject-linkage)
 endif()
 
-# Programs read files of strangers: what an error in them could overwrite is guarded. The standard
+# Programs read files of strangers, so memory that a bug could overwrite is guarded. The standard
 # library's checks of lengths need optimisation; sanitizers have their own. Its assertions
 # (_GLIBCXX_ASSERTIONS) cost up to an eighth of the instructions, tests/bench/README.md.
 set(JAYWALK_HARDENING "")
@@ -41,7 +41,7 @@ function(jaywalk_configure_target target)
     target_compile_options(${target} PRIVATE -fsanitize=${JAYWALK_SANITIZERS}
                            -fno-sanitize-recover=all -fno-omit-frame-pointer
                            ${JAYWALK_SANITIZED_LEVEL} -g1)
-    # Without some checks GCC 12 sees values of std::optional that nobody has set, where nobody reads them.
+    # Without some checks GCC 12 warns of unset values of std::optional that are never read.
     if(JAYWALK_UNCHECKED)
       target_compile_options(${target} PRIVATE -fno-sanitize=${JAYWALK_UNCHECKED} -Wno-maybe-uninitialized)
     endif()

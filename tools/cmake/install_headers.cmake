@@ -14,7 +14,7 @@ set(pending
     interpreter/term/compare.h
     interpreter/term/print.h
     interpreter/term/transfer.h)
-# Of the other layers all but what serves the reading of scenarios and the insides of a search.
+# All headers of the other layers, except for internals of reading scenarios and of searching.
 foreach(layer env experiment search)
   file(GLOB_RECURSE headers RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${layer}/*.h)
   list(APPEND pending ${headers})

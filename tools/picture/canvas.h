@@ -1,7 +1,7 @@
 #pragma once
 
-// Drawing with cairo: what owns itself, and nothing that this program does not draw. Coordinates
-// are pixels from the upper left corner.
+// Drawing with cairo: owners of its objects, and the few shapes that pictures need. Coordinates are
+// pixels from the upper left corner.
 
 #include <cairo/cairo.h>
 #include <cstdint>
@@ -39,7 +39,7 @@ class Canvas {
   Canvas(int width, int height, Colour background);
 
   void rectangle(Place corner, double width, double height, Colour colour);
-  /// A box around its middle, turned clockwise by so many radians, `length` along its heading; its
+  /// A box around its middle, turned clockwise by `heading_rad`, `length` along its heading; its
   /// front is marked.
   void box(Place middle, double length, double width, double heading_rad, Colour colour);
   void disc(Place middle, double radius, Colour colour);

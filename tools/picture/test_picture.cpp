@@ -185,7 +185,7 @@ Canvas TestPicture::draw(std::size_t tick) const {
   for (std::size_t actor = recording_.actors().size(); actor > 0; --actor) {
     draw_actor(canvas, actor - 1, tick, left_m);
   }
-  // What is drawn beside the shown part is covered.
+  // Cover what was drawn beyond the shown part.
   canvas.rectangle({0, 0}, kMargin, kTop + breadth_m_ * scale_, kPaper);
   canvas.rectangle({kMargin + shown_m_ * scale_, 0}, kWidth, kTop + breadth_m_ * scale_, kPaper);
   draw_scale(canvas, left_m);

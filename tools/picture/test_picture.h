@@ -1,7 +1,7 @@
 #pragma once
 
-// A recorded test as pictures: the road from left to right, everybody on it at one tick, and the
-// way that each has come. A long road is shown in part, around the AV.
+// A recorded test as pictures: the road from left to right, all actors on it at one tick, and the
+// path of each so far. A long road is shown in part, around the AV.
 
 #include <string>
 
@@ -24,7 +24,7 @@ class TestPicture {
  private:
   void draw_ground(Canvas& canvas, double left_m) const;
   void draw_actor(Canvas& canvas, std::size_t actor, std::size_t tick, double left_m) const;
-  /// Who is elsewhere in the twin.
+  /// Draws the actors that are at another place in the twin.
   void draw_twin(Canvas& canvas, std::size_t tick, double left_m) const;
   void draw_scale(Canvas& canvas, double left_m) const;
   [[nodiscard]] std::string happened(std::size_t tick) const;

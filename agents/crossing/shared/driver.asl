@@ -1,7 +1,7 @@
-// A careful and competent human driver (UN Regulation No. 157) as somebody imagines it who watches
-// the AV: where it would be now had it driven instead, and where it would come to a stand. Metres,
-// seconds; time 0 is when the test begins. Whoever steps out by these rules while that driver still
-// stops can be avoided. !watch once a tick.
+// A careful and competent human driver (UN Regulation No. 157) as a pedestrian imagines it that
+// watches the AV: where that driver would be now instead of the AV, and where it would stop. Metres,
+// seconds; time 0 is when the test begins. A pedestrian that steps out while avoids/1 holds could be
+// avoided by that driver. Post !watch once a tick.
 
 { include("metres.asl") }
 
@@ -10,12 +10,12 @@ braking_delay(0.75).  // s, from then until braking begins
 jerk(12.65).          // m/s3, with which the deceleration grows
 strongest(7.5903).    // m/s2, 0.774 g
 acceleration(2).      // m/s2, when the lane is free again
-margin(0.1).          // m, for what the eye takes wrong
+margin(0.1).          // m, for errors of the watching pedestrian
 
 now(S) :- tick(T) & tick_length(L) & S = (T - 1) * L.
 
-// The AV's leading edge, its speed, and by how much that has changed in a tick. Seen: av(Y) is a
-// whole cell; watched, the place within it is known.
+// av_seen(Front, Speed, Change): the AV's leading edge, its speed, and the change of speed in a tick.
+// av(Y) is a whole cell; the place within the cell follows from watching the speed.
 speed_seen(V) :- av_speed(Cells) & cell_length(C) & tick_length(L) & V = Cells * C / L.
 front_seen(F, F) :- not av_seen(_, _, _) & av(Y) & cell_length(C) & F = (Y + 1) * C.
 moves_off :- av_seen(_, V, Change) & Change > 0.01 & V > 0.
@@ -43,7 +43,7 @@ front_now(F) :-
      !note_tick.
 +!note_tick : tick(T) <- -+watched(T).
 
-// Who has been over the lane ahead of the driver, and since when.
+// risk(Who, Since): a pedestrian over the lane ahead of the driver, and since when it is there.
 risk(F, Old, risk(Who, Since)) :-
   in_sight(Who, X, Y) & Y >= F - 0.01 & av_lane(From, To) & over(X, From, To) &
   not hidden(F, X, Y) & begun(Who, Old, Since).
@@ -56,7 +56,7 @@ in_sight(Id, X, Y) :-
   road_user(Id, pedestrian, Row, Cell, _, _) & cell_length(C) & body(B) &  // jaywalk: allow absent-percept
   X = (Row + 0.5) * C & Y = (Cell + 0.5) * C - B / 2.
 
-// A parked car is between the middle of somebody and that of the driver's front.
+// A parked car is between the middle of the pedestrian and the middle of the driver's front.
 hidden(F, X, Near) :-
   parked_car(Left, Right, From, To) & F < From & body(B) & Y = Near + B / 2 & Y > From &
   on_line(F, X, Y, From, A) & on_line(F, X, Y, math.min(To, Y), C) & math.max(A, C) > Left &
@@ -70,7 +70,7 @@ parked_car(Left, Right, From, To) :-  // Where nothing is parked nothing hides. 
 parked(left, From, To)  :- parked_car(_, Right, From, To) & eye(Eye) & Right <= Eye.
 parked(right, From, To) :- parked_car(Left, _, From, To) & eye(Eye) & Left >= Eye.
 
-// The place across the road from which on the driver sees who comes out from behind it.
+// The place across the road at which a pedestrian comes out from behind a parked car, for the driver.
 emerges(left, X) :-
   driver(F, _, _) & y(Y) & parked_car(_, Right, From, To) & F < From & Y > To & eye(Eye) &
   Right <= Eye & X = Eye + (Right - Eye) * (Y - F) / (To - F).
@@ -83,7 +83,7 @@ emerges_from(Side) :- driver(F, _, _) & y(Y) & parked(Side, From, To) & F < From
 
 since(Risks, S) :- .findall(Since, .member(risk(_, Since), Risks), All) & .min([1000000|All], S).
 
-// How it drives on for Left seconds from time S, in parts of 0.05 s: state(Front, Speed, Braking).
+// The driver's state(Front, Speed, Braking) after Left seconds from time S, in steps of 0.05 s.
 drives(_, Left, State, _, State) :- Left < 0.0001.
 drives(S, Left, state(F, V, B), Since, End) :-
   Left >= 0.0001 & P = math.min(0.05, Left) & perception(Sees) & braking_delay(Delay) &
@@ -101,7 +101,7 @@ presses(B0, Seconds, B1, Loss) :-
   strongest(Most) & jerk(J) & Grows = math.min((Most - B0) / J, Seconds) & B1 = B0 + J * Grows &
   Loss = (B0 + B1) / 2 * Grows + B1 * (Seconds - Grows).
 
-// The way until it stands if a risk begins in so many seconds (negative: has begun).
+// The driver's way until it stands if a risk begins in In seconds (negative: began that long ago).
 way_to_stop(In, Way) :-
   driver(_, V, B) & perception(Sees) & braking_delay(Delay) & cruise(Most) & acceleration(A) &
   Free = math.max(0, In + Sees) & Gains = math.min(Free, (Most - V) / A) & V1 = V + A * Gains &
@@ -115,8 +115,8 @@ brakes(V, B, Way) :-
   strongest(Most) & jerk(J) & V <= (B + Most) / 2 * (Most - B) / J &
   T = (math.sqrt(B * B + 2 * J * V) - B) / J & Way = V * T - B * T * T / 2 - J * T * T * T / 6.
 
-// Whoever comes over the lane here in so many seconds is avoided by the driver, who then stands so
-// many metres short of the margin.
+// The metres that the driver, once it stands, has left beyond the margin if this pedestrian comes over
+// the lane in In seconds; negative: the driver cannot avoid it.
 spare(In, Short) :-
   risks(Risks) & since(Risks, Since) & now(S) & way_to_stop(math.min(In, Since - S), Way) &
   driver(F, _, _) & near(N) & margin(M) & Short = N - F - Way - M.
@@ -126,7 +126,7 @@ driver_gone :- driver(F, _, _) & av_metres(Length) & far(Y) & F - Length > Y.
 
 av_metres(M) :- av_length(N) & cell_length(C) & M = N * C.
 
-// The AV, if it does not brake, is beside whoever stands here at some time between From and To.
+// The AV, if it does not brake, is beside this pedestrian at some time between From and To (seconds).
 comes_by(From, To) :-
   av_seen(F, _, _) & drives_on(From, D) & av_metres(Length) & far(Y) & F + D - Length < Y &
   drives_on(To, More) & near(N) & F + More > N.

@@ -1,5 +1,5 @@
-// Meetings with the AV: in a row of its way, so many cells ahead of it, walking across, along or
-// standing; which are possible, and how to bring one about.
+// Meetings with the AV: meeting(Row, Ahead, How) is in a row of its way, Ahead cells ahead of it, walking
+// across, along or standing. Which meetings are possible, and how to bring one about.
 // jaywalk: asks across/2, free/1, rows_to/4, ticks_to_walk/2, way_across/1, !cross/1, !cross_road/0
 
 // Walk, or wait, until crossing leads to the meeting.
@@ -28,7 +28,7 @@ possible(meeting(Row, Ahead, How)) :-
   .range(Ahead, From, To) & manner(How, _, _, _) & not met_before(Row, Ahead, How) &
   slack(meeting(Row, Ahead, How), S) & can_use_up(S).
 
-// Already in the zone a tick earlier, when the AV was its way of a tick further back.
+// The pedestrian would be in the zone a tick earlier already, when the AV was V cells further back.
 met_before(Row, Ahead, How) :-
   av_speed(V) & zone_ahead(_, To) & Ahead + V <= To & manner(How, _, More, _) & walking_speed(W) &
   rows_in(Row, Rows) & Rows - W * (1 - More) >= -0.5.
@@ -37,8 +37,8 @@ met_before(Row, Ahead, How) :-
 rows_in(Row, N) :- way_across(right) & zone_rows(First, _) & N = Row - First.
 rows_in(Row, N) :- way_across(left) & zone_rows(_, Last) & N = Last - Row.
 
-// How to be when the AV comes, by its bins when coming from the left and from the right; the ticks
-// that it takes beyond crossing, and the steps that it leads on.
+// How to move when the AV comes: the bins of coverage for coming from the left and from the right, the
+// ticks needed beyond crossing, and the steps forward.
 manner(across, [1, 2], 0, 0).
 manner(along, [3, 3], 1, 1).
 manner(standing, [4, 4], 1, 0).
@@ -50,7 +50,7 @@ slack(meeting(Row, Ahead, How), S) :-
   rows_to(X, Row, Row, N) & ticks_to_walk(N, T) &
   S = Y + Steps * W - AvY - V * (T + More - 1) - Ahead.
 
-// A meeting is meant to the cell.
+// Half a cell either way still hits the intended cell.
 used_up(S)    :- S >= -0.5 & S <= 0.5.
 can_use_up(S) :- used_up(S).
 can_use_up(S) :-

@@ -1,5 +1,5 @@
-// The road and oneself in metres and seconds, whatever the lengths of cell and tick. X counts from
-// the AV's left, Y along its way.
+// The road and this pedestrian in metres and seconds, whatever the lengths of cell and tick. X counts
+// from the left end of the AV's rows, Y along the AV's way.
 
 body(0.5).  // the width and the length of a pedestrian
 pace(1.5).  // m/s, how fast to walk where nothing is said of it
@@ -15,12 +15,12 @@ av_lane(From, To) :-
   av_rows(Row, _) & lane(First, Last, _) & First <= Row & Row <= Last &
   in_metres(First, Last, From, To).
 
-// Where somebody's middle is whose body just touches the strip or, from the second on, its inside.
+// A body whose middle is at X is over the strip From to To; touching its edge alone does not count.
 over(X, From, To) :- body(B) & X + B / 2 > From + 0.000001 & X - B / 2 < To - 0.000001.
 in_lane :- x(X) & av_lane(From, To) & over(X, From, To).
 in_path :- x(X) & path(From, To) & over(X, From, To).
 
-// The side of the lane that one comes from, or went to.
+// The side of the AV's path on which this pedestrian is.
 side(left)  :- x(X) & path(From, To) & X < (From + To) / 2.
 side(right) :- not side(left).
 

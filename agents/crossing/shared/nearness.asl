@@ -1,7 +1,7 @@
 // How far away the AV is, and whether that is near. jaywalk: asks rows_to/4
 
-radius(15).               // what is near, in cells
-radius_limit(exclusive).  // whether the radius itself is: exclusive, inclusive, inclusive_alone
+radius(15).               // cells within which the AV is near
+radius_limit(exclusive).  // is the radius itself near? exclusive, inclusive, inclusive_alone
 
 // City-block distance: cells to the AV, whether it comes or has passed, and rows to its lane.
 distance_to_av(D) :-

@@ -6,7 +6,7 @@
 step(M) :-
   pace(V) & tick_length(L) & walking_speed(W) & cell_length(C) & M = math.min(V * L, W * C).
 
-// Ticks until the own middle has come to X, or beyond.
+// Ticks until the pedestrian's middle has come to X, or beyond it.
 ticks_to(X, N)   :- x(M) & step(D) & N = math.ceil(math.abs(X - M) / D - 0.000001).
 ticks_past(X, N) :- x(M) & step(D) & N = math.floor(math.abs(X - M) / D + 0.000001) + 1.
 
@@ -22,8 +22,8 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 +!reach(X) : there(X).
 +!reach(X) <- !step_to(X); !reach(X).
 
-// The same by the place's name, seen from the side that one came from. On a zebra the AV would wait
-// before it, whatever one does.
+// Steps to a place by its name, seen from the side that the pedestrian came from. It leaves a zebra
+// first, since the AV would wait before that anyway.
 +!set_out_across <- !watch; !turn_round; !step_aside.
 +!step_aside : (y(M) & in_the_way(M, Y)) | off_the_zebra(Y) <- !along_to(Y).
 +!step_aside.
@@ -44,29 +44,29 @@ there(X) :- x(M) & math.abs(X - M) < 0.001.
 -!along(_, _) <- !watch.
 +!along(Way, M) : step(D) & cell_length(C) <- move(Way, math.min(D, M) / C); !watch.
 
-// A parked car between the AV's path and oneself with one's middle at M, and where one can pass
-// behind it.
+// A parked car is between the AV's path and the pedestrian when its middle is at M; behind the car, at
+// the second argument, it can pass.
 in_the_way(M, To + B) :-
   side(Side) & parked(Side, From, To) & body(B) & M > From - B / 2 & M < To + B / 2.
 
-// Where a zebra ends that one is on.
+// A place just beyond the zebra that the pedestrian is on, if there is time to walk there.
 off_the_zebra(To + B) :- on_the_zebra(To) & body(B) & time_to_walk(beside, To + B).
 on_the_zebra(To) :-
   crosswalk(_, First, Last, zebra) & in_metres(First, Last, From, To) &  // jaywalk: allow absent-percept
   y(Y) & Y >= From & Y <= To.
 
-// Out of the shadow of a parked car: to the other side of the lane, or further along, if there is time.
+// Leave the shadow of a parked car, to the other side of the lane or further along, if there is time.
 +!come_into_view : in_the_shadow(_) & y(Y) & time_to_walk(out, Y) <- !get(out); !turn_round.
 +!come_into_view : in_the_shadow(To) & time_to_walk(beside, To + 14) <- !along_to(To + 14).
 +!come_into_view.
 in_the_shadow(To) :- side(Side) & parked(Side, From, To) & y(Y) & Y > From & Y - To < 22.
 
-// One can be at the place across the road, at Y along it, before a driver would have to brake.
+// The pedestrian can reach the place across the road, To m along it, before a driver would have to brake.
 time_to_walk(Place, To) :-
   side(Side) & place(Place, Side, X) & x(M) & y(Y) & pace(V) & av_seen(_, Av, _) & comes_in(S) &
   (math.abs(X - M) + math.abs(To - Y)) / V + 2 < S + (To - Y) / Av.
 
-// One can walk along to there and be ready before the AV comes.
+// The pedestrian can walk along to Y and be ready before the AV comes.
 in_time(Y) :-
   y(M) & pace(V) & av_seen(F, Av, _) & Av > 0 & math.abs(Y - M) / V + 4 < (Y - F) / Av.
 
@@ -76,13 +76,13 @@ drives :- not stands & not slows.
 comes_in(S) :- gap(M) & av_seen(_, V, _) & V > 0.01 & S = M / V.
 over_lane_for(S) :- risks(Risks) & .member(risk(me, Since), Risks) & now(Now) & S = Now - Since.
 
-// The AV is here when one gets into its path, if it does not brake as the driver could.
+// The AV arrives when the pedestrian gets into its path, unless it brakes, as the driver could.
 about_to_pass :- comes_past & avoids(0).
 comes_past :-
   side(Side) & enters_path(Side, S) & tick_length(L) & not gone & comes_by(0, S + 2 * L).
 
-// Seconds until one is over the lane and in sight of the driver, over the AV's path, and out of that
-// again, if one steps out.
+// If the pedestrian steps out: seconds until it is over the lane and in sight of the driver, until it
+// is over the AV's path, and until it is out of that path again.
 enters_lane(Side, S) :-
   place(beside, Side, X) & emerges(Side, Y) & further(Side, X, Y, Z) & past(Side, Z, N) &
   tick_length(L) & S = (N - 1) * L.
@@ -101,11 +101,11 @@ leaves_path(left, S) :-
 leaves_path(right, S) :-
   path(From, _) & body(B) & ticks_to(From - B / 2, N) & tick_length(L) & S = (N - 1) * L.
 
-// The first moment and the last: to wait for, beside the lane.
+// Wait beside the lane for the last moment to step out, or for the first moment to be seen.
 +!wait_for_the_brink : on_the_brink.
 +!wait_for_the_brink <- !come_to_the_brink; !wait_for_the_brink.
 
-// The AV comes so far in a tick: a little towards it, and the last moment is that in which a tick begins.
+// A small step towards the AV makes the last moment to step out coincide with the beginning of a tick.
 +!come_to_the_brink : slack(M) & M > 0.02 & free(back) & y(Y) & not in_the_way(Y - M, _)
   <- !along(back, M).
 +!come_to_the_brink <- !wait.
@@ -116,10 +116,10 @@ slack(M) :-
 +!wait_for_the_av(Seconds) : comes_in(S) & S <= Seconds & avoids(0).
 +!wait_for_the_av(Seconds) <- !wait; !wait_for_the_av(Seconds).
 
-// Who steps out in so many seconds can be avoided, and is met if nobody brakes.
+// A pedestrian that steps out in S seconds is hit if the AV does not brake, and a driver could avoid it.
 can_be_avoided_in(S) :-
   side(Side) & enters_path(Side, From) & leaves_path(Side, To) & comes_by(S + From, S + To) &
   enters_lane(Side, In) & avoids(S + In).
 
-// The last moment at which that is so.
+// The last tick in which the driver could still avoid a pedestrian that steps out.
 on_the_brink :- can_be_avoided_in(0) & tick_length(L) & not can_be_avoided_in(L).

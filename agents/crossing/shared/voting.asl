@@ -1,7 +1,7 @@
-// An election by messages. In every tick until somebody is elected each pedestrian tells all others
-// its bid, or that it abstains. Messages arrive within the tick, so that the last bid that comes in
-// makes everybody decide, on the same bids. The lowest bid is elected, of equal ones that of the
-// lowest id. The bids are what the including program says by its rules. jaywalk: asks bid/1
+// An election by messages. In every tick until one is elected, each pedestrian tells all others its
+// bid, or that it abstains. Messages arrive within the tick, so that each decides when the last bid
+// comes in, and all decide on the same bids. The lowest bid wins; of equal bids, the lowest id. The
+// including program defines the bids by rules. jaywalk: asks bid/1
 
 { include("steps.asl") }
 

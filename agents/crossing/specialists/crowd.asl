@@ -1,6 +1,6 @@
 // Crowd: those of one side merge into a group beside one of them, the post, who holds the AV up with a
 // foot in its lane until all have come. Then they split: the post steps back and stays, the others
-// step out on the brink and cross. Whoever is alone does that at once.
+// step out at the last moment and cross. A pedestrian that is alone does that at once.
 
 { include("../shared/stepping.asl") }
 { include("../shared/company.asl") }

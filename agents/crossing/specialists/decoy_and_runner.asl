@@ -1,6 +1,6 @@
-// Decoy and runner: who is nearest to the AV at the beginning goes and stands short of the next one,
-// and draws the AV's braking by a foot in the lane, and back; then it tells the others, who step out
-// on the brink. Somebody who is alone is both.
+// Decoy and runner: the pedestrian nearest to the AV at the beginning stands short of the next one and
+// makes the AV brake by a foot in the lane, then steps back; then it tells the others, who step out at
+// the last moment. A pedestrian that is alone is both.
 
 { include("../shared/stepping.asl") }
 { include("../shared/company.asl") }

@@ -7,7 +7,7 @@
 
 +!exercise_av <- !set_out_across; !come_into_view; !get(beside); !wait_for_the_av(4.4); !begin.
 
-// Where a driver who slows would have no room left, it is out on the brink first.
+// Where a driver that slows would have no room left, it steps out at the last moment first.
 +!begin : spare(0, M) & M > 14 <- !dart; !feint.
 +!begin                        <- !feint.
 

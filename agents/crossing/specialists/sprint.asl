@@ -1,5 +1,5 @@
-// Sprint: steps out on the brink, but slowly, as somebody who will let the AV pass; runs when that is
-// the last moment to get into its path.
+// Sprint: steps out at the last moment, but slowly, like a pedestrian that will let the AV pass; runs
+// when it is the last moment to get into the AV's path.
 
 { include("../shared/stepping.asl") }
 

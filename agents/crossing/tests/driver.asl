@@ -1,5 +1,5 @@
-// The careful driver as somebody imagines it. From 9 m/s: 1.15 s until braking begins, 10.35 m; then
-// 0.6 s in which it grows, and 0.89 s more.
+// The careful driver of shared/driver.asl. From 9 m/s: 1.15 s until braking begins, 10.35 m; then
+// 0.6 s in which the deceleration grows, and 0.89 s more.
 
 { include("shared/road.asl") }
 { include("../shared/stepping.asl") }

@@ -1,5 +1,5 @@
 // When crossing now leads into the precondition zone. The AV is in cell 10 and drives one cell a
-// tick; the zone is rows 4 to 6, from 3 to 5 cells before it; the pavement is left of row 3.
+// tick; the zone is rows 4 to 6, from 3 to 5 cells before it; the pavement is row 2 and below.
 
 { include("../shared/steps.asl") }
 { include("../shared/prediction.asl") }

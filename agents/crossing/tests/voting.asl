@@ -1,5 +1,5 @@
-// Who is elected, and what each bidder does then. One of the four pedestrians never bids, so that nobody
-// decides before a test asks for it.
+// The elected pedestrian, and what each bidder does then. One of the four pedestrians never bids, so that no
+// decision is made before a test asks for it.
 
 { include("../shared/voting.asl") }
 

@@ -1,6 +1,6 @@
-// What a driver looks at before they change lanes, and ahead.
+// Checks of a driver before changing lanes, and of the lane ahead.
 
-// Metres that are left to others, before and behind.
+// Metres to keep to other vehicles, before and behind.
 margin(5).
 
 lane_to(left, M) :- lane(N) & M = N - 1.

@@ -15,7 +15,8 @@ class ActorsReader : CrossingPart {
   ActorsReader(const SectionContext& context, CrossingDraft& draft)
       : CrossingPart(context, draft) {}
 
-  // What an actor is stands in the world, what it runs beside it; in the same order.
+  // Puts the actors into the world's parameters and their programs into draft_.agents, in the same
+  // order.
   void read_actors(const ConfigNode& node, const std::string& path) {
     std::vector<WorldAgent>& programs = draft_.agents;
     programs.clear();

@@ -1,7 +1,7 @@
 #pragma once
 
-// A crossing world while a scenario's section is being read, and what the readers of its parts
-// share. Read ../parameters.h and env/world/world_section.h before.
+// A crossing world while a scenario's section is being read, and the base of the readers of its
+// parts. Read ../parameters.h and env/world/world_section.h first.
 
 #include <memory>
 #include <optional>
@@ -17,14 +17,14 @@ namespace jaywalk {
 
 struct CrossingDraft {
   CrossingParameters world;
-  /// In metres per second; takes the place of the speed in cells per tick.
+  /// The AV's speed in metres per second, if given; replaces the speed in cells per tick.
   std::optional<double> speed_mps;
-  /// The same of pedestrians, and of each actor.
+  /// The speeds of pedestrians and of each actor in metres per second, if given.
   std::optional<double> pedestrian_mps;
   std::vector<std::optional<double>> actor_mps;
-  /// Whose bodies are the world's actors, in the same order.
+  /// The agents of the world's actors, in the same order.
   std::vector<WorldAgent> agents;
-  /// The file with start cells, and what is in it.
+  /// The file with start cells, and its content.
   std::optional<std::string> start_cells_file;
   std::shared_ptr<const StartCells> start_cells;
 };

@@ -5,8 +5,8 @@
 namespace jaywalk {
 namespace {
 
-// Which values the sources of the case study give where they disagree. Each is what a scenario
-// would say, on top of `paper`, whose values are the defaults of CrossingParameters.
+// Values of the case study's sources where these disagree. Each text is what a scenario would say,
+// on top of `paper`, whose values are the defaults of CrossingParameters.
 constexpr std::array kCrossingPresets{
     Preset{"paper", "the case study as its authors' program has it: the defaults", "",
            PresetResults::published},

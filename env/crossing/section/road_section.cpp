@@ -1,4 +1,4 @@
-// What lies on the ground: bands or a map, crosswalks, obstacles.
+// Reads the ground: bands or a map, crosswalks, obstacles.
 
 #include <algorithm>
 

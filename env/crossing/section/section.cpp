@@ -1,5 +1,5 @@
-// The key `world` of a scenario in the crossing; what lies on the ground, who is on it and the AV
-// are read in files of their own (road_section.cpp, actors_section.cpp, av_section.cpp).
+// The key `world` of a scenario in the crossing. Separate files read the ground (road_section.cpp),
+// the actors (actors_section.cpp) and the AV (av_section.cpp).
 
 #include "env/crossing/section/section.h"
 
@@ -18,7 +18,7 @@
 namespace jaywalk {
 namespace {
 
-// What a scenario may ask for; generous, but safe to multiply.
+// Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr NumberRange kMoney{0, 1e9};
 constexpr NumberRange kMetres{0.01, 1000};
 constexpr NumberRange kSeconds{0.001, 3600};

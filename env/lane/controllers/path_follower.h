@@ -1,8 +1,8 @@
 #pragma once
 
-// What controllers have in common that steer along a path at a planned speed: where the car is
-// beside it, how fast it is to go, what its actuators do. How it steers is the controller's own.
-// Read speed_plan.h before.
+// Shared by controllers that steer along a path at a planned speed: the car's place beside the
+// path, its planned speed, the commands to its actuators. Each controller steers in its own way.
+// Read speed_plan.h first.
 
 #include "env/lane/controller.h"
 #include "env/lane/controllers/speed_plan.h"
@@ -28,14 +28,14 @@ class PathFollower {
   /// The objects that the setup refers to must outlive the follower.
   PathFollower(const ControllerSetup& setup, const Polyline& path);
 
-  /// The car, or the part of it that is to follow the path, is there now.
+  /// Sets the place of the car, or of the part of it that follows the path.
   void move_to(const Point& place);
 
   [[nodiscard]] const Path& path() const { return path_; }
   /// The path's point beside it, and its direction there.
   [[nodiscard]] std::size_t near() const { return near_; }
   [[nodiscard]] double heading() const { return path_.heading(near_); }
-  /// The distance to the path; positive to the left of it.
+  /// The distance to the path; positive on its left side.
   [[nodiscard]] double lateral_m() const;
 
   /// Steers as far as the vehicle can, and accelerates as planned.

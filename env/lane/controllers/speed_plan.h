@@ -1,7 +1,7 @@
 #pragma once
 
 // A speed for every point of a path: what its curvature allows, reached by braking in time. Shared
-// by controllers that follow a path. Read path.h before.
+// by controllers that follow a path. Read path.h first.
 
 #include <vector>
 

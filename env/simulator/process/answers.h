@@ -1,7 +1,7 @@
 #pragma once
 
-// What a simulator answers in the simulator protocol. Every function returns what is wrong with the
-// answer, in words for people; empty if nothing is.
+// Reads a simulator's answers in the simulator protocol. Every function returns a message about the
+// first error in the answer, or an empty text.
 
 #include <cstdint>
 #include <string>
@@ -17,7 +17,8 @@ namespace jaywalk {
 /// The version that is spoken.
 inline constexpr int kSimulatorProtocol = 1;
 
-/// Whom an answer may speak of: the actors of the test, by number, then the simulator's traffic.
+/// The actors that an answer may refer to: those of the test, by number, then the simulator's
+/// traffic.
 struct SimulatedCast {
   std::size_t actors = 0;
   /// The names of its traffic.

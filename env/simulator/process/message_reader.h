@@ -9,8 +9,8 @@
 
 namespace jaywalk {
 
-/// Keeps the first thing that is wrong, in words for people; what is wrong reads as 0, empty, null.
-/// `of` names the message or the part of it that has the field, for those words.
+/// Keeps the first error as a message for people; wrong fields read as 0, empty or null. `of` names
+/// the message, or the part of it that has the field, in the error.
 class MessageReader {
  public:
   using Json = nlohmann::json;

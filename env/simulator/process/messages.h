@@ -1,7 +1,7 @@
 #pragma once
 
-// What Jaywalk says in the simulator protocol, as JSON; the simulator's number of the question and
-// of the test are added when it is sent. Lengths are metres, angles rad, times seconds.
+// The messages of Jaywalk in the simulator protocol, as JSON; the numbers of the question and of
+// the test are added when one is sent. Lengths are metres, angles rad, times seconds.
 
 #include <nlohmann/json.hpp>
 

@@ -145,7 +145,7 @@ class ProcessSimulator final : public Simulator {
     return accepted(check_echo(answer, test_));
   }
 
-  /// What it reports about itself; then it is ended, too.
+  /// The simulator's own error message, after which its process is ended; empty if it reports none.
   std::string complaint(const json& answer) {
     const auto error = answer.find("error");
     if (error == answer.end()) return {};

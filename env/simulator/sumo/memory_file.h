@@ -1,6 +1,6 @@
 #pragma once
 
-// A file without a name, in memory: what SUMO reads and writes. It is gone with us, however we end.
+// A file without a name, in memory, which SUMO reads and writes. It disappears with our process.
 
 #include <string>
 #include <string_view>
@@ -16,11 +16,11 @@ class MemoryFile {
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// By which other processes of ours can open it.
+  /// A path by which our child processes can open it.
   [[nodiscard]] std::string path() const;
-  /// Takes the place of what it holds. Whether there was memory for it.
+  /// Replaces the content; false if there is not enough memory.
   [[nodiscard]] bool write(std::string_view text);
-  /// What it holds, no more than the last `most` bytes.
+  /// The content, at most the last `most` bytes.
   [[nodiscard]] std::string read(std::size_t most) const;
 
  private:

@@ -26,7 +26,7 @@ class RoadFrame {
   };
   [[nodiscard]] Pose to_map(Pose world) const;
   [[nodiscard]] Pose to_world(Pose map) const;
-  /// Of the line, from its begin to its end; 0 where the map is the world's plane.
+  /// The length of the line; 0 where the map is the world's plane.
   [[nodiscard]] double length_m() const { return ends_m_.empty() ? 0 : ends_m_.back(); }
 
  private:

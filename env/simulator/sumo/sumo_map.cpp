@@ -17,7 +17,7 @@ namespace {
 // no test ends because the AV has left it.
 constexpr double kBeforeM = 150;
 constexpr double kBeyondM = 600;
-// Lanes within a junction between two edges: more are no way of anybody.
+// The most lanes within a junction between two edges of a way.
 constexpr int kMostLanesOfAJunction = 20;
 constexpr std::size_t kMostListed = 40;
 
@@ -202,7 +202,7 @@ class LaneWalker {
     return count != nullptr && lane < static_cast<int>(count->number);
   }
 
-  /// Whether those of a class may be there: a list of who may, that is empty where all may.
+  /// Whether a class of vehicles may use a lane; SUMO lists no classes if all may.
   bool lets_in(std::string_view who, const std::string& lane, std::string& problem) {
     TraciMessage message;
     message.get(TraciCommand::lane_get, TraciVariable::allowed, lane);

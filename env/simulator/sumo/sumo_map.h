@@ -27,7 +27,7 @@ struct SumoWay {
   int lane = 0;
   /// Metres from the first edge's begin to y = 0; counted the other way for oncoming traffic.
   double zero_m = 0;
-  /// Of the way, if that is known, and the middle of its lane.
+  /// The length of the way, 0 if that is not known, and the x of the middle of its lane.
   double length_m = 0;
   double middle_x_m = 0;
   bool oncoming = false;
@@ -39,7 +39,8 @@ struct WayPlace {
   double along_m = 0;
 };
 
-/// Of a place so far along a way. Between two edges there is none: it is at the end of the first.
+/// The place `position_m` along a way. A position in the gap between two edges is taken as the end
+/// of the first one.
 [[nodiscard]] WayPlace place_on(const SumoWay& way, double position_m);
 
 class LaneWalker;
@@ -58,10 +59,10 @@ class SumoMap {
 
   [[nodiscard]] std::string path() const;
   [[nodiscard]] const SumoWay& av_way() const { return av_way_; }
-  /// Of a flow, by its number. REQUIRES: prepared.
+  /// The way of flow number `flow`. REQUIRES: prepared.
   [[nodiscard]] const SumoWay& flow_way(std::size_t flow) const { return flow_ways_[flow]; }
   [[nodiscard]] const RoadFrame& frame() const { return frame_; }
-  /// The lights that show what the world's signals do.
+  /// The lights that show the colours of the world's signals.
   [[nodiscard]] const std::vector<SumoLight>& lights() const { return lights_; }
   /// Where persons begin.
   [[nodiscard]] const std::string& walking_edge() const { return walking_edge_; }

@@ -13,7 +13,7 @@
 namespace jaywalk {
 namespace {
 
-// No vehicle is to be held up by a limit of the lane: each has a speed of its own.
+// Above any vehicle's own speed, so that the lane's limit never slows one down.
 constexpr double kNoLimitMps = 100;
 
 // Debian's package has no type maps, without which netconvert reads no maps of others. These are
@@ -127,7 +127,8 @@ class Planner {
     return group[from_left ? lane : group.size() - 1 - lane];
   }
 
-  /// Whoever stands at a light is between two edges, and there SUMO wants both to let them in.
+  /// The lanes' permissions. A pedestrian at a light is between two edges, and SUMO then requires
+  /// that both allow pedestrians.
   [[nodiscard]] std::string_view who_may(Group group) const {
     if (group.front().kind == AreaKind::pavement) return "allow=\"pedestrian\"";
     return parted_ ? "allow=\"all\"" : "disallow=\"pedestrian\"";

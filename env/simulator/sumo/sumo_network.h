@@ -38,7 +38,7 @@ struct SumoLight {
 /// How far the edges before and behind a light are apart: netconvert makes none that touch.
 inline constexpr double kLightM = 0.4;
 
-/// The inputs of netconvert, and what they are called.
+/// The inputs of netconvert, and the names in them.
 struct SumoNetworkPlan {
   std::string nodes;
   std::string edges;
@@ -53,7 +53,8 @@ struct SumoNetworkPlan {
   double to_m = 0;
 };
 
-/// Whether traffic keeps to the left: lanes that lead forward are left of the oncoming ones.
+/// Whether traffic keeps left, that is, the forward lanes lie to the left, the oncoming ones to the
+/// right.
 [[nodiscard]] bool keeps_left(std::span<const RoadBand> bands);
 
 /// REQUIRES: the road has bands.
@@ -63,10 +64,11 @@ struct SumoNetworkPlan {
 /// Has the network written to a file that exists. What went wrong, if it did.
 [[nodiscard]] std::string make_sumo_network(const SumoNetworkPlan& plan, const std::string& path);
 
-/// Whether a given map has to be made a network first: only `.net.xml` is one.
+/// Whether a given map is a network of SUMO already (`.net.xml`) and needs no conversion.
 [[nodiscard]] bool is_sumo_network(const std::string& map);
-/// The same from a map of another kind: OpenStreetMap's (`.osm`, `.osm.xml`), OpenDRIVE's
-/// (`.xodr`), or an `.xml` file with the nodes and edges of SUMO's plain format.
+/// Makes a network from a map of another kind: OpenStreetMap's (`.osm`, `.osm.xml`), OpenDRIVE's
+/// (`.xodr`), or an `.xml` file with the nodes and edges of SUMO's plain format. Returns why that
+/// failed; empty if it did not.
 [[nodiscard]] std::string convert_to_sumo_network(const std::string& map, bool left_hand,
                                                   const std::string& path);
 

@@ -20,7 +20,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// One that reads a city for longer than that, or hangs in a step, is taken for dead.
+// A SUMO that takes longer to read its map, or for a step, is taken for dead.
 constexpr milliseconds kStartLimit{60'000};
 constexpr milliseconds kAnswerLimit{30'000};
 constexpr int kTries = 8;
@@ -41,7 +41,7 @@ class Nothing {
   int number_;
 };
 
-/// What SUMO wrote about an error, without the lines that it writes every time.
+/// SUMO's output about an error, without the lines that it always writes.
 std::string last_words(const std::string& text) {
   std::string last;
   std::size_t begin = 0;
@@ -57,7 +57,7 @@ std::string last_words(const std::string& text) {
   return last.substr(0, kMostWords);
 }
 
-/// Where the data lies of the SUMO that PATH finds: its types of lanes and schemas. Empty: nowhere.
+/// The data folder (types of lanes, schemas) of the SUMO that PATH finds; empty if there is none.
 std::string data_folder() {
   namespace fs = std::filesystem;
   const char* const path = std::getenv("PATH");
@@ -194,7 +194,7 @@ std::vector<TraciAnswer> SumoProcess::ask(std::span<const TraciMessage> messages
 std::string SumoProcess::with_last_words(std::string what) {
   const bool refused = client_.is_connected();
   client_.disconnect();
-  // One that closed the connection is ending; its status says how in a moment.
+  // A SUMO that closed the connection is ending; its exit status follows in a moment.
   const int status = child_.guard >= 0 ? end_guarded(child_, milliseconds(refused ? 0 : 500)) : -1;
   if (refused) return what;
   if (status >= 0 && WIFSIGNALED(status))

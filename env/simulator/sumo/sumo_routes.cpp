@@ -13,15 +13,15 @@
 namespace jaywalk {
 namespace {
 
-// Of the seeds derived from a test's; those of the test count from 0.
+// Number of the traffic's seed among those derived from a test's seed; the test's own count from 0.
 constexpr std::uint64_t kTrafficSeed = 0x73756d6f;
 // Vehicles come for that long after the begin of a test.
 constexpr double kComingS = 60;
-// Nobody begins so near before or behind the AV in its lane.
+// No vehicle begins closer than this before or behind the AV in its lane.
 constexpr double kFreeBehindM = 10;
 constexpr double kFreeAheadM = 15;
 constexpr std::size_t kMostVehicles = 500;
-// It is put there whoever is near: the world says where everybody begins.
+// SUMO inserts the vehicle without checking its surroundings: the world decides where bodies begin.
 constexpr std::string_view kUnchecked = " insertionChecks=\"none\"";
 
 /// Where the world's y of a way's place is.

@@ -13,7 +13,7 @@ namespace jaywalk {
 
 /// A vehicle of the simulator's own traffic.
 struct SumoTraffic {
-  /// What SUMO and scenes call it.
+  /// Its name in SUMO and in scenes.
   std::string name;
   std::size_t flow = 0;
   double depart_s = 0;
@@ -21,14 +21,14 @@ struct SumoTraffic {
   double position_m = 0;
 };
 
-/// What SUMO calls the AV, and whom the world moves, by its index among the test's actors.
+/// SUMO's names of the AV, and of the actors that the world moves, by their index in the test.
 inline constexpr std::string_view kSumoAv = "av";
 [[nodiscard]] std::string sumo_body(std::size_t actor);
 /// Whether SUMO has the actor, too, as a person or vehicle that its own vehicles brake for.
 [[nodiscard]] bool is_body(const Actor& actor, const SumoSettings& settings);
 
-/// Those who are on the road when the test begins, and those who come in the minute after it, in
-/// the order of their numbers. Drawn from the test's seed.
+/// The vehicles that are on the road when the test begins, and those that come in the minute after
+/// it, in the order of their numbers. Drawn from the test's seed.
 [[nodiscard]] std::vector<SumoTraffic> draw_traffic(const SimulatedTest& test,
                                                     const SumoSettings& settings,
                                                     const SumoMap& map);

@@ -111,7 +111,7 @@ bool is_model(const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// What is wrong with one value of a flow, which gets it otherwise; empty if nothing is.
+/// Stores one value in a flow. Returns an error about the value, and empty text if it is valid.
 std::string read_flow_key(const std::string& key, const std::string& value, SumoFlow& flow) {
   if (key == "route") {
     flow.route = words_of(value);

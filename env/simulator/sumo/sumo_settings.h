@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scenario says of SUMO under `world.simulator`; the keys' table is in the .cpp file.
+// The scenario's settings for SUMO under `world.simulator`; the table of keys is in the .cpp file.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,8 @@ struct SumoModel {
   /// `constant` is none of SUMO's: a vehicle that keeps its speed whatever comes.
   std::string name = "Krauss";
   double accel_mps2 = 2;
-  /// Of usual braking, and of the hardest; not given: 4.5 and 9, less if the AV's are.
+  /// The decelerations of usual and of hardest braking; not given: 4.5 and 9, or less if the AV's
+  /// are less.
   std::optional<double> decel_mps2;
   std::optional<double> emergency_decel_mps2;
   double min_gap_m = 2.5;
@@ -54,7 +55,7 @@ struct SumoSettings {
 /// tick is not a whole number of milliseconds.
 [[nodiscard]] int sumo_steps(double tick_s, double step_s);
 
-/// Of parameters without problems.
+/// The settings in the parameters. REQUIRES: parameters without problems.
 [[nodiscard]] SumoSettings sumo_settings(const SimulatorParameters& parameters);
 
 }  // namespace jaywalk

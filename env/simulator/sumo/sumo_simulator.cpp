@@ -31,9 +31,9 @@ constexpr std::int8_t kAnywhere = 6;
 constexpr int kNoLane = -1;
 // Vehicles further away than this are out of the simulation.
 constexpr double kFarM = 1e5;
-// Where whoever is hidden from the AV is put for SUMO, beside the road.
+// Where bodies that are hidden from the AV are put in SUMO, beside the road.
 constexpr double kOutOfSightM = 1e5;
-// How SUMO writes the colours of a light; the green one gives way to nobody.
+// How SUMO writes the colours of a light; `G` is green with priority.
 constexpr char kGreenLamp = 'G';
 constexpr char kAmberLamp = 'y';
 constexpr char kRedLamp = 'r';
@@ -138,7 +138,7 @@ std::vector<SettingProblem> SumoSimulator::make_ready(const SimulatedTest& test)
   if (!problem.empty()) return {{net, std::move(problem)}};
   if (changed) sumo_.end();
   if (sumo_.is_running()) return {};
-  // By our process and this object: nobody else has it.
+  // The path names our process and this object, so that the token is unique.
   token_ = routes_.path();
   if (!routes_.write(fmt::format("<routes><vType id=\"{}\"/></routes>\n", token_))) {
     return {{net, "there is no memory for SUMO's routes"}};
@@ -235,7 +235,7 @@ void SumoSimulator::move(const SimulatedBody& body, double share, TraciMessage& 
                               traci_byte(kAnywhere)}));
 }
 
-/// Each light shows the most severe of its crosswalks' colours; green while nobody says another.
+/// Each light shows the most severe of its crosswalks' colours; green if `signals` has none.
 void SumoSimulator::show(std::span<const ShownSignal> signals, TraciMessage& message) const {
   for (const SumoLight& light : map_.lights()) {
     char lamp = kGreenLamp;
@@ -261,7 +261,8 @@ TraciMessage SumoSimulator::step_message(const SimulatedTick& tick, int step) co
 std::string SumoSimulator::advance(const SimulatedTick& tick, std::vector<SimulatedScene>& scenes) {
   scenes.clear();
   if (!sumo_.is_running()) return "SUMO is not running";
-  // Where everybody goes is known beforehand, but for who is hidden from where the AV will be.
+  // All positions of the tick are known beforehand, so that all steps are sent at once. With
+  // obstacles, whether a body is hidden depends on where the AV is at each step.
   const int at_once = obstacles_.empty() ? steps_ : 1;
   for (int step = 0; step < steps_;) {
     std::vector<TraciMessage> messages;
@@ -294,7 +295,7 @@ SimulatedVehicle SumoSimulator::vehicle_of(const TraciObject& object, double len
                    .speed_mps = to_micrometres(std::max(speed->number, 0.0)),
                    .heading_rad = pose.heading_rad};
   if (acceleration != nullptr) vehicle.acceleration_mps2 = to_micrometres(acceleration->number);
-  // Those that have not come or are gone have places that are no numbers to speak of.
+  // Vehicles that have not come yet, or have left, have meaningless places.
   vehicle.present = std::fabs(pose.x_m) < kFarM * 10 && std::fabs(pose.y_m) < kFarM * 10;
   return vehicle;
 }

@@ -10,7 +10,7 @@
 namespace jaywalk {
 namespace {
 
-// What a subscription's times are when it is to last.
+// The end of a subscription that lasts until the simulation ends.
 constexpr double kForever = 1'073'741'824;
 // Values within values: no answer has more, and a stack has an end.
 constexpr int kDeepest = 8;
@@ -116,7 +116,8 @@ class Bytes {
   double real() { return std::bit_cast<double>(unsigned_number<std::uint64_t>()); }
   std::string text() { return std::string(take(unsigned_number<std::uint32_t>())); }
 
-  /// How many items of at least so many bytes follow; none if there cannot be so many.
+  /// The number of items that follow; fails if the remaining bytes cannot hold that many items of
+  /// at least `bytes_each` bytes.
   std::size_t count(std::size_t bytes_each) {
     const std::size_t count = unsigned_number<std::uint32_t>();
     if (count > rest_.size() / bytes_each) fail();
@@ -245,7 +246,7 @@ std::string read_subscription(Bytes command, TraciAnswer& answer) {
   return command.failed() ? "malformed" : "";
 }
 
-/// What comes after a status.
+/// Reads the result that comes after a command's status. Returns an error or an empty text.
 std::string read_result(TraciCommand asked, Bytes& bytes, TraciAnswer& answer) {
   if (asked == TraciCommand::version) {
     Bytes command = bytes.command();

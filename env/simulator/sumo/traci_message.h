@@ -33,7 +33,7 @@ enum class TraciCommand : std::uint8_t {
   vehicle_context = 0x84,
 };
 
-/// Identifiers of what is read and changed, each of meaning for some commands only.
+/// Identifiers of the variables to read or change; each is valid for some commands only.
 enum class TraciVariable : std::uint8_t {
   ids = 0x00,
   lamps = 0x20,
@@ -78,7 +78,7 @@ struct TraciValue {
   double number = 0;
   std::string text;
   std::vector<std::string> texts;
-  /// Of a position the only one.
+  /// The points of a polygon; a position has one.
   std::vector<TraciPoint> points;
   std::vector<TraciValue> items;
 };
@@ -96,7 +96,7 @@ class TraciMessage {
   /// Begins a new simulation with these options of SUMO's command line.
   void load(std::span<const std::string> options);
   /// One step of the length that SUMO was started with. SUMO carries it out after all other
-  /// commands of the message, so it is to be the last one.
+  /// commands of the message, so add it last.
   void step();
   void close();
   void get(TraciCommand command, TraciVariable variable, std::string_view object);
@@ -105,11 +105,11 @@ class TraciMessage {
   /// The variables of an object are part of each step's answer from then on.
   void subscribe(TraciCommand command, std::string_view object,
                  std::span<const TraciVariable> variables);
-  /// So are those of all vehicles within a distance of a vehicle.
+  /// Adds the variables of all vehicles within a distance of a vehicle to each step's answer.
   void subscribe_around(std::string_view vehicle, double range_m,
                         std::span<const TraciVariable> variables);
 
-  /// What was asked for, in order.
+  /// The message's commands, in order.
   [[nodiscard]] const std::vector<TraciCommand>& commands() const { return commands_; }
   /// The message with its length.
   [[nodiscard]] std::string bytes() const;
@@ -134,14 +134,14 @@ struct TraciObject {
   [[nodiscard]] const TraciValue* find(TraciVariable variable, TraciType type) const;
 };
 
-/// What SUMO has answered to a message.
+/// SUMO's answer to a message.
 struct TraciAnswer {
-  /// Why it is none: SUMO's own words about a command that it refused, or what is wrong with its
-  /// bytes. Empty if all commands were carried out.
+  /// SUMO's own words about a command that it refused, or an error in the answer's bytes. Empty if
+  /// all commands were carried out.
   std::string error;
   /// In the order of the answer. Those around a vehicle are objects of their own.
   std::vector<TraciObject> objects;
-  /// Of the command `version`.
+  /// The answer to the command `version`.
   std::string version;
   std::int32_t api = 0;
 };

@@ -1,4 +1,4 @@
-// Defects of actuation: what is decided is done late, less or not at once.
+// Defects of actuation: decisions are carried out late, weaker or gradually.
 
 #include <algorithm>
 #include <deque>

@@ -1,4 +1,4 @@
-// Defects of decision: what is seen is answered wrongly.
+// Defects of decision: wrong accelerations for a correct view.
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-// The base of all defects: a controller around another one that changes what the inner one sees
+// The base of all defects: a controller around another one that changes the view of the inner one
 // or how its answers are carried out.
 
 #include <cmath>
@@ -42,7 +42,7 @@ class Defective : public VehicleController {
   [[nodiscard]] std::string failure() const override { return inner_->failure(); }
 
  protected:
-  /// Turns what there is to see into what the inner controller sees.
+  /// Changes the view of the inner controller.
   virtual void look(const VehicleView& /*view*/, Sensed& /*sensed*/) {}
   /// Turns the acceleration that the inner controller wants into that of the vehicle.
   virtual double act(const VehicleView& /*view*/, double wanted_mps2) { return wanted_mps2; }
@@ -53,7 +53,7 @@ class Defective : public VehicleController {
   std::unique_ptr<VehicleController> inner_;
 };
 
-/// Does not see whom the predicate, of view, actor and severity, is true of.
+/// Does not see actors for which the predicate of view, actor and severity is true.
 template <class Predicate>
 class Unseeing final : public Defective {
  public:
@@ -76,7 +76,7 @@ std::unique_ptr<VehicleController> unseeing(std::unique_ptr<VehicleController> i
   return std::make_unique<Unseeing<Predicate>>(std::move(inner), severity, std::move(is_missed));
 }
 
-/// Times are sums of periods: what is as long but for rounding is as long.
+/// Times are sums of periods; those that differ by less are equal but for rounding.
 inline constexpr double kTimeRoundingS = 1e-9;
 /// Slower actors count as standing.
 inline constexpr double kStandingMps = 0.1;

@@ -13,7 +13,8 @@ namespace {
 
 using Inner = std::unique_ptr<VehicleController>;
 
-/// Turns and changes of speed are noticed so much later; who walks steadily is where they are.
+/// Notices turns and changes of speed later, by the severity in seconds. Places of actors that move
+/// steadily are right.
 class ConstantVelocity final : public Defective {
  public:
   using Defective::Defective;
@@ -32,7 +33,8 @@ class ConstantVelocity final : public Defective {
       const auto old = std::ranges::find(then.actors, actor.id, &SeenActor::id);
       if (old == then.actors.end()) continue;
       actor = *old;
-      // Carried on at the speed that it had then; the AV has come nearer by what it drove.
+      // Extrapolated at the speed that it had then; the AV has come nearer by the way that it
+      // drove.
       actor.gap_m += actor.speed_ahead_mps * passed_s - driven;
       actor.left_m += actor.speed_right_mps * passed_s;
       actor.right_m += actor.speed_right_mps * passed_s;

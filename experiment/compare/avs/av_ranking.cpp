@@ -62,7 +62,7 @@ std::vector<RankedAv> ranked(const AvRanking& ranking) {
   }
   std::ranges::stable_sort(avs, {}, [&](const RankedAv& av) {
     const double blamed = share_pct(ranking.judged ? av.all.avoidable : 0, av.all);
-    // AVs without tests come last; then by what they are to blame for, then by all collisions.
+    // AVs without tests come last; then by avoidable collisions, then by all collisions.
     return std::tuple(av.all.tests == 0, blamed, share_pct(av.all.collisions, av.all),
                       av.all.mean_impact_mps().value_or(0));
   });

@@ -1,8 +1,8 @@
 #pragma once
 
-// Models of an automated vehicle (AV) held against each other: every test is run with each of them,
-// and they rank by how often they hit somebody whom a careful driver would not have hit. Read
-// experiment.h and kills/kills.h before.
+// Compares models of an automated vehicle (AV): every test is run with each of them, and they rank
+// by how often they hit a road user that a careful driver would not have hit. Read experiment.h and
+// kills/kills.h first.
 
 #include <cstdint>
 #include <mutex>
@@ -16,9 +16,9 @@
 
 namespace jaywalk {
 
-/// What the assertions say of a test that had a collision.
+/// Whether a collision was avoidable according to the assertions.
 enum class Blame : std::uint8_t {
-  unknown,      ///< nobody has judged it, or it broke no assertion
+  unknown,      ///< the test was not judged, or it broke no assertion
   avoidable,    ///< some assertion failed
   unavoidable,  ///< none failed, and one could not have been kept
 };
@@ -27,10 +27,10 @@ enum class Blame : std::uint8_t {
 
 /// The tests of a behaviour with one number of agents and one model; or sums of such.
 struct AvCell {
-  /// 0 as long as not all of them are finished. Those that ended errored are left out.
+  /// The number of tests without the errored ones; 0 until all of the cell's tests are finished.
   std::uint64_t tests = 0;
   std::uint64_t errored = 0;
-  /// Those that met the precondition, and those with a collision.
+  /// Tests that met the precondition, and tests with a collision.
   std::uint64_t successes = 0;
   std::uint64_t collisions = 0;
   std::uint64_t avoidable = 0;
@@ -39,7 +39,7 @@ struct AvCell {
   /// the sum does not depend on the order of the tests.
   std::int64_t impact_um_s = 0;
 
-  /// Of the collisions, in m/s; nothing if there are none.
+  /// The mean impact speed of the collisions in m/s; nothing if there are none.
   [[nodiscard]] std::optional<double> mean_impact_mps() const;
   AvCell& operator+=(const AvCell& other);
 };
@@ -73,8 +73,8 @@ struct RankedAv {
 /// then of collisions, then by mean impact; equals in the ranking's order.
 [[nodiscard]] std::vector<RankedAv> ranked(const AvRanking& ranking);
 
-/// Collects from several threads; what it holds depends on the tests alone. It is empty for plans
-/// that compare no models.
+/// Collects results from several threads; the ranking depends on the tests alone. It is empty for
+/// plans that compare no models.
 class AvTable {
  public:
   /// `expected`: how many tests of each cell there will be (those of a shard, say).

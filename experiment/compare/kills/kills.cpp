@@ -7,13 +7,13 @@
 namespace jaywalk {
 namespace {
 
-/// The chance that none of so many tests, drawn from all of the cell's, kills; for one test after
-/// another.
+/// The chance that none of n tests, drawn at random from the cell's without putting back, kills;
+/// for n = 1, 2, …
 class NoKill {
  public:
   explicit NoKill(const KillCell& cell) : tests_(cell.tests), kills_(cell.kills) {}
 
-  /// Draws another test. REQUIRES: there is one.
+  /// Draws another test and returns the chance with it. REQUIRES: there is one.
   double next() {
     const std::uint64_t left = tests_ - drawn_;
     const std::uint64_t harmless = left > kills_ ? left - kills_ : 0;
@@ -84,7 +84,7 @@ std::optional<std::uint64_t> first_kill_median(const KillCell& cell) {
   if (cell.kills == 0) return std::nullopt;
   NoKill none(cell);
   for (std::uint64_t tests = 1; tests <= cell.tests; ++tests) {
-    // The chance that none of so many tests, drawn at random without putting back, kills.
+    // The median: the first number of tests whose chance of a kill is at least a half.
     if (none.next() <= 0.5) return tests;
   }
   return cell.tests;

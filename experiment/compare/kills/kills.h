@@ -2,7 +2,7 @@
 
 // The kill matrix: which behaviours expose which defects of an automated vehicle (AV). A test kills
 // a defect if with the same seed and agents the healthy AV breaks no assertion and the defective
-// one breaks one that it could have kept. Read experiment.h and test_assessment.h before.
+// one breaks one that it could have kept. Read experiment.h and test_assessment.h first.
 
 #include <cstdint>
 #include <mutex>
@@ -17,22 +17,22 @@
 
 namespace jaywalk {
 
-/// Some assertion failed. What could not have been avoided (`unavoidable`) blames nobody.
+/// Whether some assertion failed. Verdicts `unavoidable` do not count.
 [[nodiscard]] bool blames_the_av(std::span<const Judgement> judgements);
 [[nodiscard]] bool blames_the_av(const TestAssessment& assessment);
 [[nodiscard]] bool blames_the_av(std::span<const AssessmentRow> assessments);
 
 /// The tests of a behaviour with one number of agents and one defect.
 struct KillCell {
-  /// 0 as long as not all of them are finished. Those that ended errored, with the healthy AV or
-  /// the defective one, are left out: nothing is known of them.
+  /// 0 until all of the cell's tests are finished. Tests that ended errored, with the healthy AV or
+  /// the defective one, are left out.
   std::uint64_t tests = 0;
   std::uint64_t errored = 0;
   std::uint64_t kills = 0;
   /// How many tests were run up to the first that kills, that one included.
   std::optional<std::uint64_t> first;
-  /// Of tests whose order matters (a search learns from them): the median of `first` over its
-  /// repetitions, nothing if that is never.
+  /// For tests whose order matters (a search learns from them): the median of `first` over its
+  /// repetitions; nothing if the median repetition never kills.
   struct Measured {
     std::optional<std::uint64_t> first_median;
   };
@@ -46,7 +46,7 @@ struct KillRow {
   std::uint64_t healthy_failures = 0;
   /// In the order of the defects.
   std::vector<KillCell> cells;
-  /// Nothing but its kills is known, as it was read from a file (kills_file.h).
+  /// Whether it was read from a file (kills_file.h) and only its kills are known.
   bool kills_alone = false;
 
   /// With all defects together.
@@ -79,19 +79,19 @@ struct KillMatrix {
 /// Nothing if that is the median.
 [[nodiscard]] std::optional<std::uint64_t> first_kill_median(const KillRow& row);
 
-/// The share of defects, from 0 to 1, that so many of the row's tests are expected to kill: the
-/// mean over all choices of tests; a defect with fewer tests counts with those that it has.
+/// The share of defects, from 0 to 1, that `tests` of the row's tests are expected to kill: the
+/// mean over all choices of tests. A defect with fewer tests counts with all of its tests.
 [[nodiscard]] double mutation_score(const KillRow& row, std::uint64_t tests);
 
 /// The defects that no row kills, as indices.
 [[nodiscard]] std::vector<std::size_t> survivors(const KillMatrix& matrix);
-/// The row with the greatest share of kills, the first of equals; nothing if nobody kills it.
+/// The row with the greatest share of kills, the first of equals; nothing if no row kills it.
 [[nodiscard]] std::optional<std::size_t> best_killer(const KillMatrix& matrix, std::size_t defect);
-/// The fewest rows that together kill all that anybody kills, as indices, ascending; of several
-/// such teams the one with most kills, then the first.
+/// The fewest rows that together kill every defect that some row kills, as ascending indices; of
+/// several such teams the one with most kills, then the first.
 [[nodiscard]] std::vector<std::size_t> smallest_team(const KillMatrix& matrix);
 
-/// Collects from several threads; what it holds depends on the tests alone.
+/// Collects results from several threads; the matrix depends on the tests alone.
 class KillTable {
  public:
   /// `expected`: how many tests of each cell there will be (those of a shard, say).
@@ -99,7 +99,7 @@ class KillTable {
 
   /// REQUIRES: a test of the plan, numbered from 0; each once.
   void add(const TestKey& test, bool blamed);
-  /// The same for a test that ended errored.
+  /// Adds a test that ended errored. REQUIRES: a test of the plan; each once.
   void add_errored(const TestKey& test);
   /// REQUIRES: no thread adds at the same time.
   [[nodiscard]] KillMatrix matrix() const;

@@ -1,7 +1,7 @@
 #pragma once
 
 // Kills that were counted elsewhere (a search, another comparison) beside those of a matrix: reads
-// the CSV that `--kills` writes (compare/kills/kills_csv.h). Read kills.h before.
+// the CSV that `--kills` writes (compare/kills/kills_csv.h). Read kills.h first.
 
 #include <cstdint>
 #include <optional>
@@ -33,8 +33,8 @@ struct KillLine {
 /// REQUIRES: no mistakes_of().
 void add_kills(const std::vector<KillLine>& lines, KillMatrix& matrix);
 
-/// What keeps the lines of a file from standing beside the plan's rows and those of `earlier`
-/// files: a row that is there already, or no defect that is.
+/// Errors that prevent showing the lines of a file beside the plan's rows and those of `earlier`
+/// files: a row that is there already, or no common defect.
 [[nodiscard]] Diagnostics mistakes_of(const std::vector<KillLine>& lines,
                                       const ExperimentPlan& plan,
                                       const std::vector<KillLine>& earlier);

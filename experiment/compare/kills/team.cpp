@@ -47,7 +47,7 @@ class TeamSearch {
     return rows;
   }
 
-  /// A team that is perhaps not the smallest: always the row that kills most of what is left.
+  /// A team that may not be the smallest: always adds the row that kills most remaining defects.
   [[nodiscard]] std::vector<std::size_t> greedy() const {
     std::vector<std::size_t> team;
     std::vector<std::size_t> open = open_;

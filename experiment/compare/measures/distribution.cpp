@@ -91,7 +91,7 @@ class ValueColumns::File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  /// Where they are; false if they cannot be written.
+  /// Writes the values to the file and sets their place in it; false if that fails.
   bool append(std::span<const double> values, Run& run) {
     run = {.first = size_, .count = values.size()};
     const auto bytes = std::as_bytes(values);

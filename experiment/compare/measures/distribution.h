@@ -1,7 +1,6 @@
 #pragma once
 
-// How values are spread, as a box plot shows it: of as many values as there may be, in little
-// memory.
+// The distribution of values, as a box plot shows it, in bounded memory for any number of values.
 
 #include <cstdint>
 #include <memory>
@@ -38,7 +37,7 @@ class ValueColumns {
 
   /// REQUIRES: a column, from 0.
   void add(std::size_t column, double value);
-  /// The same as of all values of the column together, whatever their order. Throws
+  /// The distribution of all values of a column; their order does not matter. Throws
   /// std::system_error if the file cannot be read.
   [[nodiscard]] Distribution distribution(std::size_t column) const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is measured of a behaviour: the rows of measures.def.
+// The measures of a behaviour: the rows of measures.def.
 
 #include <optional>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace jaywalk {
 
-/// A value with its 95 % interval; what does not exist (no successful test, say) is empty.
+/// A value with its 95 % interval; empty if it does not exist (no successful test, say).
 struct Estimate {
   std::optional<double> value;
   std::optional<double> low;

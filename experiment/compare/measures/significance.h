@@ -60,8 +60,8 @@ struct MeanComparison {
 [[nodiscard]] std::optional<MeanComparison> compare_means(const Sample& first,
                                                           const Sample& second);
 
-/// p-values corrected for their number, so that the chance of a single false alarm among all of
-/// them stays what it says: the step-down method of Holm (1979). In the order given.
+/// p-values corrected for multiple tests by the step-down method of Holm (1979), in the order
+/// given. A corrected value bounds the chance of a single false alarm among all of them.
 [[nodiscard]] std::vector<double> holm(std::span<const double> p_values);
 
 }  // namespace jaywalk

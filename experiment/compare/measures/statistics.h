@@ -15,7 +15,7 @@ struct ConfidenceInterval {
   double high = 0;
 };
 
-/// What remains of a sample once its values are gone.
+/// The count, mean and spread of a sample, without its values.
 struct Sample {
   std::uint64_t count = 0;
   double mean = 0;
@@ -26,8 +26,8 @@ struct Sample {
 /// Two passes in the order of the values, so that equal values in equal order give equal bits.
 [[nodiscard]] Sample summarise(std::span<const double> values);
 
-/// The same of values that are not kept: all of them are added, then, after end_pass(), all of them
-/// again in the same order, which gives the same bits.
+/// summarise() for values that are not kept: add all of them, call end_pass(), and add all of them
+/// again in the same order. Gives the same bits as summarise().
 class SampleMaker {
  public:
   void add(double value);

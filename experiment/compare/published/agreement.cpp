@@ -10,22 +10,22 @@ namespace jaywalk {
 namespace {
 
 constexpr double kPublishedTests = 1000;
-/// 99.9 % of a normal distribution lie within so many standard deviations.
+/// The number of standard deviations that contain 99.9 % of a normal distribution.
 constexpr double kWithin999 = 3.2905;
 /// Scores and ticks were published with two decimals; accuracies are exact.
 constexpr double kHalfAHundredth = 0.005;
-/// What calculating rounds away.
+/// An upper limit of rounding errors.
 constexpr double kTiny = 1e-9;
 
-/// Of a difference of two means, ours and one of so many published tests.
+/// The standard error of the difference of two means, ours and that of `published_tests` tests.
 double standard_error(const Sample& ours, double published_tests) {
   if (ours.count < 2 || published_tests == 0) return 0;
   const auto count = static_cast<double>(ours.count);
   return std::sqrt(ours.squares / (count - 1) * (1 / count + 1 / published_tests));
 }
 
-/// Of a difference of two shares in percent. If both come from one program, the share of all tests
-/// is the best guess at its probability.
+/// The standard error of the difference of two shares in percent. If both come from one program,
+/// the share of all tests is the best estimate of its probability.
 double standard_error(const Summary& ours, double published_pct) {
   const auto tests = static_cast<double>(ours.judged());
   const double both =

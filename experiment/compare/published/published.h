@@ -26,7 +26,8 @@ struct PublishedRows {
   bool world = false;
   /// Behaviours whose world, program and parameters are those that were published.
   std::vector<std::string> behaviours;
-  /// Why those of others are left out, in one line; empty if the paper has none of the others.
+  /// Why figures of other behaviours are left out, in one line; empty if the paper has none of
+  /// these.
   std::string left_out;
   PublishedQuirks quirks = PublishedQuirks::left_out;
 };
@@ -36,8 +37,7 @@ struct PublishedRows {
 /// agents/crossing.
 [[nodiscard]] PublishedRows published_rows(const PreparedScenario& prepared);
 
-/// What the paper gives for a measure; nothing if it has no figure for it, or none that may be
-/// shown.
+/// The paper's figure for a measure; nothing if it has none, or none that may be shown.
 [[nodiscard]] std::optional<Estimate> published_figure(const PublishedRows& rows,
                                                        const Measure& measure,
                                                        std::string_view behaviour,
@@ -49,8 +49,8 @@ struct PublishedRows {
 /// Whether the paper has figures for behaviours of that name.
 [[nodiscard]] bool has_published_figures(std::string_view behaviour);
 
-/// What readers of published figures have to know, as lines without line breaks: where they come
-/// from and why ours differ, or why they are left out. Empty if neither is to be said.
+/// Notes for readers of published figures, as lines without line breaks: where the figures come
+/// from and why ours differ, or why they are left out. Empty if the paper has no such figures.
 [[nodiscard]] std::vector<std::string> published_notes(const PublishedRows& rows);
 
 }  // namespace jaywalk

@@ -57,7 +57,7 @@ bool is_shipped(const std::string& path, const SourcePtr& source) {
   return ("\n" + std::string(kPublishedPrograms)).find("\n" + line) != std::string::npos;
 }
 
-/// The program of that name and what it includes are those of agents/crossing.
+/// Whether the program of that name and its includes are those of agents/crossing.
 bool has_published_program(const PreparedBehaviour& behaviour) {
   if (!behaviour.team.empty() || behaviour.sources.empty()) return false;
   if (!is_shipped(behaviour.name + ".asl", behaviour.sources.front())) return false;
@@ -117,7 +117,8 @@ std::string why_not(const PreparedBehaviour& behaviour, const BehaviourSpec& pub
   return behaviour.name + " has other parameters";
 }
 
-/// What makes all of a scenario another experiment, its world apart.
+/// Why the whole scenario is another experiment than the published one, even if its world is the
+/// published one; empty if it is not.
 std::string why_none(const Scenario& scenario) {
   if (scenario.experiment.feedback > 0) return "pedestrians know what earlier tests covered";
   if (scenario.world->has_given_starts()) return "start cells are given";

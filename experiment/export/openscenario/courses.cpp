@@ -10,8 +10,8 @@
 namespace jaywalk {
 namespace {
 
-/// Of a tick: how finely collisions are looked for, and how much later than it should a player may
-/// set a course in motion (a step of simulation, or two).
+/// Shares of a tick: the step in which collisions are looked for, and a step of a player's
+/// simulation; it may start a course one or two of them late.
 constexpr double kLook = 1.0 / 200;
 constexpr double kLate = 1.0 / 20;
 /// Steps are not made faster than this share of a tick.
@@ -77,7 +77,7 @@ class CourseFinder {
       const bool walks = recording_.actors()[i].kind == ActorKind::pedestrian;
       const std::size_t from = walks ? stepping_out(i) : 0;
       Course course = keeping_outcome(i, from, walks);
-      // Where nobody could wait all that time it walks all its way.
+      // If waiting until it steps out changes the outcome, it walks all its way instead.
       if (!course.keeps_outcome && from > 0) course = keeping_outcome(i, 0, walks);
       course.points = simplified(course.points);
       result.courses.push_back(std::move(course));
@@ -152,7 +152,7 @@ class CourseFinder {
     return static_cast<std::size_t>(std::clamp(tick, 0.0, static_cast<double>(end_ - 1)));
   }
 
-  /// The same, however late a player is.
+  /// Like the other wrong_step(), for a player that starts the course up to two steps late.
   [[nodiscard]] std::optional<std::size_t> wrong_step(std::size_t actor, const Course& course,
                                                       const Timing& timing,
                                                       std::size_t from) const {
@@ -198,7 +198,7 @@ class CourseFinder {
     return true;
   }
 
-  /// Makes steps faster, and then the walk earlier, until a player finds what the test found.
+  /// Makes steps faster, and then the walk earlier, until a player has the outcome of the test.
   [[nodiscard]] Course keeping_outcome(std::size_t actor, std::size_t from, bool waits) const {
     const bool triggered = waits && !stands_still(actor, from);
     constexpr double kLeadStep = 1.0 / 8;

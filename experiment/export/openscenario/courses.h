@@ -1,11 +1,12 @@
 #pragma once
 
-// What the actors of a recorded test do in a player of scenarios, which moves everybody at the same
-// time and without jumps. In a test all agents step at once at the beginning of a tick and then the
-// automated vehicle (AV) drives through it. Played back as the line through the recorded places, a
-// pedestrian who had just left the AV's way would still be in it, and one test in four would end
-// otherwise than it did. So steps are as slow as the outcome allows: most take their tick, and
-// those that decide about a collision a part of it. See env/scene.h for units and axes.
+// The courses of a recorded test's actors for a player of scenarios, which moves all actors at the
+// same time and without jumps. In a test all agents step at once at the beginning of a tick and
+// then the automated vehicle (AV) drives through it. Played back along the line through the
+// recorded places, a pedestrian that had just left the AV's way would still be in it, and one test
+// in four would have another outcome. So steps are as slow as the outcome allows: most take the
+// whole tick, and those that decide about a collision a part of it. See env/scene.h for units and
+// axes.
 
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@
 
 namespace jaywalk {
 
-/// What sets a course in motion.
+/// The event that sets a course in motion.
 enum class CourseStart { at_once, time_to_collision, at_time };
 
 struct Waypoint {
@@ -37,7 +38,7 @@ struct Course {
   bool keeps_outcome = true;
 };
 
-/// Of all actors, in their order.
+/// The courses of all actors, in their order.
 struct Courses {
   std::vector<Course> courses;
   /// When the test is over, in s. One tick later than it was if there was a collision, so that no
@@ -50,9 +51,9 @@ struct Courses {
 [[nodiscard]] Courses timed_courses(const Recording& recording);
 
 /// Each pedestrian waits where it stepped out, that is, made its first step across the road, until
-/// the AV's time to collision with it has fallen to what it was in the test, and then goes all the
-/// way that it went. Where a time to collision cannot say when (the AV stood, or had passed), its
-/// time does. Everybody else keeps to a timetable.
+/// the AV's time to collision with it has fallen to the value in the test, and then repeats its
+/// way. If a time to collision cannot trigger it (the AV stood, or had passed), the time of the
+/// step does. All other actors keep to a timetable.
 [[nodiscard]] Courses reactive_courses(const Recording& recording);
 
 }  // namespace jaywalk

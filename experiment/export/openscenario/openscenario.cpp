@@ -47,7 +47,7 @@ std::string value_set(const ParameterValues& values) {
 struct Batch {
   Recording first;
   std::vector<Courses> tests;
-  /// What the signals show in each is the same.
+  /// The phases of the signals, and whether all tests of the batch have the same.
   std::string signals;
   bool same_signals = true;
   bool same_actors = true;

@@ -15,11 +15,11 @@ namespace {
 /// its middle.
 constexpr double kRearAxle = 0.3;
 
-/// Players count it as a collision if the AV passes an obstacle in the cell beside it without a
-/// gap: obstacles are so much smaller at each side, in metres.
+/// How much smaller obstacles are exported at each side, in metres: players count it as a collision
+/// if the AV passes an obstacle in the cell beside it without a gap.
 constexpr double kClearance = 0.01;
 
-/// For a parameter of time that nobody waits for.
+/// The value of a parameter of time that no condition of the test uses.
 constexpr double kNever = 1e6;
 /// At time 0 nothing is greater than 0 yet.
 constexpr double kAtStart = -0.001;
@@ -149,7 +149,7 @@ std::string ScenarioText::by_av(std::string_view name, std::string_view conditio
       name, entity(0), condition);
 }
 
-// Time to the box of the pedestrian who stands: the vehicle need not be on its way to hit it yet.
+// Time to the box of the standing pedestrian: the vehicle need not be on its way to hit it yet.
 // 1.0 demands alongRoute; later versions still take it.
 std::string ScenarioText::ttc_below(std::size_t actor, std::string_view seconds) const {
   return condition_group(
@@ -282,7 +282,7 @@ std::string ScenarioText::signals(double stop_s) const {
     for (const RecordedEvent& event : recording_.events()) {
       if (event.kind != "signal" || !event.actor) continue;
       if (recording_.actors()[*event.actor].name != each.name) continue;
-      // What it shows in a tick it shows from the beginning of that tick.
+      // A signal's new colour applies from the beginning of the tick.
       end_phase((event.tick - 1) * recording_.tick_s());
       colour = escaped_xml(event.text);
     }
@@ -360,7 +360,7 @@ ParameterValues ScenarioText::values(const Courses& courses, const BatchShape& s
     }
     add("V", number(first_speed(course)));
     std::vector<Vertex> way = vertices(i, course);
-    // Who has fewer waypoints than the longest course stands at its last one.
+    // An actor with fewer waypoints than the longest course stands at its last one.
     double time = course.points.back().time_s;
     while (way.size() < shape[i]) {
       way.push_back(way.back());

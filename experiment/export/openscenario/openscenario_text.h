@@ -1,7 +1,7 @@
 #pragma once
 
-// One test as an OpenSCENARIO document: entities, where they begin, what they do, when it ends.
-// Only what is valid in all of 1.0 to 1.3 is written. Read courses.h before.
+// One test as an OpenSCENARIO document: entities, their starts and actions, the end of the test.
+// Only what is valid in all of 1.0 to 1.3 is written. Read courses.h first.
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@
 
 namespace jaywalk {
 
-/// Names of parameters with what a test gives for them.
+/// Names of parameters with a test's values.
 using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 
 /// For each actor the number of waypoints of its longest course in a batch.
@@ -31,19 +31,19 @@ class ScenarioText {
   /// Everybody on a timetable, to the end of the test.
   [[nodiscard]] std::string trajectories(std::string_view description,
                                          const Courses& courses) const;
-  /// As the courses begin: the AV on a timetable, pedestrians when it comes near. Ends at a
-  /// collision.
+  /// The AV keeps to a timetable, pedestrians start as their courses say, when the AV comes near.
+  /// Ends at a collision.
   [[nodiscard]] std::string reactive(std::string_view description, const Courses& courses) const;
   /// The reactive scenario with parameters for numbers, and these as their defaults.
   [[nodiscard]] std::string batch(std::string_view description, const BatchShape& shape,
                                   const ParameterValues& defaults) const;
-  /// What a test gives for a batch's parameters.
+  /// The test's values of a batch's parameters.
   [[nodiscard]] ParameterValues values(const Courses& courses, const BatchShape& shape) const;
-  /// What the signals show, as a list of phases; the same for all tests of a batch.
+  /// The signals' colours as a list of phases.
   [[nodiscard]] std::string signals(double stop_s) const;
 
  private:
-  /// A place and when somebody is there, as texts: numbers or references to parameters.
+  /// A place and the time of being there, as texts: numbers or references to parameters.
   struct Vertex {
     std::string time;
     std::string x;

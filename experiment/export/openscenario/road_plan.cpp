@@ -184,7 +184,7 @@ class Planner {
     if (rows.empty()) return;
     const Interval cells = side_cells(junction, row);
     if (cells.empty()) return;
-    // It runs from the AV's left to its right: what is ahead of the AV is on the left.
+    // It runs from the AV's left to its right, so the side ahead of the AV is its left side.
     std::vector<PlannedLane> lanes;
     for (int cell = cells.last; cell >= cells.first; --cell) {
       add_lane(lanes, lane_of(letter(row, cell), cell_));
@@ -237,14 +237,14 @@ class Planner {
     constexpr int kFirstConnection = 100;
     for (const LaneEnd& from : arriving) {
       for (const LaneEnd& to : leaving) {
-        // Nobody turns round.
+        // No connection leads back to the same road.
         if (from.road == to.road) continue;
         junction.connections.push_back({kFirstConnection + connections_++, from, to});
       }
     }
   }
 
-  /// Where nobody can drive through there is no junction.
+  /// Removes junctions without any connection of lanes.
   void drop_dead_ends() {
     for (const PlannedJunction& junction : plan_.junctions) {
       if (!junction.connections.empty()) continue;
@@ -278,7 +278,7 @@ class Planner {
 
   /// Blocked cells as rectangles: each as long as it can be, then as wide.
   void add_buildings() {
-    // What is not yet part of a building; covered cells become blank.
+    // The cells that are not yet part of a building; covered cells become blank.
     std::vector<std::string> left = parameters_.map;
     int count = 0;
     const auto blocked = [&](int row, int cell) {
@@ -341,7 +341,7 @@ class Planner {
         return lane.type == LaneType::driving && lane.forward == forward;
       });
       if (!driven) continue;
-      // At the left of those who come, as they drive on the left.
+      // At the left side of the oncoming traffic, as it keeps left.
       const int edge_row = forward ? carriageway_.first : carriageway_.last + 1;
       const int edge_cell = forward ? at.cells.first : at.cells.last + 1;
       // Odd for the traffic that goes the AV's way, even for the other, so that ids are unique.
@@ -362,7 +362,7 @@ class Planner {
     });
   }
 
-  /// Names what is drawn as road and is none in the plan, or the other way round.
+  /// Notes cells that are road in the map but not in the plan, or the other way round.
   void compare_with_map() {
     int missing = 0;
     int added = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The ground of a crossing world as roads, junctions, objects and signals: what OpenDRIVE can say
-// of it, before it is written (opendrive.h). Axes and units are those of env/scene.h.
+// The ground of a crossing world as roads, junctions, objects and signals, as OpenDRIVE has them;
+// opendrive.h writes them. Axes and units are those of env/scene.h.
 
 #include <optional>
 #include <string>
@@ -30,7 +30,7 @@ struct PlannedObject {
   Interval cells;
 };
 
-/// A traffic light for those who come along the road, or against it.
+/// A traffic light for the traffic along the road, or against it.
 struct PlannedSignal {
   int id = 0;
   std::string name;
@@ -47,7 +47,8 @@ struct PlannedRoad {
   double y_m = 0;
   double heading_rad = 0;
   double length_m = 0;
-  /// From left to right; so many of them lie on the left of the reference line.
+  /// The lanes from left to right; the first `left` of them lie on the left side of the reference
+  /// line.
   std::vector<PlannedLane> lanes;
   std::size_t left = 0;
   /// The junctions that it begins and ends at, by their ids.
@@ -60,7 +61,8 @@ struct PlannedRoad {
 /// The end of a lane at a junction; the heading is that of the traffic.
 struct LaneEnd {
   int road = 0;
-  /// As OpenDRIVE counts them: 1, 2, … to the left of the reference line, -1, -2, … to its right.
+  /// OpenDRIVE's lane number: 1, 2, … on the left side of the reference line, -1, -2, … on its
+  /// right.
   int lane = 0;
   /// At the end of the road, not at its beginning.
   bool at_end = true;
@@ -95,16 +97,16 @@ struct RoadPlan {
   /// The AV's road, in as many parts as junctions leave, then the side roads.
   std::vector<PlannedRoad> roads;
   std::vector<PlannedJunction> junctions;
-  /// Of each signalled crosswalk, in their order.
+  /// The lights of each signalled crosswalk, in their order.
   std::vector<SignalGroup> signals;
-  /// What of the world is not in it, each as a sentence.
+  /// Parts of the world that are left out, each as a sentence.
   std::vector<std::string> unsaid;
 };
 
 /// REQUIRES: parameters without problems().
 [[nodiscard]] RoadPlan plan_roads(const CrossingParameters& parameters);
 
-/// `1`, `2`, … on the left of the reference line, `-1`, `-2`, … on its right.
+/// `1`, `2`, … on the left side of the reference line, `-1`, `-2`, … on its right.
 [[nodiscard]] int lane_id(const PlannedRoad& road, std::size_t lane);
 
 }  // namespace jaywalk

@@ -74,7 +74,7 @@ std::string name(const Schema& schema) {
   return fmt::format("{} {}.{}", schema.standard, schema.version->major, schema.version->minor);
 }
 
-/// That of the version, or the first after it, or one that does not say its version.
+/// The schema of the version, or of the next later one, or a schema without a version.
 const Schema* best_schema(const std::vector<Schema>& schemas, std::string_view standard,
                           Version version) {
   const Schema* best = nullptr;

@@ -44,7 +44,7 @@ class RecordedTrace final : public stl::Trace {
     return entry->second;
   }
 
-  /// Everybody whom the expression names takes part in the test.
+  /// Whether all actors that the expression names take part in the test.
   [[nodiscard]] bool has_actors_of(const stl::Expression& expression) const {
     return std::ranges::all_of(expression.nodes, [&](const stl::Node& node) {
       if (node.kind != stl::NodeKind::signal) return true;

@@ -1,8 +1,8 @@
 #pragma once
 
-// Assertions: what the vehicle under test owes to those around it, when that is asked of it, and
-// whether a recorded test shows that it kept it. README.md beside this file is the reference of the
-// YAML files that hold them. Read expression.h and judge/signals/signals.h before.
+// Assertions: requirements on the vehicle under test, the preconditions under which they apply, and
+// the verdict for a recorded test. README.md beside this file is the reference of the YAML files
+// that hold them. Read expression.h and judge/signals/signals.h first.
 
 #include <cstdint>
 #include <map>
@@ -25,18 +25,19 @@ enum class AssertionSeverity { minor, major, critical };
 struct Assertion {
   /// An atom, so that agents can believe it: `collision_avoidance`.
   std::string id;
-  /// What it demands, in a sentence; may be empty.
+  /// The requirement in a sentence; may be empty.
   std::string summary;
-  /// Where the rule comes from.
+  /// The source of the rule, such as a law or standard.
   std::string source;
   AssertionSeverity severity = AssertionSeverity::major;
   std::map<std::string, double> parameters;
   stl::Expression precondition;
   stl::Expression requirement;
-  /// When a violation was unavoidable.
+  /// The condition under which a violation was unavoidable.
   std::optional<stl::Expression> unavoidable;
 
-  /// It is judged for each road user by itself, as some of its expressions are about one.
+  /// Whether it is judged for each road user separately, because some of its expressions are about
+  /// one.
   [[nodiscard]] bool is_about_one() const;
 };
 
@@ -48,21 +49,22 @@ inline constexpr std::size_t kVerdictCount = 4;
 
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// What a test says about an assertion. Of road users judged by themselves the test's verdict is
-/// the gravest: fail, then unavoidable, pass, vacuous.
+/// The verdict of an assertion for a test. If road users are judged one by one, the test has the
+/// gravest of their verdicts: fail, then unavoidable, pass, vacuous.
 struct Judgement {
   Verdict verdict = Verdict::vacuous;
-  /// Of the requirement, the least of those for whom the precondition was met: 0 or less if it is
-  /// violated. Empty if the verdict is vacuous.
+  /// The robustness of the requirement, the least over the road users with a met precondition: 0 or
+  /// less if it is violated. Empty if the verdict is vacuous.
   std::optional<double> robustness;
   /// No driver could have kept the requirement (for some road user), whether this AV did or not.
   bool excused = false;
-  /// Of the precondition, the greatest: how near the test came to exercising the assertion.
+  /// The greatest robustness of the precondition: how near the test came to exercising the
+  /// assertion.
   double exercised = 0;
-  /// The first that violates the requirement; empty unless the verdict is fail or unavoidable.
+  /// The first tick that violates the requirement; empty unless the verdict is fail or unavoidable.
   std::optional<std::uint32_t> tick;
-  /// The road users who gave rise to the verdict; empty if it is vacuous or the assertion is about
-  /// the AV alone.
+  /// The road users with this verdict; empty if it is vacuous or the assertion is about the AV
+  /// alone.
   std::vector<ActorIndex> witnesses;
 
   friend bool operator==(const Judgement&, const Judgement&) = default;
@@ -70,7 +72,7 @@ struct Judgement {
 
 [[nodiscard]] Judgement judge(const Assertion& assertion, const TestView& view);
 
-/// Parses what a file holds. All mistakes are reported, with their places.
+/// Parses the text of a file. All errors are reported, with their places.
 [[nodiscard]] Result<std::vector<Assertion>> parse_assertions(const SourcePtr& source);
 [[nodiscard]] Result<std::vector<Assertion>> read_assertions(const std::string& path);
 
@@ -83,7 +85,7 @@ struct AssertionFiles {
 enum class SameId {
   /// Two files with one id are a mistake.
   refused,
-  /// The later file's assertion takes the place of the earlier one's.
+  /// The later file's assertion replaces the earlier one's.
   replaced,
 };
 

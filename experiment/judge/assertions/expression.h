@@ -56,7 +56,7 @@ enum class NodeKind : std::uint8_t {
   exists,   // for some road user
 };
 
-/// Whose signal it is.
+/// The owner of a signal.
 enum class Owner : std::uint8_t { test, av, self, nearest, named };
 
 using NodeId = std::uint32_t;
@@ -72,10 +72,11 @@ struct Node {
   NodeKind kind = NodeKind::number;
   std::array<NodeId, 2> operands{};
   double number = 0;
-  /// Of the temporal operators; parsed as two numbers, `bounds`, folded when names are resolved.
+  /// The window of a temporal operator; parsed as two numbers, `bounds`, folded when names are
+  /// resolved.
   Window window;
   std::optional<std::array<NodeId, 2>> bounds;
-  /// Of signals and events: the name as written, `nearest.ttc`, and what it was resolved to.
+  /// The name of a signal or event as written, `nearest.ttc`, and the signal that it refers to.
   std::string name;
   Owner owner = Owner::self;
   std::uint32_t signal = 0;
@@ -94,7 +95,7 @@ struct ExpressionText {
   /// The file, and the place in it of each byte of `text`; empty if the text is not from a file.
   SourcePtr source;
   std::vector<std::uint32_t> offsets;
-  /// What diagnostics name if there is no file.
+  /// The subject of diagnostics if there is no file.
   std::string subject;
 
   void error(Diagnostics& diagnostics, Span span, std::string message, std::string hint = {}) const;
@@ -107,7 +108,7 @@ struct ExpressionText {
 
 class Vocabulary;
 
-/// Nodes in the order in which they were completed: operands come before what they belong to.
+/// Nodes in the order in which they were completed: operands come before their operators.
 class Expression {
  public:
   std::vector<Node> nodes;
@@ -115,7 +116,7 @@ class Expression {
   ExpressionText written;
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes[id]; }
-  /// It speaks of a road user that no `forall` or `exists` introduces.
+  /// Whether it is about a road user that no `forall` or `exists` introduces.
   [[nodiscard]] bool is_about_one() const { return about_one_; }
 
  private:
@@ -128,7 +129,7 @@ class Expression {
 inline constexpr std::size_t kMaxExpressionBytes = 4000;
 inline constexpr int kMaxExpressionDepth = 100;
 
-/// Names are not looked at yet. No value after adding errors.
+/// Parses without resolving names. No value after adding errors.
 [[nodiscard]] std::optional<Expression> parse(ExpressionText text, Diagnostics& diagnostics);
 
 enum class SignalType : std::uint8_t { number, condition };

@@ -222,7 +222,7 @@ struct Step : x3::parser<Step> {
   }
 };
 
-/// What it encloses may enclose itself only so many times.
+/// Limits how deep its operand may be nested in itself.
 template <class Subject>
 struct Nested : x3::unary_parser<Subject, Nested<Subject>> {
   using base_type = x3::unary_parser<Subject, Nested<Subject>>;
@@ -249,7 +249,7 @@ auto nested(const Subject& subject) {
 }  // namespace
 }  // namespace jaywalk::stl
 
-// What diagnostics call the parsers that may be expected.
+// The names of parsers in diagnostics, "expected …".
 namespace boost::spirit::x3 {
 template <>
 struct get_info<jaywalk::stl::Word> {

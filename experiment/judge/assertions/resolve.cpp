@@ -263,7 +263,7 @@ class Resolver {
   std::vector<bool> quantified_;
 };
 
-/// Where in the file a span of the text stands.
+/// The place in the file of a span of the text.
 SourceSpan place_of(const ExpressionText& text, Span span) {
   const auto at = [&](std::uint32_t offset) {
     // `offsets` maps the expression's characters to the file's: YAML may fold and escape them.

@@ -14,7 +14,7 @@ using Numbers = std::vector<double>;
 /// `a - b`, where equal infinities do not differ.
 double difference(double a, double b) { return a == b ? 0 : a - b; }
 
-/// No operation leaves a NaN behind: what is undefined is 0.
+/// Replaces an undefined result (NaN) by 0.
 double defined(double value) { return std::isnan(value) ? 0 : value; }
 
 Truth compared(NodeKind kind, double a, double b, double tolerance) {
@@ -68,8 +68,8 @@ Truths sliding_least(const Truths& values, TickWindow window) {
   std::vector<std::size_t> queue(count);
   std::size_t front = 0;
   std::size_t back = 0;
-  // From the end, so that values enter at the window's near edge.
-  // Where the window begins behind the record's end the result stays as it is: it is empty there.
+  // From the end, so that values enter at the window's near edge. A window that begins behind the
+  // record's end is empty, and the result keeps its value for an empty window.
   for (std::size_t i = count - window.from; i-- > 0;) {
     const std::size_t entering = i + window.from;
     while (back > front && !(values[queue[back - 1]] < values[entering])) --back;

@@ -1,7 +1,7 @@
 #pragma once
 
 // The meaning of an expression over a test: at each tick, whether it holds and by how much. Read
-// expression.h before.
+// expression.h first.
 //
 // Robustness is that of Donzé and Maler, "Robust satisfaction of temporal logic over real-valued
 // signals", FORMATS 2010, in discrete time: of a comparison the signed difference of its sides, of
@@ -45,7 +45,7 @@ struct Truth {
   }
 };
 
-/// What expressions are evaluated over.
+/// The signals of a test over which expressions are evaluated.
 class Trace {
  public:
   virtual ~Trace() = default;
@@ -61,7 +61,7 @@ class Trace {
   /// for what does not exist (no time to collision); no value is NaN.
   [[nodiscard]] virtual std::span<const double> signal(const Node& node,
                                                        std::uint32_t self) const = 0;
-  /// The same for happens(kind).
+  /// The values of happens(kind), one for each tick: 1 and 0.
   [[nodiscard]] virtual std::span<const double> event(const Node& node,
                                                       std::uint32_t self) const = 0;
 };
@@ -72,9 +72,9 @@ class Trace {
                                           const Trace& trace, std::uint32_t self);
 
 /// The tick that shows that condition `id` does not hold at `tick`: for `always` the first at which
-/// what it demands does not hold, and there the same again; for `eventually` and `until` the last
-/// of the window; for `and` and `forall` the earliest, for `or` the latest of its parts'. REQUIRES:
-/// it does not hold.
+/// its operand does not hold, and there the operand's own violation; for `eventually` and `until`
+/// the last of the window; for `and` and `forall` the earliest, for `or` the latest tick of its
+/// parts. REQUIRES: it does not hold.
 [[nodiscard]] std::size_t first_violation(const Expression& expression, NodeId id,
                                           const Trace& trace, std::uint32_t self, std::size_t tick);
 

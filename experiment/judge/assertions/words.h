@@ -1,6 +1,6 @@
 #pragma once
 
-// The words of assertions' expressions, and what is suggested in place of others.
+// The words of assertions' expressions, and suggestions for words of other languages.
 
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ namespace jaywalk::stl {
 /// Keywords, which are no names.
 [[nodiscard]] bool is_reserved(std::string_view word);
 
-/// What to write instead of what other languages have there; empty if that is not known.
+/// A hint on how to write an operator of another language here; empty if it is not known.
 [[nodiscard]] std::string hint_for(std::string_view rest);
 
 /// A keyword that the last word of a text may be a slip for; empty if there is none.

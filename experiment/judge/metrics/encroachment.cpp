@@ -1,7 +1,7 @@
 // Encroachment and post-encroachment time. The conflict area is where the ways of both cross: for
-// the road user what the AV's box covers during the test (its swath), for the AV what the road
-// user's box covers while it touches that swath. Each such visit counts by itself. Times of entry
-// and exit lie between ticks, as both move along straight lines.
+// the road user the area that the AV's box covers during the test (its swath), for the AV the area
+// that the road user's box covers while it touches that swath. Each such visit counts by itself.
+// Times of entry and exit lie between ticks, as both move along straight lines.
 
 #include <cmath>
 
@@ -13,11 +13,11 @@ namespace {
 
 using Polygon = std::vector<Point>;
 
-/// A time in ticks that is no whole number.
+/// A stay of the road user in the AV's swath; times in ticks, which need not be whole numbers.
 struct Visit {
   double entry = 0;
   double exit = 0;
-  /// What the road user's box covers meanwhile.
+  /// The area that the road user's box covers between entry and exit.
   std::vector<Polygon> covered;
 };
 
@@ -42,7 +42,7 @@ bool continues(const TestView& view, ActorIndex actor, std::size_t tick) {
          std::abs(cross(before, now)) <= 1e-12 * size && dot(before, now) >= 0;
 }
 
-/// What an actor's box covers during the test, a convex polygon for each straight stretch.
+/// The area that an actor's box covers during the test, a convex polygon for each straight stretch.
 std::vector<Polygon> swath(const TestView& view, ActorIndex actor) {
   std::vector<Polygon> result;
   std::size_t begin = 0;
@@ -94,7 +94,7 @@ std::vector<Visit> visits(const TestView& view, ActorIndex actor) {
   return result;
 }
 
-/// When the AV touches what the road user covers in that visit.
+/// The time in which the AV touches the area that the road user covers in that visit.
 std::optional<Span1D> av_passage(const TestView& view, const Visit& visit) {
   std::optional<Span1D> result;
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
@@ -112,7 +112,7 @@ std::optional<Span1D> av_passage(const TestView& view, const Visit& visit) {
 std::optional<MetricValue> encroachment_time(const TestView& view, ActorIndex actor) {
   std::optional<MetricValue> longest;
   for (const Visit& visit : visits(view, actor)) {
-    // Who is still inside when the record ends has no exit.
+    // A road user that is still inside when the record ends has no exit.
     if (visit.exit >= static_cast<double>(view.ticks() - 1)) continue;
     const double time = (visit.exit - visit.entry) * view.tick_s();
     if (longest && time <= longest->value) continue;

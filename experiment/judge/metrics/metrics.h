@@ -1,8 +1,8 @@
 #pragma once
 
-// What is measured of one test, the rows of metrics.def: each a value with its tick and the road
-// user that it is about. measures/ sums up the tests of a behaviour; distributions of metrics stand
-// beside its measures. Read judge/signals/signals.h before.
+// The metrics of one test, the rows of metrics.def: each gives a value with its tick and the road
+// user that it is about. compare/measures/ sums up the tests of a behaviour, with the distributions
+// of these metrics. Read judge/signals/signals.h first.
 
 #include <cstdint>
 #include <optional>
@@ -17,15 +17,15 @@ namespace jaywalk {
 /// Not NaN; infinite if nothing would help (a deceleration).
 struct MetricValue {
   double value = 0;
-  /// When it was so; of a duration, when that began.
+  /// The tick of the value; for a duration, the tick in which it began.
   std::uint32_t tick = 0;
   ActorIndex actor = 0;
 
   friend bool operator==(const MetricValue&, const MetricValue&) = default;
 };
 
-/// Whose value is the test's: that of the road user with the least one, the greatest one, or of the
-/// one who comes nearest.
+/// Which road user's value is the test's: the least one, the greatest one, or that of the nearest
+/// road user.
 enum class Worst { least, greatest, nearest };
 
 struct Metric {
@@ -34,7 +34,8 @@ struct Metric {
   std::string_view unit;
   std::string_view formula;
   std::string_view source;
-  /// Of one road user. Nothing if it does not exist (no collision course, no conflict area).
+  /// The value for one road user. Nothing if it does not exist (no collision course, no conflict
+  /// area).
   std::optional<MetricValue> (*measure)(const TestView& view, ActorIndex actor);
 };
 
@@ -42,7 +43,7 @@ struct Metric {
 /// Null if there is none of that name.
 [[nodiscard]] const Metric* find_metric(std::string_view name);
 
-/// The test's value: that of the road user for whom it is worst, the first of equals.
+/// The test's value: the worst one over its road users, that of the first of equals.
 [[nodiscard]] std::optional<MetricValue> measured(const Metric& metric, const TestView& view);
 /// All metrics in the order of metrics().
 [[nodiscard]] std::vector<std::optional<MetricValue>> measured_all(const TestView& view);

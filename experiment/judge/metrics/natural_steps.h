@@ -1,7 +1,7 @@
 #pragma once
 
-// How natural a road user moves: what a person would hardly do is to turn straight back, or to
-// stand still in the road.
+// How natural a road user's steps are: a person would hardly turn straight back, or stand still in
+// the road.
 
 #include "experiment/judge/signals/signals.h"
 

@@ -49,7 +49,7 @@ Vector relative(const Movement& its_step, const Movement& step) {
 /// From its middle to a corner.
 double radius_m(const Actor& actor) { return std::hypot(actor.length_m, actor.width_m) / 2; }
 
-/// What rounding can be off by where places are kilometres from the origin.
+/// The largest rounding error at places that are kilometres from the origin.
 constexpr double kRoundingM = 1e-6;
 
 }  // namespace

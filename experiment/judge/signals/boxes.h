@@ -54,7 +54,7 @@ struct Movement {
 /// The smallest convex polygon around the points, counter-clockwise.
 [[nodiscard]] std::vector<Point> convex_hull(std::vector<Point> points);
 
-/// What a polygon covers as it is moved along `way`.
+/// The area that a polygon covers as it is moved along `way`.
 [[nodiscard]] std::vector<Point> swept(std::span<const Point> polygon, Vector way);
 
 }  // namespace jaywalk

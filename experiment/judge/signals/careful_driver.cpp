@@ -11,7 +11,7 @@
 namespace jaywalk {
 namespace {
 
-/// Whoever has not come to a stand so long after the record's end never will.
+/// How long the drive goes on after the record's end. A car that still drives then never stops.
 constexpr double kAfterTheEndS = 60;
 
 /// The AV's way as recorded, by metres driven; straight on after its end.
@@ -56,13 +56,13 @@ class RecordedWay {
   std::vector<double> driven_;
 };
 
-/// What a driver sees who is where the AV could be.
+/// The view of a driver at places where the AV could be.
 class Surroundings {
  public:
   explicit Surroundings(const TestView& view) : view_(view), lane_(risk_strip(view)) {}
 
-  /// To be called when a tick begins, or where others move evenly, at any share of it; then 1 is
-  /// its end.
+  /// Call this when a tick begins. Where road users move evenly, call it at any share of the tick,
+  /// from 0 to 1, its end.
   void set_time(std::size_t tick, double share) {
     others_.clear();
     for (const ActorIndex user : view_.road_users()) {
@@ -83,7 +83,7 @@ class Surroundings {
     }
   }
 
-  /// What the car in this state sees. The view is valid until the next call.
+  /// The view from the car in this state; valid until the next call.
   VehicleView look(const ActorState& car, double time_s, double period_s, double cruise_mps) {
     const Actor& size = view_.recording().actors()[kAv];
     const Strip body{car.x_m - size.width_m / 2, car.x_m + size.width_m / 2};
@@ -145,7 +145,7 @@ class Surroundings {
   std::vector<StopLine> lines_;
 };
 
-/// There is something ahead for which a driver brakes.
+/// Whether there is something ahead for which a driver brakes.
 bool has_reason(const VehicleView& view) {
   return closed_line(view) || std::ranges::any_of(view.actors, [&](const SeenActor& actor) {
            return is_risk(actor, lane_of(view));
@@ -154,8 +154,8 @@ bool has_reason(const VehicleView& view) {
 
 /// The first tick that the driver drives: before, it is where the AV was.
 std::size_t first_tick(const TestView& view, Surroundings& around) {
-  // An AV that wants a known speed is replaced from the start; of another one nobody knows what it
-  // wanted before it met somebody.
+  // With a known cruising speed the driver replaces the AV from the start. Without, the driver has
+  // to follow the AV until the first risk, since the speed that the AV wanted is unknown.
   if (view.ground().cruise_mps) return 1;
   for (std::size_t tick = 1; tick < view.ticks(); ++tick) {
     around.set_time(tick, 1);

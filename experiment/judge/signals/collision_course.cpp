@@ -1,4 +1,4 @@
-// What would happen if both kept their velocities, and what it would take to avoid it.
+// Signals of a collision if both kept their velocities, and of the braking that would avoid it.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Where the road user's box lies as the AV sees it, in metres from the middle of its front.
+/// The place of the road user's box relative to the middle of the AV's front, in metres.
 struct Bearing {
   Span1D ahead;
   Span1D left;
@@ -119,8 +119,8 @@ void pret(const TestView& view, ActorIndex actor, std::span<double> values) {
       if (t1 >= 0 && t2 >= 0) values[tick] = std::abs(t1 - t2);
       continue;
     }
-    // On parallel ways they meet in the same place only if that is one line; then whoever stands is
-    // reached, and whoever is faster catches up.
+    // On parallel ways they meet only on one line; then the faster one catches up, or reaches the
+    // standing one.
     if (!parallel(av, away) || !parallel(other, away)) continue;
     const double av_speed2 = dot(av, av);
     const double other_speed2 = dot(other, other);

@@ -1,4 +1,4 @@
-// Where everybody is and how fast.
+// Signals of time, place, speed and acceleration.
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 namespace jaywalk::signal {
 namespace {
 
-/// Of the road user against the AV from the tick before to this one, in metres.
+/// The road user's displacement relative to the AV since the tick before, in metres.
 Vector relative_way(const TestView& view, ActorIndex actor, std::size_t tick) {
   return displacement(view.state(actor, tick - 1), view.state(actor, tick)) -
          displacement(view.state(kAv, tick - 1), view.state(kAv, tick));

@@ -1,4 +1,4 @@
-// Who is in which lane, and in the paper's precondition zone.
+// Signals of being in a lane, and in the paper's precondition zone.
 
 #include <algorithm>
 #include <limits>

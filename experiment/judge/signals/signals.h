@@ -1,10 +1,10 @@
 #pragma once
 
-// The signals of a test: what can be asked about it at each of its ticks, the rows of signals.def.
+// The signals of a test: quantities with a value at each of its ticks, the rows of signals.def.
 // Assertions are expressions over them (assertions/), metrics sum them up (metrics/). All of them
 // are functions of the recording and the ground alone.
 //
-// Boxes are oriented rectangles. Between two ticks everybody moves along a straight line at
+// Boxes are oriented rectangles. Between two ticks all actors move along a straight line at
 // constant speed with the heading of the later tick; signals that speak of what happened "since the
 // tick before" look at all of that motion, exactly, the others at the tick itself.
 
@@ -61,11 +61,12 @@ class TestView {
   /// One value for each tick, none of them NaN. `actor` is ignored for signals of the test
   /// and the AV.
   [[nodiscard]] std::span<const double> values(SignalId signal, ActorIndex actor = kAv) const;
-  /// Who is nearest to the AV at each tick, the first of equals. REQUIRES: somebody is there.
+  /// The road user nearest to the AV at each tick, the first of equals. REQUIRES: there are road
+  /// users.
   [[nodiscard]] std::span<const ActorIndex> nearest() const;
-  /// Where the AV would be at each tick if the careful and competent driver drove it
-  /// (careful_driver.cpp); goes on after the record's end until that driver stands or has nobody
-  /// ahead.
+  /// The AV's states at each tick if the careful and competent driver drove it
+  /// (careful_driver.cpp); goes on after the record's end until that driver stands or has a free
+  /// road ahead.
   [[nodiscard]] std::span<const ActorState> careful_drive() const;
 
   [[nodiscard]] const ActorState& state(ActorIndex actor, std::size_t tick) const {

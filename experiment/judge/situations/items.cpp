@@ -1,4 +1,4 @@
-// What the items of situations.def are.
+// The functions that compute the items of situations.def.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace jaywalk::situation {
 namespace {
 
-/// Steps shorter than this are none.
+/// Steps shorter than this count as standing.
 constexpr double kStillM = 1e-6;
 
 const ActorState& now(const Situation& situation) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Situation coverage: which of the situations that are to be tested the tests have met. The items
-// and their bins are the rows of situations.def. Read judge/signals/signals.h before.
+// Situation coverage: which of the situations worth testing the tests have met. The items and their
+// bins are the rows of situations.def. Read judge/signals/signals.h first.
 
 #include <cstdint>
 #include <optional>
@@ -31,13 +31,13 @@ struct SituationItem {
 /// Items, then pairs, in the order of situations.def.
 [[nodiscard]] std::span<const SituationItem> situation_items();
 
-/// The bins that a test covers, by the items; unset: none of that item's.
+/// The bin of each item that a test covers; unset if it covers none of that item's bins.
 using SituationBins = std::vector<std::optional<std::uint32_t>>;
 
 /// REQUIRES: recording and ground of one test, with its events.
 [[nodiscard]] SituationBins covered_bins(const Recording& recording, const Ground& ground);
 
-/// Which bins tests can meet at all, by item, then bin; empty: not known.
+/// Whether tests can meet a bin at all, by item, then bin; empty: not known.
 using ReachableBins = std::vector<std::vector<bool>>;
 
 namespace situation {
@@ -64,16 +64,16 @@ class SituationCoverage {
   [[nodiscard]] const std::vector<std::vector<std::uint64_t>>& counts() const { return counts_; }
   [[nodiscard]] std::uint64_t covered() const { return covered_; }
   [[nodiscard]] std::uint64_t bins() const { return bins_; }
-  /// Those that can be covered; all of them where that is not known. What is covered can be,
-  /// whatever `reachable` says.
+  /// The number of bins that can be covered; all of them where that is not known. Covered bins
+  /// count, whatever `reachable` says.
   [[nodiscard]] std::uint64_t bins(const ReachableBins& reachable) const;
-  /// How coverage grew: after so many tests, so many bins; one entry for each growth.
+  /// The growth of coverage: `covered` bins after `tests` tests; one entry for each increase.
   struct Growth {
     std::uint64_t tests = 0;
     std::uint64_t covered = 0;
   };
   [[nodiscard]] const std::vector<Growth>& growth() const { return growth_; }
-  /// How many bins were covered after so many tests.
+  /// The number of bins covered by the first `tests` tests.
   [[nodiscard]] std::uint64_t covered_after(std::uint64_t tests) const;
 
  private:

@@ -49,7 +49,7 @@ std::vector<double> logarithmic_marks(double least, double most, int count) {
 }  // namespace
 
 void widen_if_narrow(double& least, double& most) {
-  // What arithmetic leaves of equal values; wider than the resolution of doubles.
+  // Values that differ by less are equal but for rounding; wider than the resolution of doubles.
   constexpr double kPrecision = 1e-9;
   const double size = std::max(std::fabs(least), std::fabs(most));
   if (most - least > kPrecision * size) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where values lie on a picture's axis, and where its marks are.
+// The places of values and marks on a picture's axis.
 
 #include <string>
 #include <string_view>
@@ -23,9 +23,9 @@ struct Axis {
   double end = 1;
   Scale scale = Scale::linear;
 
-  /// The place of a value; of one outside, the nearest end.
+  /// The place of a value; the nearest end for a value outside.
   [[nodiscard]] double at(double value) const;
-  /// About so many round values, ascending, and never more than twice as many.
+  /// About `count` round values, ascending, and never more than twice as many.
   [[nodiscard]] std::vector<double> marks(int count) const;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Curves, box plots and stacked bars as SVG of one width, which fits a narrow screen unscaled.
-// Colours and fonts are the page's (page.html). Read html.h before.
+// Colours and fonts are the page's (page.html). Read html.h first.
 
 #include <optional>
 #include <string>
@@ -22,9 +22,9 @@ struct PlotPoint {
 
 struct PlotSeries {
   std::string name;
-  /// Gives colour and mark.
+  /// The series' number, which decides its colour and mark.
   std::size_t number = 0;
-  /// Of somebody else: dashed, without marks.
+  /// Whether it is a published series: dashed, without marks.
   bool published = false;
   /// Ascending in x. Those that are not finite, or not positive on a logarithmic scale, are left
   /// out.
@@ -35,7 +35,7 @@ struct PlotAxes {
   std::string x_title;
   std::string y_title;
   Scale scale = Scale::linear;
-  /// What the vertical axis shows at least.
+  /// Values that the vertical axis includes, even if there are no points there.
   std::optional<double> least;
   std::optional<double> most;
   /// Where the horizontal axis begins, and how far it goes at least.
@@ -58,8 +58,8 @@ struct BoxGroup {
   std::vector<Box> boxes;
 };
 
-/// Lying box plots, group below group, of values of which each belongs to one `noun`. What is
-/// infinite is drawn as an arrow at the edge.
+/// Horizontal box plots, group below group; each value belongs to one `noun`. Infinite values are
+/// drawn as an arrow at the edge.
 [[nodiscard]] std::string box_plots(std::string_view x_title, const std::vector<BoxGroup>& groups,
                                     std::string_view noun = "test");
 

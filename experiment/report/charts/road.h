@@ -10,10 +10,10 @@
 
 namespace jaywalk::reporting {
 
-/// Where places of the ground lie on the picture, in its units.
+/// Maps places of the ground to places on the picture, in its units.
 class RoadPicture {
  public:
-  /// Of that ground, as wide as the page's pictures.
+  /// A picture of that ground, as wide as the page's pictures.
   explicit RoadPicture(const Ground& ground);
 
   /// Along the road and to the right of the AV's way.

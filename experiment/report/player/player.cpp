@@ -18,7 +18,7 @@ using nlohmann::json;
 /// Enough digits for a picture: a millimetre.
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
-/// What lies on the bands: stretches of cells that are something else than their band.
+/// Stretches of cells whose surface differs from their band.
 json patches(const GroundPlan& plan) {
   json result = json::array();
   for (int row = 0; row < plan.grid.rows; ++row) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// A test as a page to look at: a player that draws every tick and shows what an agent believes and
-// intends. The page loads no other file and needs no network.
+// A page that plays a test: it draws every tick and shows an agent's beliefs and intentions. The
+// page loads no other file and needs no network.
 
 #include <map>
 #include <optional>
@@ -15,8 +15,8 @@
 
 namespace jaywalk {
 
-/// What the agents had in mind, tick by tick, and which plans they took. Give it to a test as
-/// observer, and its `observe`.
+/// Records the agents' beliefs and intentions at every tick, and the plans that they chose. Pass it
+/// to a test as observer, and its `observe` as callback.
 class MindRecorder : public ReasoningObserver {
  public:
   struct Mind {

@@ -15,7 +15,7 @@ bool is_same(const ActorState& left, const ActorState& right) {
   return left.x_m == right.x_m && left.y_m == right.y_m && left.speed_mps == right.speed_mps;
 }
 
-/// Those to whom something happens, then the others, the AV apart.
+/// Actors with a collision, then others, without the AV; at most kMostShown.
 std::vector<std::uint32_t> shown_actors(const Recording& healthy, const Recording& defective) {
   std::vector<std::uint32_t> shown;
   const auto add = [&](std::uint32_t actor) {

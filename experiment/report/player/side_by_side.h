@@ -12,13 +12,13 @@
 
 namespace jaywalk {
 
-/// The first tick after which somebody is elsewhere, faster or slower; nothing if the runs are
-/// alike, or only one of them goes on. REQUIRES: the same actors.
+/// The first tick at which an actor's place or speed differs; nothing if the runs are alike, or
+/// only one of them goes on. REQUIRES: the same actors.
 [[nodiscard]] std::optional<std::size_t> parting(const Recording& left, const Recording& right);
 
-/// A line for each tick from the one before they part: where the AV is (m along its way), its speed
-/// (m/s) and where those are who matter (m across and along), of the one and of the other. What has
-/// happened until then to somebody stands behind. `name`: what the defective AV is called.
+/// A line for each tick from the one before they part, with both runs: the AV's place (m along its
+/// way), its speed (m/s), the places of the most important actors (m across and along) and the
+/// events up to then. `name`: the defective AV's name.
 [[nodiscard]] std::string side_by_side(const Recording& healthy, const Recording& defective,
                                        std::string_view name);
 

@@ -1,5 +1,5 @@
-// What went wrong with the agents and tests: tests that ended errored, intentions that they
-// dropped, pedestrians that never acted.
+// The section of failures: tests that ended errored, dropped intentions, pedestrians that never
+// acted.
 
 #include <algorithm>
 

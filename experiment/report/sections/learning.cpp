@@ -1,5 +1,5 @@
-// How policies were learned, what they do at each place before the AV, and what other behaviours do
-// in the same tests.
+// The section of learning: the progress of policies, their choices at each place before the AV, and
+// the results of other behaviours in the same tests.
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ std::string learning_curves(const std::vector<LearnedBehaviour>& learned, std::s
   return figure(title, curves(axes, series));
 }
 
-/// Where squares of a map lie on its picture: ahead of the AV to the right, the AV's right below.
+/// The places of a map's squares on its picture: ahead of the AV is right, the AV's right is below.
 struct MapFrame {
   int first_row = 0, last_row = 0;
   int first_ahead = 0, last_ahead = 0;

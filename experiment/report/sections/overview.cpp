@@ -1,4 +1,4 @@
-// What was run, and what came of it in a few lines.
+// The section with the experiment and its main results in a few lines.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,7 +45,7 @@ std::string facts_of(const ReportData& data) {
   return terms(list);
 }
 
-/// Where a measure is best for a behaviour.
+/// A behaviour's best value of a measure, and the number of agents that gave it.
 struct Best {
   double value = 0;
   std::uint32_t agents = 0;

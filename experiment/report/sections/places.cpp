@@ -1,4 +1,4 @@
-// Where on the road agents met the precondition.
+// The section with the places on the road where agents met the precondition.
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ double opacity(std::uint64_t count, std::uint64_t most) {
   return std::max(0.06, std::sqrt(static_cast<double>(count) / static_cast<double>(most)));
 }
 
-/// What the colours of a picture stand for: samples with their numbers of agents.
+/// The legend of a picture's colours: samples with their numbers of agents.
 std::string scale(std::uint64_t most, const RoadPicture& road) {
   std::string drawn;
   double x = 6;

@@ -1,4 +1,5 @@
-// Tests to look at: everybody's way as a picture, and the page that plays the test.
+// The section of selected tests: a picture of all actors' ways, and a link to the page that plays
+// the test.
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@
 namespace jaywalk::reporting {
 namespace {
 
-/// Whoever an event of that kind concerns.
+/// Whether an event of that kind concerns the actor.
 bool concerned(const Recording& recording, std::size_t actor, std::string_view kind) {
   for (const RecordedEvent& event : recording.events()) {
     if (event.kind == kind && event.actor == actor) return true;

@@ -15,7 +15,7 @@ namespace jaywalk::reporting {
 namespace {
 
 constexpr double kLevel = 0.05;
-/// Of more behaviours only the first is compared with each of the others.
+/// With more behaviours than this, only the first is compared with each of the others.
 constexpr std::size_t kAllPairs = 10;
 
 struct BehaviourPair {
@@ -43,7 +43,7 @@ std::vector<BehaviourPair> pairs_of(const std::vector<std::string>& behaviours) 
   return pairs;
 }
 
-/// Of the tests that ended errored for neither.
+/// The paired outcomes of tests that ended errored with neither behaviour.
 PairedOutcomes paired(const CellFacts& first, const CellFacts& second, std::uint64_t tests) {
   PairedOutcomes outcomes;
   for (std::size_t i = 0; i < std::min(first.succeeded.size(), second.succeeded.size()); ++i) {

@@ -13,7 +13,8 @@
 namespace jaywalk::reporting {
 namespace {
 
-/// Of each behaviour and number of agents: a report is to be made in little time.
+/// Tests of each behaviour and number of agents whose situations are shown. Few, so that a report
+/// is made quickly: tests without stored scenes have to run again.
 constexpr std::uint64_t kTests = 50;
 
 std::vector<PlotPoint> growth(const SituationCoverage& coverage) {

@@ -1,4 +1,4 @@
-// What the assertions say: verdicts, robustness, and the tests that violate them most.
+// The section about assertions: verdicts, robustness, and the tests that violate them most.
 
 #include <algorithm>
 

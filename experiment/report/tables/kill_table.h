@@ -1,6 +1,6 @@
 #pragma once
 
-// The kill matrix for the terminal: what each behaviour kills, and who kills each defect.
+// The kill matrix for the terminal: the kills of each behaviour, and the killers of each defect.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace jaywalk {
 
 /// Plain text; empty if no defects were looked for.
 [[nodiscard]] std::string render_kills(const Comparison& comparison);
-/// The same without what needs other measures.
+/// The kills alone, without the lines that need other measures of the comparison.
 [[nodiscard]] std::string render_kills(const KillMatrix& matrix);
 
 }  // namespace jaywalk

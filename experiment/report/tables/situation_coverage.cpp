@@ -14,7 +14,8 @@ double percent(std::uint64_t covered, std::uint64_t bins) {
   return bins == 0 ? 0 : 100.0 * static_cast<double>(covered) / static_cast<double>(bins);
 }
 
-/// After how many of its tests a row had this share of the bins that it has in the end.
+/// The number of its tests after which a row had covered this share of the bins that it covers in
+/// the end.
 std::uint64_t tests_until(const SituationCoverage& coverage, double share) {
   const double wanted = share * static_cast<double>(coverage.covered());
   for (const SituationCoverage::Growth& step : coverage.growth()) {
@@ -44,7 +45,8 @@ bool can_cover(const std::vector<SituationRow>& rows, std::size_t item, std::siz
          });
 }
 
-/// What the file of reachable bins takes for impossible and a test has covered all the same.
+/// A note on bins that the file of reachable bins excludes although a test has covered them; empty
+/// if there are none.
 std::string contradiction(const std::vector<SituationRow>& rows) {
   std::uint64_t bins = 0;
   for (const SituationRow& row : rows) {

@@ -9,7 +9,7 @@
 
 namespace jaywalk {
 
-/// Of one behaviour with one number of agents.
+/// The coverage of one behaviour with one number of agents.
 struct SituationRow {
   std::string behaviour;
   std::uint32_t agents = 0;
@@ -20,7 +20,7 @@ struct SituationRow {
   [[nodiscard]] std::uint64_t bins() const { return coverage.bins(reachable); }
 };
 
-/// As the scenario has it, which knows it of tests with one agent.
+/// The reachable bins for a number of agents; scenarios know them only for tests with one agent.
 [[nodiscard]] ReachableBins reachable_with(const ReachableBins& reachable, std::uint32_t agents);
 
 /// For each row how many bins are covered of those that can be, and how that grew; for each item

@@ -1,6 +1,6 @@
 #pragma once
 
-// What went wrong with agents and tests, as text.
+// Failures of agents and tests, as text.
 
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace jaywalk {
 
-/// Those of one behaviour, all numbers of agents together.
+/// The failures of one behaviour, all numbers of agents together.
 struct BehaviourTroubles {
   std::string behaviour;
   Troubles troubles;
@@ -18,8 +18,8 @@ struct BehaviourTroubles {
 /// In the order of the comparison; behaviours without trouble are left out.
 [[nodiscard]] std::vector<BehaviourTroubles> troubles_of(const Comparison& comparison);
 
-/// "15 of 15 agents dropped an intention", "its 15 agents never acted": what is to be said of a
-/// behaviour before its causes.
+/// Sentences about a behaviour's failures, without their causes: "15 of 15 agents dropped an
+/// intention", "its 15 agents never acted".
 [[nodiscard]] std::vector<std::string> trouble_sentences(const Troubles& troubles);
 
 /// A few lines for each behaviour: how many of its agents dropped intentions, and why; empty if all

@@ -15,7 +15,7 @@ namespace jaywalk {
 [[nodiscard]] std::string render_metrics(const Comparison& comparison);
 /// The table of measures (table.h), then these as far as there are any.
 [[nodiscard]] std::string render_tables(const Comparison& comparison);
-/// Of one test: a line for each assertion, and one for each metric that has a value.
+/// The text for one test: a line for each assertion, and one for each metric that has a value.
 [[nodiscard]] std::string render_assessment(const Criteria& criteria,
                                             const TestAssessment& assessment,
                                             std::span<const Actor> actors);

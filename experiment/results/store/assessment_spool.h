@@ -1,7 +1,7 @@
 #pragma once
 
-// Assessments of as many tests as there may be, kept outside of memory until they can be written
-// into their store: as long as that is read, nobody writes it.
+// Assessments of any number of tests, kept outside of memory until they can be written into their
+// store, which cannot be written while it is read.
 
 #include <cstdint>
 #include <functional>

@@ -15,7 +15,7 @@
 namespace jaywalk {
 namespace {
 
-/// Of an extended code.
+/// The trouble that an extended result code of SQLite stands for.
 DatabaseTrouble trouble_of(int code) {
   switch (code & 0xFF) {
     case SQLITE_BUSY:
@@ -104,7 +104,7 @@ void Database::open(const std::string& uri, int flags, const char* vfs) {
   // SQLite gives a connection even if it could not open, which knows why and must be closed.
   connection_.reset(connection);
   if (code != SQLITE_OK) note(code);
-  // What is in a file is data: its schema calls no functions, its pages are checked when read.
+  // Do not trust the file: its schema may not call functions, its pages are checked when read.
   sqlite3_db_config(connection, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(connection, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   execute("PRAGMA cell_size_check = ON");

@@ -1,8 +1,8 @@
 #pragma once
 
-// SQLite as the store uses it: connections and statements that close themselves. The first thing
-// that goes wrong is kept and everything after it does nothing, so that callers ask once, at the
-// end. No file outside this folder includes this, but the store of searches (search/store).
+// SQLite as the store uses it: connections and statements that close themselves. The first failure
+// is kept and every later call does nothing, so that callers check once, at the end. Only this
+// folder and the store of searches (search/store) include this file.
 
 #include <cstdint>
 #include <functional>
@@ -27,14 +27,14 @@ enum class DatabaseTrouble { none, in_use, damaged, no_space, interrupted, read_
 
 class Database {
  public:
-  /// `untouched`: as the file is, without what other files beside it say is to be undone or added.
-  /// `memory`: a new one that is no file; the path is not used. `temporary`: the same, but what
-  /// exceeds a few MB is in a file without a name.
+  /// `untouched`: the file alone, ignoring the log and journal beside it. `memory`: a new database
+  /// in memory; the path is not used. `temporary`: like `memory`, but more than a few MB go to a
+  /// file without a name.
   enum class Mode { read, untouched, write, create, memory, temporary };
 
   /// Opens the file; failure() says whether that succeeded.
   Database(const std::string& path, Mode mode);
-  /// Makes one in an empty file that is open already and stays so; what it has is good after the
+  /// Makes one in an empty file that is open already and stays open. Its content is valid up to the
   /// last COMMIT only.
   explicit Database(int descriptor);
   ~Database();

@@ -16,7 +16,7 @@ constexpr std::string_view kPrefix = "/proc/self/fd/";
 constexpr const char* kVfsName = "jaywalk-descriptor";
 constexpr int kSectorBytes = 4096;
 
-/// What SQLite allots for an open file; it starts with SQLite's own part.
+/// The memory that SQLite allocates for an open file; it starts with SQLite's own part.
 struct DescriptorFile {
   sqlite3_file base;
   int descriptor;

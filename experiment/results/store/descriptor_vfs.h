@@ -8,8 +8,8 @@
 
 namespace jaywalk {
 
-/// What to open such a file by, and the name of the VFS (SQLite's way to the system) that can.
-/// Null if SQLite could not take note of it.
+/// The name by which SQLite opens such a file, and the name of the VFS (SQLite's layer for files)
+/// that can open it. Null if SQLite could not register the VFS.
 [[nodiscard]] std::string descriptor_name(int descriptor);
 [[nodiscard]] const char* descriptor_vfs();
 

@@ -19,7 +19,7 @@ class Placement {
   [[nodiscard]] std::pair<double, double> place(double x_m, double y_m) const {
     return {easting_ + x_m * cosine_ + y_m * sine_, northing_ - x_m * sine_ + y_m * cosine_};
   }
-  /// The same in SQL, of the columns x and y.
+  /// SQL expressions for easting and northing, computed from the columns x and y.
   [[nodiscard]] std::string easting_sql() const;
   [[nodiscard]] std::string northing_sql() const;
   /// Well-known text (OGC 01-009) of the reference system if it is a UTM zone of WGS 84; otherwise

@@ -9,7 +9,7 @@
 namespace jaywalk {
 namespace {
 
-/// The texts of so many ticks' times are kept; making one takes as long as writing a row.
+/// How many ticks' time texts are cached; making one takes as long as writing a row.
 constexpr std::size_t kTimesKept = 10'000;
 
 /// A comparison has no NaN, and SQLite would make it NULL, which some columns do not take.

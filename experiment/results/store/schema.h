@@ -21,7 +21,7 @@ inline constexpr std::int64_t kStoreVersion = 3;
 inline constexpr std::string_view kTimeOfTick0 = "2000-01-01T00:00:00.000Z";
 
 /// Rows that belong to a test are numbered test_id * 2^24 + n, so that their order is the plan's,
-/// independently of who wrote them and when.
+/// whatever the order in which they were written.
 inline constexpr int kRowBits = 24;
 inline constexpr std::int64_t kMaxTestId = std::int64_t{1} << (62 - kRowBits);
 inline constexpr std::int64_t kMaxRows = std::int64_t{1} << kRowBits;
@@ -40,7 +40,7 @@ void create_tables(Database& database, const Placement& placement);
 /// Stores with these tables, and no others.
 [[nodiscard]] StoreKind results_store();
 
-/// `2000-01-01T00:00:12.500Z`: the moment so many seconds after tick 0.
+/// `2000-01-01T00:00:12.500Z`: the moment `seconds` after tick 0.
 [[nodiscard]] std::string time_text(double seconds);
 
 /// Records the extent of each layer's rows.

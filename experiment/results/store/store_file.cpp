@@ -16,7 +16,7 @@
 namespace jaywalk {
 namespace {
 
-// Of the header of a SQLite file (https://sqlite.org/fileformat2.html#the_database_header).
+// Fields in the header of a SQLite file (https://sqlite.org/fileformat2.html#the_database_header).
 constexpr std::size_t kHeaderBytes = 100;
 constexpr std::string_view kMagic{"SQLite format 3\0", 16};
 constexpr std::size_t kPageSizeAt = 16;
@@ -37,8 +37,8 @@ std::uint64_t page_size(const Header& header) {
   return size == 1 ? 65536 : size;
 }
 
-/// What is missing from a file; nothing if it is as long as its header says. Pages that are still
-/// in the log beside it do not count.
+/// A message about missing bytes; nothing if the file is as long as its header says, or a log
+/// beside it may have the rest.
 std::optional<std::string> cut_off(const std::string& path, const Header& header) {
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(path, error);
@@ -82,7 +82,7 @@ std::optional<std::string> damage(Database& database, Scrutiny scrutiny) {
   return fmt::format("the store is damaged: {}", found.value_or("it cannot be checked"));
 }
 
-/// Lets SQLite undo what a process was writing when it was killed, if the file is a store.
+/// Lets SQLite undo the unfinished transaction of a killed process, if the file is a store.
 void undo_interrupted(const std::string& path, const StoreKind& kind) {
   Database untouched(path, Database::Mode::untouched);
   if (objection(untouched, kind) || untouched.failure()) return;

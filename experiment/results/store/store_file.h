@@ -40,17 +40,17 @@ void start_log(Database& database);
                                       std::string hint = {});
 
 void write_description(Database& database, const ExperimentDescription& description);
-/// What add_judging() made of the description in the store.
+/// Writes the changes that add_judging() made to the description into the store.
 void write_judging(Database& database, const ExperimentDescription& before,
                    const ExperimentDescription& now);
 
-/// A results store and what it says of its experiment.
+/// A results store and the description of its experiment.
 struct ResultsStore {
   std::unique_ptr<Database> database;
   ExperimentDescription description;
 };
 
-/// Reads the description in what was opened. Errors: those of opening it; the description cannot be
+/// Reads the description of an opened store. Errors: those of opening it; the description cannot be
 /// read, or makes no sense.
 [[nodiscard]] Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened,
                                              const std::string& path);

@@ -19,7 +19,7 @@ bool has_table(Database& database, std::string_view name) {
 constexpr std::string_view kObjects =
     "SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY name";
 
-/// What SQLite makes of the text, whatever the row calls it.
+/// The kind of object that the SQL text creates, whatever the row calls it.
 std::string_view kind_of(std::string_view sql) {
   for (const std::string_view kind : {"TABLE", "VIEW", "TRIGGER", "VIRTUAL TABLE", "INDEX"}) {
     if (sql.starts_with(fmt::format("CREATE {} ", kind))) return kind;
@@ -27,7 +27,7 @@ std::string_view kind_of(std::string_view sql) {
   return "";
 }
 
-/// What there is, by name, and the text that makes it.
+/// The objects of the database by name, with the SQL that creates them.
 std::map<std::string, std::string> objects_of(Database& database) {
   std::map<std::string, std::string> objects;
   Statement row(database, kObjects);

@@ -15,12 +15,12 @@
 
 namespace jaywalk {
 
-/// A file that an experiment was made from: scenario, start cells, programs and what they include.
+/// An input file of an experiment: scenario, start cells, programs and their includes.
 struct StoredInput {
   /// As it was named when it was read.
   std::string path;
   std::string text;
-  /// Of the text, 64 hexadecimal digits.
+  /// The hash of the text, 64 hexadecimal digits.
   std::string sha256;
 };
 

@@ -30,7 +30,7 @@ class PortableNames {
   std::vector<std::string> roots_;
 };
 
-/// One path by itself, for a title: of an absolute one the file's name.
+/// A path for a title; an absolute path is shortened to the file's name.
 [[nodiscard]] std::string portable_path(const std::string& path);
 
 }  // namespace jaywalk

@@ -36,7 +36,7 @@ bool is_as_it_was(const Source& kept) {
 }  // namespace
 
 Result<std::string> ProgramCopies::add(const Source& program) {
-  // The file keeps its name, by which an interpreter may know what it is; a folder each.
+  // The file keeps its name, since an interpreter may depend on it; so each gets its own folder.
   const fs::path path = output_path((fs::path(folder_.path()) / std::to_string(count_++)).string(),
                                     fs::path(program.name()).filename().string());
   std::error_code error;

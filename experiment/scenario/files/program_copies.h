@@ -1,7 +1,7 @@
 #pragma once
 
-// Programs as files to start processes from, made of texts that were kept of them: a stored test
-// runs with the controller that it ran with, whatever has become of the file since.
+// Files of programs to start processes from, made from kept copies of their texts: a stored test
+// runs with the controller that it ran with, even if the original file has changed since.
 
 #include <memory>
 #include <span>

@@ -67,7 +67,8 @@ bool is_part_of(std::string_view file, std::string_view name) {
   });
 }
 
-/// Removes the parts of a file that nobody is making any more: whoever makes one has it locked.
+/// Removes unfinished parts of a file that killed processes left; a process that is writing one
+/// holds a lock on it.
 void remove_abandoned(const std::string& path) {
   const std::string name = fs::path(path).filename().string();
   std::error_code error;
@@ -107,7 +108,7 @@ void PartFile::open_named() {
   const int file = ::mkostemps(name.data(), static_cast<int>(kEnding.size()), O_CLOEXEC);
   if (file < 0) return;
   struct stat seen {};
-  // Somebody may have taken it for abandoned before it was locked.
+  // Another process may have taken it for abandoned before it was locked.
   const bool made = ::fchmod(file, rights) == 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0 &&
                     ::fstat(file, &seen) == 0;
   if (made && seen.st_nlink > 0) {
@@ -134,7 +135,7 @@ bool PartFile::put_new() {
 bool PartFile::replace() {
   if (!is_named_) {
     if (link_to(path_)) return true;
-    // What is there is replaced by a name; the file has one for that moment alone.
+    // Only a file with a name can replace another one, so give it one for a moment.
     for (int i = 0; i < kMostNames && errno == EEXIST && !is_named_; ++i) {
       const std::string name = path_ + "." + random_letters() + std::string(kEnding);
       is_named_ = link_to(name);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Files and folders for as long as something is made. Nobody can foresee their names, and nothing
-// that is there already is opened, so that no link put in their place leads elsewhere.
+// Temporary files and folders. Their names cannot be predicted and no existing file is opened, so
+// that an attacker's link cannot redirect the output.
 
 #include <string>
 
@@ -17,19 +17,19 @@ class PartFile {
   /// Empty, with the rights of any new file. is_open() says whether it could be made; if not,
   /// `errno` says why.
   explicit PartFile(std::string path, Naming naming = Naming::unnamed_if_possible);
-  /// Removes it unless it stands in its place.
+  /// Removes the file unless replace() or put_new() succeeded.
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// By which this process can open it until it stands in its place.
+  /// A path by which this process can open it until then.
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Puts it into its place, which another file may have had; `errno` says why that failed.
+  /// Gives the file its final path and replaces a file that is there; `errno` says why that failed.
   [[nodiscard]] bool replace();
-  /// The same where there is no file; fails with EEXIST otherwise.
+  /// Gives the file its final path; fails with EEXIST if there is a file already.
   [[nodiscard]] bool put_new();
 
  private:

@@ -13,8 +13,8 @@ using TextSink = std::function<void(std::string_view)>;
 using TextSource = std::function<bool(const TextSink&)>;
 
 /// The path of a file in a folder whose name others may have given, which cannot lead out of the
-/// folder: what is no letter, digit, `.`, `-` or `_` becomes `_`, as does a full stop at the
-/// beginning. An identifier (markup.h) stays as it is.
+/// folder: characters other than letters, digits, `.`, `-` and `_` become `_`, as does a full stop
+/// at the beginning. An identifier (markup.h) stays as it is.
 [[nodiscard]] std::string output_path(const std::string& folder, std::string_view name);
 
 /// What happens to a link that is at the path already. Only a path that the user has written is
@@ -22,8 +22,8 @@ using TextSource = std::function<bool(const TextSink&)>;
 enum class Links { followed, replaced };
 
 /// Writes a whole file or nothing: the text goes to a file beside it, which then takes its name.
-/// What is not a regular file (/dev/stdout, a pipe) is written to directly where links are
-/// followed, else replaced. Returns why it could not be done, for people, if so.
+/// A path that is not a regular file (/dev/stdout, a pipe) is written to directly where links are
+/// followed, else replaced. Returns a message about the failure, if there was one.
 [[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view text,
                                                     Links links = Links::followed);
 
@@ -33,8 +33,8 @@ enum class Links { followed, replaced };
                                                     const TextSource& source,
                                                     Links links = Links::followed);
 
-/// The file that is replaced when a path is written to: a link stays a link, and what it points to
-/// is replaced. Empty: what is there is written to directly, as is what a link in /dev points to.
+/// The file that is replaced when a path is written to: a link stays a link, and its target is
+/// replaced. Empty: the path is written to directly (not a regular file, or a link in /dev).
 [[nodiscard]] std::string replaced_file(const std::string& path);
 
 /// Why write_file would fail there, found out by trying: there is no such folder, it cannot be

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the actions on sets, maps and queues share. The collection is always the first argument.
+// Shared by the actions on sets, maps and queues. The collection is always the first argument.
 
 #include <memory>
 #include <type_traits>
@@ -13,14 +13,14 @@ namespace jaywalk::actions {
 /// No collection has more elements.
 inline constexpr std::size_t kMaxElements = std::size_t{1} << 24U;
 
-/// A new object, safe from going back in a query.
+/// A new object, which outlives backtracking in a query.
 [[nodiscard]] inline Value made(ActionCall& call, std::unique_ptr<Object> object) {
   const Value value = call.heap().object(std::move(object));
   call.heap().protect();
   return value;
 }
 
-/// A value that is put into a collection: variables of its own, and safe from going back.
+/// A copy of a value for a collection: it has fresh variables and outlives backtracking in a query.
 [[nodiscard]] inline Value kept(ActionCall& call, Value value) {
   if (!value.is_closed()) value = call.unifier().fresh_copy(value);
   call.heap().protect();
@@ -46,7 +46,7 @@ struct Collections {
     return static_cast<Collection*>(value.object()->object);
   }
 
-  /// The same; an unbound variable receives a new set or map, but no queue.
+  /// Like get(), but an unbound variable receives a new set or map (not a queue).
   static Collection* get_or_make(ActionCall& call) {
     if constexpr (kKind != Object::Kind::queue) {
       if (call.arg(0).is_variable() && create(call) != Outcome::succeeded) return nullptr;

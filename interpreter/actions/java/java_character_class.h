@@ -30,7 +30,7 @@ struct CharacterClass {
 
 /// `d`, `w`, `s` and their complements `D`, `W`, `S`; nothing for other names.
 [[nodiscard]] std::optional<CharacterClass> predefined_class(char name);
-/// What is between the braces of `\p{…}`; nothing for a name that is not known.
+/// The class for the name in the braces of `\p{…}`; nothing for an unknown name.
 [[nodiscard]] std::optional<CharacterClass> class_of_property(std::string_view name);
 
 }  // namespace jaywalk::actions

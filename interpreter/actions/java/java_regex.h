@@ -23,8 +23,8 @@ class Regex {
   /// Nothing if the pattern is not one; `error` then says why.
   [[nodiscard]] static std::optional<Regex> parse(std::string_view pattern, std::string& error);
 
-  /// Where a match and its groups begin and end, in bytes: [2*i] and [2*i+1]; kNone: group i took
-  /// no part. Empty: no match.
+  /// The begin and end of a match and its groups, in bytes: [2*i] and [2*i+1]; kNone: group i did
+  /// not take part. Empty: no match.
   using Groups = std::vector<std::size_t>;
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
@@ -38,7 +38,8 @@ class Regex {
                                                        std::string_view replacement,
                                                        std::string& error) const;
 
-  /// Called now and then while a match is looked for; what it throws ends that.
+  /// Sets a function that is called now and then during a search; an exception from it ends the
+  /// search.
   void watch(std::function<void()> look) { look_ = std::move(look); }
 
  private:

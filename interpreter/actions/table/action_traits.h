@@ -1,7 +1,7 @@
 #pragma once
 
-// What the table of internal actions says about each, for code that reads programs without running
-// them: the checker, editors, the system that lets agents reason side by side. The words of the
+// The properties of internal actions in their table, for code that reads programs without running
+// them: the checker, editors, the system that lets agents reason in parallel. The words of the
 // table's columns are in the namespace action_words.
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct ActionKind {
   bool is_uncounted = false;
 };
 
-/// What its arguments stand for, the first unless said otherwise.
+/// The meaning of its arguments, the first one unless said otherwise.
 enum class About : std::uint8_t {
   anything,
   goal,
@@ -34,21 +34,22 @@ enum class About : std::uint8_t {
   agents,       ///< others of the system
 };
 
-/// As of an action of which nothing is known: it may give any variable a value.
+/// Properties of an action. The defaults are those of an unknown action: it may give any variable a
+/// value.
 struct ActionTraits {
   static constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 
-  /// It may give variables in its arguments a value; what it cannot is certain.
+  /// Whether it may give variables in its arguments a value; false is certain.
   bool binds = true;
-  /// It always fails.
+  /// Whether it always fails.
   bool fails = false;
   bool removes_plans = false;
   About about = About::anything;
-  /// Of a message: the index of its performative, before the content.
+  /// For messages: the index of the argument with the performative; the content follows it.
   std::size_t performative = 0;
-  /// With so many arguments and more, other agents can notice it within the same round.
+  /// From this number of arguments on, other agents can notice it within the same round.
   std::size_t far_from = kNever;
-  /// With so many arguments the intention may be suspended.
+  /// The least and the greatest number of arguments with which it may suspend the intention.
   std::size_t waits_from = kNever;
   std::size_t waits_to = 0;
 
@@ -59,7 +60,7 @@ struct ActionTraits {
   [[nodiscard]] constexpr bool is_about_belief() const {
     return about == About::belief || about == About::new_belief;
   }
-  /// A program that uses it is not alone.
+  /// Whether a program that uses it expects other agents.
   [[nodiscard]] constexpr bool is_social() const {
     return about == About::message || about == About::agents;
   }
@@ -143,14 +144,15 @@ inline constexpr auto kActionRows = [] {
   return found == kActionRows.end() ? nullptr : found;
 }
 
-/// What is known of an action of that name; of a literal that is none, too.
+/// The properties of the action of that name, or the defaults if there is none.
 [[nodiscard]] constexpr ActionTraits traits_of(std::string_view name) {
   const ActionRow* const row = find_action_row(name);
   return row == nullptr ? ActionTraits{} : row->traits;
 }
 
-/// The index of the argument that is a query, given so many arguments; kNever: none is. One that is
-/// not the first is there only if all are: `.max(List, X)`, `.max(Term, Query, X)`.
+/// The index of the argument that is a query, given the number of arguments; kNever: none is. A
+/// query that is not the first argument is there only if all arguments are: `.max(List, X)` has
+/// none, `.max(Term, Query, X)` has one.
 [[nodiscard]] constexpr std::size_t query_index(std::string_view name, std::size_t arguments) {
   const ActionRow* const row = find_action_row(name);
   if (row == nullptr || row->kind.formula_args == 0) return ActionTraits::kNever;

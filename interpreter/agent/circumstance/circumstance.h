@@ -89,7 +89,7 @@ struct Circumstance {
   Intention* atomic = nullptr;          // the atomic intention, if it is ready to run
   std::unique_ptr<Event> atomic_event;  // of the atomic intention, or null
   bool atomic_suspended = false;        // there is one, and it waits
-  // What many agents never have.
+  // Parts that many agents never use.
   Seldom<Ring<Message>> mailbox;              // MB
   Seldom<std::vector<Message>> arriving;      // sent in this round, to the mailbox at its end
   Seldom<Ring<PendingAction>> actions;        // PA, for the environment to take, one a tick

@@ -46,7 +46,7 @@ void Intention::finish() {
 }
 
 void Intention::shrink() {
-  constexpr std::size_t kMostMeans = 32;  // as many are kept for what comes
+  constexpr std::size_t kMostMeans = 32;  // capacity that is kept for later goals
   constexpr std::size_t kMostValues = 128;
   if (stack.capacity() > kMostMeans + 4 * stack.size()) stack.shrink_to_fit();
   if (values.capacity() > kMostValues + 4 * values.size()) values = ValueStack(values);

@@ -61,7 +61,7 @@ struct Loop {
   std::vector<Level> levels;
 };
 
-/// What few means have beside their frame.
+/// Rarely used parts of intended means, beside their frame.
 struct MeansExtras {
   /// Bodies made at run time that the means has not left, each within the one before.
   std::vector<std::shared_ptr<BodyCode>> codes;
@@ -74,7 +74,7 @@ struct IntendedMeans {
   const Step* current = nullptr;  // the formula that it has come to; null: it is done
   TriggerOperator op = TriggerOperator::add;
   TriggerKind kind = TriggerKind::belief;
-  /// The event's literal. Unset: it is the plan's trigger with what the frame has in its slots
+  /// The event's literal. Unset: it is the plan's trigger with the frame's values in its slots
   /// (Agent::goal_of), which is made on demand.
   Value trigger;
   std::size_t frame = 0;    // index into the intention's values
@@ -207,8 +207,8 @@ class Intention {
   bool also_suspended = false;
   /// It suspended itself: resumed, it goes on behind its formula.
   bool suspended_itself = false;
-  /// For a branch, which handles an external event by a sub-plan of another intention: the other
-  /// one's number, and how many means are copies of that one's. When no more than those remain,
+  /// For a branch, which handles an external event by a sub-plan of another intention: the number
+  /// of that intention, and how many means are copies of its means. When only the copies remain,
   /// the branch is done. 0: it is not a branch.
   std::uint32_t origin = 0;
   std::size_t shared = 0;

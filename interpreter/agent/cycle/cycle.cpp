@@ -174,7 +174,7 @@ bool Agent::no_plan(const Event& event) {
   return true;
 }
 
-// It passes through E after all, before what has come since.
+// Puts the intention's next event into E, before events that have come since.
 void Agent::queue_next_event(Intention& intention) {
   NextEvent& next = work().next;
   next.is_pending = false;

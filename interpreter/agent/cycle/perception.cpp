@@ -51,7 +51,7 @@ void Agent::believe_changes(const Percepts& percepts) {
   announce_percepts();
 }
 
-// Whether anybody could tell from an event that a percept has changed.
+// Whether an event about a changed percept could have any effect.
 bool Agent::hears_of_percepts() const {
   return library_->has_belief_plans() || (unusual_ & kShowsEvents) != 0 ||
          !circumstance_.waits.empty() || (unusual_ & kSubplans) != 0 ||

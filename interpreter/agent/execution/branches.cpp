@@ -1,8 +1,8 @@
-// External changes of belief that sub-plans of goals being pursued are for (AgentSpeak(ER)). As in
-// Jason, a branch handles them: an intention with a copy of the other one's stack, so that a
-// failure looks for handlers there. When the sub-plan is done, so is the branch; when the failure
-// of one of the copied goals has been handled, the branch goes on below that goal in the other
-// one's place.
+// Handles external changes of belief by sub-plans of goals being pursued (AgentSpeak(ER)). As in
+// Jason, a branch handles them: an intention with a copy of the goal's stack, so that a failure
+// looks for handlers there. When the sub-plan is done, so is the branch; when the failure of one of
+// the copied goals has been handled, the branch goes on below that goal and replaces the original
+// intention.
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ void Agent::start_branches(const Event& event) {
     for (std::size_t i = intention->stack.size(); i > intention->shared; --i) {
       const IntendedMeans& means = intention->stack[i - 1];
       if (means.plan->subplans == nullptr) continue;
-      // The sub-plan sees what the plan's variables are now.
+      // The sub-plan sees the present values of the plan's variables.
       const std::span<const Value> values(intention->frame(means), means.plan->slot_count);
       const std::vector<const Plan*>& plans = means.plan->subplans->candidates(key);
       const auto chosen = std::find_if(plans.begin(), plans.end(), [&](const Plan* plan) {

@@ -33,8 +33,8 @@ void Agent::pop_means(Intention& intention) {
   return true;
 }
 
-// The values of the variables that were renamed at the call are copied back; what is still open in
-// them is renamed afresh, so it is not shared with the plan that has ended.
+// Copies back the values of the variables that were renamed at the call. Unbound variables in them
+// are renamed, so that they are not shared with the plan that has ended.
 void Agent::return_values(Intention& intention) {
   const IntendedMeans& caller = intention.top();
   Unifier& unifier = machine().unifier();

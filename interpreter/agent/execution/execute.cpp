@@ -371,15 +371,15 @@ inline bool Agent::is_alone() {
   return Next::formula;
 }
 
-// Rules ExecInt and ClrInt: one formula of an intention; more, a cycle for each, while it is alone.
-// It is held: it does not pass through I before it is known what comes next.
+// Rules ExecInt and ClrInt: executes one formula of an intention, or more, a cycle for each, while
+// it is the only intention. The intention is held outside of I until its next state is known.
 Agent::Next Agent::run(Intention& intention) {
   Next next = Next::formula;
   do {
     executing_ = &intention;
     execute_formula(intention);
     changed_ = true;
-    // What suspends itself by its last formula is not done before it is resumed.
+    // An intention that suspends itself by its last formula is not done before it is resumed.
     if (!intention.is_finished() && intention.top().is_finished() &&
         intention.state != Intention::State::suspended) {
       clear_intention(intention);

@@ -1,8 +1,8 @@
-// Rule ExecInt for `for`. The condition's solutions are looked for as the rounds need them: the
-// conjuncts are gone through one by one, each a level with all that satisfies it together with
-// those before. So a round's changes of belief are seen by the later conjuncts of rounds to come,
-// as in Jason. A conjunct that might be satisfied without end is asked for a few solutions at a
-// time: it is asked again for more, and what has had its round is left out.
+// Rule ExecInt for `for`. The condition is solved as the rounds need solutions: each conjunct is a
+// level with all solutions of it together with the conjuncts before. So later conjuncts of later
+// rounds see a round's changes of belief, as in Jason. A conjunct that might have endlessly many
+// solutions is asked for a few at a time; when it is asked again for more, solutions that have had
+// their round are left out.
 
 #include <algorithm>
 #include <unordered_map>
@@ -102,7 +102,7 @@ void remove_known(const Level& before, Level& again) {
 
 }  // namespace
 
-// At most `most` solutions of a conjunct, each with what the levels before have bound.
+// At most `most` solutions of a conjunct, each with the bindings of the levels before.
 Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition,
                                      std::span<const Value> before, std::size_t most) {
   Level level;
@@ -183,7 +183,7 @@ void Agent::extend_level(Intention& intention, Loop& loop) {
   level.solutions.insert(level.solutions.end(), again.solutions.begin(), again.solutions.end());
 }
 
-// Binds what the next round begins with. False: there is no other round.
+// Restores the bindings of the next round. False: there is no other round.
 bool Agent::begin_round(Intention& intention, Loop& loop) {
   while (!loop.levels.empty()) {
     undo_round(intention, loop);

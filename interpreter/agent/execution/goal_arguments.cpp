@@ -1,5 +1,5 @@
-// The literals of formulas that make events, `!g(X+1)`, `+b`: their arguments, and what is to come
-// back in them. The usual ones are operands, decoded when the plan was compiled
+// The literals of formulas that make events, `!g(X+1)`, `+b`: their arguments, and the variables in
+// which results come back. The usual ones are operands, decoded when the plan was compiled
 // (program/event_code.h); the unifier makes the others.
 
 #include "interpreter/agent/execution/goal_arguments.h"
@@ -39,7 +39,7 @@ void Agent::rename_in_goal(Intention& intention) {
   means.returns = intention.values.size() - first;
 }
 
-// Behind the frame stands what a call is to bring back: each variable with its copy.
+// Records the results of a call behind the frame: each variable with its copy.
 void Agent::note_returns(Intention& intention) {
   IntendedMeans& means = intention.top();
   intention.values.cut(means.frame + means.plan->slot_count);

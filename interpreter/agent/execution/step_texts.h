@@ -1,6 +1,6 @@
 #pragma once
 
-// Formulas of plan bodies in what is said of them when they fail.
+// Texts of plan bodies' formulas for messages about their failure.
 
 #include <string>
 

@@ -61,8 +61,8 @@ Value Agent::failure_literal(Value literal, const ActionError& error, Value code
 
 namespace {
 
-// Unsets the variables of a term; what they are bound to is not looked at. Parts that a term shares
-// are visited once: there may be very many places where they stand.
+// Unsets the variables of a term, but not those in their values. Shared parts are visited once,
+// since they may occur in very many places.
 void free_variables(Value term) {
   std::vector<Value> open{term};
   std::unordered_set<std::uint64_t> seen;
@@ -145,8 +145,8 @@ bool Agent::post_failure(Intention& intention, std::size_t floor, const ActionEr
     const Event event{TriggerOperator::remove, means.kind,
                       failure_literal(goal_of(intention, means), settled, code, line, &intention),
                       &intention, goal};
-    // What failed before is not kept, so that a goal may be tried again without end; nor is what
-    // has filled the memory, which is needed to go on.
+    // Earlier failures are not kept, so that a goal may be retried without end; nor are terms that
+    // filled the memory, which is needed to go on.
     const bool is_kept = !is_failure && error.limit != ReachedLimit::memory;
     const std::size_t kept = std::max({i, std::size_t{1}, intention.shared});
     while (!is_kept && intention.stack.size() > kept) pop_means(intention);
@@ -205,7 +205,7 @@ void Agent::fail(Intention& intention, const ActionError& error) {
 
 namespace {
 
-// What Jason gives as the reason of a goal's failure.
+// The reason that Jason gives for a goal's failure.
 std::string_view reason_of(const ActionError& error) {
   if (error.id == "no_relevant") return "no_relevant_plan";
   if (error.id == "no_applicable") return "no_applicable_plan";

@@ -1,7 +1,7 @@
 #pragma once
 
-// Intentions that wait: for time, for an event, for a formula to hold; and what is put off to the
-// beginning of the next deliberation.
+// Intentions that wait: for time, for an event, for a formula to hold; and work that is deferred to
+// the beginning of the next deliberation.
 
 #include "interpreter/agent/circumstance/circumstance.h"
 

@@ -1,14 +1,14 @@
 // Rule AddIM: the plan that was chosen becomes an intended means, a new intention for an external
 // event, else on top of the intention that waits for the event (add_intended_means in
-// choose_plan.cpp). Here is what it needs in some cases.
+// choose_plan.cpp). This file has the rare cases.
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/step_guard.h"
 
 namespace jaywalk {
 
-// The event's literal with what the head and the context have given its variables. What is still
-// open in it, the body may bind, and a failure frees again (free_goal).
+// The event's literal with the bindings of the head and the context. The body may bind its
+// remaining variables, and a failure unsets them again (free_goal).
 Value Agent::settled_literal(const Event& event) {
   work().binds_event = false;
   const Unifier::KeepCircles keep(machine().unifier());
@@ -47,7 +47,7 @@ void Agent::hand_over(const Intention& intention, const IntendedMeans& caller) {
   }
 }
 
-// What means of few plans need.
+// Sets the parts of means that few plans need.
 void Agent::fill_rare(IntendedMeans& means, const ScopePtr& scope) {
   const Plan& plan = *means.plan;
   if (scope != nullptr) means.extras.make().scope = scope;

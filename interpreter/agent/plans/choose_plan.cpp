@@ -100,7 +100,7 @@ Value* Agent::prepare_scratch(const Plan& plan, std::span<const Value> enclosing
   return frame;
 }
 
-// Values whose open variables are others: what is bound here is not seen there, nor the reverse.
+// Copies of values with fresh unbound variables: bindings on one side are not seen on the other.
 std::vector<Value> Agent::closed_off(std::span<const Value> values) {
   std::vector<Value> copies(values.begin(), values.end());
   const auto is_closed = [](Value value) { return value.is_unset() || value.is_closed(); };
@@ -119,11 +119,11 @@ std::vector<Value> Agent::closed_off(std::span<const Value> values) {
 // from a handler.
 void Agent::leave_plan_at_limit(const Plan& plan, std::size_t trail, Heap::Mark unused) {
   const ActionError error = error_of_limit();
-  machine().unifier().undo(trail);  // before what is bound is given up
+  machine().unifier().undo(trail);  // before the terms that are bound are released
   leave_context_at_limit(plan, error, unused);
 }
 
-// Nothing of what was made while the context was solved is in use.
+// Releases all terms that were made while the context was solved: none of them is in use.
 void Agent::leave_context_at_limit(const Plan& plan, const ActionError& error, Heap::Mark unused) {
   heap_.release(unused);
   const std::string where = "the context of " + plan_name(plan);

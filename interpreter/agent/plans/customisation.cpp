@@ -68,7 +68,7 @@ void Agent::intend(Option& option, const Event& event) {
   add_intended_means(*option.plan, event, option.scope);
 }
 
-// The options that one plan is, each with what it binds; the bindings themselves are undone.
+// Adds an option for each solution of a plan's context, with its bindings, which are then undone.
 void Agent::find_options(const Plan& plan, const Event& event, const ScopePtr& scope,
                          std::vector<Option>& options) {
   Unifier& unifier = machine().unifier();

@@ -81,8 +81,8 @@ bool Agent::choose_learned(std::vector<Option>& options, const Event& event) {
   return true;
 }
 
-// The first answer to observation(P, Features), with what it computes. False: `error` says what is
-// wrong with it.
+// The features of the first answer to observation(P, Features), evaluated. False: `error` has the
+// error in it.
 bool Agent::observe_for(const Plan& plan, std::vector<double>& features, ActionError& error) {
   Unifier& unifier = machine().unifier();
   const std::string policy = term_text(plan.policy, symbols_);

@@ -223,7 +223,7 @@ bool Agent::execute_plan_or_rule(Intention& intention, Value term, Step::Kind ki
   return true;
 }
 
-// As in Jason the body of a rule that goes does not matter, and there is no event.
+// As in Jason a removed rule is found by its head alone, and there is no event.
 void Agent::change_rules(Value rule, Step::Kind kind) {
   const Value head = as_literal(rule);
   const bool removes = kind == Step::Kind::remove || kind == Step::Kind::remove_new_focus;

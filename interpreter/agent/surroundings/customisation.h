@@ -5,7 +5,7 @@
 // steps of the reasoning cycle, on the thread that runs the system. Values that they see are valid
 // until they return; they must not run the agent.
 //
-// The choice of an agent should depend on nothing but what it is given (and its own random stream,
+// The choice of an agent should depend on its arguments alone (and its own random stream,
 // `Agent::random`), so that a run can be repeated.
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Option {
   const Plan* plan = nullptr;
   /// The value of each of the plan's variables, `plan->slot_names`; unset: it has none yet.
   std::vector<Value> values;
-  /// What choosing it binds besides: variables of the event and their values.
+  /// Further bindings if it is chosen: variables of the event and their values.
   std::vector<std::pair<Value, Value>> bindings;
   ScopePtr scope;
 };
@@ -49,8 +49,8 @@ class BeliefRevision {
   /// Makes the change as it was asked for, as an agent without a function of its own would. False:
   /// it changed nothing.
   bool accept();
-  /// Changes something besides, or instead. Each change is an event of its own; the first one is
-  /// what the intention that asked waits for. REQUIRES: is_literal(literal).
+  /// Adds a change besides the requested one, or instead. Each change is an event of its own; the
+  /// intention that requested the change waits for the first one. REQUIRES: is_literal(literal).
   bool add(Value literal);
   bool remove(Value literal);
 
@@ -74,7 +74,7 @@ class BeliefRevision {
   bool changed_ = false;
 };
 
-/// One for any number of agents; it lives as long as the system.
+/// Functions for any number of agents; they live as long as the system.
 struct Customisation {
   /// SelEv: the place in the queue of the event to be handled in this cycle, the oldest first;
   /// nothing: none in this cycle. Not asked while an atomic intention exists.

@@ -31,7 +31,7 @@ struct OutgoingMessage {
   std::optional<Predicate> receiver_atom;
   Symbol performative{};
   Value content;
-  /// Names the message, so that an answer can say what it answers.
+  /// Identifies the message, so that an answer can refer to it.
   MessageId id;
   MessageId in_reply_to;
 };
@@ -45,7 +45,7 @@ struct ProgramRequest {
   std::string ns;
 };
 
-/// Why a program was not loaded, or what was left out of it.
+/// Why a program was not loaded, or which parts of it were left out.
 struct LoadProblem {
   std::string text;  // empty: there is none
   /// The agents may not read the file, so that `.include` fails; one that is missing or wrong it
@@ -53,7 +53,7 @@ struct LoadProblem {
   bool is_refused = false;
 };
 
-/// The agents that live together: who there is, who comes and goes.
+/// The agents of the system: their names, creation and end.
 class Society {
  public:
   /// The name that a new agent got, or why there is none.

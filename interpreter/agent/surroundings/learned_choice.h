@@ -2,8 +2,8 @@
 
 // Choices that are learned. Plans that are labelled `@go[learned(step)]` are options of the policy
 // `step`: where the first plan that is applicable to an event is one of them, rule SelAppl draws
-// among all that are applicable, by probabilities that depend on what the agent observes. That is
-// what its rules for observation(step, Features) answer: numbers, always as many.
+// among all that are applicable, by probabilities that depend on the agent's observation. Its rules
+// for observation(step, Features) answer it: a list of numbers, always of the same length.
 
 #include <cstddef>
 #include <span>
@@ -43,7 +43,7 @@ class OptionPolicies {
   /// same. Returns why the choice cannot be made, an unknown option, say; empty: it can.
   [[nodiscard]] virtual std::string weigh(const LearnedChoice& choice,
                                           std::span<double> probabilities) = 0;
-  /// One was drawn.
+  /// An option was drawn.
   virtual void drawn(const LearnedChoice& /*choice*/, const DrawnOption& /*drawn*/) {}
 };
 

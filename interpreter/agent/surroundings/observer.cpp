@@ -30,7 +30,7 @@ const RuleCode& Observers::rule_for(const RuleCode& rule) {
   return rule;
 }
 
-// Those that give no contexts and rules return 0.
+// Observers without compiled contexts and rules return 0.
 std::size_t Observers::condition_asked(Agent& agent, std::size_t number,
                                        std::span<const Value> variables) {
   std::size_t asking = 0;

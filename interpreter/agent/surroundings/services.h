@@ -1,7 +1,7 @@
 #pragma once
 
-// The yellow pages, Jason's directory facilitator: which agent offers which service, and who wants
-// to be informed (`.df_register` and its kin).
+// The yellow pages, Jason's directory facilitator: which agent offers which service, and which
+// agents want to be informed (`.df_register` and related actions).
 
 #include <functional>
 #include <string>

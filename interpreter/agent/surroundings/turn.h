@@ -13,7 +13,7 @@ class WorkspacePool;
 struct AgentTurn {
   explicit AgentTurn(WorkspacePool& pool) : workspaces(&pool) {}
 
-  /// Where the agent borrows what it reasons with.
+  /// The pool from which the agent borrows its workspace.
   WorkspacePool* workspaces;
   /// The agent has asked for something that concerns others: a message, a new agent, the end of the
   /// run. So it stops at the end of its cycle.

@@ -63,8 +63,8 @@ class ValueFlow {
   }
   void unite(Id a, Id b) { parents_[root(b)] = root(a); }
 
-  // Of the first argument; those of the others follow. Most facts of long programs follow another
-  // one of the same name.
+  // The id of the first argument; those of the others follow it. The latest name is cached, since
+  // most facts of long programs follow another one of the same name.
   Id first_argument_id(What what, std::string_view name, std::size_t arity) {
     const Signature signature{what, name, arity};
     if (last_signature_ == signature) return last_arguments_;
@@ -101,7 +101,7 @@ class ValueFlow {
     return classes;
   }
 
-  // What the environment and the scenario say.
+  // Values declared by the environment and the scenario.
 
   void declare(What what, const Vocabulary::Entry& entry) {
     for (std::size_t i = 0; i < entry.values.size(); ++i) {
@@ -286,7 +286,7 @@ class ValueFlow {
     }
   }
 
-  // What this agent tells others, its equals may be told.
+  // This agent may receive the same messages that it sends, from agents that run the same program.
   void message(const Node& performative, const Node& content) {
     const bool is_goal = performative.text == "achieve" || performative.text == "unachieve";
     literal(is_goal ? What::goal : What::belief, content, AtomRole::given);

@@ -25,7 +25,7 @@ struct AtomUse {
   Role role = Role::given;
   /// The argument of a percept or action that declares its values, not just shares them.
   bool is_declared_here = false;
-  /// Where it stands; nothing if the environment or a scenario says so.
+  /// The file with the atom; null if it comes from the environment or a scenario.
   CheckedFile* file = nullptr;
   Span span;
   const Vocabulary::Setting* setting = nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a program uses which name, and as what: what editors ask for when they look for
-// definitions and references, rename, and complete.
+// The uses of names in a program with their roles, for editors: definitions, references, renaming
+// and completion.
 
 #include <cstdint>
 #include <string>

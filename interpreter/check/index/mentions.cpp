@@ -15,8 +15,8 @@ namespace {
 using ast::Kind;
 using ast::Node;
 
-/// Calls `visit(node)` for all that is within a program but what it defines: the literals of the
-/// triggers of plans and of the heads of rules.
+/// Calls `visit(node)` for all nodes of a program, except for the literals that it defines:
+/// triggers of plans and heads of rules.
 template <class Visit>
 class Reader {
  public:
@@ -85,7 +85,7 @@ bool is_social(const Node& node) {
   if (node.kind != Kind::literal) return false;
   const bool is_message_plan = node.text.starts_with("kqml");
   if (is_message_plan || traits_of(node.text).is_social()) return true;
-  // Who distinguishes sources reckons with other agents.
+  // A program that tests sources expects messages from other agents.
   if (node.text != "source" || node.args.size() != 1) return false;
   const Node& source = *node.args[0];
   return source.kind != Kind::literal || (source.text != "self" && source.text != "percept");

@@ -1,7 +1,7 @@
 #pragma once
 
-// The names that a program mentions anywhere but where it defines something: what it may post, ask
-// for or tell, however roundabout its way (a term in a variable, a text that becomes a plan).
+// The names that a program mentions outside of definitions: it may post, ask for or tell them, even
+// indirectly (by a term in a variable, or a text that becomes a plan).
 
 #include <string_view>
 #include <unordered_set>

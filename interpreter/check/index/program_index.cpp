@@ -204,7 +204,8 @@ class Indexer {
         return;
       case About::message:
         index_.sends_messages = true;
-        // What this agent tells or asks for may be what its equals are told or asked for.
+        // This agent may receive the same messages that it sends, from agents that run the same
+        // program.
         for (const Node* argument : node.args) {
           belief(*argument);
           goal(*argument);

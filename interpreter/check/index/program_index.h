@@ -1,8 +1,8 @@
 #pragma once
 
-// What a program's files define, post and believe, all of them together; the checker (check.h)
-// compares the uses with this. Namespaces and strong negation are left aside: a name that is known
-// in one of them is known.
+// The names that all files of a program together define, post and believe; the checker (check.h)
+// compares the uses with them. Namespaces and strong negation are ignored: a name that is known in
+// one of them is known.
 
 #include <map>
 #include <set>
@@ -38,28 +38,28 @@ struct ProgramIndex {
   NameSet achievable_goals;
   /// Test goals that have a plan.
   NameSet planned_tests;
-  /// Goals that are posted anywhere, sent to somebody or written as a trigger or body term.
+  /// Goals that are posted anywhere, sent to other agents or written as a trigger or body term.
   NameSet posted_goals;
-  /// Beliefs and heads of rules, initial or added; told ones and those that a plan reacts to.
+  /// Beliefs and heads of rules, initial or added; beliefs that are sent or that a plan reacts to.
   NameSet beliefs;
-  /// Those of them that are not only heads of rules.
+  /// The names in `beliefs` that are not only heads of rules.
   NameSet facts;
   /// Beliefs that the program gives itself or others, rules too: not those to which it only reacts.
   NameSet given;
   /// Functions and internal actions that the program registers.
   NameSet functions;
-  /// There is a plan for any goal, `+!G`, or plans come from where the checker cannot look.
+  /// Whether there is a plan for any goal, `+!G`, or plans come from where the checker cannot look.
   bool has_open_goals = false;
-  /// Beliefs are added whose names are not written in the program.
+  /// Whether beliefs are added whose names are not written in the program.
   bool has_open_beliefs = false;
-  /// Parts of the program are not there, or loaded while it runs: they may define any name.
+  /// Whether parts of the program are missing, or loaded while it runs: they may define any name.
   bool has_unread_parts = false;
   bool sends_messages = false;
 };
 
 [[nodiscard]] ProgramIndex index_of(const SourceTree& program);
 
-/// The same with where each of the program's files uses names, in their order.
+/// The index and, for each of the program's files in their order, the uses of names.
 /// REQUIRES: the program lives as long.
 struct ProgramWords {
   ProgramIndex index;

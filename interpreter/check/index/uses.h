@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a file uses names, by what they are there; the checks go through these lists instead of
-// walking the syntax tree themselves.
+// A file's uses of names, by their roles; the checks go through these lists instead of walking the
+// syntax tree themselves.
 
 #include <cstdint>
 #include <set>

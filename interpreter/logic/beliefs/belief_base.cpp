@@ -59,7 +59,7 @@ void BeliefBase::fold(const FoldedRules& rules) {
   find(rules.predicate)->fold(rules.table);
 }
 
-// What folded rules are of changes: that is rare enough to have all of them asked again.
+// Facts that folded rules depend on change. That is so rare that all rules are evaluated again.
 void BeliefBase::unfold_rules() {
   for (Relation* const each : relations_) {
     if (each->is_folded()) each->unfold();

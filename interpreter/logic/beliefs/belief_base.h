@@ -48,8 +48,8 @@ class BeliefBase {
     perceived_ = std::move(remains.perceived_);
   }
 
-  /// Adds a literal with its annotations. The result is what is new: the literal with the
-  /// annotations that it did not have; nothing if it was believed with all of them.
+  /// Adds a literal with its annotations. Returns the new part: the literal with the annotations
+  /// that it did not have; nothing if it was believed with all of them.
   std::optional<Value> add(Value literal, Place place = Place::front);
   /// Rules are added without looking for an equal one. Static rules belong to a program.
   void add_rule(const RuleCode& rule, Place place);
@@ -59,17 +59,16 @@ class BeliefBase {
     known_.reserve(predicates);
     relations_.reserve(predicates);
   }
-  /// Believes what the agents of a program begin with, of a predicate of which nothing is believed;
-  /// false, and nothing: something is. The rows outlive the belief base.
+  /// Shares the initial beliefs of a program for a predicate without beliefs. Returns false, and
+  /// does nothing, if there are some. The rows outlive the belief base.
   [[nodiscard]] bool share(Predicate predicate, const SharedRows& rows);
   /// Rules that have been added are those of a table, which outlives them.
   void share_rule_table(Predicate predicate, const RuleTable& table) {
     if (Relation* const known = find(predicate)) known->share_rule_table(table);
   }
 
-  /// Rules whose answers are known give these from now on, until a change to what they are of; if
-  /// the agent believes something else there already, nothing happens. They outlive the belief
-  /// base.
+  /// From now on queries to these rules give their stored answers, until a fact that they depend on
+  /// changes. Does nothing if the agent has other facts already. The rules outlive the belief base.
   void fold(const FoldedRules& rules);
 
   /// Jason's deletion: first tries the fact with exactly these arguments and all annotations, then,
@@ -93,8 +92,8 @@ class BeliefBase {
   /// Relations in the order in which they came to be.
   [[nodiscard]] const std::vector<Relation*>& relations() const { return relations_; }
 
-  // Belief update (belief_update.cpp): what was perceived and is not any more goes, what is new
-  // comes.
+  // Belief update (belief_update.cpp): removes percepts that are no longer perceived, adds new
+  // ones.
   struct PerceptChange {
     Value literal;
     bool added = false;
@@ -116,7 +115,7 @@ class BeliefBase {
   /// perceive those that are new and to miss those that may have gone.
   [[nodiscard]] bool knows_percepts() const { return knows_percepts_; }
   void miss(Predicate predicate, std::span<const Value> args);
-  /// Removes what was missed and not perceived, in the order in which end_percepts does it.
+  /// Removes rows that were missed and not perceived again, in the order of end_percepts().
   void end_missed(std::vector<PerceptChange>& changes);
 
   /// Memory without terms, roughly.

@@ -79,7 +79,7 @@ bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_
   return true;
 }
 
-// One that the environment says is constant, unless something is believed of its predicate.
+// Adds a percept that the environment declares constant, unless there are beliefs of its predicate.
 bool BeliefBase::perceive_constant(Relation& rel, std::span<const Value> args,
                                    PerceptChange& change) {
   if (!rel.is_shared() && rel.size() == 0) {

@@ -48,14 +48,14 @@ struct FoldedRules {
     const SharedRows* rows = nullptr;
   };
 
-  /// `rules` and what is needed outlive it.
+  /// `rules` and the rows in `needed` outlive it.
   FoldedRules(Predicate of, const RuleTable& rules, std::vector<Need> needed, Answers found)
       : predicate(of), needs(std::move(needed)), answers(std::move(found)), table(rules, answers) {}
   FoldedRules(const FoldedRules&) = delete;
   FoldedRules& operator=(const FoldedRules&) = delete;
 
   Predicate predicate{};
-  /// Those of the rules themselves included.
+  /// The rows that the answers depend on, the rules' own rows included.
   std::vector<Need> needs;
   Answers answers;
   RuleTable table;

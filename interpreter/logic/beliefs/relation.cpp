@@ -121,7 +121,7 @@ std::unique_ptr<RowIndex> make_row_index(const Ring<Row>& rows, std::int64_t fir
   return index;
 }
 
-// Shared rows stay what a query sees until own_rows() has copied them.
+// Queries see the shared rows until own_rows() has copied them.
 Relation::Own& Relation::make_own_part() {
   own_ = std::make_unique<Own>();
   if (shared_ == nullptr) rows_ = &own_->rows;

@@ -98,7 +98,7 @@ class Relation {
   [[nodiscard]] const RuleTable* rule_table() {
     return table_ != nullptr || rules_ == 0 ? table_ : make_rule_table();
   }
-  /// The same table, made for the rules of a program. Taken if these are what the rows are.
+  /// Uses a table that was made for the rules of a program, if the rows are these rules.
   void share_rule_table(const RuleTable& table);
   /// Takes the table of its rules with their answers, or again the one without.
   /// REQUIRES: the rows are shared.

@@ -1,6 +1,6 @@
 #pragma once
 
-// A row of a relation: a fact or a rule, and what is looked at first in it.
+// A row of a relation: a fact or a rule, and the data that queries look at first.
 
 #include <bit>
 #include <cstdint>

@@ -29,7 +29,7 @@ struct Goal {
   Kind kind = Kind::truth;
   /// For a query: its arguments are constants and slots, each slot once, and not many.
   bool is_plain = false;
-  /// Of compare: in which orders of two numbers it holds (known_numbers.h).
+  /// For compare: the orders of two numbers for which it holds (known_numbers.h).
   std::uint8_t orders = 0;
   Predicate predicate{};
   Value term;
@@ -39,7 +39,7 @@ struct Goal {
   const Goal* origin = nullptr;
   const RuleTable* table = nullptr;
   const ActionDefinition* action = nullptr;
-  /// Of compare and unify: the sides.
+  /// For compare and unify: the two sides.
   Operand left;
   Operand right;
   /// For an internal action: its arguments that are formulas, compiled (null for other arguments).

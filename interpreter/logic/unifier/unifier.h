@@ -22,8 +22,7 @@ namespace jaywalk {
 /// Thrown by `X div 0`; caught where the agent executes a step, which fails.
 struct DivisionByZero {};
 
-/// What evaluating terms needs from the outside: functions that are queries, and a place for
-/// warnings.
+/// Callbacks of the evaluation of terms: functions that are queries, and warnings.
 class FunctionCaller {
  public:
   virtual ~FunctionCaller() = default;
@@ -63,8 +62,8 @@ class Unifier {
   /// possible. Unset slots become fresh variables named by `slot_names`.
   [[nodiscard]] Value instantiate(Value term, Value* slots);
   [[nodiscard]] Value apply(Value term) { return instantiate(term, nullptr); }
-  /// While it lives, terms that contain themselves are instantiated, too, which is TermTooDeep
-  /// otherwise: those who walk through the result must end by themselves.
+  /// While it lives, terms that contain themselves are instantiated, too, instead of throwing
+  /// TermTooDeep: callers that walk through the result must end by themselves.
   class KeepCircles {
    public:
     explicit KeepCircles(Unifier& unifier)
@@ -77,8 +76,8 @@ class Unifier {
     bool& keeps_;
     bool outer_;
   };
-  /// The same, but values of slots and variables are referred to as they are, not applied in turn:
-  /// what a query passes to a rule. Arithmetic is evaluated.
+  /// Like instantiate(), but refers to the values of slots and variables instead of replacing
+  /// within them; a query passes such terms to a rule. Arithmetic is evaluated.
   [[nodiscard]] Value build(Value term, Value* slots) {
     if (term.is_slot()) {
       const Value value = slots[term.slot_index()];
@@ -100,7 +99,7 @@ class Unifier {
   [[nodiscard]] Value apply_slots(Value term);
   /// A copy with fresh variables in place of the unbound ones.
   [[nodiscard]] Value fresh_copy(Value term);
-  /// The same; appends each variable with its copy.
+  /// Like fresh_copy(), and appends each variable with its copy to `renamed`.
   [[nodiscard]] Value rename(Value term, std::vector<std::pair<Value, Value>>* renamed);
   /// The names of the slots of the frames in use, for variables made by instantiate.
   void set_slot_names(std::span<const Symbol> names) { slot_names_ = names; }

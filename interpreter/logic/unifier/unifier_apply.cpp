@@ -82,7 +82,7 @@ Value Unifier::instantiate_parts(Value term, Value* slots) {
                         : instantiate_structure(*term.structure(), slots);
 }
 
-// What contains itself stays as it is: it has no copy without its variable.
+// A term that contains itself stays as it is: it has no copy without its variable.
 Value Unifier::instantiate_circular(Value term, Value* slots) {
   struct Forgotten {
     ~Forgotten() { circles.clear(); }

@@ -1,4 +1,4 @@
-// What expressions come to under a unifier.
+// Evaluates arithmetic expressions under a unifier.
 
 #include <array>
 #include <limits>

@@ -1,9 +1,8 @@
 #pragma once
 
-// Where something stands that has a given hash, among others in a row: a hash table of places in
-// one block of memory, eight bytes for each. Entries that collide stand in the next free place;
-// when one is removed, those behind it move up, so that nothing is left behind by what comes and
-// goes.
+// An open-addressing hash table from hashes to row numbers, in one block of memory with eight bytes
+// for each entry. Colliding entries stand in the next free place. When an entry is removed, those
+// behind it move up, so that frequent changes leave no tombstones.
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reads a named pipe, or what a shell's `<(command)` is.
+// Reads a named pipe, or the pipe of a shell's `<(command)`.
 
 #include <chrono>
 #include <cstddef>

@@ -77,7 +77,7 @@ class Formatter {
     if (ends_line) mark(i);
     write(items_[i].text);
   }
-  /// What is written next may stand in a column with its like in the lines around.
+  /// The next text may be aligned with texts of its kind in the lines around.
   void mark(std::size_t i) {
     marks_.push_back({.kind = items_[i].kind,
                       .line = line_,
@@ -120,7 +120,7 @@ class Formatter {
     }
     return width;
   }
-  // What stands in brackets is broken only where a whole line would not hold it.
+  // The content of brackets is broken only if it does not fit into a whole line.
   [[nodiscard]] bool is_call_too_wide(std::size_t begin, std::size_t end,
                                       std::size_t indent) const {
     std::size_t width = 0;
@@ -148,7 +148,7 @@ class Formatter {
       write_item(i);
     }
   }
-  /// The same for a component on one line, with marks on its colon and arrow.
+  /// Writes a component on one line, with marks on its colon and arrow.
   void one_line(std::size_t begin, std::size_t end) {
     const std::size_t arrow_at = std::min(find(arrow, begin, end), find(rule, begin, end));
     const std::size_t colon_at = find(colon, begin, arrow_at);
@@ -278,7 +278,7 @@ class Formatter {
     formulas(first, end, indent + kBodyIndent);
   }
 
-  /// Where the trigger of a plan with a label begins.
+  /// The first token of the trigger of a plan with a label.
   [[nodiscard]] std::size_t trigger_from(std::size_t begin, std::size_t end) const {
     std::size_t i = begin + 1;
     while (i < end && kind(i) != plus && kind(i) != minus && kind(i) != caret) {
@@ -338,7 +338,7 @@ class Formatter {
     while (i < last && (kind(token_from(i)) == elif_word || kind(token_from(i)) == else_word)) {
       i = block(same_line(i, indent), indent);
     }
-    // What follows without a semicolon is the next formula.
+    // Without a semicolon the next token begins another formula.
     const TokenKind next = i < last ? kind(token_from(i)) : end_of_text;
     if (next != semicolon && next != stop && next != fork_and && next != fork_or) return i;
     for (; i < last; ++i) {
@@ -388,7 +388,7 @@ Result<std::string> format_agent(const SourcePtr& source) {
   if (diagnostics.has_errors()) return diagnostics;
   const std::vector<Item> items = format::items_of(file);
   std::string text = Formatter(items).run();
-  // Line breaks mean something where a semicolon is missing: what was written is read again.
+  // Line breaks matter where a semicolon is missing, so parse the result and compare.
   Diagnostics mistakes;
   const ast::File formatted =
       parse_agent(std::make_shared<const Source>(source->name(), text), mistakes);

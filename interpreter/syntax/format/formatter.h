@@ -29,7 +29,7 @@ namespace jaywalk {
 
 inline constexpr std::size_t kLineWidth = 100;
 
-/// The text in its layout, or what is wrong with it: only programs are laid out.
+/// The text in its layout, or its errors: only valid programs are laid out.
 [[nodiscard]] Result<std::string> format_agent(const SourcePtr& source);
 
 }  // namespace jaywalk

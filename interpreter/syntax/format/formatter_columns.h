@@ -15,7 +15,7 @@ namespace jaywalk::format {
 struct ColumnMark {
   /// `:`, `<-` or `:-`, or end_of_text for a comment behind a line.
   TokenKind kind = TokenKind::end_of_text;
-  /// Where it was written, in a line of the layout, from 0.
+  /// The line of the layout in which it was written, from 0.
   std::size_t line = 0;
   std::size_t offset = 0;
   /// In which column it stood before.

@@ -213,7 +213,7 @@ class Followers {
     components(file.components);
   }
 
-  /// Where they begin.
+  /// The first characters of all formulas except for the first one of each body.
   [[nodiscard]] const std::set<const char*>& begins() const { return begins_; }
 
  private:

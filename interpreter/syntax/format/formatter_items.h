@@ -1,7 +1,7 @@
 #pragma once
 
-// What the formatter lays out: a program's tokens and comments, and what stands between two of them
-// on one line.
+// The input of the formatter: a program's tokens and comments, and the blanks and line breaks
+// between them.
 
 #include <cstddef>
 #include <string_view>
@@ -28,7 +28,7 @@ struct Item {
   /// It begins a formula, on a line of its own, without a semicolon before it: only the line break
   /// keeps the two apart.
   bool begins_formula = false;
-  /// Of a bracket: the one that belongs to it.
+  /// For a bracket: the index of the matching bracket.
   std::size_t partner = 0;
 };
 

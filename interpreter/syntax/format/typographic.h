@@ -1,6 +1,6 @@
 #pragma once
 
-// Characters that word processors and web pages put in the place of plain ones.
+// Characters that word processors and web pages substitute for plain ones.
 
 #include <string_view>
 

@@ -174,7 +174,7 @@ class ProjectParser {
     }
   }
 
-  // What stands between here and the next section, each with a semicolon.
+  // The entries from here to the next section, each with a semicolon.
   template <class Entry>
   void entries(Entry entry) {
     while (!is("}") && !is(ProjectTokenKind::end_of_text) && !begins_section()) {

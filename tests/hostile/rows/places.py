@@ -31,7 +31,7 @@ def shell(name, words, code, says="", **more):
     return Row(name, words, code, says, FILES, most=100_000, **more)
 
 
-# Files that nobody may read are no secret to root.
+# root can read files without any permissions.
 UNREADABLE = [shell("files that nobody may read", "umask 777; " + COMPARE + "--store s.gpkg --csv o.csv --report r.html",
                     *((0,) if os.geteuid() == 0 else (2, "s.gpkg: error: cannot be read: Permission denied")))]
 

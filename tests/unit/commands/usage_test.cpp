@@ -133,7 +133,7 @@ TEST_F(Usage, TakesNoOptionTwiceThatCannotBeRepeated) {
   EXPECT_THAT(said, Not(HasSubstr("--quiet"))) << "says the same twice";
 }
 
-/// Of every command: the options whose values are all used, and no others, may be repeated.
+/// In every command, exactly the options whose values are all used may be repeated.
 TEST_F(Usage, NamesInTheHelpWhichOptionsMayBeRepeated) {
   for (const Command& command : commands()) {
     std::vector<OptionSpec> options = command.help().options;

@@ -100,7 +100,7 @@ TEST(Stanley, SteersByItsHeadingAndThePlaceOfItsFrontAxle) {
   for (const NumberParameter& parameter : kind.parameters) values.push_back(parameter.value);
   const VehicleState turned{
       .x_m = 2, .y_m = 60, .heading_rad = std::numbers::pi / 2 + 0.1, .speed_mps = 10};
-  // The vehicle is to the left of the lane's middle by the sine of the angle; gain 2.5,
+  // The vehicle is on the left side of the lane's middle, by the sine of the angle; gain 2.5,
   // softening 1.
   const double left = vehicle.front_axle_m * std::sin(0.1);
   EXPECT_NEAR(kind.make({road, vehicle, values, 15, 2.5})->command(turned).steering_rad,

@@ -28,7 +28,7 @@ std::array<Triangle, 2> halves(const Quad& quad) {
   return {counter_clockwise({b, c, d}), counter_clockwise({b, d, a})};
 }
 
-/// The part of a polygon to the left of the line from one point to another.
+/// The part of a polygon on the left side of the line from one point to another.
 Polyline left_of(const Point& from, const Point& to, const Polyline& polygon) {
   Polyline rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

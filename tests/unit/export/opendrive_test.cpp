@@ -71,7 +71,8 @@ TEST(OpenDrive, PutsAnObjectAtItsMiddleWithItsOutlineAround) {
   CrossingParameters world;
   world.obstacles = {{{0, 1}, {4, 7}}};
   const std::string text = drive_of(world);
-  // Cells 4 to 7 are 6 m to 12 m along; rows 0 and 1 lie 6 m to 9 m to the left of x = 9 m.
+  // Cells 4 to 7 are 6 m to 12 m along; rows 0 and 1 lie on the left side of x = 9 m, 6 m to 9 m
+  // away.
   EXPECT_THAT(text, HasSubstr("<object type=\"obstacle\" id=\"1\" name=\"obstacle1\" s=\"9.0000\" "
                               "t=\"7.5000\""));
   EXPECT_THAT(text, HasSubstr("length=\"6.0000\" width=\"3.0000\" height=\"1.5\""));

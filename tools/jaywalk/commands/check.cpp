@@ -1,4 +1,4 @@
-// `jaywalk check`: what is wrong with programs, projects and scenarios, without running them.
+// `jaywalk check`: finds errors in programs, projects and scenarios without running them.
 
 #include "interpreter/check/check.h"
 
@@ -35,7 +35,8 @@
 namespace jaywalk::command::check {
 namespace {
 
-/// What of a folder is checked: its programs and projects. A file .yaml may be anything.
+/// Endings of the files of a folder that are checked: programs and projects. A .yaml file may be
+/// anything, so scenarios have to be named.
 constexpr std::array<std::string_view, 2> kEndings{".asl", ".mas2j"};
 
 /// Checks files, each program once however many scenarios and projects name it.
@@ -142,7 +143,7 @@ class Checker {
     diagnostics_.append(scenario.value().warnings);
     check_programs(scenario.value(), checked_, diagnostics_);
     if (diagnostics_.error_count() > errors) return;
-    // What remains is how parameters and programs fit together.
+    // Preparing finds parameters that do not fit the programs; its warnings are reported already.
     Diagnostics known_warnings;
     auto prepared = PreparedScenario::prepare(std::move(scenario).value(), known_warnings);
     if (!prepared) diagnostics_.append(std::move(prepared.diagnostics()));
@@ -153,7 +154,7 @@ class Checker {
   Diagnostics diagnostics_;
 };
 
-/// The compiled code of programs, instead of what is wrong with them.
+/// Prints the compiled code of programs instead of their errors.
 ExitCode dump_code(std::span<const std::string> files, const IncludePath& include_path,
                    Console& console) {
   for (const std::string& path : files) {
@@ -227,7 +228,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   if (arguments.has(option::kDumpCode)) {
     return all_found ? dump_code(files, *include_path, console) : ExitCode::usage;
   }
-  // Projects know more about their agents than these show by themselves.
+  // Projects first, since they say more about their agents than a program alone does.
   std::stable_partition(files.begin(), files.end(),
                         [](const std::string& path) { return path.ends_with(kEndings[1]); });
   Checker checker(*include_path);

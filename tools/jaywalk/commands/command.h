@@ -1,6 +1,7 @@
 #pragma once
 
-// A subcommand: what its --help says and what it does. commands.def has a row for each.
+// A subcommand: the texts of its --help and the function that executes it. commands.def has a row
+// for each.
 
 #include <span>
 #include <string>
@@ -13,7 +14,7 @@
 namespace jaywalk {
 
 struct CommandHelp {
-  /// What follows the command's name: "FILE [OPTIONS]".
+  /// The text after the command's name: "FILE [OPTIONS]".
   std::string_view usage;
   /// Paragraphs of whole lines, at most 80 columns wide.
   std::string_view description;

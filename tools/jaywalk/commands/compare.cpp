@@ -91,7 +91,7 @@ CommandHelp help() {
 
 namespace {
 
-/// What the tests have come to.
+/// The results of the tests that were run.
 struct Findings {
   const Collected& collected;
   const ExperimentOutcome& outcome;
@@ -99,7 +99,7 @@ struct Findings {
   const reporting::FactsTable& facts;
 };
 
-/// Writes and shows it, and looks at --fail-on.
+/// Prints the results, writes the files asked for and evaluates --fail-on.
 ExitCode conclude(const Request& request, const Arguments& arguments, const Findings& findings,
                   Console& console) {
   const auto& [collected, outcome, comparison, facts] = findings;
@@ -135,7 +135,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
 
   Collected collected(*request);
   if (!add_earlier_tests(*request, collected, console)) return ExitCode::usage;
-  // Whoever sees that there is a store may end us, and what is finished is kept.
+  // From here on an interrupt keeps all finished tests in the store.
   const InterruptGuard interrupt;
   std::unique_ptr<ResultsWriter> store;
   if (request->store) {
@@ -168,7 +168,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   }
   if (!kept || !traced) return ExitCode::failed;
 
-  std::optional<PromptEnd> end;  // what takes long from here on is not asked
+  std::optional<PromptEnd> end;  // the long work from here on does not poll for interrupts
   if (!interrupt.interrupted()) end.emplace(interrupt);
   const std::optional<Comparison> comparison = comparison_of(*request, collected, outcome, console);
   if (!comparison) return ExitCode::failed;

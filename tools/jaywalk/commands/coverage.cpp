@@ -1,4 +1,4 @@
-// `jaywalk coverage`: what a store's tests have covered.
+// `jaywalk coverage`: the plans and situations that a store's tests have covered.
 
 #include <algorithm>
 #include <array>

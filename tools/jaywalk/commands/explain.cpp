@@ -19,7 +19,7 @@
 namespace jaywalk::command::explain {
 namespace {
 
-/// Runs the test again, this time looking closely.
+/// Runs the test again with an observer that keeps the agents' deliberations.
 Result<std::vector<Deliberation>> deliberations(const ResultsReader& store, const StoredTest& test,
                                                 ExplainingObserver::Wanted wanted) {
   const auto prepared = store.prepared();
@@ -62,7 +62,7 @@ bool has_tick(const StoredTest& test, std::uint32_t tick, Console& console) {
   return false;
 }
 
-/// What was chosen in a tick, by whom and for which event.
+/// A text for each deliberation of a tick: the agent, the event and the chosen plan.
 std::vector<std::string> choices(const std::vector<Deliberation>& all, std::uint32_t tick) {
   std::vector<std::string> texts;
   for (const Deliberation& each : all) {
@@ -95,7 +95,7 @@ std::string in_tick(const std::vector<Deliberation>& all, std::uint32_t tick) {
   return text.empty() ? "no deliberation\n" : text;
 }
 
-/// What the test blames the AV for, a line for each assertion.
+/// The assertions that the AV failed in the test, one line each.
 Result<std::string> failures(const ResultsReader& store, const StoredTest& test,
                              std::string_view name) {
   const auto assessments = store.assessments(test.id);

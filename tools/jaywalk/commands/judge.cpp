@@ -94,7 +94,7 @@ ExitCode judge_one(const Request& request, const Arguments& arguments, Console& 
   return ExitCode::success;
 }
 
-/// The summary of the tests. `spool`: where their assessments go, if they are to be kept.
+/// The tables that sum up the tests. `spool` keeps their assessments for --write; null without it.
 struct Judged {
   AssessmentTable& table;
   KillTable& kills;
@@ -150,7 +150,7 @@ ExitCode judge_all(const Request& request, Judged judged, Console& console) {
   return ExitCode::success;
 }
 
-/// Puts the assessments into the store, which nobody reads any more.
+/// Writes the assessments into the store. REQUIRES: all readers of the store are closed.
 bool write_assessments(const std::string& path, const Criteria& criteria, AssessmentSpool& spool,
                        Console& console) {
   auto writer = AssessmentWriter::open(path);

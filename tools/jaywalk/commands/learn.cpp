@@ -24,7 +24,7 @@ namespace {
 
 /// More tests than this are a slip.
 constexpr std::uint64_t kMostTests = 1'000'000'000;
-/// So often what has been learned is kept, in case that the process is killed.
+/// How often the policy is saved while learning, in case the process is killed.
 constexpr auto kKeepEvery = std::chrono::seconds(2);
 
 struct Request {
@@ -68,8 +68,8 @@ std::optional<Request> read_request(const Arguments& arguments, Console& console
   return why.empty() ? std::optional(std::move(request)) : std::nullopt;
 }
 
-/// The policy to go on with: that of the file, with --resume, or one that has learned nothing. Null
-/// after reporting what is in the way.
+/// The policy to continue: that of the file, with --resume, or one that has learned nothing. Null
+/// after reporting an error.
 std::shared_ptr<Policy> policy_for(const Request& request, Console& console) {
   std::error_code ignored;
   if (!std::filesystem::exists(request.file, ignored)) {

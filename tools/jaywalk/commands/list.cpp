@@ -53,7 +53,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return result;
 }
 
-/// Names on the left, summaries on the right; beside a long name there is none, but below it.
+/// Names on the left, summaries on the right; the summary of a long name stands below it.
 std::string columns(std::string_view indent, const std::vector<Row>& rows) {
   constexpr std::size_t kLineWidth = 100;
   constexpr std::size_t kWidestName = 32;
@@ -149,7 +149,7 @@ std::string defect_text() {
   return columns("", rows);
 }
 
-/// Of a key, what it can be: a range or words.
+/// The values that a key can have: a range or words.
 std::string range_of(const SettingKey& key) {
   if (key.kind == SettingKind::number) return fmt::format(" ({:g} to {:g})", key.least, key.most);
   return key.words.empty() ? "" : fmt::format(" ({})", key.words);
@@ -168,7 +168,7 @@ std::string simulator_text() {
   return text;
 }
 
-/// What the first comment of a program says it is, up to the first full stop or colon.
+/// The first comment of a program, up to its first full stop.
 std::string first_words(const SourcePtr& source) {
   std::string words;
   for (std::uint32_t line = 1; source->line(line).starts_with("//"); ++line) {

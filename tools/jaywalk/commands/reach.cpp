@@ -39,8 +39,8 @@ std::string objection(const WorldSpec& world) {
   return {};
 }
 
-/// The same of the scenario as it is, before `scripted` takes the place of its behaviours, which
-/// other worlds do not have. Empty if it cannot be read, too: that is reported when it is prepared.
+/// Checks the scenario before `scripted`, which other worlds do not have, replaces its behaviours.
+/// Empty also if the scenario cannot be read: preparing it reports that.
 std::string objection(const std::string& path, const Arguments& arguments) {
   const Result<Scenario> scenario = read_scenario(path, scenario_options(arguments, {}));
   return scenario.ok() ? objection(*scenario.value().world) : std::string();

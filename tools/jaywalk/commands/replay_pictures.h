@@ -1,8 +1,8 @@
 #pragma once
 
 // Pictures of a stored test. The libraries that draw take longer to load than most commands to run,
-// so `jaywalk` does without them: it becomes the program `jaywalk-draw` beside it, which is the
-// same command but for these pictures.
+// so `jaywalk` is not linked with them: for pictures it executes `jaywalk-draw` beside it, the same
+// command with those libraries.
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +13,7 @@
 namespace jaywalk {
 
 struct ReplayWishes {
-  /// Of the picture; by default that of the first event, or the last.
+  /// The picture's tick; by default that of the first event, or the last tick if there is none.
   std::optional<std::uint64_t> tick;
   /// Ticks per second.
   double speed = 2;

@@ -1,4 +1,4 @@
-// `jaywalk report`: a page of what a store has.
+// `jaywalk report`: a page about the tests of a store.
 
 #include <filesystem>
 #include <system_error>

@@ -35,7 +35,7 @@ namespace {
 
 namespace js = jaywalk::search;
 
-/// Whether what is asked for fits to what is searched; false after reporting why not.
+/// Whether the options for outputs fit the experiment; false after reporting why not.
 bool outputs_make_sense(const Arguments& arguments, const js::SearchExperiment& experiment,
                         Console& console) {
   Diagnostics diagnostics;
@@ -238,7 +238,7 @@ bool have_results(const js::SearchResults& results, Console& console) {
   return all_have;
 }
 
-/// Which single tests kill most.
+/// For each row, the test or the two tests that kill most defects.
 std::string best_tests(const js::SearchExperiment& experiment, const js::SearchKills& kills,
                        const KillMatrix& matrix) {
   std::string text;
@@ -257,7 +257,7 @@ std::string best_tests(const js::SearchExperiment& experiment, const js::SearchK
   return text.empty() ? text : '\n' + text;
 }
 
-/// The same of searches for defects.
+/// Says which rows of a search for defects have no test with a result; false if there is one.
 bool have_results(const KillMatrix& matrix, const js::SearchResults& results, Console& console) {
   if (!results.complete) return true;
   bool all_have = true;
@@ -283,7 +283,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
       run(*experiment, store->get(), console, interrupt, kills ? &*kills : nullptr,
           needs_tests ? Keep::tests : Keep::counts);
   const auto unkept = *store ? (*store)->finish(results) : std::nullopt;
-  std::optional<PromptEnd> end;  // what takes long from here on is not asked
+  std::optional<PromptEnd> end;  // the long work from here on does not poll for interrupts
   if (!interrupt.interrupted()) end.emplace(interrupt);
   std::vector<js::GeneratorResults> generators;
   if (needs_tests) generators = js::group(*experiment, results);

@@ -19,7 +19,8 @@
 namespace jaywalk::command::compare {
 namespace {
 
-/// What can be read without the scenario, so that all its mistakes are reported at once.
+/// The options that can be read without the scenario, so that all their errors are reported at
+/// once.
 struct Options {
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> tests;
@@ -51,7 +52,7 @@ Options read_options(const Arguments& arguments, Diagnostics& diagnostics) {
   return options;
 }
 
-/// What keeps defects from being looked for.
+/// Errors that make a search for defects impossible.
 void check_defects(const Request& request, Diagnostics& diagnostics) {
   if (request.criteria.assertions.empty()) {
     diagnostics.error(option::kDefects.dashed(), "without assertions nothing blames an AV",
@@ -74,7 +75,7 @@ void check_defects(const Request& request, Diagnostics& diagnostics) {
   }
 }
 
-/// What keeps models of the AV from being compared.
+/// Errors that make a comparison of models of the AV impossible.
 void check_avs(const Request& request, Diagnostics& diagnostics) {
   const ExperimentSpec& experiment = request.prepared->scenario().experiment;
   if (!experiment.defects.empty()) {
@@ -91,7 +92,7 @@ void check_avs(const Request& request, Diagnostics& diagnostics) {
   }
 }
 
-/// What is too large to be carried out.
+/// Errors about numbers that are too large to be carried out.
 Diagnostics excesses(const Request& request) {
   Diagnostics diagnostics;
   if (request.plan.tests > kMaxTests) {  // the scenario's
@@ -141,7 +142,7 @@ bool has_cells(const Request& request) {
   return !start_cells(request.prepared->scenario(), first).empty();
 }
 
-/// The kills of other files; false after reporting what is wrong with them.
+/// Reads the kills of other files; false after reporting errors in them.
 bool read_other_kills(const Arguments& arguments, Request& request, Console& console) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 26U;
   Diagnostics diagnostics;

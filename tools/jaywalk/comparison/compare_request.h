@@ -1,6 +1,6 @@
 #pragma once
 
-// What a command line of `compare` asks for.
+// The command line of `compare`, read and checked.
 
 #include <memory>
 #include <optional>
@@ -19,10 +19,10 @@
 
 namespace jaywalk::command::compare {
 
-/// Everything that the command line says, once it is known to be right.
+/// The checked request of a command line.
 struct Request {
   std::shared_ptr<const PreparedScenario> prepared;
-  /// What the options that limit tests set in it.
+  /// The settings of the scenario (`key=value`) that come from options which limit tests.
   std::vector<std::string> limits;
   std::uint64_t seed = 0;
   ExperimentPlan plan;
@@ -32,26 +32,26 @@ struct Request {
   std::optional<StoreOptions> store;
   Criteria criteria;
   Ground ground;
-  /// Who moves the vehicles (simulator_version.h).
+  /// The simulator that moves the vehicles, with its version (simulator_version.h).
   std::string simulator;
-  /// Null: not wanted.
+  /// Null unless coverage is asked for.
   std::unique_ptr<PlanCoverage> coverage;
   bool situations = false;
-  /// Options that are given and need defects, if there are none.
+  /// Given options that have no effect, since they need defects and there are none.
   std::vector<OptionName> pointless;
-  /// Kills that were counted elsewhere and stand beside.
+  /// Kills from other files, shown beside those of this comparison.
   std::vector<KillLine> other_kills;
-  /// So are the single tests.
+  /// Whether a row for each test is written.
   bool per_test = false;
-  /// The cells where agents start are written.
+  /// Whether the cells where agents start are written.
   bool writes_starts = false;
 };
 
-/// Nothing after reporting what is wrong.
+/// Nothing after reporting errors.
 [[nodiscard]] std::optional<Request> read_request(const Arguments& arguments, Console& console);
 
-/// Whether that can be carried out; false after reporting why not: it is too large, or some test
-/// cannot be run (there are no start cells for it, say).
+/// Whether the request can be carried out; false after reporting why not: it is too large, or some
+/// test cannot be run (there are no start cells for it, say).
 [[nodiscard]] bool can_be_run(const Request& request, Console& console);
 
 }  // namespace jaywalk::command::compare

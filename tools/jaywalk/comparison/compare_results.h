@@ -28,7 +28,7 @@ namespace jaywalk::command::compare {
 [[nodiscard]] std::string situations_of(const Request& request, const Comparison& comparison,
                                         const SituationTable& table);
 
-/// Of a run that was interrupted: what is there, and how to get the rest.
+/// The message after an interrupted run: how many tests are done, and how to run the rest.
 [[nodiscard]] std::string interruption(const Request& request, const ExperimentOutcome& outcome,
                                        const Comparison& comparison);
 

@@ -29,7 +29,7 @@ std::uint64_t number_of(const ExperimentPlan& plan, const TestKey& test) {
   return plan.cell_of(test) * plan.tests + test.number;
 }
 
-/// What is measured of a test; of one that ended errored the times alone.
+/// The measured values of a test; only the times if it ended errored.
 TestResult measured(const TestRun& run, double wall_us) {
   TestResult result{.errored = !run.completed,
                     .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
@@ -41,7 +41,7 @@ TestResult measured(const TestRun& run, double wall_us) {
   return result;
 }
 
-/// Reports a test with the first vehicle, which the measures are of, to the listeners.
+/// Reports a test to the listeners if it ran with the first vehicle, which all measures are about.
 void note_measured(const Request& request, const TestKey& test, const TestResult& result,
                    const TestRun& run, const Recording& recording, const Listeners& listeners) {
   if (test.vehicle > 0) return;
@@ -54,7 +54,7 @@ void note_measured(const Request& request, const TestKey& test, const TestResult
   if (listeners.collected.feedback) listeners.collected.feedback->finished(test);
 }
 
-/// Runs a test, finds out about it and hands it to the store, if there is one.
+/// Runs a test, judges it and hands it to the store, if there is one.
 Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
                                     TestRunners& runners, const Listeners& listeners) {
   ResultsWriter* const store = listeners.store;
@@ -75,7 +75,7 @@ Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
   if (carry_over) setup.head_start = carry_over->head_start(test);
   const auto start = std::chrono::steady_clock::now();
   Recording recording;
-  // With a defect nobody asks what reasoning costs, and reading the clock costs a tenth of a test.
+  // Tests with a defect have no measure of CPU time, and reading the clock is expensive.
   const bool is_timed = test.vehicle == 0 || compares_models(request.plan.vehicles);
   TestOptions options{.record = recorded ? &recording : nullptr,
                       .names = &request.description.names,
@@ -114,7 +114,7 @@ Result<TestResult> run_planned_test(const Request& request, const TestKey& test,
     listeners.collected.kills.add_errored(test);
   } else if (asks(request.criteria)) {
     found = assess(request.criteria, recording, request.ground);
-    // What a store has is summed up from there.
+    // Assessments that go into a store are summed up from there.
     if (test.vehicle == 0 && store == nullptr) listeners.collected.assessments.add(test, found);
     listeners.collected.kills.add(test, blames_the_av(found));
     if (store != nullptr) assessments = to_rows(request.criteria, found);

@@ -1,7 +1,6 @@
 #pragma once
 
-// The tests of `compare` as they are run: which ones, what is found out about each, and who is
-// told.
+// Runs the tests of `compare`: selects them, judges each and reports it to the listeners.
 
 #include <functional>
 #include <memory>
@@ -21,7 +20,7 @@
 
 namespace jaywalk::command::compare {
 
-/// What is collected while tests run, beside their results.
+/// Tables that are filled while tests run, beside the tests' results.
 struct Collected {
   explicit Collected(const Request& request)
       : first_tests(request.plan),
@@ -45,7 +44,7 @@ struct Collected {
   TroublesTable troubles;
   SituationTable situations;
   ControllerNotes notes;
-  /// Empty: not wanted.
+  /// Null unless a row for each test is asked for and no store keeps the tests.
   std::unique_ptr<PerTestTable> per_test;
   std::optional<CoverageFeedback> feedback;
   std::optional<CarryOver> carry_over;
@@ -57,11 +56,11 @@ struct Listeners {
   ResultsWriter* store = nullptr;
   reporting::FactsTable* facts = nullptr;
   TraceFile* trace = nullptr;
-  /// Asked in the middle of tests; true gives them up.
+  /// Polled in the middle of tests; true abandons them.
   std::function<bool()> interrupted;
 };
 
-/// What is to be run: everything, or what the store wants and does not have.
+/// The tests to run: all of the shard, or those that the store does not have yet.
 class Selection {
  public:
   Selection(const Request& request, const ResultsWriter* store);
@@ -70,7 +69,7 @@ class Selection {
     return in_shard(test) && (store_ == nullptr || !store_->had(test));
   }
   [[nodiscard]] bool in_shard(const TestKey& test) const { return shard_.has(test.number); }
-  /// How many tests it has.
+  /// The number of selected tests.
   [[nodiscard]] std::uint64_t size() const { return wanted_; }
 
  private:
@@ -79,14 +78,14 @@ class Selection {
   std::uint64_t wanted_ = 0;
 };
 
-/// Runs what is selected; progress reports leave the rest out.
+/// Runs the selected tests; progress counts these alone.
 [[nodiscard]] ExperimentOutcome run_selection(const Request& request, const Selection& selection,
                                               const Listeners& listeners,
                                               const ProgressFunction& progress);
 
-/// What later tests need of those that a store to be continued has: whether all of the first ones
-/// are errored, what they have covered, and what they have left over. False after reporting why
-/// that cannot be read.
+/// Adds what later tests need of the tests that a store to be continued has: whether all of the
+/// first ones are errored, what they have covered, and the cells that they have left over. False
+/// after reporting why that cannot be read.
 [[nodiscard]] bool add_earlier_tests(const Request& request, Collected& collected,
                                      Console& console);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// How a comparison is shown: as a table, or in the format that --format names; and what is said of
-// its agents.
+// The output of a comparison: a table, or the format that --format names; and notes about failures
+// of its agents.
 
 #include <string>
 #include <vector>

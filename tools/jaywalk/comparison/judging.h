@@ -1,7 +1,7 @@
 #pragma once
 
-// `--assertions` and what belongs to it: what is to be found out about tests, and how it is
-// reported.
+// `--assertions`, `--fail-on` and their like: the assertions and metrics to evaluate on tests, and
+// the report of their results.
 
 #include <array>
 #include <optional>
@@ -28,8 +28,8 @@ inline constexpr std::array kJudgingOptions = {
     OptionSpec{option::kJunit, "FILE", "write the verdicts as JUnit XML", Written::file},
 };
 
-/// The assertions of the options, or else those others (the scenario's); nothing after reporting
-/// what is wrong.
+/// The assertions of the options, or `otherwise` (the scenario's) if there are none; nothing after
+/// reporting errors.
 [[nodiscard]] std::optional<Criteria> read_criteria(const Arguments& arguments,
                                                     const std::vector<Assertion>& otherwise,
                                                     Console& console);
@@ -38,8 +38,8 @@ inline constexpr std::array kJudgingOptions = {
   return criteria.metrics || !criteria.assertions.empty();
 }
 
-/// The conditions of --fail-on; errors are added. Those about assertions can be checked only when
-/// these are known: reports what is wrong with them.
+/// The conditions of --fail-on; adds errors. Conditions about assertions can be checked only once
+/// the assertions are known: check_conditions() reports errors in them.
 [[nodiscard]] std::vector<FailureCondition> read_conditions(const Arguments& arguments,
                                                             Diagnostics& diagnostics);
 [[nodiscard]] bool check_conditions(const std::vector<FailureCondition>& conditions,
@@ -49,8 +49,8 @@ inline constexpr std::array kJudgingOptions = {
 [[nodiscard]] bool report_failures(const std::vector<FailureCondition>& conditions,
                                    const Comparison& comparison, Console& console);
 
-/// Puts what was found out beside the summaries, in place of what was there. `behaviours` are those
-/// of the table's plan.
+/// Sets the assessments of the comparison's summaries from the table. `behaviours` are those of the
+/// table's plan.
 void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
                      const std::vector<std::string>& behaviours, Comparison& comparison);
 

@@ -22,7 +22,7 @@ enum class ReplayPages { none, beside };
     const std::string& store, const std::string& html, ReplayPages pages, Commands commands,
     Console& console, const std::vector<KillLine>& other_kills = {});
 
-/// What is known of tests that were run and not kept.
+/// The data of a comparison without a store, for its report.
 struct UnstoredTests {
   const Comparison& comparison;
   ExperimentDescription description;

@@ -38,24 +38,24 @@ class Console {
 
   /// To standard output, buffered; what goes to standard error meanwhile comes after it.
   void print(std::string_view text);
-  /// The same for codes of the terminal: what they do is up to the caller. Texts of others are for
-  /// print(), which lets none of theirs but colours come to a terminal.
+  /// Prints control codes of the terminal unchanged. Texts that we did not write must go through
+  /// print(), which removes their control codes, except for colours.
   void control(std::string_view codes);
-  /// Everything printed so far leaves the program.
+  /// Writes all buffered output.
   void flush();
-  /// What is printed still gets somewhere: the reader has not closed the pipe.
+  /// Whether standard output still has a reader; false once a pipe is closed.
   [[nodiscard]] static bool can_print();
-  /// Of the words that errors of options are shown in from now on.
+  /// Sets the command line in which errors of options are shown from now on.
   void set_command_line(CommandLine line);
-  /// Diagnostics of what the user wrote.
+  /// Prints diagnostics of the user's files and options.
   void report(const Diagnostics& diagnostics);
   /// `error: message` and, on a line of its own, the hint.
   void error(std::string_view message, std::string_view hint = {});
-  /// A plain line to standard error: what a long run says at its end.
+  /// Prints a plain line to standard error, such as the last line of a long run.
   void note(std::string_view line);
   /// Remembers a file or folder that was written, for tell_written().
   void wrote(const std::string& path);
-  /// Names what was written, in one line; nothing if that is nothing, or a device.
+  /// Prints one line that names the written files; no line if there are none, or only devices.
   void tell_written();
   /// A line of a run's log. `message` may have several lines.
   void log(LogLevel level, std::string_view message);
@@ -64,7 +64,7 @@ class Console {
   void warn_of_agent(std::string_view message);
   /// Logs how often warnings were counted, once a run is over.
   void tell_counted();
-  /// What is less than this is not logged: warnings and errors are, at first.
+  /// Messages below this level are not logged. The default is to log warnings and errors.
   void set_log_level(LogLevel level);
 
   [[nodiscard]] Colour output_colour() const { return output_colour_; }

@@ -157,7 +157,7 @@ Glyph FrameCells::at(Position cell) const {
   for (auto other = first + 1; other != bodies_.end(); ++other) {
     if (!stands_here(*other)) continue;
     glyph.letter = '*';
-    // Of several in a cell one that was hit decides the colour.
+    // Of several bodies in a cell, one that was hit decides the colour.
     if (other->glyph.style == kHitStyle) glyph.style = kHitStyle;
   }
   return glyph;

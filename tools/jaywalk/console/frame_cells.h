@@ -1,7 +1,6 @@
 #pragma once
 
-// What each cell of a crossing world shows in a terminal: a letter and how it is coloured, and the
-// legend of those letters.
+// A crossing world in a terminal: the letter and style of each cell, and the legend of the letters.
 
 #include <string>
 #include <string_view>
@@ -11,21 +10,21 @@
 
 namespace jaywalk {
 
-/// What a cell shows: a letter, and how it is coloured on a terminal that can.
+/// A cell's letter and its style on a terminal with colours.
 struct Glyph {
   char letter = ' ';
   std::string_view style;
 };
 
-/// What ends a style.
+/// Ends a style.
 inline constexpr std::string_view kPlainStyle = "\x1b[0m";
 
 /// Pedestrians are shown by number, from 1, and then by letters, those above 35 all alike; other
 /// actors by a letter of their kind, a signal by that of its colour.
 [[nodiscard]] char letter_of(const Crossing& crossing, std::size_t body);
 
-/// Where the AV is and which zone is at stake: that which the next tick tests or, once the
-/// precondition was met, that in which it was.
+/// The AV's place and the zone to show: the one that the next tick tests or, once the precondition
+/// was met, the one in which it was met.
 struct AvSituation {
   int edge = 0;
   Interval zone;
@@ -54,7 +53,7 @@ class FrameCells {
   std::vector<Body> bodies_;
 };
 
-/// What the letters mean that occur in the world, as "X parked car", in a fixed order.
+/// The meanings of the letters that occur in the world, as "X parked car", in a fixed order.
 [[nodiscard]] std::vector<std::string> legend(const Crossing& crossing);
 
 }  // namespace jaywalk

@@ -14,7 +14,7 @@ namespace jaywalk {
 
 /// While one exists, the first Ctrl-C, SIGTERM or SIGHUP is noted instead of ending the program; a
 /// second one ends it. A SIGHUP that the program was started to ignore (nohup) stays ignored.
-/// Afterwards it does what it did before.
+/// The destructor restores the former handlers.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -34,12 +34,12 @@ class InterruptGuard {
   std::vector<Noted> noted_;
 };
 
-/// For what takes long and is not asked whether it should end (a page of a large store, say): while
-/// one exists, the program ends at once when the first of those signals comes, with exit code 130.
-/// Whatever is being written then has no name yet.
+/// For long work that does not poll for interrupts (a page of a large store, say): while one
+/// exists, the program ends at once when the first of those signals comes, with exit code 130. A
+/// file that is being written then has no name yet.
 class PromptEnd {
  public:
-  /// `clean`: what is to be removed then.
+  /// `clean` is called before the program ends; it removes unfinished files.
   explicit PromptEnd(const InterruptGuard& interrupt, std::function<void()> clean = nullptr);
   ~PromptEnd();
   PromptEnd(const PromptEnd&) = delete;

@@ -44,7 +44,8 @@ std::vector<NamedFile> files_read(const Arguments& arguments, std::span<const Op
   return files;
 }
 
-/// Reports options that would write over what the command reads, or what another option writes.
+/// Reports options that would overwrite a file that the command reads, or that another option
+/// writes.
 void report_overwriting(const Arguments& arguments, std::span<const OptionSpec> options,
                         Diagnostics& diagnostics) {
   const std::vector<NamedFile> read = files_read(arguments, options);

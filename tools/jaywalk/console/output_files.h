@@ -25,12 +25,12 @@ inline constexpr std::string_view kStandardOutput = "-";
 [[nodiscard]] bool can_write_outputs(const Arguments& arguments,
                                      std::span<const OptionSpec> options, Console& console);
 
-/// Writes a whole file, after what was printed so far, for it may be /dev/stdout. False, and said
-/// so, if it cannot be written.
+/// Writes a whole file. Flushes the console first, since the file may be /dev/stdout. False after
+/// reporting that it cannot be written.
 [[nodiscard]] bool write_output(const std::string& path, std::string_view text, Console& console,
                                 Links links = Links::followed);
 
-/// The same of a text that is too long for memory. The source reports why it gave up, if it does.
+/// Writes a text that is too long for memory, piece by piece. If the source fails, it reports why.
 [[nodiscard]] bool write_output(const std::string& path, const TextSource& source, Console& console,
                                 Links links = Links::followed);
 
@@ -38,7 +38,7 @@ inline constexpr std::string_view kStandardOutput = "-";
 struct OutputFile {
   OptionName option;
   std::function<std::optional<std::string>()> text;
-  /// Of what is too long for memory, instead.
+  /// Instead of `text`, for a text that is too long for memory.
   TextSource pieces = nullptr;
 };
 

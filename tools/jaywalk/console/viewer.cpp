@@ -12,7 +12,7 @@
 namespace jaywalk {
 namespace {
 
-/// Takes what the terminal has, less the line of the cursor.
+/// Uses the size of the terminal, less the line of the cursor.
 void fit_to_terminal(FrameOptions& options) {
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return;

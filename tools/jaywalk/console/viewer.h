@@ -1,7 +1,7 @@
 #pragma once
 
-// A test in the terminal, frame after frame: on a terminal each in the place of the last, at a
-// given speed; otherwise one below the other.
+// Shows a test frame by frame: on a terminal each frame replaces the last one, at a given speed;
+// otherwise the frames are printed one below the other.
 
 #include <chrono>
 #include <cstddef>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLabelWidth = 13;
 
-/// At most so many letters of it, without what moves a terminal's cursor.
+/// The text cut to `columns` letters, without codes that move the terminal's cursor.
 std::string fitted(std::string_view text, int columns) {
   std::string line;
   int letters = 0;
@@ -32,7 +32,7 @@ std::string band_label(const Band& band) {
   return band.direction == Direction::forward ? "lane ->" : "lane <-";
 }
 
-/// So many of `size` places, that at `focus` being among them, with `before` in front of it.
+/// `fitting` of `size` places, among them the one at `focus`, with `before` places in front of it.
 Interval window(int size, int fitting, int focus, int before) {
   const int most = std::min(size, fitting);
   const int first = std::clamp(focus - before, 0, size - most);
@@ -65,7 +65,7 @@ std::string road_line(const FrameCells& picture, int row, Interval cells, Colour
   return line;
 }
 
-/// Every tenth cell.
+/// A line with the number of every tenth cell.
 std::string scale_line(Interval cells) {
   std::string scale(kLabelWidth, ' ');
   for (int y = cells.first; y <= cells.last; ++y) {
@@ -77,7 +77,7 @@ std::string scale_line(Interval cells) {
   return scale;
 }
 
-/// The road seen from above, at most so many rows of it, and the scale below.
+/// The road seen from above, at most `most` of its rows, and the scale below.
 std::vector<std::string> road(const Crossing& crossing, const FrameOptions& options, int most) {
   const CrossingParameters& parameters = crossing.parameters();
   const Grid& grid = crossing.layout().grid();
@@ -113,7 +113,7 @@ std::string intentions_of(const Mas& mas, AgentId id) {
   return text.empty() ? "no intention" : text;
 }
 
-/// Of a simulator's own traffic, which has no agents.
+/// The line of a vehicle of a simulator's own traffic, which has no agent.
 std::string traffic_line(const Crossing& crossing, std::size_t body) {
   const RoadUser& user = crossing.bodies()[body];
   const char letter = letter_of(crossing, body);
@@ -175,7 +175,7 @@ std::string tick_line(const Crossing& crossing) {
   return text;
 }
 
-/// What was printed, as lines without breaks; of many the last. REQUIRES: there is a line for it.
+/// The printed texts as lines without line breaks, at most the last `most`. REQUIRES: most > 0.
 std::vector<std::string> last_lines(const std::vector<std::string>& printed, std::size_t most) {
   std::vector<std::string> lines;
   for (std::string_view text : printed) {
@@ -198,7 +198,7 @@ std::vector<std::string> last_lines(const std::vector<std::string>& printed, std
 
 namespace {
 
-/// Of a world without a picture of its own: where everybody is, in metres.
+/// A frame for a world without a picture of its own: the places of all actors in metres.
 std::string draw_places(const World& world, const Mas& mas, const std::vector<std::string>& printed,
                         const FrameOptions& options) {
   const std::vector<Actor> actors = world.actors();
@@ -249,7 +249,7 @@ std::string draw_frame(const World& world, const Mas& mas, const std::vector<std
   std::vector<std::string> lines = road(crossing, options, std::max(rows, 1));
   const auto left = static_cast<std::size_t>(
       std::max(options.rows - fixed + 1 - static_cast<int>(lines.size()), 1));
-  // What agents print gets the lines that the bodies leave, and half of all at least.
+  // Printed texts get the lines that the bodies leave free, and at least half of the lines.
   const std::size_t spare = left - std::min(left, crossing.bodies().size());
   const auto said = last_lines(printed, std::max({spare, left / 2, std::size_t{1}}));
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A test drawn in a terminal tick by tick: the road seen from above, driving to the right, and
-// below it what each agent is after.
+// Draws a test in a terminal tick by tick: the road seen from above, driving to the right, and
+// below it each agent's intentions.
 
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ struct FrameOptions {
   int rows = 23;
 };
 
-/// The world as it is after a tick, as lines of text: the road, what its letters mean, and the
-/// agents. `printed` is what the agents have said in this tick.
+/// The world after a tick as lines of text: the road, the legend of its letters, and the agents.
+/// `printed`: the output of the agents in this tick.
 [[nodiscard]] std::string draw_frame(const World& world, const Mas& mas,
                                      const std::vector<std::string>& printed,
                                      const FrameOptions& options);

@@ -38,7 +38,7 @@ int completion_kind(What what) {
   return kVariable;
 }
 
-// What begins a component, on one line.
+// The beginning of a component, on one line.
 std::string first_words(std::string_view text) {
   constexpr std::size_t kMost = 60;
   text = text.substr(0, text.find('\n'));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is answered about one document, as the protocol has it.
+// Answers about one document, as JSON of the language server protocol.
 
 #include <span>
 

@@ -127,7 +127,7 @@ void Document::analyse_program(const IncludePath& include_path) {
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_) diagnostics_.push_back(diagnostic);
   }
-  // What is wrong elsewhere is reported at the first include that is not in order.
+  // The first error in another file is reported at the document's beginning.
   for (const Diagnostic& diagnostic : found.items()) {
     if (diagnostic.where.source == source_ || diagnostic.severity != Severity::error) continue;
     Diagnostic here = diagnostic;
@@ -209,7 +209,7 @@ std::vector<Completion> Document::completions(Position at, Range& written) const
   while (begin > 0 && is_name_character(text[begin - 1])) --begin;
   written = places_.range({begin, end});
   const std::string_view prefix = text.substr(begin, end - begin);
-  // What stands before the word decides what fits: `!` a goal, `{` a directive.
+  // The characters before the word decide what fits: `!` a goal, `{` a directive.
   std::size_t before = begin;
   while (before > 0 && (text[before - 1] == ' ' || text[before - 1] == '\t')) --before;
   const char previous = before == 0 ? '\n' : text[before - 1];

@@ -1,6 +1,6 @@
 #pragma once
 
-// An open document: its text, what is wrong with it, and what an editor may ask about it.
+// An open document: its text, its diagnostics, and the answers to an editor's requests about it.
 
 #include <cstdint>
 #include <memory>
@@ -38,23 +38,23 @@ class Document {
   [[nodiscard]] const SourcePtr& source() const { return source_; }
   [[nodiscard]] const TextPlaces& places() const { return places_; }
   [[nodiscard]] bool is_program() const { return !is_project_; }
-  /// Those about the document itself; those about what it includes stand where it does so.
+  /// Diagnostics of the document itself, and the first error of its includes.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   [[nodiscard]] std::span<const ast::Component> components() const;
 
   /// Markdown, with the place that it is about; nothing if there is nothing to say.
   [[nodiscard]] std::optional<std::pair<std::string, Range>> hover(Position at) const;
-  /// What may stand where a name is being written, and the range of what is there of it.
+  /// The completions for a name that is being written, and the range of its text so far.
   [[nodiscard]] std::vector<Completion> completions(Position at, Range& written) const;
   [[nodiscard]] std::vector<Place> definitions(Position at) const;
-  /// What is named at a place; null if there is nothing.
+  /// The use of a name at a place; null if there is none.
   [[nodiscard]] const Use* use_there(Position at) const;
   /// The name at a place, if it can be renamed: a goal's or a belief's.
   [[nodiscard]] std::optional<Place> renamable(Position at) const;
   /// A word of the environment that the program seems to be written for, which is not its to
   /// rename.
   [[nodiscard]] bool is_of_environment(const Use& use) const;
-  /// Whether the text of that file is part of the program, or may be what an include misses.
+  /// Whether that file is part of the program, or may be one that an include did not find.
   [[nodiscard]] bool depends_on(std::string_view path) const;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 1000;
 
-/// A header's line without its end. False: there is no more.
+/// Reads a line of a header, without its line break; false at the end of the stream.
 bool read_line(std::istream& in, std::string& line) {
   line.clear();
   for (int c = in.get(); c != std::istream::traits_type::eof(); c = in.get()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Parts of messages of the language server protocol. A message may be anything: what is not there,
-// or is of another kind, is empty.
+// Parts of messages of the language server protocol. A message may be anything: missing parts, or
+// parts of another type, are empty.
 
 #include <string>
 

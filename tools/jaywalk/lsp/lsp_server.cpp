@@ -135,7 +135,7 @@ Json Server::answer_of(const std::string& method, const Json& parameters, std::s
   return formatting(document);
 }
 
-// As the client writes the URI, if it has the file open.
+// Uses the client's spelling of the URI if it has the file open.
 Json Server::to_json(const Place& place) const {
   const std::string file = file_of(place.path, include_path_.files);
   std::string uri = uri_of_path(file);

@@ -1,8 +1,8 @@
 #pragma once
 
 // The language server: requests and notifications in, answers and diagnostics out, as JSON texts.
-// Edits are taken over at once but checked later, when somebody asks or nothing more waits to be
-// read, so that a queue of them is checked once.
+// Edits are applied at once but checked later, when a request needs it or no more messages wait to
+// be read, so that a queue of edits is checked once.
 
 #include <functional>
 #include <map>
@@ -25,11 +25,11 @@ class Server {
   Server(IncludePath include_path, Send send)
       : include_path_(std::move(include_path)), send_(std::move(send)) {}
 
-  /// One message; no text can make it fail.
+  /// Handles one message; any text may be given.
   void receive(std::string_view message);
   /// A message that could not be read.
   void receive_broken();
-  /// No message waits: checks what has changed.
+  /// Checks changed documents; called when no message waits.
   void settle();
 
   [[nodiscard]] bool has_exited() const { return exited_; }
@@ -39,7 +39,7 @@ class Server {
  private:
   struct Opened {
     SourcePtr source;
-    /// Of an earlier text, while that is in `changed_`; null until it has been checked.
+    /// The checked document; outdated while its path is in `changed_`, null before its first check.
     std::unique_ptr<Document> document;
   };
 
@@ -68,7 +68,7 @@ class Server {
   IncludePath include_path_;
   Send send_;
   std::map<std::string, Opened> documents_;  // by URI
-  std::set<std::string> changed_;            // paths of what is to be checked anew
+  std::set<std::string> changed_;            // paths of documents that must be checked again
   std::set<std::string> folders_;            // of the workspace
   bool initialised_ = false;
   bool shut_down_ = false;

@@ -22,7 +22,7 @@ enum class Written { no, file, folder };
 
 struct OptionSpec {
   OptionName name;
-  /// What its value is called, "N"; empty if it has none.
+  /// The name of its value in the help, "N"; empty if it has no value.
   std::string_view value;
   std::string_view summary;
   /// Places are tried before the command begins.
@@ -39,12 +39,12 @@ struct OptionSpec {
 
 class Arguments {
  public:
-  /// What is not an option, in order.
+  /// The words that are not options, in order.
   [[nodiscard]] const std::vector<std::string>& operands() const { return operands_; }
   [[nodiscard]] bool has(OptionName option) const;
   /// Some option has this value.
   [[nodiscard]] bool has_value(std::string_view value) const;
-  /// Its value; of one that may be repeated the last.
+  /// Its value; the last one if it was repeated.
   [[nodiscard]] std::optional<std::string> text(OptionName option) const;
   /// All values, in order.
   [[nodiscard]] std::vector<std::string> texts(OptionName option) const;

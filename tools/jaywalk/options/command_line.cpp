@@ -21,7 +21,7 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
-/// What the message has between its last two quotes, as in "found 'x'"; may be empty.
+/// The text between the last two quotes of the message, as in "found 'x'"; may be empty.
 std::string_view last_quoted(std::string_view message) {
   const std::size_t end = message.rfind('\'');
   if (end == std::string_view::npos || end == 0) return {};

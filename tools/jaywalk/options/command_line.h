@@ -17,7 +17,7 @@ namespace jaywalk {
 
 class CommandLine {
  public:
-  /// Of no words: nothing has a place in it.
+  /// An empty line, in which no diagnostic has a place.
   CommandLine() = default;
   /// `words`: all but the program's name; `options`: those of their command.
   CommandLine(std::span<const std::string> words, std::span<const OptionSpec> options);
@@ -42,7 +42,8 @@ class CommandLine {
   };
 
   [[nodiscard]] std::optional<SourceSpan> place_of(const Diagnostic& diagnostic) const;
-  /// What a subject means: `--name`, or `--name value` where the option is given several times.
+  /// The place of a diagnostic's subject: `--name`, or `--name value` for an option that is given
+  /// several times.
   [[nodiscard]] std::optional<Place> find(std::string_view subject) const;
   [[nodiscard]] Place place_of_option(std::size_t word, std::string_view name) const;
   [[nodiscard]] Span span_of(const Place& place, std::string_view message) const;

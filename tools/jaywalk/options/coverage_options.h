@@ -27,7 +27,7 @@ void check_coverage_options(const Arguments& arguments, Diagnostics& diagnostics
 [[nodiscard]] bool write_coverage(const Arguments& arguments, const SourceCoverage& coverage,
                                   const std::string& subject, Console& console);
 
-/// What ran: "scenarios/paper.yaml: election; 1, 3 agents; tests 0 to 199 of seed 0".
+/// The tests that ran: "scenarios/paper.yaml: election; 1, 3 agents; tests 0 to 199 of seed 0".
 [[nodiscard]] std::string coverage_subject(const ExperimentDescription& experiment,
                                            const CoverageWanted& wanted);
 

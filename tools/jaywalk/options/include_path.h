@@ -24,12 +24,12 @@ inline constexpr std::array kIncludeOptions = {
                "of their own and their project's folder, of --include and --map)"},
 };
 
-/// What is wrong with the options is added to the diagnostics.
+/// Adds errors in the options to the diagnostics.
 [[nodiscard]] IncludePath parse_include_path(const Arguments& arguments, Diagnostics& diagnostics);
 /// Whether there is a folder that an option names; if not, that is added to the diagnostics.
 [[nodiscard]] bool is_folder(OptionName option, const std::string& folder,
                              Diagnostics& diagnostics);
-/// Nothing after reporting what is wrong with the options.
+/// Nothing after reporting errors in the options.
 [[nodiscard]] std::optional<IncludePath> read_include_path(const Arguments& arguments,
                                                            Console& console);
 

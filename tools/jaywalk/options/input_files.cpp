@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct KindText {
   std::string_view name;
-  /// What to do with such a file; {} stands for its path.
+  /// A hint on what to do with such a file; {} stands for its path.
   std::string_view use;
 };
 
@@ -67,7 +67,7 @@ std::optional<InputKind> kind_of_yaml(const std::string& path) {
   return listed ? std::optional(InputKind::assertions) : std::nullopt;
 }
 
-/// Nothing if neither its name nor what is in it says what it is.
+/// The kind of a file by its name or content; nothing if neither shows it.
 std::optional<InputKind> kind_of(const std::string& path) {
   if (path.ends_with(".asl")) return InputKind::program;
   if (path.ends_with(".mas2j")) return InputKind::project;

@@ -17,20 +17,19 @@ namespace jaywalk {
 /// `search`: an experiment with `sut`. `store`: of tests or of searches.
 enum class InputKind { program, project, scenario, search, assertions, store };
 
-/// The file of an operand, or of an option's value: what is there, or else what is installed under
-/// that name (shipped.h). Nothing after adding an error: there is no such file, or it is plainly of
-/// a kind that is not `wanted`; then the error names the commands that take it.
+/// The file of an operand, or of an option's value: at that path, or else the installed one of that
+/// name (shipped.h). Nothing after adding an error: there is no such file, or it is plainly of a
+/// kind that is not `wanted`; then the error names the commands that take it.
 [[nodiscard]] std::optional<std::string> input_file(const std::string& word,
                                                     std::span<const InputKind> wanted,
                                                     Diagnostics& diagnostics);
 
-/// Those of several words, as far as they are right.
+/// The input files among the words that are valid.
 [[nodiscard]] std::vector<std::string> input_files(std::span<const std::string> words,
                                                    std::span<const InputKind> wanted,
                                                    Diagnostics& diagnostics);
 
-/// That of the only operand of `command`, which is called `what` in the error if there is not just
-/// one.
+/// The input file that is the only operand of `command`; errors call it `what`.
 [[nodiscard]] std::optional<std::string> only_input(const Arguments& arguments,
                                                     std::string_view command, std::string_view what,
                                                     std::span<const InputKind> wanted,

@@ -13,7 +13,7 @@ class OptionName {
   explicit constexpr OptionName(std::string_view text) : text_(text) {}
 
   [[nodiscard]] constexpr std::string_view text() const { return text_; }
-  /// As the user writes it and as messages show it: `--seed`.
+  /// The name as the user writes it and as messages show it: `--seed`.
   [[nodiscard]] std::string dashed() const { return "--" + std::string(text_); }
 
   friend bool operator==(const OptionName&, const OptionName&) = default;

@@ -83,7 +83,7 @@ ScenarioOptions scenario_options(const Arguments& arguments, std::vector<std::st
   }
   std::vector<std::string> sets = arguments.texts(option::kSet);
   std::map<std::string, SourcePtr> given_by;
-  // As the scenario's key would have it, between these.
+  // Writes the option's value as the scenario's key needs it, between `begin` and `end`.
   for (const auto& [option, key, begin, end] : kKeysOfOptions) {
     const auto value = arguments.text(option);
     if (!value) continue;
@@ -108,7 +108,7 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
   if (!read_include_path(arguments, console)) return nullptr;
   const ScenarioOptions options = scenario_options(arguments, std::move(behaviours), more_sets);
   Diagnostics repeated;
-  // `more_sets`, the command's own, may take the place of what was given.
+  // The user's settings must not repeat a key; the command's own, `more_sets`, may override one.
   const auto given = static_cast<std::ptrdiff_t>(options.sets.size() - more_sets.size());
   report_repeated_keys({options.sets.begin(), options.sets.begin() + given}, repeated);
   if (repeated.has_errors()) {
@@ -128,7 +128,7 @@ std::shared_ptr<const PreparedScenario> prepare_scenario(
     return nullptr;
   }
   if (!arguments.has(option::kNoCheck)) {
-    // They are among what the checker says.
+    // They are among the checker's warnings.
     const Scenario& own = prepared.value()->scenario();
     warnings = own.warnings;
     Checked checked;

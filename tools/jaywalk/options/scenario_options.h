@@ -30,7 +30,7 @@ inline constexpr std::array kScenarioOptions = {
     kNoCheckOption,
 };
 
-/// What agents choose by whose plans are learned(P): the scenario's `policy`.
+/// The policy by which agents with plans learned(P) choose: the scenario's `policy`.
 inline constexpr OptionSpec kPolicyOption{
     option::kPolicy, "FILE",
     "what `jaywalk learn` has written, for the behaviour that it is of;\nrepeatable"};
@@ -53,8 +53,8 @@ inline constexpr std::array kLimitOptions = {
 /// The file names a scenario.
 [[nodiscard]] bool is_scenario_file(const std::string& path);
 
-/// What kLimitOptions set, as `--set` would, within that key: so it is kept with stored tests. Adds
-/// errors for what is wrong.
+/// The settings of kLimitOptions in the form of `--set`, below that key: stored tests keep them.
+/// Adds errors.
 [[nodiscard]] std::vector<std::string> limit_sets(const Arguments& arguments,
                                                   Diagnostics& diagnostics,
                                                   std::string_view within = "experiment.limits");
@@ -68,9 +68,9 @@ void report_repeated_keys(const std::vector<std::string>& sets, Diagnostics& dia
                                                std::vector<std::string> behaviours,
                                                const std::vector<std::string>& more_sets = {});
 
-/// Reads the scenario with the options of `arguments`, `behaviours` in place of its own if there
-/// are any, and compiles its programs; reports what is wrong and returns null if that fails. Says
-/// what `check` warns of, unless --no-check is given.
+/// Reads the scenario with the options of `arguments`, with `behaviours` instead of its own if
+/// there are any, and compiles its programs; reports errors and returns null if that fails. Prints
+/// the warnings of `check`, unless --no-check is given.
 [[nodiscard]] std::shared_ptr<const PreparedScenario> prepare_scenario(
     const std::string& path, const Arguments& arguments, std::vector<std::string> behaviours,
     Console& console, const std::vector<std::string>& more_sets = {});

@@ -8,14 +8,14 @@
 
 namespace jaywalk {
 
-/// The file that a word of the command line means: what stands there, or else what is installed
-/// under that name (`scenarios/paper.yaml`), or else the word as it is.
+/// The file that a word of the command line means: the file at that path, or else the installed one
+/// of that name (`scenarios/paper.yaml`), or else the word as it is.
 [[nodiscard]] std::string located(const std::string& path);
 
 /// The folder where these are.
 [[nodiscard]] std::string shipped_folder();
 
-/// The disk, and what is installed as `$jaywalk/`.
+/// The disk, with the installed programs as `$jaywalk/`.
 [[nodiscard]] SourceFiles files_on_disk();
 
 /// `$jaywalk/assertions/crossing.yaml` for an installed list of assertions that was located() by

@@ -41,7 +41,7 @@ struct StoreOptions {
   bool retry_errors = false;
 };
 
-/// Nothing without --store. Adds errors for what is wrong.
+/// The options of --store; nothing without it. Adds errors.
 [[nodiscard]] std::optional<StoreOptions> read_store_options(const Arguments& arguments,
                                                              Diagnostics& diagnostics);
 

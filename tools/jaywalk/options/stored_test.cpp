@@ -47,7 +47,7 @@ std::optional<std::size_t> wanted_vehicle(const ResultsReader& store, const Argu
   return std::nullopt;
 }
 
-/// Whether the test is what the options leave open: one that kills, or met the precondition.
+/// Whether to choose the test if the options do not name one: it kills, or met the precondition.
 bool is_worth_seeing(const ResultsReader& store, const StoredTest& test) {
   if (test.test.vehicle == 0) return test.result.succeeded;
   const auto own = store.assessments(test.id);

@@ -23,7 +23,7 @@ inline constexpr std::array kStoredTestOptions = {
                "one (without --test: the first that kills it)"},
 };
 
-/// Of every command that runs a store's tests again.
+/// An option of every command that runs a store's tests again.
 inline constexpr OptionSpec kAllowCommandsOption{
     option::kAllowCommands, "",
     "start the command that the stored scenario names, if it does (an\n"
@@ -31,7 +31,7 @@ inline constexpr OptionSpec kAllowCommandsOption{
 
 [[nodiscard]] Commands commands_of(const Arguments& arguments);
 
-/// The store named by the only operand; null after reporting what is wrong.
+/// The store named by the only operand; null after reporting an error.
 [[nodiscard]] std::unique_ptr<ResultsReader> open_results(const Arguments& arguments,
                                                           std::string_view command,
                                                           Console& console);

@@ -1,7 +1,6 @@
 #pragma once
 
-// What `check` says of one program, for those who have it already: `jaywalk check` and the language
-// server.
+// Checks one program that is loaded already, for `jaywalk check` and the language server.
 
 #include <functional>
 #include <set>
@@ -14,13 +13,13 @@
 
 namespace jaywalk {
 
-/// Compiles and checks a program that was loaded with the diagnostics `found`, which are added to;
-/// what is wrong already is not looked at further. `complete` turns what is known of the
-/// environment (null: nothing) into what is known of the agent.
+/// Compiles and checks a program that was loaded with the diagnostics `found`, and adds to them; a
+/// program with errors is not checked further. `complete` adds what is known of the agent to the
+/// environment's vocabulary (null: none is known).
 void check_loaded(const SourceTree& program, const EnvironmentKind* environment,
                   const std::function<void(Vocabulary&)>& complete, Diagnostics& found);
 
-/// What was checked already, so that nothing is said twice.
+/// The programs checked and the diagnostics reported so far, so that nothing is reported twice.
 struct Checked {
   /// Programs, by their normal paths.
   std::set<std::string> programs;
@@ -28,23 +27,23 @@ struct Checked {
   std::set<std::string> said;
 };
 
-/// Adds what was not said before.
+/// Adds to `found` the diagnostics that were not reported before.
 void add_news(const Diagnostics& news, Checked& checked, Diagnostics& found);
 
-/// What `check` says of the programs that a scenario names: its behaviours', with their teams, and
-/// its actors'. Of a program that another scenario names, too, only that is said which is new. A
-/// missing include is an error.
+/// Checks the programs that a scenario names: its behaviours', with their teams, and its actors'.
+/// Diagnostics that another scenario with the same program had already are left out. A missing
+/// include is an error.
 void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& found);
 
 /// Whether a program was started by itself or as one of a project.
 enum class StartedAs { alone, part };
 
-/// What the checker alone says of a program that compiles, for the environment that it seems to be
+/// Runs the checker alone on a program that compiles, for the environment that it seems to be
 /// written for.
 void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
                     Diagnostics& found);
 
-/// The same for a program by itself, for the environment that it seems to be written for.
+/// Compiles and checks a program by itself, for the environment that it seems to be written for.
 void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found);
 
 }  // namespace jaywalk

@@ -15,7 +15,7 @@ bool ends_with_one_of(std::string_view name, std::span<const std::string_view> e
   return std::ranges::any_of(endings, [name](auto ending) { return name.ends_with(ending); });
 }
 
-// Adds the folder's files; says what the system says if that fails.
+// Adds the folder's files; returns the system's message if that fails.
 std::string add_files(const std::string& folder, std::span<const std::string_view> endings,
                       std::vector<std::string>& files) {
   std::error_code failure;

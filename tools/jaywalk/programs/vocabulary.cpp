@@ -37,7 +37,7 @@ Vocabulary::Entry entry_for(const EnvironmentWord& word) {
           .values = argument_values(word)};
 }
 
-// What speaks for and against a program being written for an environment.
+// Evidence for and against a program being written for an environment.
 class Evidence {
  public:
   Evidence(const Vocabulary& vocabulary, const ProgramWords& program)
@@ -53,8 +53,8 @@ class Evidence {
     }
   }
 
-  /// It takes an action of the environment and none that is of another, and what it perceives or
-  /// where it goes is the environment's, too: one name is shared by many worlds.
+  /// Whether it uses an action of the environment, no action of another one, and also a percept or
+  /// value of the environment, since worlds share names of actions.
   [[nodiscard]] bool is_for() const {
     return takes_action_ && !takes_foreign_ && (perceives_ || uses_values_);
   }
@@ -92,7 +92,7 @@ class Evidence {
     return false;
   }
 
-  // What it believes by itself is no percept.
+  // A name that the program also believes by itself is no evidence of a percept.
   void percept(const ast::Node& node) {
     if (perceives_ || node.kind != ast::Kind::literal) return;
     const Vocabulary::Entry* const known = entry_of(vocabulary_.percepts, node.text);
@@ -115,7 +115,7 @@ class Evidence {
   bool uses_values_ = false;
 };
 
-// Those for which every agent has plans.
+// The performatives for which every agent has plans.
 const std::vector<std::string>& standard_performatives() {
   static const std::vector<std::string> performatives = [] {
     Diagnostics ignored;
@@ -177,7 +177,7 @@ Vocabulary vocabulary_for(const EnvironmentKind* environment) {
        ++i) {
     vocabulary.internal_actions[i].is_function = true;
   }
-  // What `if`, `for`, `while`, `|&|` and `|||` stand for.
+  // The internal actions behind `if`, `for`, `while`, `|&|` and `|||`.
   for (const auto& [name, least, most] :
        {std::tuple{".if_then_else", 2, 3}, {".foreach", 2, 2}, {".loop", 2, 2}, {".fork", 2, -1}}) {
     vocabulary.internal_actions.push_back({name, least, most, "a statement"});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRemembered = 1000;
 
-// libedit calls functions with the editor alone; what they need is its client data.
+// libedit passes only the editor to functions; this is its client data, which they need.
 struct EditorState {
   std::string prompt;
   bool cancelled = false;
@@ -32,7 +32,7 @@ unsigned char cancel_line(EditLine* editor, int /*key*/) {
   return CC_NEWLINE;
 }
 
-// One candidate, or what all have in common, is put into the line; else they are shown below it.
+// Inserts a single candidate, or the common beginning of all; else shows the candidates below.
 unsigned char complete_word(EditLine* editor, int /*key*/) {
   const EditorState& state = state_of(editor);
   if (!state.complete) return CC_REFRESH_BEEP;

@@ -19,14 +19,14 @@ class LineReader {
   virtual ~LineReader() = default;
   struct Line {
     std::string text;
-    /// Ctrl-C was pressed while it was being typed: what it belongs to is given up.
+    /// Whether Ctrl-C was pressed while it was being typed: its whole input is discarded.
     bool cancelled = false;
   };
   /// The next line without its line break; nothing at the end (Ctrl-D).
   [[nodiscard]] virtual std::optional<Line> read(const std::string& prompt) = 0;
   /// Makes a whole input available to the arrow keys.
   virtual void remember(const std::string& input) = 0;
-  /// What the Tab key does with the line up to the cursor.
+  /// Sets the completion that the Tab key uses; it receives the line up to the cursor.
   virtual void complete_with(std::function<Completion(std::string_view before)> complete) = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the Tab key offers at the prompt of `jaywalk repl`: commands after a colon, goals after an
-// exclamation mark, internal actions after a full stop, elsewhere beliefs, goals and functions.
+// Completion at the prompt of `jaywalk repl`: commands after a colon, goals after an exclamation
+// mark, internal actions after a full stop, elsewhere beliefs, goals and functions.
 
 #include <cstddef>
 #include <string>
@@ -23,7 +23,7 @@ struct Completion {
   std::size_t replaced = 0;
   /// Sorted, without duplicates.
   std::vector<std::string> candidates;
-  /// What all candidates begin with.
+  /// The longest common beginning of all candidates.
   [[nodiscard]] std::string common() const;
 };
 

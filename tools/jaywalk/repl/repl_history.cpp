@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A relative path in XDG_STATE_HOME is to be passed over, as the standard says.
+/// Ignores a relative path in XDG_STATE_HOME, as the standard demands.
 std::optional<fs::path> state_folder() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   if (state != nullptr && fs::path(state).is_absolute()) return fs::path(state);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where `jaywalk repl` keeps what was typed, from one session to the next.
+// The file in which `jaywalk repl` keeps its inputs from one session to the next.
 
 #include <filesystem>
 #include <optional>

@@ -66,7 +66,7 @@ ReplInput clause(const ast::Component& component, const Source& source, std::str
   return {.kind = Kind::program, .word = {}, .text = std::move(text)};
 }
 
-// What stands between queries. What is no clause of its own kind stays together, in its order.
+// Adds the clauses between two queries. Consecutive parts of a program stay together.
 void add_clauses(std::string_view text, std::vector<ReplInput>& inputs) {
   if (trimmed(text).empty()) return;
   const auto source = std::make_shared<const Source>("input", std::string(text));

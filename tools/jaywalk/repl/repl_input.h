@@ -1,7 +1,7 @@
 #pragma once
 
-// What is typed at the prompt of `jaywalk repl`: a command `:word argument`, a query `?- formula.`,
-// or a clause of AgentSpeak, over any number of lines.
+// An input at the prompt of `jaywalk repl`: a command `:word argument`, a query `?- formula.`, or a
+// clause of AgentSpeak, over any number of lines.
 
 #include <optional>
 #include <string>
@@ -33,12 +33,12 @@ struct ReplInput {
 [[nodiscard]] std::optional<ReplInput> command_alone(std::string_view line);
 
 /// Whether the lines so far are a whole input: a command, nothing, or up to a full stop outside of
-/// brackets. What can become none by going on is whole, too: it is an error.
+/// brackets. A text that no further line can make valid is whole, too: it is an error.
 [[nodiscard]] bool is_whole_input(std::string_view text);
 
-/// What a whole input consists of: each clause is read as it would be alone, also if several stand
-/// on a line. Kinds of clauses are distinguished by parsing; what does not parse is a program,
-/// whose errors tell.
+/// The parts of a whole input: each clause is read as it would be alone, also if several stand on a
+/// line. Kinds of clauses are distinguished by parsing. A text that does not parse counts as a
+/// program, so that loading it reports its errors.
 [[nodiscard]] std::vector<ReplInput> read_inputs(const std::string& text);
 
 }  // namespace jaywalk

@@ -16,7 +16,7 @@
 namespace jaywalk {
 namespace {
 
-/// What an agent that never rests may reason after one input.
+/// The most reasoning cycles after one input, for an agent that never rests.
 constexpr std::uint64_t kCycles = 100'000;
 
 constexpr std::string_view kHelp =
@@ -98,7 +98,7 @@ void ReplSession::reason() {
   const InterruptGuard interrupt;
   trace_.heed(&interrupt);
   std::uint64_t cycles = 0;
-  // Cycle by cycle, so that Ctrl-C is heard, and an agent that never rests returns to the prompt.
+  // Cycle by cycle, so that Ctrl-C works, and the prompt comes back even if the agent never rests.
   while (!interrupt.interrupted() && cycles < kCycles && interpreter_->step()) ++cycles;
   trace_.heed(nullptr);
   if (interrupt.interrupted()) {
@@ -229,7 +229,7 @@ void ReplSession::show_beliefs(const std::string& name) {
 }
 
 void ReplSession::show_rules_and_plans(const std::string& name, bool rules) {
-  // What the actions write is what is wanted, without the agent's name before it.
+  // Prints the rules or plans without the agent's name before each line.
   std::string problem;
   const bool completed = interpreter_->mas().intervene(
       agent_,

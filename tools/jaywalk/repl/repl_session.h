@@ -27,7 +27,7 @@ class ReplSession {
   bool load(const std::string& path);
   /// False: the conversation is over.
   bool carry_out(const ReplInput& input);
-  /// What can be completed.
+  /// The names for completion.
   [[nodiscard]] ReplNames names() const;
   /// Whether some input was wrong.
   [[nodiscard]] bool had_mistakes() const { return had_mistakes_; }
@@ -42,7 +42,7 @@ class ReplSession {
   void show_rules_and_plans(const std::string& name, bool rules);
   void show_intentions();
   void reason();
-  /// Reports what was wrong, if anything; true if nothing was.
+  /// Reports diagnostics; true if there are none.
   bool accept(const Diagnostics& found);
   void mistake(std::string_view message, std::string_view hint = {});
   void print_line(std::string_view line);

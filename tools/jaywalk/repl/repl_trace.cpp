@@ -16,7 +16,7 @@ std::string formula_text(Agent& agent, const Intention& intention, const Step& s
   const std::span<const Symbol> names = unifier.slot_names();
   unifier.set_slot_names(means.plan->slot_names);
   const std::size_t trail = unifier.mark();
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): what is bound in the frame is undone
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): bindings in the frame are undone
   Value* const frame = const_cast<Intention&>(intention).frame(means);
   const Value formula = unifier.instantiate(step.source, frame);
   std::string text = term_text(formula, agent.symbols());

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `:trace` shows of an agent's reasoning, a line for each step, and how Ctrl-C ends a query.
+// The lines of `:trace`, one for each step of an agent's reasoning, and how Ctrl-C ends a query.
 
 #include <functional>
 #include <string>

@@ -12,7 +12,7 @@ namespace {
 Value literal_of(Agent& agent, const Intention& intention, const Step& step, std::size_t& trail) {
   Unifier& unifier = agent.machine().unifier();
   trail = unifier.mark();
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): what is bound in the frame is undone
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): bindings in the frame are undone
   Value* const frame = const_cast<Intention&>(intention).frame(intention.stack.back());
   return deref(unifier.instantiate(step.term, frame));
 }
@@ -64,7 +64,7 @@ void AgentTrace::formula_executes(Agent& agent, const Intention& intention, cons
   std::size_t trail = 0;
   const Value literal = literal_of(agent, intention, step, trail);
   if (acts) {
-    // Whoever acts again has not heard of a failure.
+    // An agent that acts again has had no failure of its last action.
     const auto before = actions_.find(agent.name());
     if (before != actions_.end()) write(before->second, before->first);
     actions_[agent.name()] = {.text = term_text(literal, agent.symbols()), .when = now(agent)};

@@ -1,8 +1,8 @@
 #pragma once
 
-// What agents do as lines of `--trace`: a JSON object each. `percept`, `event`, `message`, `plan`,
-// `failure` and `action` say which agent, and when: in which tick of a test (test_trace.h), in
-// which of its reasoning cycles in a program (program_trace.h).
+// The lines of `--trace` about agents, a JSON object each. `percept`, `event`, `message`, `plan`,
+// `failure` and `action` have the agent and the time: the tick of a test (test_trace.h), or the
+// agent's reasoning cycle in a program (program_trace.h).
 
 #include <cstdint>
 #include <map>
@@ -41,7 +41,7 @@ class AgentTrace : public ReasoningObserver {
   void append(const Line& line);
   void write(const Action& action, const std::string& agent);
 
-  /// Those whose outcome is not known yet, by the agents' names.
+  /// Actions whose outcome is not known yet, by the agents' names.
   std::map<std::string, Action> actions_;
   std::string lines_;
 

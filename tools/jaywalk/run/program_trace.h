@@ -1,9 +1,9 @@
 #pragma once
 
-// `--trace FILE.jsonl` of programs. A line of the kind `run` comes first, `end` last; between them
-// stand, in the order in which it happens, a `cycle` for each reasoning cycle of an agent in which
-// something can be said, and behind it what the agent does in it (agent_trace.h). What comes
-// between two cycles is of the last one; before an agent's first, it is cycle 0.
+// `--trace FILE.jsonl` of programs. A line of the kind `run` comes first, `end` last. Between them
+// there is, in the order of time, a `cycle` for each reasoning cycle of an agent that has other
+// lines, followed by these lines (agent_trace.h). Lines between two cycles belong to the cycle
+// before; those before an agent's first cycle to cycle 0.
 
 #include <cstdint>
 #include <string>

@@ -127,7 +127,7 @@ End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, 
   return {verdict(mas.outcome(), console), name(mas.outcome().end)};
 }
 
-/// Whether what `check` says of programs is reported, and what it knows of them.
+/// Whether the warnings of `check` are reported, and whether programs belong to a project.
 enum class ProgramCheck { off, alone, in_project };
 
 /// Loads and compiles each agent's program, once for all agents that share it. Those whose program
@@ -140,7 +140,7 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
     const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
                                         : load_agent(source.path, source.include_path, diagnostics);
     const auto program = compile(tree, symbols, diagnostics);
-    // The agent runs without what is missing, as in Jason; but that is a mistake.
+    // The agent runs without the missing include, as in Jason, but it is reported as an error.
     diagnostics = with_errors(diagnostics, kMissingInclude, kMissingIncludeHint);
     if (program && check != ProgramCheck::off) {
       check_compiled(tree, source.path,
@@ -157,7 +157,7 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
   return agents;
 }
 
-/// Where programs may write: in the working folder, and where the user says. Nothing after
+/// The folders in which programs may write: the working folder, and those of options. Nothing after
 /// reporting a folder that does not exist.
 std::optional<AllowedFolders> writable_folders(const Arguments& arguments, Console& console) {
   AllowedFolders writable(option::kAllowWrite.dashed());
@@ -236,7 +236,7 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
                       subject, console)) {
     return ExitCode::failed;
   }
-  // As in Jason, the agents of a project whose programs are in order run without the others.
+  // As in Jason, the agents of a project with valid programs run without the others.
   return end.code == ExitCode::success && diagnostics.has_errors() ? ExitCode::usage : end.code;
 }
 

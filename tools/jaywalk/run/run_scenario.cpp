@@ -45,7 +45,7 @@ struct Request {
   std::optional<double> timeout_s;
   std::uint64_t max_cycles = 0;
   std::uint64_t max_ticks = 0;
-  /// Who moves the vehicles (simulator_version.h).
+  /// The simulator that moves the vehicles, with its version (simulator_version.h).
   std::string simulator;
   Criteria criteria;
   std::vector<FailureCondition> conditions;
@@ -58,7 +58,7 @@ std::vector<std::string> behaviours_of(const Arguments& arguments) {
   return {};
 }
 
-/// What these options set, as `--set` would: so it is kept with a stored test.
+/// The settings that these options stand for, in the form of `--set`: a stored test keeps them.
 std::vector<std::string> limits_of(const Arguments& arguments) {
   std::vector<std::string> sets;
   if (const auto inferences = arguments.text(option::kMaxInferences)) {
@@ -118,7 +118,7 @@ std::string title_of(const Request& request) {
       counted(request.setup.agents, "agent"), request.setup.seed, request.setup.test);
 }
 
-/// The store for this one test, with everything that is seen of it.
+/// The store for this one test.
 std::unique_ptr<ResultsWriter> open_store(const Request& request, const Arguments& arguments,
                                           const std::string& path, PortableNames& names,
                                           Console& console) {
@@ -155,7 +155,7 @@ void store_test(const Request& request, const TestRun& run, Recording recording,
   store.add(std::move(record));
 }
 
-/// The one test as a comparison, which conditions of --fail-on are about.
+/// The test as a comparison, so that conditions of --fail-on can be evaluated.
 Comparison comparison_of(const Request& request, const TestRun& run,
                          const TestAssessment& assessment) {
   const std::string& behaviour = request.prepared->behaviours()[request.setup.behaviour].name;
@@ -174,7 +174,7 @@ Comparison comparison_of(const Request& request, const TestRun& run,
   return comparison;
 }
 
-/// Writes the verdicts and looks at --fail-on.
+/// Writes the verdicts and evaluates --fail-on.
 ExitCode conclude(const Request& request, const Arguments& arguments, const TestRun& run,
                   const TestAssessment& assessment, Console& console) {
   if (const auto path = arguments.text(option::kJunit)) {
@@ -255,7 +255,7 @@ class ScenarioRun {
       trace_.begin(request_.prepared->behaviours()[request_.setup.behaviour].name, request_.setup);
     }
     options.observer = observers.get();
-    // Where tests depend on each other those before this one run first, unseen.
+    // Where tests depend on each other, those before this one run first, without output.
     const auto setup = in_its_chain(*request_.prepared, request_.setup, [this] {
       return interrupt_.interrupted() ? Proceed::no : Proceed::yes;
     });
@@ -267,7 +267,7 @@ class ScenarioRun {
     return result;
   }
 
-  /// What came of a test that was completed, to the terminal and into the files.
+  /// Writes the result of a completed test to the terminal and into the files.
   ExitCode report(const TestRun& result) {
     TestAssessment assessment;
     std::string found;

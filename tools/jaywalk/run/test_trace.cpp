@@ -16,13 +16,13 @@ void TestTrace::begin(std::string_view behaviour, const TestSetup& setup) {
 
 void TestTrace::tick(const World& world, const Mas& mas) {
   const auto ticks = static_cast<std::uint64_t>(world.ticks());
-  // Whoever had failed in the tick before has heard of it by now.
+  // Agents perceive a failed action one tick later: outcomes before this tick are known by now.
   for (auto it = actions_.begin(); it != actions_.end();) {
     if (it->second.when >= ticks && !world.finished()) {
       ++it;
       continue;
     }
-    // Of the last tick nobody hears any more.
+    // After the last tick agents perceive nothing more; ask the world whether their actions failed.
     for (std::size_t i = 0; it->second.when >= ticks && i < mas.agent_count(); ++i) {
       if (mas.agent_name(static_cast<AgentId>(i)) != it->first) continue;
       it->second.failed = it->second.failed || world.last_action_failed(i);

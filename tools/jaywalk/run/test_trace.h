@@ -1,7 +1,8 @@
 #pragma once
 
-// `--trace FILE.jsonl` of tests. A line of the kind `test` begins one, `end` ends it; between them
-// stand, in the order of time, a `tick` and what the agents do in the next one (agent_trace.h).
+// `--trace FILE.jsonl` of tests. A line of the kind `test` begins a test, `end` ends it. Between
+// them there are, in the order of time, a `tick` and the lines of the agents in the next one
+// (agent_trace.h).
 
 #include <cstdint>
 #include <string>

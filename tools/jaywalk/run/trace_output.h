@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the lines of `--trace FILE.jsonl` go.
+// Output of the lines of `--trace FILE.jsonl`.
 
 #include <cstdint>
 #include <cstdio>
@@ -17,8 +17,8 @@
 
 namespace jaywalk {
 
-/// The lines of many tests in one file, in the order of the tests whatever thread they ran on. The
-/// file stands in its place when it is whole.
+/// Writes the lines of many tests to one file, in the order of the tests, whatever thread they ran
+/// on. The file gets its name only once it is complete.
 class TraceFile {
  public:
   /// failure() says whether it can be written.
@@ -32,14 +32,14 @@ class TraceFile {
   void add(std::uint64_t number, std::string lines);
   /// Empty if all went well so far.
   [[nodiscard]] std::string failure() const { return failure_; }
-  /// Puts the file into its place, with what there is. Empty, or why that failed.
+  /// Gives the file its name, with the lines so far. Returns why that failed; empty if it did not.
   [[nodiscard]] std::string finish();
 
  private:
   void write(std::string_view lines);
 
   std::string path_;
-  /// Nothing where it is written to directly.
+  /// Empty if the named file is written to directly.
   std::optional<PartFile> part_;
   std::FILE* file_ = nullptr;
   std::string failure_;

@@ -1,5 +1,5 @@
 // A road as the crossing world gives it: the AV, 3 m wide, in rows 3 and 4 of a lane of rows 2 to 5,
-// cruises at 9 m/s, its front is at 1.5 m; a tick is 0.1 s. Who sees it stands still: nothing is done.
+// cruises at 9 m/s, its front is at 1.5 m; a tick is 0.1 s. The pedestrian stands still: actions do nothing.
 
 tick(1).
 tick_length(0.1).
@@ -18,7 +18,7 @@ road_end(65).
 pedestrians(1).
 id(1).
 
-// What a program wants to do is noted, and it goes no further.
+// Replaces goals of the tested program: notes what it wants to do, and fails.
 +!exercise_av.
 +!get(Place) <- +did(get(Place)); .fail.
 +!to(Place)  <- +did(to(Place)); .fail.
