@@ -1,4 +1,7 @@
-// The interpreter within another program: load, tell, run, ask.
+// 12. Embedding: the interpreter within another program. Load, tell, run, ask.
+//
+//   cmake -B build && cmake --build build && build/12_embedding     # in this folder
+
 #include <interpreter/embed/interpreter.h>
 #include <iostream>
 
