@@ -13,9 +13,8 @@ import sys
 for line in sys.stdin:
     view = json.loads(line)
     left, right = view["lane"]
-    ahead = [actor["gap"] for actor in view["actors"]
-             if actor["gap"] > 0 and actor["sides"][1] > left and actor["sides"][0] < right]
-    gap = min(ahead, default=1000)
-    braking = view["speed"] ** 2 / (2 * max(0.1, gap - 2))     # to stop 2 m before a pedestrian
+    gap = min((actor["gap"] for actor in view["actors"] if actor["gap"] > 0
+               and actor["sides"][1] > left and actor["sides"][0] < right), default=1000)
+    braking = view["speed"] ** 2 / (2 * max(0.1, gap - 2))      # to stop 2 m before a pedestrian
     acceleration = -min(8, braking) if braking > 1 else 1.5
     print(json.dumps({"step": view["step"], "acceleration": acceleration}), flush=True)
