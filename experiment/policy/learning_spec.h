@@ -1,7 +1,7 @@
 #pragma once
 
 // How agents are to learn: what is rewarded, which learner, and its settings, as the section
-// `learning` of a scenario says it (scenarios/README.md).
+// `learning` of a scenario says it (docs/reference/scenarios.md).
 
 #include <cstddef>
 #include <cstdint>

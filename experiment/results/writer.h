@@ -1,6 +1,6 @@
 #pragma once
 
-// Writes the tests of an experiment into a store (README.md beside this file has its tables). Any
+// Writes the tests of an experiment into a store (docs/reference/store.md has its tables). Any
 // number of threads hand in tests, one thread writes them, a transaction for what has come in
 // meanwhile. A process that is killed leaves every test that was committed: at most those are lost
 // that were running or came in within the last moment.

@@ -43,4 +43,6 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/examples ${
         FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.csv"
         PATTERN "*.json" PATTERN "*.svg" PATTERN "*.xml" PATTERN "*.sh" PATTERN "*.cpp" PATTERN "*.txt"
         PATTERN "__pycache__" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/crossing.gif ${PROJECT_SOURCE_DIR}/docs/paper.svg
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_documents.cmake)

@@ -5,7 +5,7 @@
 # the other folders are below the prefix.
 cmake_policy(VERSION 3.25)
 file(GLOB documents RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/*.md)
-foreach(folder agents env examples experiment interpreter scenarios search tools)
+foreach(folder agents docs env examples experiment interpreter scenarios search tools)
   file(GLOB_RECURSE found RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${folder}/*.md)
   list(APPEND documents ${found})
 endforeach()

@@ -1,7 +1,7 @@
 #pragma once
 
 // Assertions: what the vehicle under test owes to those around it, when that is asked of it, and
-// whether a recorded test shows that it kept it. README.md beside this file is the reference of the
+// whether a recorded test shows that it kept it. docs/reference/assertions.md is the reference of the
 // YAML files that hold them. Read expression.h and judge/signals/signals.h before.
 
 #include <cstdint>

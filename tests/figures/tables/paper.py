@@ -1,9 +1,9 @@
-"""The figures of scenarios/README.md and scenarios/learning/README.md that take seconds: the published values, what can be met."""
+"""The figures of docs/reference/scenarios.md and docs/guides/learn.md that take seconds: the published values, what can be met."""
 import re
 
 from documents import counted
 
-DOCUMENT = "scenarios/README.md"
+DOCUMENT = "docs/reference/scenarios.md"
 
 
 def published_values(documents, runs):
@@ -21,7 +21,7 @@ def situations_that_can_be_met(documents, runs):
         return re.search(r"^(\d+) of (\d+) bins can be met", text, re.MULTILINE).groups()
 
     met, bins = reached()
-    documents.says("scenarios/learning/README.md", f"that {met} of the {bins} bins can be met at all")
+    documents.says("docs/guides/learn.md", f"that {met} of the {bins} bins can be met at all")
     braking = ("--set", "world.length=40", "--set", "world.av.model=braking", "--most-states")
     documents.says(DOCUMENT, f"it has found {reached(*braking, 60000)[0]} of {bins} bins after 60,000 states, and {reached(*braking, 300000)[0]} after 300,000")
 
