@@ -52,7 +52,7 @@ TEST(Documents, NameKeysThatScenariosHaveWherePerceptsNeedThem) {
 }
 
 TEST(Documents, ListEveryPreset) {
-  const std::string readme = text_of("docs/reference/scenarios.md");
+  const std::string readme = text_of("docs/reference/paper.md");
   for (const Preset& preset : presets()) {
     EXPECT_NE(readme.find("| `" + std::string(preset.name) + "` |"), std::string::npos)
         << preset.name;
@@ -96,7 +96,7 @@ std::string between(const std::string& text, const std::string& open, const std:
 
 // Rows `| F2 | what | [file.yaml](file.yaml) | `Suite.Name` |`.
 TEST(Documents, NameScenariosAndTestsThatExistForEachRequirement) {
-  const std::string readme = text_of("docs/reference/scenarios.md");
+  const std::string readme = text_of("scenarios/README.md");
   std::string tests;
   for (const std::string folder : {"tests/scenario/", "tests/figures/"}) {
     for (const auto& file : std::filesystem::directory_iterator(project_file(folder))) {

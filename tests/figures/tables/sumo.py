@@ -1,7 +1,7 @@
-"""The figures of tests that SUMO's vehicles drive in: docs/reference/scenarios.md and docs/guides/sumo.md."""
+"""The figures of tests that SUMO's vehicles drive in: docs/reference/vehicles.md and docs/guides/sumo.md."""
 import re
 
-DOCUMENT = "docs/reference/scenarios.md"
+DOCUMENT = "docs/reference/vehicles.md"
 
 
 def ranking_of_models(documents, runs):
