@@ -9,7 +9,7 @@ foreach(folder agents docs env examples experiment interpreter scenarios search 
   file(GLOB_RECURSE found RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${folder}/*.md)
   list(APPEND documents ${found})
 endforeach()
-list(APPEND documents LICENSE)
+list(APPEND documents CITATION.cff LICENSE NOTICE)
 
 # The place of a file or folder of the project below the prefix.
 function(find_place path result)
