@@ -1,8 +1,8 @@
 #pragma once
 
 // Assertions: what the vehicle under test owes to those around it, when that is asked of it, and
-// whether a recorded test shows that it kept it. docs/reference/assertions.md is the reference of the
-// YAML files that hold them. Read expression.h and judge/signals/signals.h before.
+// whether a recorded test shows that it kept it. docs/reference/assertions.md is the reference of
+// the YAML files that hold them. Read expression.h and judge/signals/signals.h before.
 
 #include <cstdint>
 #include <map>
