@@ -1,7 +1,7 @@
-"""The figures of docs/guides/learn.md: what tools/learning_figures prints. Its CPU times are not compared."""
+"""The figures of docs/reference/learning_figures.md: what tools/learning_figures prints. Its CPU times are not compared."""
 import re
 
-DOCUMENT = "docs/guides/learn.md"
+DOCUMENT = "docs/reference/learning_figures.md"
 
 
 def printed(runs, table):

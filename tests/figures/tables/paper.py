@@ -1,4 +1,4 @@
-"""The figures of docs/reference/paper.md, situations.md there and docs/guides/learn.md that take seconds."""
+"""The figures of paper.md, situations.md and learning_figures.md in docs/reference that take seconds."""
 import re
 
 from documents import counted
@@ -22,7 +22,7 @@ def situations_that_can_be_met(documents, runs):
         return re.search(r"^(\d+) of (\d+) bins can be met", text, re.MULTILINE).groups()
 
     met, bins = reached()
-    documents.says("docs/guides/learn.md", f"that {met} of the {bins} bins can be met at all")
+    documents.says("docs/reference/learning_figures.md", f"that {met} of the {bins} bins can be met at all")
     braking = ("--set", "world.length=40", "--set", "world.av.model=braking", "--most-states")
     documents.says(SITUATIONS, f"it has found {reached(*braking, 60000)[0]} of {bins} bins after 60,000 states, and {reached(*braking, 300000)[0]} after 300,000")
 
