@@ -1,7 +1,7 @@
 #pragma once
 
 // A generator proposes test inputs and learns from their results. Each has a file in generators/
-// and a row in generators.def; TUTORIAL.md beside this file adds one. Read fitness.h first.
+// and a row in generators.def; docs/internals/add_generator.md adds one. Read fitness.h first.
 
 #include <cstdint>
 #include <memory>

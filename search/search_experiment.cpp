@@ -88,7 +88,7 @@ class ExperimentReader {
     reader_.read_map(*root, "", keys);
     if (root->find("sut") == nullptr && root->kind == ConfigNode::Kind::map) {
       diagnostics_.error(source_->name(), "no 'sut' to search",
-                         "search/README.md describes what to write");
+                         "docs/reference/search.md describes what to write");
     }
     select_generators();
     if (const ConfigNode* defects = root->find("defects")) take_defects(*defects);
@@ -106,7 +106,7 @@ class ExperimentReader {
     std::optional<ConfigNode> root = parse_config(source_, diagnostics_);
     if (root && root->kind == ConfigNode::Kind::null) {
       diagnostics_.error(source_->name(), "the experiment is empty",
-                         "search/README.md describes what to write");
+                         "docs/reference/search.md describes what to write");
     }
     for (const std::string& text : options_.sets) {
       const std::optional<ConfigNode> setting = parse_setting(text, diagnostics_);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A search as a YAML file describes it (search/README.md is the reference of its keys).
+// A search as a YAML file describes it (docs/reference/search.md is the reference of its keys).
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The section `learning` of a scenario (scenarios/README.md): rewards, the learner and its
-// settings.
+// The section `learning` of a scenario (docs/reference/scenarios.md): rewards, the learner and
+// its settings.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Writes the tests of an experiment into a store (README.md beside this file has its tables). Any
+// Writes the tests of an experiment into a store (docs/reference/store.md has its tables). Any
 // number of threads hand in tests; one thread writes them, in one transaction for all tests that
 // wait. If the process is killed, every committed test is kept: only tests that were running or
 // came in within the last moment are lost.

@@ -203,7 +203,7 @@ Result<std::vector<Assertion>> parse_assertions(const SourcePtr& source) {
   std::vector<Assertion> assertions;
   if (root && root->kind == ConfigNode::Kind::null) {
     diagnostics.error(source->name(), "the file is empty",
-                      "experiment/judge/assertions/README.md describes what to write");
+                      "docs/reference/assertions.md describes what to write");
   } else if (root) {
     assertions = FileReader(source, diagnostics).read(*root);
   }

@@ -59,7 +59,7 @@ class ScenarioBuilder {
     std::optional<ConfigNode> file = parse_config(source_, diagnostics_);
     if (file && file->kind == ConfigNode::Kind::null) {
       diagnostics_.error(source_->name(), "the scenario is empty",
-                         "scenarios/README.md describes what to write");
+                         "docs/reference/scenarios.md describes what to write");
     } else if (file) {
       file_ = std::move(*file);
     }

@@ -1,8 +1,9 @@
 #pragma once
 
 // A scenario: the world, the behaviours and the defaults of an experiment, as a YAML file says it
-// (scenarios/README.md is the reference of its keys). Values are layered: the preset's, the file's,
-// then each `--set`; the last one counts. Tests run a scenario that was prepared; see test_run.h.
+// (docs/reference/scenarios.md is the reference of its keys). Values are layered: the preset's, the
+// file's, then each `--set`; the last one counts. Tests run a scenario that was prepared; see
+// test_run.h.
 
 #include <cstdint>
 #include <map>

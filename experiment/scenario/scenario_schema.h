@@ -1,7 +1,7 @@
 #pragma once
 
 // The keys of a scenario: each layer (preset, file, option) is read into the same draft, in order.
-// scenarios/README.md describes the keys. Read env/world/world_section.h first.
+// docs/reference/scenarios.md describes the keys. Read env/world/world_section.h first.
 
 #include <map>
 #include <optional>

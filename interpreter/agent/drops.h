@@ -10,7 +10,7 @@
 namespace jaywalk {
 
 struct DropCause {
-  /// "action_failed", "no_relevant", ... (language/REASONING.md lists them).
+  /// "action_failed", "no_relevant", ... (docs/reference/language/reasoning.md lists them).
   std::string error;
   /// The program's file and where in it the formula stands, from 1; empty and 0: nowhere.
   std::string file;

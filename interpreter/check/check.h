@@ -3,7 +3,7 @@
 // Warnings about programs that parse but cannot be meant so: goals without plans, misspelt beliefs,
 // variables without a value, plans that are never reached. False alarms are worse than silence, for
 // a program's beliefs, goals and plans may come from other agents. Each warning has a code, a row
-// of checks.def; CHECKS.md and FORMULA_CHECKS.md show when it is given.
+// of checks.def; checks.md and formula_checks.md of docs/reference show when it is given.
 //
 // Comments silence them, and list what a file requires of programs that include it
 // (support/remarks.h).

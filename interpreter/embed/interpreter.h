@@ -2,7 +2,7 @@
 
 // The interpreter within another program: load agents, run them, query them and send them messages.
 // This is the header to begin with; it deals in texts, so that callers need not know terms.
-// EMBEDDING.md shows it at work.
+// docs/guides/embed.md shows it at work.
 //
 //   jaywalk::Interpreter interpreter({.print = [](std::string_view line) { ... }});
 //   const auto program = interpreter.load_text("counter", "!count(3). +!count(N) <- .print(N).");

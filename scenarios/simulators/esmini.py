@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """esmini moves the automated vehicle (AV): any of its controllers, on the scenario's own road.
 
-Speaks the simulator protocol (README.md beside this file). Needs esmini's C library, version 3: its
+Speaks the simulator protocol (docs/guides/own_simulator.md). Needs esmini's C library, version 3: its
 path as an argument (command: [python3, simulators/esmini.py, /opt/esmini/bin/libesminiLib.so]), in
 the environment variable ESMINI_LIB, or where the system looks for libraries. Options (`world.simulator.options`): `controller` (an esmini controller: ALKS_R157SM_Controller
 unless given, ACCController, NaturalDriver, … or none, which keeps the speed), and any property

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A simulator of the automated vehicle (AV) and an oncoming car, to copy and change.
 
-It speaks the simulator protocol (README.md beside this file): a line of JSON for each question, a
+It speaks the simulator protocol (docs/guides/own_simulator.md): a line of JSON for each question, a
 line for each answer. `Road` is the simulation, `serve` the protocol; a simulator of one's own keeps
 `serve` and has another `Road`. Metres, seconds, radians; x to the AV's right, y along the road,
 headings counter-clockwise from x.

@@ -2,7 +2,7 @@
 
 // Searches in a GeoPackage, the file format of all results (experiment/results/): each finished
 // test is committed at once, so that a process that is killed loses none of them, and a search goes
-// on from there. The failing roads are lines that a GIS can show. README.md of experiment/results
+// on from there. The failing roads are lines that a GIS can show. docs/reference/store.md
 // has the format's reasons. Read search.h first.
 
 #include <memory>

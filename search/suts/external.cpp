@@ -1,7 +1,7 @@
 // A SUT that is a program of its own: it reads a road in one line of JSON and answers with the
 // outcome in another. Whatever it does wrong (it crashes, hangs, answers nonsense, answers another
 // test, says more than it was asked) costs the test alone; it is started anew for the next one.
-// search/README.md has the protocol, scenarios/search/external_sut.py an example.
+// docs/reference/search.md has the protocol, scenarios/search/external_sut.py an example.
 
 #include <chrono>
 #include <cmath>

@@ -152,8 +152,8 @@ double road_failures(std::string_view generator) {
   return sum / 4;
 }
 
-// The order that the paper found, and ours ahead of it; search/README.md has the figures of 20
-// repetitions.
+// The order that the paper found, and ours ahead of it; docs/reference/search_figures.md has the
+// figures of 20 repetitions.
 TEST(Generators, FindMoreFailingRoadsThanRandomOnes) {
   const double random = road_failures("random");
   EXPECT_NEAR(random, 9.6, 6);

@@ -36,7 +36,7 @@ TEST(Documents, ListEveryWordOfTheWorlds) {
 }
 
 TEST(Documents, NameKeysThatScenariosHaveWherePerceptsNeedThem) {
-  const std::string readme = text_of("scenarios/README.md");
+  const std::string readme = text_of("docs/reference/scenarios.md");
   int keys = 0;
   for (const EnvironmentKind& kind : environments()) {
     for (const EnvironmentWord& word : kind.percepts) {
@@ -52,7 +52,7 @@ TEST(Documents, NameKeysThatScenariosHaveWherePerceptsNeedThem) {
 }
 
 TEST(Documents, ListEveryPreset) {
-  const std::string readme = text_of("scenarios/README.md");
+  const std::string readme = text_of("docs/reference/paper.md");
   for (const Preset& preset : presets()) {
     EXPECT_NE(readme.find("| `" + std::string(preset.name) + "` |"), std::string::npos)
         << preset.name;

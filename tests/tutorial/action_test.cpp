@@ -1,4 +1,4 @@
-// The internal action that interpreter/actions/TUTORIAL.md adds works as the page says.
+// The internal action that docs/internals/add_action.md adds works as the page says.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

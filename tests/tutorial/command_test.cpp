@@ -1,4 +1,4 @@
-// The subcommand that tools/jaywalk/commands/TUTORIAL.md adds works as the page says.
+// The subcommand that docs/internals/add_subcommand.md adds works as the page says.
 
 #include "tools/jaywalk/commands/command.h"
 

@@ -1,4 +1,4 @@
-// The generator that search/TUTORIAL.md adds works as the page says.
+// The generator that docs/internals/add_generator.md adds works as the page says.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The metric that experiment/judge/metrics/TUTORIAL.md adds works as the page says.
+// The metric that docs/internals/add_metric.md adds works as the page says.
 
 #include <gtest/gtest.h>
 

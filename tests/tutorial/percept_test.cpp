@@ -1,4 +1,4 @@
-// The percept that env/TUTORIAL.md adds is there as the page says.
+// The percept that docs/internals/add_percept.md adds is there as the page says.
 
 #include <gtest/gtest.h>
 

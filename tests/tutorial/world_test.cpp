@@ -1,4 +1,5 @@
-// The world that env/world/TUTORIAL.md adds is there as the page says, and comparisons run in it.
+// The world that docs/internals/add_world.md adds is there as the page says, and comparisons run in
+// it.
 
 #include <string>
 #include <vector>

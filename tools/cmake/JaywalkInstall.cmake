@@ -5,7 +5,7 @@
 #   include/jaywalk/            the public headers, under the same names as in the project
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
-#   share/jaywalk/              agents and scenarios, with their documents
+#   share/jaywalk/              agents, scenarios and examples, with their documents
 #   share/doc/jaywalk/          the other documents, in the project's folders, and the licence
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -38,7 +38,11 @@ install(CODE "set(JAYWALK_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
               set(JAYWALK_DOC_DIR \"${CMAKE_INSTALL_DOCDIR}\")")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${JAYWALK_DATA_DIR}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/scenarios
+        DESTINATION ${JAYWALK_DATA_DIR} USE_SOURCE_PERMISSIONS
         FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.csv"
-        PATTERN "*.json" PATTERN "*.svg" PATTERN "*.xml" PATTERN "__pycache__" EXCLUDE)
+        PATTERN "*.json" PATTERN "*.svg" PATTERN "*.xml" PATTERN "*.sh" PATTERN "*.cpp" PATTERN "*.txt"
+        PATTERN "__pycache__" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/crossing.gif ${PROJECT_SOURCE_DIR}/docs/paper.svg
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_documents.cmake)

@@ -1,19 +1,19 @@
 # Run by the installation, after everything else: copies the documents to JAYWALK_DOC_DIR, laid out as in the
-# project; those of agents and scenarios lie beside these in JAYWALK_DATA_DIR. Links lead to the installed targets,
+# project; those of agents, examples and scenarios lie beside these in JAYWALK_DATA_DIR. Links lead to the installed targets,
 # headers in JAYWALK_INCLUDE_DIR among them; a link to a file that is not installed becomes plain text.
 # JAYWALK_SOURCE_DIR is the project's folder, JAYWALK_BINARY_DIR has room for the documents with their new links;
 # the other folders are below the prefix.
 cmake_policy(VERSION 3.25)
 file(GLOB documents RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/*.md)
-foreach(folder agents env experiment interpreter scenarios search tools)
+foreach(folder agents docs env examples experiment interpreter scenarios search tools)
   file(GLOB_RECURSE found RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${folder}/*.md)
   list(APPEND documents ${found})
 endforeach()
-list(APPEND documents LICENSE)
+list(APPEND documents CITATION.cff LICENSE NOTICE)
 
 # The place of a file or folder of the project below the prefix.
 function(find_place path result)
-  if(path MATCHES "^(agents|scenarios)(/|$)")
+  if(path MATCHES "^(agents|examples|scenarios)(/|$)")
     set(${result} ${JAYWALK_DATA_DIR}/${path} PARENT_SCOPE)
   elseif(path MATCHES "\\.h$")
     set(${result} ${JAYWALK_INCLUDE_DIR}/${path} PARENT_SCOPE)

@@ -1,6 +1,7 @@
 // Follows an elastic band that cuts corners, as BeamNG's AI does: curvature feed-forward with
 // preview plus feedback of the lateral and the heading error. Calibrated on roads executed in
-// BeamNG.tech (RILaST's data), see search/README.md for how well it ranks roads that it never saw.
+// BeamNG.tech (RILaST's data), see docs/reference/search_figures.md for how well it ranks roads
+// that it never saw.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // A simulator outside of this program, which speaks the simulator protocol, version 1: one line of
-// JSON for each question, one for each answer. scenarios/simulators/README.md describes it, and
+// JSON for each question, one for each answer. docs/guides/own_simulator.md describes it, and
 // scenarios/simulators/protocol.schema.json every message.
 
 #include <algorithm>

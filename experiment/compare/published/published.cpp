@@ -53,7 +53,7 @@ const Figures& figures() {
   return kFigures;
 }
 
-// Why a faithful run gives other values; scenarios/README.md has by how much.
+// Why a faithful run gives other values; docs/reference/paper.md has by how much.
 constexpr std::array<std::string_view, 5> kDiffering = {
     "They come from a program with quirks that this run does not repeat, hence the differences:",
     "- a test's AV begins with what the last test left of its tick: fewer ticks, higher scores;",

@@ -1,8 +1,8 @@
 #pragma once
 
 // Assertions: requirements on the vehicle under test, the preconditions under which they apply, and
-// the verdict for a recorded test. README.md beside this file is the reference of the YAML files
-// that hold them. Read expression.h and judge/signals/signals.h first.
+// the verdict for a recorded test. docs/reference/assertions.md is the reference of the YAML
+// files that hold them. Read expression.h and judge/signals/signals.h first.
 
 #include <cstdint>
 #include <map>

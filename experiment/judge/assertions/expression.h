@@ -4,9 +4,9 @@
 //
 //   eventually (in_lane and ttc <= 1) => always[0, 3] av.deceleration <= 4
 //
-// This file has its syntax; robustness.h its meaning, README.md beside it the reference. A text is
-// parsed (grammar.cpp), then its names are resolved against a vocabulary and its types checked
-// (resolve.cpp). The result is immutable and shared by all threads.
+// This file has its syntax; robustness.h its meaning, docs/reference/assertions.md is the
+// reference. A text is parsed (grammar.cpp), then its names are resolved against a vocabulary and
+// its types checked (resolve.cpp). The result is immutable and shared by all threads.
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The tables of a results store beside those of every store (geopackage.h); README.md of the folder
-// above describes all of them.
+// The tables of a results store beside those of every store (geopackage.h); docs/reference/store.md
+// describes all of them.
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-"""The figures of scenarios/defects.md."""
+"""The figures of docs/reference/defect_figures.md."""
 import collections
 import csv
 import re
@@ -7,7 +7,7 @@ import sqlite3
 from documents import counted, listed
 from runs import kills
 
-DOCUMENT = "scenarios/defects.md"
+DOCUMENT = "docs/reference/defect_figures.md"
 SEARCH = ("search", "scenarios/search/defects-search.yaml")
 HEALTHY = ("--set", "experiment.defects=[]")
 SEEKERS = ("random_behaviour", "brink", "feint", "loiter", "shadow", "decoy_and_runner", "tail", "stall", "sprint", "crowd",

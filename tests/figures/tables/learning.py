@@ -1,7 +1,7 @@
-"""The figures of scenarios/learning/README.md: what tools/learning_figures prints. Its CPU times are not compared."""
+"""The figures of docs/reference/learning_figures.md: what tools/learning_figures prints. Its CPU times are not compared."""
 import re
 
-DOCUMENT = "scenarios/learning/README.md"
+DOCUMENT = "docs/reference/learning_figures.md"
 
 
 def printed(runs, table):

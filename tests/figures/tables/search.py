@@ -1,11 +1,11 @@
-"""The figures of search/README.md and search/PEERS.md: the files of tools/search_figures. Times and p-values are not compared."""
+"""The figures of docs/reference/search_figures.md and docs/reference/search_peers.md: the files of tools/search_figures. Times and p-values are not compared."""
 import csv
 import statistics
 
 from learning import effort_rows
 
-DOCUMENT = "search/README.md"
-PEERS = "search/PEERS.md"
+DOCUMENT = "docs/reference/search_figures.md"
+PEERS = "docs/reference/search_peers.md"
 STRETCHES = {"distinct_1m": "distinct failing stretches, 1 m", "distinct_2m": "distinct failing stretches, 2 m"}
 FAILURES = {"failures": "failing tests"} | STRETCHES | {"sparseness": "sparseness"}
 ALL = {"tests": "executed tests", "failures": "failing tests", "distinct_half_m": "distinct failing stretches, 0.5 m"} | STRETCHES | {

@@ -98,7 +98,8 @@ COVERED += [
          "compare braking.yaml --tests 1 --agents 2 --no-check --quiet --with-kills k.csv --assertions rules.yaml --defects latency", before=(
              "jaywalk compare braking.yaml --tests 1 --agents 1 --no-check --quiet --defects latency --assertions rules.yaml --kills k.csv || exit 99; "), first=2),
     hint("search roads.yaml --quiet --kills k.csv", "--defects names them",
-         "search walk.yaml --quiet --kills k.csv --defects latency", first=2),
+         "search walk.yaml --quiet --kills k.csv --defects latency",
+         before="echo 'assertions: {file: rules.yaml}' >>braking.yaml; ", first=2),
     hint("merge m.gpkg 1.gpkg --quiet", "--resume", "compare s.yaml --tests 2 --agents 1 --no-check --quiet --store m.gpkg --resume",
          before="jaywalk " + COMPARE + "--shard 1/2 --store 1.gpkg || exit 99; "),
     hint("replay s.gpkg --test 0 --tick 3", "without --png", "replay s.gpkg --test 0 --tick 3 --png o.png", before=STORE, first=2),
@@ -109,7 +110,7 @@ COVERED += [
 # Hints that other tests follow (cli/interrupt, cli/search, places: what was interrupted goes on; exports/postgis; a file that the
 # command writes), and what is no hint but a text of --help.
 ELSEWHERE = ("shows how to write it", "--resume goes on", "--resume runs the others", "To get the others", "write such a file", "writes such a file",
-             "--schema gives another one", "draw", "/proc", "says otherwise", "esmini plays", "Judges the tests", "kills the defect")
+             "--schema gives another one", "draw", "/proc", "says otherwise", "esmini plays", "names the options", "Judges the tests", "kills the defect")
 
 
 def hints_in_sources():

@@ -93,7 +93,7 @@ BeamNgComparison compare_with_beamng() {
 }
 
 // Roads on which the profile was not calibrated. What is printed here is quoted in
-// search/README.md.
+// docs/reference/search_figures.md.
 TEST(BeamNgCalibrated, RanksExecutedRoadsAsBeamNgDoes) {
   const BeamNgComparison both = compare_with_beamng();
   ASSERT_GE(both.theirs.size(), 1087U);

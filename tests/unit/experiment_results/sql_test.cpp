@@ -19,7 +19,7 @@ namespace {
 
 /// The query of the README that begins with this text.
 std::string query_of_the_readme(const std::string& beginning) {
-  std::ifstream file(JAYWALK_SOURCE_DIR "/experiment/results/README.md");
+  std::ifstream file(JAYWALK_SOURCE_DIR "/docs/reference/store.md");
   std::stringstream text;
   text << file.rdbuf();
   const auto from = text.str().find("    " + beginning);

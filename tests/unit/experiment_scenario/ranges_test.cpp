@@ -1,4 +1,4 @@
-// The keys of scenarios as scenarios/README.md has them, against what is read.
+// The keys of scenarios as docs/reference/scenarios.md has them, against what is read.
 
 #include <cmath>
 #include <fstream>
@@ -65,7 +65,7 @@ std::optional<std::pair<double, double>> range_of(const std::string& text) {
 
 /// The rows of the table that begins so, cell by cell.
 std::vector<std::vector<std::string>> table_of(const std::string& head) {
-  std::ifstream readme(JAYWALK_SOURCE_DIR "/scenarios/README.md");
+  std::ifstream readme(JAYWALK_SOURCE_DIR "/docs/reference/scenarios.md");
   std::vector<std::vector<std::string>> rows;
   bool within = false;
   for (std::string line; std::getline(readme, line);) {

@@ -187,7 +187,7 @@ TEST(AssertionFile, RefusesWhatCannotBeMeant) {
 /// The examples of the reference: what stands in the first column of the section's table.
 std::vector<std::string> documented_examples() {
   const auto source =
-      read_source(std::string(JAYWALK_SOURCE_DIR) + "/experiment/judge/assertions/README.md");
+      read_source(std::string(JAYWALK_SOURCE_DIR) + "/docs/reference/assertions.md");
   std::string_view text = source.value()->text();
   text = text.substr(text.find("\n## Examples\n") + 1);
   text = text.substr(0, text.find("\n## "));

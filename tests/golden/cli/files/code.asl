@@ -1,4 +1,4 @@
-// A rule and plans whose code ENGINE.md explains.
+// A rule and plans whose code docs/internals/engine.md explains.
 near(X) :- at(Y) & D = X - Y & D < 3.
 at(4).
 !walk(5).

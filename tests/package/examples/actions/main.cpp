@@ -1,4 +1,4 @@
-// Internal actions and a function of one's own.
+// Custom internal actions and a custom function.
 #include <interpreter/embed/interpreter.h>
 #include <interpreter/logic/solutions.h>
 #include <iostream>

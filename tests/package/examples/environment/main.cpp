@@ -1,4 +1,4 @@
-// A world of one's own: a room that cools, and a heater for one agent.
+// A custom world: a room that cools, and a heater for one agent.
 #include <interpreter/embed/interpreter.h>
 #include <iostream>
 
