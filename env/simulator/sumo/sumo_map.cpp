@@ -102,8 +102,9 @@ class LaneWalker {
     };
     compare("route", "the AV", av_way.edges.front(), av_mps,
             "lower world.av.speed_mps, or begin on another edge");
-    for (const SumoFlow& flow : settings.traffic) {
-      compare("traffic", "a flow", flow.route.front(), flow.speed_mps,
+    for (std::size_t i = 0; i < settings.traffic.size(); ++i) {
+      const SumoFlow& flow = settings.traffic[i];
+      compare("traffic", fmt::format("flow {}", i + 1), flow.route.front(), flow.speed_mps,
               "lower the flow's speed, or begin its route with another edge");
       if (flow.lane > 0) find_closed_lane(flow, problems);
     }

@@ -160,8 +160,7 @@ TEST_F(CompareOutputs, SayWhatHappenedToAgentsBesideTheTable) {
   const CommandRun table = failing({});
   EXPECT_EQ(table.code, ExitCode::success) << "it is no failure unless --strict says so";
   EXPECT_THAT(table.output, HasSubstr("bad: 3 of 3 agents dropped an intention"));
-  EXPECT_THAT(table.output,
-              HasSubstr("    3 agents: ia_failed, bad.asl:1:12, .fail\n"));
+  EXPECT_THAT(table.output, HasSubstr("    3 agents: ia_failed, bad.asl:1:12, .fail\n"));
   const CommandRun csv = failing({"--format", "csv"});
   EXPECT_EQ(lines_of(csv.output).size(), 2U) << "what is for programs has only their format";
   EXPECT_THAT(csv.errors, HasSubstr("bad: 3 of 3 agents dropped an intention"));

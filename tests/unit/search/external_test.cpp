@@ -80,8 +80,7 @@ TEST_F(ExternalSut, MayHang) {
 TEST_F(ExternalSut, MayAnswerNonsense) {
   run(std::string("read line; ") + kAnswer + "; read line; echo 3 bananas", 2);
   ASSERT_EQ(errors_.size(), 1U);
-  EXPECT_THAT(errors_[0],
-              HasSubstr(": line 2 of its output, '3 bananas': expected a JSON object"));
+  EXPECT_THAT(errors_[0], HasSubstr(": line 2 of its output, '3 bananas': expected a JSON object"));
 }
 
 TEST_F(ExternalSut, MayLeaveTheMeasureOut) {
