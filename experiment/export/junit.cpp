@@ -65,7 +65,7 @@ Case case_of(const Summary& summary, const VerdictCounts& counts) {
   if (counts.of(Verdict::fail) > 0) {
     result.verdict = Verdict::fail;
     result.message =
-        fmt::format("{} of {} tests violate it", counts.of(Verdict::fail), counts.all());
+        fmt::format("{} of {} violate it", counts.of(Verdict::fail), counted(counts.all(), "test"));
   } else if (counts.of(Verdict::pass) == 0) {
     result.verdict = Verdict::vacuous;
     result.message = counts.exercised() == 0 ? "no test exercised it"
@@ -92,10 +92,10 @@ std::string errored_suite(const Comparison& comparison) {
   for (std::size_t row = 0; row < comparison.summaries.size(); ++row) {
     const Summary& summary = comparison.summaries[row];
     if (summary.errored == 0) continue;
-    Case result{
-        .name = fmt::format("{}, {}", summary.behaviour, counted(summary.agents, "agent")),
-        .errored = true,
-        .message = fmt::format("{} of {} tests ended errored", summary.errored, summary.tests)};
+    Case result{.name = fmt::format("{}, {}", summary.behaviour, counted(summary.agents, "agent")),
+                .errored = true,
+                .message = fmt::format("{} of {} ended errored", summary.errored,
+                                       counted(summary.tests, "test"))};
     if (row < comparison.troubles.size() && !comparison.troubles[row].errors.empty()) {
       result.message += ": " + comparison.troubles[row].errors.front().message;
     }

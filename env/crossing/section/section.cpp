@@ -206,11 +206,12 @@ class CrossingSection final : public WorldSection {
     for (std::size_t i = 0; i < draft_.actor_mps.size(); ++i) {
       if (draft_.actor_mps[i]) world.actors[i].speed = *draft_.actor_mps[i] * mps_to_cells;
     }
-    warn_of_speed(world.av.speed / mps_to_cells,
-                  draft_.speed_mps ? "world.av.speed_mps" : "world.av.speed",
-                  fmt::format("'speed' is in cells of {:g} m and ticks of {:g} s", world.cell_m,
-                              world.tick_s),
-                  context);
+    warn_of_speed(
+        world.av.speed / mps_to_cells, draft_.speed_mps ? "world.av.speed_mps" : "world.av.speed",
+        draft_.speed_mps ? std::string()
+                         : fmt::format("'speed' is in cells of {:g} m and ticks of {:g} s",
+                                       world.cell_m, world.tick_s),
+        context);
     std::vector<ParameterProblem> found = problems(world);
     if (!world.simulator.name.empty()) {
       std::optional<SimulatedSite> site;

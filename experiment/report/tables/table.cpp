@@ -97,7 +97,8 @@ std::string render_table(const Comparison& comparison) {
     if (behaviour == nullptr || *behaviour != summary.behaviour) {
       behaviour = &summary.behaviour;
       if (!table.empty()) table += '\n';
-      table += fmt::format("{} ({} lines of AgentSpeak)\n", *behaviour, summary.code_lines);
+      table +=
+          fmt::format("{} ({} of AgentSpeak)\n", *behaviour, counted(summary.code_lines, "line"));
       table += heading(published, paper, errored);
     }
     table += row(summary, published, errored);

@@ -51,11 +51,11 @@ std::vector<std::string> trouble_sentences(const Troubles& troubles) {
                                     counted(troubles.pedestrians, "agent")));
   } else if (troubles.idle > 0) {
     sentences.push_back(
-        fmt::format("{} of {} agents never acted", troubles.idle, troubles.pedestrians));
+        fmt::format("{} of {} never acted", troubles.idle, counted(troubles.pedestrians, "agent")));
   }
   if (troubles.dropping > 0) {
-    sentences.push_back(
-        fmt::format("{} of {} agents dropped an intention", troubles.dropping, troubles.agents));
+    sentences.push_back(fmt::format("{} of {} dropped an intention", troubles.dropping,
+                                    counted(troubles.agents, "agent")));
   }
   return sentences;
 }

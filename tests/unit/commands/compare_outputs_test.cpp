@@ -159,6 +159,7 @@ TEST_F(CompareOutputs, OfAReportAreAPictureOrAPage) {
 TEST_F(CompareOutputs, SayWhatHappenedToAgentsBesideTheTable) {
   const CommandRun table = failing({});
   EXPECT_EQ(table.code, ExitCode::success) << "it is no failure unless --strict says so";
+  EXPECT_THAT(table.output, HasSubstr("bad (1 line of AgentSpeak)"));
   EXPECT_THAT(table.output, HasSubstr("bad: 3 of 3 agents dropped an intention"));
   EXPECT_THAT(table.output, HasSubstr("    3 agents: ia_failed, bad.asl:1:12, .fail\n"));
   const CommandRun csv = failing({"--format", "csv"});

@@ -134,7 +134,8 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
   };
   js::SearchResults results = js::run_searches(experiment.plan, log, observer);
   line.clear();
-  if (errored > errors.size()) console.note(fmt::format("{} tests had no result", errored));
+  if (errored > errors.size())
+    console.note(fmt::format("{} had no result", counted(errored, "test")));
   return results;
 }
 
