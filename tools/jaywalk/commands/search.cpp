@@ -67,7 +67,7 @@ std::optional<js::SearchExperiment> read_request(const Arguments& arguments, Con
   std::ranges::copy(limit_sets(arguments, diagnostics, "sut.limits"), std::back_inserter(sets));
   if (std::vector<std::string> policies = arguments.texts(option::kPolicy); !policies.empty()) {
     // The key's paths are relative to the experiment's folder, the option's to this one.
-    for (std::string& file : policies) file = std::filesystem::absolute(file).string();
+    for (std::string& policy : policies) policy = std::filesystem::absolute(policy).string();
     sets.push_back(fmt::format("sut.policy={}", nlohmann::json(policies).dump()));
   }
   report_repeated_keys(sets, diagnostics);
