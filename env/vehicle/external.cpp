@@ -1,37 +1,6 @@
-// A controller outside of this program. For each decision it reads one line, a view as JSON, and
-// answers one line: {"acceleration": -3.5}, in m/s^2. The fields of the view are those of
-// VehicleView, lengths in metres, speeds in m/s, angles in rad:
-//
-//   {"step":4,"test":7,"time":0.4,"period":0.1,"speed":9,"cruise":9,"front":12.6,"length":4.5,
-//    "body":[4.5,7.5],"lane":[3,9],"lanes":[{"sides":[3,9],"oncoming":false}],"kerb":[3,9],
-//    "range":100,
-//    "actors":[{"id":1,"kind":"pedestrian","gap":12.5,"far":13,"sides":[2,2.5],"ahead":0,
-//               "right":1.5,"heading":1.5708}],
-//    "obstacles":[{"gap":20,"far":26,"sides":[1.5,3]}],"stop_lines":[{"gap":20,"closed":true}]}
-//
-// `front` counts from the road's begin, `gap` and `far` from the vehicle's front, `sides`, `body`,
-// `lane` and `kerb` from the world's left. `step` counts the questions of the test from 0. An
-// answer may repeat it, {"step":4,"acceleration":-3.5}; then it is checked, so that a line too many
-// cannot shift the answers after it. More than one line for a question ends the test, and so does
-// an acceleration beyond 1000 m/s^2; others are limited to what a vehicle can do.
-//
-// Each test starts a process of its own, so that none remembers another, unless the scenario says
-// `process: kept`. Then one process drives in many tests, and each begins and ends with a line:
-//
-//   {"step":0,"reset":{"test":7,"seed":1,"behaviour":"proximity","agents":1,"road":99,"cruise":9,
-//                      "limits":[-9.80665,5]}}
-//   {"end":{"why":"collision","collision":true,"impact":3.2}}
-//
-// `reset` is answered with an object, `end` is not answered; the views begin with step 1. The
-// answer to `reset` may name the fields that the controller reads; then the views of the test have
-// no others but `step`, which makes them quicker to write and to read:
-//
-//   {"step":0,"reads":["lane","actors.gap","actors.sides","stop_lines"]}
-//
-// The answers of a kept process must follow from `reset` and the views since then alone. Tests
-// that differ only in the AV's defects (the same `reset`) and begin with the same views share its
-// answers. In another such test it is queried only when a new view comes, then with all the views
-// before it; if it answers those differently from the first time, that test fails.
+// A controller outside of this program, which answers an acceleration for each view, a line of JSON
+// each. docs/reference/controller_protocol.md describes the fields, which are those of VehicleView,
+// and what a kept process must keep to.
 
 #include <algorithm>
 #include <filesystem>

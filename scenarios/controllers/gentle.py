@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A controller of the automated vehicle as a process of its own.
 
-Reads a view a line, answers a decision a line; see env/vehicle/external.cpp for the fields. The
-step is repeated in the answer, so that both cannot get out of step. One process drives in many
+Reads a view a line, answers a decision a line; docs/reference/controller_protocol.md has the
+fields. The step is repeated in the answer, so that both cannot get out of step. One process drives in many
 tests: each begins with a line `reset`, whose answer names the fields that the controller reads, and
 ends with a line `end`, which has no answer. It brakes gently for whoever is in its lane within
 30 m, and fully within 8 m.

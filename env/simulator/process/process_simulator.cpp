@@ -1,6 +1,6 @@
 // A simulator outside of this program, which speaks the simulator protocol, version 1: one line of
-// JSON for each question, one for each answer. docs/guides/own_simulator.md describes it, and
-// scenarios/simulators/protocol.schema.json every message.
+// JSON for each question, one for each answer. docs/reference/simulator_protocol.md describes
+// it, and scenarios/simulators/protocol.schema.json every message.
 
 #include <algorithm>
 #include <array>

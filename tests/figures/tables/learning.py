@@ -1,11 +1,11 @@
-"""The figures of docs/reference/learning_figures.md: what tools/learning_figures prints. Its CPU times are not compared."""
+"""The figures of docs/reference/learning_figures.md: what tests/figures/learning_figures prints. Its CPU times are not compared."""
 import re
 
 DOCUMENT = "docs/reference/learning_figures.md"
 
 
 def printed(runs, table):
-    return runs.run("tools/learning_figures", runs.jaywalk, table).splitlines()
+    return runs.run("tests/figures/learning_figures", runs.jaywalk, table).splitlines()
 
 
 def accuracy(documents, runs):

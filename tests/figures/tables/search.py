@@ -1,4 +1,4 @@
-"""The figures of docs/reference/search_figures.md and docs/reference/search_peers.md: the files of tools/search_figures. Times and p-values are not compared."""
+"""The figures of docs/reference/search_figures.md and docs/reference/search_peers.md: the files of tests/figures/search_figures. Times and p-values are not compared."""
 import csv
 import statistics
 
@@ -17,7 +17,7 @@ ALL = {"tests": "executed tests", "failures": "failing tests", "distinct_half_m"
 
 def study(runs, name):
     """Generator to column to the mean and standard deviation of its repetitions; those without a value are left out."""
-    runs.run("tools/search_figures", runs.jaywalk, runs.scratch, name)
+    runs.run("tests/figures/search_figures", runs.jaywalk, runs.scratch, name)
     with open(runs.scratch / f"{name}.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     of = {}
@@ -84,7 +84,7 @@ def pedestrians(documents, runs):
 
 def kills(runs, name):
     """Generator to its kills and to the defects that it kills."""
-    runs.run("tools/search_figures", runs.jaywalk, runs.scratch, name)
+    runs.run("tests/figures/search_figures", runs.jaywalk, runs.scratch, name)
     of = {}
     with open(runs.scratch / f"{name}.csv", encoding="utf-8") as file:
         for row in csv.DictReader(file):

@@ -1,4 +1,4 @@
-"""The figures of tests that SUMO's vehicles drive in: docs/reference/vehicles.md and docs/guides/sumo.md."""
+"""The figures of tests that SUMO's vehicles drive in: docs/reference/vehicles.md."""
 import re
 
 DOCUMENT = "docs/reference/vehicles.md"
@@ -30,8 +30,8 @@ def the_papers_av(documents, runs):
     others = sum(any(one[key] != two[key] for key in ends) for one, two in zip(own, sumo, strict=True))
     touched = sum(one["collision"] < two["collision"] for one, two in zip(own, sumo))
     missed = sum(one["collision"] > two["collision"] for one, two in zip(own, sumo))
-    documents.says("docs/guides/sumo.md", f"Of {len(own):,} tests {others or 'none'} differs in behaviour, end, ticks or tick of the precondition")
-    documents.says("docs/guides/sumo.md", f"in {touched:,} of them SUMO's AV touches somebody whom the world's does not, in {missed or 'none'} the other way")
+    documents.says(DOCUMENT, f"Of {len(own):,} tests {others or 'none'} differs in behaviour, end, ticks or tick of the precondition")
+    documents.says(DOCUMENT, f"in {touched:,} of them SUMO's AV touches somebody whom the world's does not, in {missed or 'none'} the other way")
 
 
 CHECKS = (ranking_of_models, the_papers_av)
