@@ -67,11 +67,15 @@ class Printer {
     variable(name);
   }
 
+  // Not in line, as variable(): the text of a number takes much of the stack.
+  [[gnu::noinline]] void number(double number) {
+    append_number(out_, numbers_ == Numbers::exact ? number : rounded(number));
+  }
+
   void parts(Value value) {
     switch (value.kind()) {
       case Value::Kind::number:
-        append_number(out_,
-                      numbers_ == Numbers::exact ? value.as_number() : rounded(value.as_number()));
+        number(value.as_number());
         return;
       case Value::Kind::atom:
         name(value.atom_id());
