@@ -17,7 +17,8 @@ double WorldResult::score() const {
 std::string World::describe_result() const {
   const WorldResult& of = result();
   if (!of.success) {
-    return fmt::format("precondition not met in {}, score {:.2f}", counted(of.ticks, "tick"),
+    const auto ticks = static_cast<std::uint64_t>(of.ticks);
+    return fmt::format("precondition not met in {}, score {:.2f}", counted(ticks, "tick"),
                        of.score());
   }
   const std::vector<Actor> all = actors();

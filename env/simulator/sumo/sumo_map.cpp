@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -171,7 +172,7 @@ class LaneWalker {
   static std::string listed(const std::vector<std::string>& edges) {
     const std::size_t shown = std::min(edges.size(), kMostListed);
     return fmt::format(
-        "its edges are {}{}", fmt::join(edges.begin(), edges.begin() + shown, ", "),
+        "its edges are {}{}", fmt::join(std::span(edges).first(shown), ", "),
         shown < edges.size() ? fmt::format(" and {} others", edges.size() - shown) : "");
   }
 

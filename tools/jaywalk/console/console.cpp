@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -111,8 +112,7 @@ void Console::wrote(const std::string& path) {
 void Console::tell_written() {
   if (written_.empty()) return;
   const std::size_t shown = std::min(kMostWrittenNamed, written_.size());
-  std::string names =
-      fmt::format("{}", fmt::join(written_.begin(), written_.begin() + shown, ", "));
+  std::string names = fmt::format("{}", fmt::join(std::span(written_).first(shown), ", "));
   if (written_.size() > shown) names += fmt::format(" and {} more", written_.size() - shown);
   note("wrote " + names);
   written_.clear();
