@@ -43,7 +43,8 @@ class Shared {
     spent_[search] = spent;
     if (row.test.outcome.executed()) return;
     ++progress_.errors;
-    if (observer_.error) observer_.error(run.generator, run.repetition, row.test.outcome.error);
+    if (!observer_.error) return;
+    observer_.error(run.generator, run.repetition, run.tests.size() - 1, row.test.outcome.error);
   }
 
   void finish(std::size_t search, SearchRun& run) const {

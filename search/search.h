@@ -120,8 +120,9 @@ struct SearchProgress {
 struct SearchObserver {
   /// Called from one thread some times a second and at the end; may end everything.
   std::function<Continue(const SearchProgress&)> progress;
-  /// Called for each test that has no result, from any thread, one at a time.
-  std::function<void(const std::string& generator, std::uint32_t repetition,
+  /// Called for each test that has no result, from any thread, one at a time. Tests of a search are
+  /// numbered from 0.
+  std::function<void(const std::string& generator, std::uint32_t repetition, std::size_t test,
                      const std::string& error)>
       error;
   /// Called once for each search that has come to its end, from any thread, several at once; it may

@@ -5,7 +5,7 @@ import pathlib
 import re
 
 # A number as documents write it, or none.
-NUMBER = r"(?:-?\d[\d,]*(?:\.\d+)?|none)"
+NUMBER = r"(?:-?\d+(?:,\d{3})*(?:\.\d+)?|none)"
 
 
 class Documents:
@@ -42,12 +42,12 @@ class Documents:
         text, stands = self._find(document, rf"(?<=<!-- figures: {name} -->\n)(\|.*\n)+", f"the table {name}")
         if stands is None:
             return
-        old = [line[2:-2].split(" | ") for line in stands.group().splitlines()[2:]]
+        old = [[cell.strip() for cell in line[1:-1].split("|")] for line in stands.group().splitlines()[2:]]
         for at, row in enumerate(rows):
             kept = old[at] if at < len(old) and len(old[at]) == len(row) else [""] * len(row)
             row[:] = [kept[i] if cell is None else str(cell) for i, cell in enumerate(row)]
         lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|", *("| " + " | ".join(row) + " |" for row in rows)]
-        self._compare(document, f"the table {name}", text, stands, "".join(re.sub(r"^\|  +\|", "| |", line) + "\n" for line in lines))
+        self._compare(document, f"the table {name}", text, stands, "".join(re.sub(r"\|  +(?=\|)", "| ", line) + "\n" for line in lines))
 
     def says(self, document, sentence):
         """The one place that says this sentence with these or other numbers."""

@@ -1,6 +1,7 @@
 // Programs that misbehave in every way cost one test each, with a message that says where.
 
 #include <chrono>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@ namespace jaywalk::search {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 /// Searches with a shell script as the SUT, which reads a line for each test.
 class ExternalSut : public testing::Test {
@@ -26,10 +28,12 @@ class ExternalSut : public testing::Test {
       ADD_FAILURE() << read.diagnostics().render();
       return {};
     }
-    return run_searches(read.value().plan, nullptr,
-                        {.progress = {}, .error = [&](const auto&, auto, const std::string& error) {
-                           errors_.push_back(error);
-                         }});
+    return run_searches(
+        read.value().plan, nullptr,
+        {.progress = {},
+         .error = [&](const auto&, auto, std::size_t test, const std::string& error) {
+           errors_.push_back("test " + std::to_string(test) + ": " + error);
+         }});
   }
 
   std::vector<std::string> errors_;
@@ -51,6 +55,7 @@ TEST_F(ExternalSut, MayCrash) {
   const SearchResults results = run("read line; echo out of memory >&2; kill -SEGV $$");
   EXPECT_TRUE(results.complete);
   ASSERT_EQ(errors_.size(), 6U);
+  EXPECT_THAT(errors_[3], StartsWith("test 3: "));
   EXPECT_THAT(errors_[3], HasSubstr(": it died of signal 11"));
   EXPECT_THAT(errors_[3], HasSubstr("out of memory"));
 }
@@ -58,6 +63,7 @@ TEST_F(ExternalSut, MayCrash) {
 TEST_F(ExternalSut, MayEndBeforeItAnswers) {
   run("read line; exit 3");
   ASSERT_EQ(errors_.size(), 6U);
+  EXPECT_THAT(errors_[0], StartsWith("test 0: "));
   EXPECT_THAT(errors_[0], HasSubstr(": it ended with exit code 3 before it answered"));
 }
 
@@ -74,12 +80,14 @@ TEST_F(ExternalSut, MayHang) {
   run("while read line; do sleep 100; done", 2, 0.2);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   ASSERT_EQ(errors_.size(), 2U);
+  EXPECT_THAT(errors_[1], StartsWith("test 1: "));
   EXPECT_THAT(errors_[1], HasSubstr(": no answer within 0.2 s"));
 }
 
 TEST_F(ExternalSut, MayAnswerNonsense) {
   run(std::string("read line; ") + kAnswer + "; read line; echo 3 bananas", 2);
   ASSERT_EQ(errors_.size(), 1U);
+  EXPECT_THAT(errors_[0], StartsWith("test 1: "));
   EXPECT_THAT(errors_[0], HasSubstr(": line 2 of its output, '3 bananas': expected a JSON object"));
 }
 
@@ -107,10 +115,10 @@ TEST_F(ExternalSut, MayBeMissing) {
   Result<SearchExperiment> read = parse_search(std::make_shared<const Source>("e.yaml", text));
   ASSERT_TRUE(read.ok());
   std::string last;
-  const SearchResults results =
-      run_searches(read.value().plan, nullptr,
-                   {.progress = {},
-                    .error = [&](const auto&, auto, const std::string& error) { last = error; }});
+  const SearchResults results = run_searches(
+      read.value().plan, nullptr,
+      {.progress = {},
+       .error = [&](const auto&, auto, auto, const std::string& error) { last = error; }});
   EXPECT_TRUE(results.complete);
   EXPECT_THAT(last, HasSubstr("cannot start '/no/such/program'"));
 }
@@ -123,6 +131,7 @@ TEST_F(ExternalSut, MaySayMoreThanItWasAsked) {
           5);
   const auto& tests = results.runs[0].tests;
   ASSERT_EQ(errors_.size(), 2U) << "that of test 1, and of the process after it";
+  EXPECT_THAT(errors_[0], StartsWith("test 1: "));
   EXPECT_THAT(errors_[0], HasSubstr(": line 2 of its output"));
   EXPECT_THAT(errors_[0], HasSubstr("but it also wrote '{\"max_oob\": 0.9}'"));
   EXPECT_DOUBLE_EQ(tests[0].test.fitness, 0.1);

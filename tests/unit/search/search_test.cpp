@@ -218,10 +218,11 @@ TEST(Search, LosesOnlyTheTestsThatHaveNoResult) {
   plan.model = std::make_shared<Shaky>();
   int errors = 0;
   const SearchResults results = run_searches(
-      plan, nullptr, {.progress = {}, .error = [&](const auto&, auto, const std::string& error) {
-                        EXPECT_EQ(error, "it crashed");
-                        ++errors;
-                      }});
+      plan, nullptr,
+      {.progress = {}, .error = [&](const auto&, auto, auto, const std::string& error) {
+         EXPECT_EQ(error, "it crashed");
+         ++errors;
+       }});
   EXPECT_TRUE(results.complete);
   EXPECT_EQ(results.runs[0].tests.size(), 99U);
   EXPECT_EQ(errors, 33);

@@ -119,12 +119,13 @@ js::SearchResults run(const js::SearchExperiment& experiment, js::TestLog* log, 
     line.show(now);
     return interrupt.interrupted() ? js::Continue::no : js::Continue::yes;
   };
-  observer.error = [&](const std::string& generator, std::uint32_t repetition,
+  observer.error = [&](const std::string& generator, std::uint32_t repetition, std::size_t test,
                        const std::string& error) {
     ++errored;
     if (errors.size() == kShownErrors || !errors.insert(error).second) return;
     line.clear();
-    console.note(fmt::format("{}, repetition {}: no result: {}", generator, repetition, error));
+    console.note(fmt::format("{}, repetition {}, test {}: no result: {}", generator, repetition,
+                             test, error));
     if (errors.size() == kShownErrors) console.note("other errors are only counted");
   };
   observer.finished = [&](std::size_t search, js::SearchRun& finished) {
