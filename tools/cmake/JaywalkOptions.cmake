@@ -1,7 +1,7 @@
 # The options of the build; all begin with JAYWALK_ and default to what a consumer wants.
 
 option(JAYWALK_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
-option(JAYWALK_UNIT_TESTS "Build the unit and property tests with them" ON)
+set(JAYWALK_TESTS "code;programs" CACHE STRING "Which: of the code, best run with sanitizers; of programs as users have them")
 option(JAYWALK_WERROR "Treat warnings as errors" OFF)
 option(JAYWALK_UNITY "Compile up to eight files at a time: a clean build takes half as long" ON)
 set(JAYWALK_SANITIZERS "" CACHE STRING "Sanitizers to build with, as in -fsanitize= (address,undefined)")

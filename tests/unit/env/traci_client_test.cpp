@@ -106,9 +106,10 @@ TEST(TraciClient, SendsWhatDoesNotDependOnAnswersAtOnce) {
 
 TEST(TraciClient, EndsAtTheAnswerThatDoesNotCome) {
   Server server([](Server& self) {
-    for (int i = 0; i < 3; ++i) {
+    // All is read: a connection closed with unread bytes is reset, and may lose the answers.
+    for (int i = 0; i < 10; ++i) {
       EXPECT_GT(self.read_message(), 0U);
-      self.answer();
+      if (i < 3) self.answer();
     }
   });
   TraciClient client;
