@@ -1,7 +1,13 @@
 # The options of the build; all begin with JAYWALK_ and default to what a consumer wants.
 
 option(JAYWALK_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
-set(JAYWALK_TESTS "code;programs" CACHE STRING "Which: of the code, best run with sanitizers; of programs as users have them")
+set(JAYWALK_TESTS "code;programs" CACHE STRING
+    "Which tests: code (units, hostile input, style), programs (scenarios, the command, figures, package), or both")
+foreach(part IN LISTS JAYWALK_TESTS)
+  if(NOT part MATCHES "^(code|programs)$")
+    message(FATAL_ERROR "JAYWALK_TESTS: expected code, programs or both (code;programs), found '${part}'")
+  endif()
+endforeach()
 option(JAYWALK_WERROR "Treat warnings as errors" OFF)
 option(JAYWALK_UNITY "Compile up to eight files at a time: a clean build takes half as long" ON)
 set(JAYWALK_SANITIZERS "" CACHE STRING "Sanitizers to build with, as in -fsanitize= (address,undefined)")
