@@ -1,6 +1,8 @@
 // Comparisons that cannot be meant: of different types, of constants, of a term with itself.
 
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -44,6 +46,15 @@ std::string_view type_of(const Node& node) {
   if (node.kind == Kind::list) return "a list";
   if (node.kind == Kind::literal && !ast::is_internal(node)) return "a literal";
   return {};
+}
+
+// A number in quotes.
+bool is_quoted_number(const Node& node) {
+  if (node.kind != Kind::string) return false;
+  const char* const end = node.text.data() + node.text.size();
+  double number = 0;
+  const auto [rest, error] = std::from_chars(node.text.data(), end, number);
+  return error == std::errc() && rest == end;
 }
 
 bool is_bare_word(const Node& node) { return node.kind == Kind::literal && node.args.empty(); }
@@ -183,6 +194,18 @@ void look_for_contradiction(Checking& checking, CheckedFile& file, const Node& f
   }
 }
 
+// `D < "25"`: a string is greater than every number.
+void look_at_quotes(Checking& checking, CheckedFile& file, const Node& relation) {
+  if (relation.op >= Operator::equal) return;
+  for (const std::size_t side : {0U, 1U}) {
+    const Node& text = *relation.args[side];
+    if (!is_quoted_number(text) || relation.args[1 - side]->kind != Kind::variable) continue;
+    checking.warn(file, text.span,
+                  fmt::format("{} is a string, which is greater than every number", print(text)),
+                  fmt::format("write {}, without quotes", text.text));
+  }
+}
+
 void look_at_truth(Checking& checking, CheckedFile& file, const Condition& condition) {
   const Node* node = condition.node;
   const bool negated = node->op == Operator::logical_not;
@@ -201,6 +224,7 @@ void incompatible_types(Checking& checking) {
   for (CheckedFile& file : checking.files()) {
     for (const Condition& condition : file.uses.conditions) {
       each_relation(*condition.node, [&](const Node& relation) {
+        look_at_quotes(checking, file, relation);
         const std::string_view left = type_of(*relation.args[0]);
         const std::string_view right = type_of(*relation.args[1]);
         if (left.empty() || right.empty() || left == right) return;

@@ -15,12 +15,17 @@ TEST(CheckConditions, WarnsOfComparisonsOfDifferentTypes) {
            Row{"p(X) :- q(X) & not (X*2 == none).", "1:21 a number is compared with a literal\n"},
            Row{"+!g <- .findall(X, b(X) & 1 < a, L).",
                "1:27 a number is compared with a literal\n"},
+           Row{"+!g(X) : X > \"2.5\" <- a.",
+               "1:14 \"2.5\" is a string, which is greater than every number\n"},
+           Row{"+!g(X) : \"25\" <= X <- a.",
+               "1:10 \"25\" is a string, which is greater than every number\n"},
        }) {
     EXPECT_EQ(warnings_of("incompatible-types", text), warnings) << text;
   }
-  for (const char* text : {"+!g(X) : X > \"2\" <- a.", "+!g(X) : X == a & X < 3 <- a.",
-                           "+!g(X) : .length(X) > 3 <- a.", "+!g : math.pi > 3 <- a.",
-                           "+!g(X) : f(X) = f(1) <- a.", "+!g <- .print(1 < a)."}) {
+  for (const char* text :
+       {"+!g(X) : X > \"2b\" <- a.", "+!g(X) : X > \"\" <- a.", "+!g(X) : X == \"2\" <- a.",
+        "+!g(X) : X == a & X < 3 <- a.", "+!g(X) : .length(X) > 3 <- a.", "+!g : math.pi > 3 <- a.",
+        "+!g(X) : f(X) = f(1) <- a.", "+!g <- .print(1 < a)."}) {
     EXPECT_EQ(warnings_of("incompatible-types", text), "") << text;
   }
 }
