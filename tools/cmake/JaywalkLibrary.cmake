@@ -13,12 +13,14 @@ if(JAYWALK_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(JAYWALK_UNITY_ALARMS -Wno-subobject-linkage)
 endif()
 
+# -fPIC, also of programs, which share precompiled headers with libraries: modules can be linked with
+# the static libraries.
 # Programs read files of strangers, so memory that a bug could overwrite is guarded. The standard
 # library's checks of lengths need optimisation; sanitizers have their own. Its assertions
 # (_GLIBCXX_ASSERTIONS) cost up to an eighth of the instructions, tests/bench/README.md.
 set(JAYWALK_HARDENING "")
 if(NOT JAYWALK_SANITIZERS AND CMAKE_BUILD_TYPE MATCHES "^Rel|^MinSizeRel$")
-  set(JAYWALK_HARDENING -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIE)
+  set(JAYWALK_HARDENING -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIC)
 endif()
 
 # Instrumented code without any optimisation is too slow for the scenario tests. A folder whose code is

@@ -21,6 +21,9 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# Hidden symbols are reached without a table where code is position-independent.
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 set(CMAKE_UNITY_BUILD ${JAYWALK_UNITY})
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8 CACHE STRING "Files compiled at a time; 0 for all of a target")
 
