@@ -115,7 +115,7 @@ jaywalk_add_library(engine
     unit_test/unit_tests.cpp
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support
-  PRIVATE fmt::fmt)
+  PRIVATE fmt::fmt PkgConfig::libpcre2)
 
 # Tables that tests/tutorial extends are compiled by themselves.
 set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/actions/standard_actions.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

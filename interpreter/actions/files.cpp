@@ -15,8 +15,9 @@ constexpr std::size_t kMaxFiles = 1'000'000;
 constexpr int kMaxFolderDepth = 100;
 
 // Links to folders are not followed, and what cannot be read is passed over.
+// `problem`: why a name could not be matched, if one could not.
 void find_files(const std::filesystem::path& folder, const Regex& pattern, int depth,
-                std::vector<std::string>& found) {
+                std::vector<std::string>& found, std::string& problem) {
   std::error_code error;
   std::vector<std::filesystem::path> entries;
   std::filesystem::directory_iterator entry(folder, error);
@@ -28,10 +29,11 @@ void find_files(const std::filesystem::path& folder, const Regex& pattern, int d
     if (found.size() >= kMaxFiles) return;
     const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
     if (!error && std::filesystem::is_directory(status)) {
-      if (depth < kMaxFolderDepth) find_files(path, pattern, depth + 1, found);
-    } else if (std::filesystem::is_regular_file(path, error) &&
-               pattern.matches(path.filename().string())) {
-      found.push_back(path.string());
+      if (depth < kMaxFolderDepth) find_files(path, pattern, depth + 1, found, problem);
+    } else if (std::filesystem::is_regular_file(path, error)) {
+      std::string why;
+      if (pattern.matches(path.filename().string(), why)) found.push_back(path.string());
+      if (!why.empty()) problem = fmt::format("left out {}: {}", path.string(), why);
     }
   }
 }
@@ -58,11 +60,8 @@ Outcome list_files(ActionCall& call) {
   std::string problem = call.agent()->host().society().why_not_list(folder);
   if (problem.empty()) problem = why_unreadable(folder);
   // As in Jason such a folder has no files, and the plan goes on.
-  if (problem.empty()) {
-    find_files(folder, *pattern, 0, found);
-  } else {
-    call.agent()->log(problem);
-  }
+  if (problem.empty()) find_files(folder, *pattern, 0, found, problem);
+  if (!problem.empty()) call.agent()->log(problem);
   std::vector<Value> files;
   for (const std::string& file : found) files.push_back(call.heap().text(file));
   return call.result(result, call.heap().list(files));
