@@ -9,20 +9,13 @@ target_sources(jaywalk_experiment PRIVATE
   judge/assertions/grammar.cpp
   judge/assertions/resolve.cpp
   judge/assertions/robustness.cpp
-  judge/assertions/words.cpp
   judge/csv_line.cpp
   judge/metrics/encroachment.cpp
   judge/metrics/impact_speed.cpp
-  judge/metrics/max_btn.cpp
-  judge/metrics/max_drac.cpp
   judge/metrics/metrics.cpp
-  judge/metrics/min_distance.cpp
-  judge/metrics/min_pret.cpp
-  judge/metrics/min_ttb.cpp
-  judge/metrics/min_ttc.cpp
+  judge/metrics/min_distance_time.cpp
   judge/metrics/natural_steps.cpp
   judge/metrics/time_exposed.cpp
-  judge/metrics/time_in_road.cpp
   judge/signals/boxes.cpp
   judge/signals/careful_driver.cpp
   judge/signals/collision_course.cpp

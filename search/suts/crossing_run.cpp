@@ -9,7 +9,6 @@
 #include "experiment/compare/carry_over.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/judge/metrics/metrics.h"
-#include "experiment/judge/metrics/natural_steps.h"
 #include "experiment/policy/policy.h"
 #include "search/suts/situation_measures.h"
 

@@ -15,8 +15,8 @@ namespace jaywalk::metric {
 }
 
 /// The least finite value; nothing if there is none.
-[[nodiscard]] inline std::optional<MetricValue> least(const TestView& view, SignalId signal,
-                                                      ActorIndex actor) {
+template <SignalId signal>
+[[nodiscard]] std::optional<MetricValue> least(const TestView& view, ActorIndex actor) {
   const auto values = view.values(signal, actor);
   const auto found = std::ranges::min_element(values);
   if (!std::isfinite(*found)) return std::nullopt;
@@ -24,7 +24,8 @@ namespace jaywalk::metric {
 }
 
 /// The greatest value, which may be infinite.
-[[nodiscard]] inline MetricValue greatest(const TestView& view, SignalId signal, ActorIndex actor) {
+template <SignalId signal>
+[[nodiscard]] std::optional<MetricValue> greatest(const TestView& view, ActorIndex actor) {
   const auto values = view.values(signal, actor);
   const auto found = std::ranges::max_element(values);
   return value_at(values, static_cast<std::size_t>(found - values.begin()), actor);

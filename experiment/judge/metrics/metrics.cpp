@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include "experiment/judge/metrics/extremes.h"
+
 namespace jaywalk {
 
 std::span<const Metric> metrics() {
   static constexpr std::array kMetrics = {
 #define JAYWALK_METRIC(name, worst, unit, formula, source) \
   Metric{#name, Worst::worst, unit, formula, source, &metric::name},
+#define JAYWALK_EXTREME(name, worst, signal, unit, formula, source) \
+  Metric{#name, Worst::worst, unit, formula, source, &metric::worst<SignalId::signal>},
 #include "experiment/judge/metrics/metrics.def"
 #undef JAYWALK_METRIC
+#undef JAYWALK_EXTREME
   };
   return kMetrics;
 }

@@ -48,11 +48,17 @@ struct Metric {
 /// All metrics in the order of metrics().
 [[nodiscard]] std::vector<std::optional<MetricValue>> measured_all(const TestView& view);
 
+/// Whether a person might take the step that led to this tick's state: one would hardly turn
+/// straight back, or stand still in the road. REQUIRES: tick > 0.
+[[nodiscard]] bool is_natural_step(const TestView& view, ActorIndex actor, std::size_t tick);
+
 namespace metric {
+#define JAYWALK_EXTREME(name, worst, signal, unit, formula, source)
 #define JAYWALK_METRIC(name, worst, unit, formula, source) \
   std::optional<MetricValue> name(const TestView& view, ActorIndex actor);
 #include "experiment/judge/metrics/metrics.def"
 #undef JAYWALK_METRIC
+#undef JAYWALK_EXTREME
 }  // namespace metric
 
 }  // namespace jaywalk

@@ -1,5 +1,3 @@
-#include "experiment/judge/metrics/natural_steps.h"
-
 #include <cmath>
 #include <numbers>
 

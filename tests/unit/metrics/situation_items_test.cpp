@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/judge/metrics/natural_steps.h"
+#include "experiment/judge/metrics/metrics.h"
 #include "experiment/judge/situations/situations.h"
 #include "tests/unit/metrics/drives.h"
 

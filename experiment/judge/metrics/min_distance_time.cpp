@@ -35,12 +35,8 @@ double part_until_nearest(const TestView& view, ActorIndex actor, std::size_t ti
 
 }  // namespace
 
-std::optional<MetricValue> min_distance(const TestView& view, ActorIndex actor) {
-  return least(view, SignalId::closest, actor);
-}
-
 std::optional<MetricValue> min_distance_time(const TestView& view, ActorIndex actor) {
-  auto nearest = least(view, SignalId::closest, actor);
+  auto nearest = least<SignalId::closest>(view, actor);
   if (!nearest) return std::nullopt;
   const double parts =
       nearest->tick == 0 ? 0 : nearest->tick - 1 + part_until_nearest(view, actor, nearest->tick);
