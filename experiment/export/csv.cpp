@@ -1,5 +1,3 @@
-#include "experiment/export/csv.h"
-
 #include <optional>
 #include <string_view>
 
@@ -7,6 +5,7 @@
 
 #include "experiment/compare/csv_fields.h"
 #include "experiment/compare/measures/measures.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/judge/csv_line.h"
 
 namespace jaywalk {

@@ -4,16 +4,17 @@ target_sources(jaywalk_experiment PRIVATE
   export/exporter.cpp
   export/json.cpp
   export/junit.cpp
+  export/markdown.cpp
   export/observations.cpp
   export/openscenario/courses.cpp
   export/openscenario/opendrive.cpp
   export/openscenario/openscenario.cpp
   export/openscenario/openscenario_text.cpp
+  export/openscenario/playback.cpp
   export/openscenario/road_plan.cpp
   export/openscenario/validate.cpp
-  export/playback.cpp
   export/postgis.cpp
-  export/program.cpp
+  export/svg.cpp
   export/traces.cpp)
 
 # With sanitizers GCC 12 warns of std::regex's own code (GCC bug 105562).

@@ -64,4 +64,13 @@ struct Exporter {
                                 const TextSource& source, std::vector<std::string>& written,
                                 Diagnostics& diagnostics);
 
+#define JAYWALK_EXPORTER(name, function, summary) \
+  [[nodiscard]] ExportedFiles function(const ExportRequest& request);
+#include "experiment/export/exporters.def"
+#undef JAYWALK_EXPORTER
+
+/// Runs another program to its end: its exit status; 127 if there is none of that name. What it
+/// writes to standard output is added to `output`, if there is one.
+[[nodiscard]] int run_program(std::vector<std::string> words, std::string* output = nullptr);
+
 }  // namespace jaywalk

@@ -1,5 +1,3 @@
-#include "experiment/export/json.h"
-
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -9,6 +7,7 @@
 #include "experiment/compare/measures/measures.h"
 #include "experiment/compare/measures/statistics.h"
 #include "experiment/compare/published/published.h"
+#include "experiment/export/comparison_files.h"
 
 namespace jaywalk {
 namespace {

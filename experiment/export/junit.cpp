@@ -1,10 +1,9 @@
-#include "experiment/export/junit.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "experiment/export/comparison_files.h"
 #include "interpreter/support/markup.h"
 #include "interpreter/support/text.h"
 

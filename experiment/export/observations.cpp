@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "experiment/export/exporters.h"
+#include "experiment/export/exporter.h"
 #include "experiment/judge/csv_line.h"
 
 namespace jaywalk {

@@ -8,8 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/exporters.h"
-#include "experiment/export/program.h"
+#include "experiment/export/exporter.h"
 #include "experiment/results/excerpt.h"
 #include "experiment/scenario/files/temporary.h"
 

@@ -1,6 +1,6 @@
 // Each test as a table that `jaywalk judge --trace` reads.
 
-#include "experiment/export/exporters.h"
+#include "experiment/export/exporter.h"
 #include "experiment/judge/trace_file.h"
 
 namespace jaywalk {

@@ -1,9 +1,10 @@
 #pragma once
 
-// Building blocks of pages: numbers, tables, the styles of series.
+// Self-contained pages, and their building blocks: numbers, tables, the styles of series.
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,5 +65,18 @@ enum class PictureSize { small, normal, wide };
 [[nodiscard]] std::string terms(std::string_view entries);
 /// The names of series with their marks; switches them on and off.
 [[nodiscard]] std::string legend(const std::vector<std::string>& names);
+
+struct PageSection {
+  /// The name of the section's anchor.
+  std::string_view name;
+  std::string_view title;
+  /// Sections without are left out.
+  std::string html;
+};
+
+/// A page with the looks that all reports share, light, dark, narrow and on paper (page.html).
+/// `kind`: the kind of the page, shown above the title.
+[[nodiscard]] std::string render_page(std::string_view kind, std::string_view title,
+                                      std::span<const PageSection> sections);
 
 }  // namespace jaywalk::reporting

@@ -9,15 +9,12 @@ configure_file(report/player/player.html.h.in
 target_sources(jaywalk_experiment PRIVATE
   report/charts/axis.cpp
   report/charts/bars.cpp
-  report/charts/chart.cpp
   report/charts/plot.cpp
   report/charts/road.cpp
   report/explanation_json.cpp
   report/facts.cpp
   report/html.cpp
-  report/page.cpp
   report/player/player.cpp
-  report/player/replay_page.cpp
   report/player/side_by_side.cpp
   report/policy_map.cpp
   report/report.cpp
@@ -36,9 +33,7 @@ target_sources(jaywalk_experiment PRIVATE
   report/sections/situations.cpp
   report/sections/verdicts.cpp
   report/stored_coverage.cpp
-  report/tables/av_table.cpp
   report/tables/kill_table.cpp
-  report/tables/markdown.cpp
   report/tables/situation_coverage.cpp
   report/tables/table.cpp
   report/tables/troubles_text.cpp

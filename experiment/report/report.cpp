@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "experiment/report/page.h"
+#include "experiment/report/html.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
-#include "experiment/report/page.h"
 #include "interpreter/support/markup.h"
 #include "search/failing_stretch.h"
 #include "search/report/clusters.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "env/lane/road.h"
-#include "experiment/report/charts/axis.h"
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
 #include "search/failing_stretch.h"

@@ -5,8 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include "experiment/export/playback.h"
-
 namespace jaywalk {
 namespace {
 

@@ -1,11 +1,11 @@
-#include "experiment/export/openscenario/opendrive.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "experiment/export/openscenario/road_plan.h"
 
 namespace jaywalk {
 namespace {

@@ -15,9 +15,9 @@
 #include <fmt/format.h>
 
 #include "env/crossing/world.h"
-#include "experiment/export/exporters.h"
-#include "experiment/export/openscenario/opendrive.h"
+#include "experiment/export/exporter.h"
 #include "experiment/export/openscenario/openscenario_text.h"
+#include "experiment/export/openscenario/road_plan.h"
 
 namespace jaywalk {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 // The ground of a crossing world as roads, junctions, objects and signals, as OpenDRIVE has them;
-// opendrive.h writes them. Axes and units are those of env/scene.h.
+// opendrive.cpp writes them. Axes and units are those of env/scene.h.
 
 #include <optional>
 #include <string>
@@ -108,5 +108,10 @@ struct RoadPlan {
 
 /// `1`, `2`, … on the left side of the reference line, `-1`, `-2`, … on its right.
 [[nodiscard]] int lane_id(const PlannedRoad& road, std::size_t lane);
+
+/// As ASAM OpenDRIVE 1.6. Roads in the plane of env/scene.h, the AV's along y. The reference line
+/// runs between the lanes that go the road's way and the others; traffic keeps to the left, so that
+/// lane 1 drives along the road.
+[[nodiscard]] std::string to_opendrive(const RoadPlan& plan, double cell_m);
 
 }  // namespace jaywalk

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/program.h"
+#include "experiment/export/exporter.h"
 
 namespace jaywalk {
 namespace {

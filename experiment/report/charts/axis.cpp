@@ -1,10 +1,9 @@
-#include "experiment/report/charts/axis.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "experiment/report/charts/axis.h"
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/report/charts/axis.h"
+#include "experiment/report/charts/plot.h"
 
 namespace jaywalk::reporting {
 

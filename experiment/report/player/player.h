@@ -3,13 +3,16 @@
 // A page that plays a test: it draws every tick and shows an agent's beliefs and intentions. The
 // page loads no other file and needs no network.
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "env/world/ground_plan.h"
 #include "experiment/judge/recording.h"
+#include "experiment/results/reader.h"
 #include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/mas/mas.h"
 
@@ -50,5 +53,27 @@ class MindRecorder : public ReasoningObserver {
 [[nodiscard]] std::string render_player(const std::string& title, const GroundPlan& plan,
                                         const Recording& recording, const MindRecorder& minds,
                                         const std::optional<Recording>& twin = {});
+
+/// `election, 3 agents, seed 0, test 5`.
+[[nodiscard]] std::string name_of(const ResultsReader& store, const StoredTest& test);
+
+/// The recording of the same test with the healthy AV; nothing if the test has no defect.
+[[nodiscard]] Result<std::optional<Recording>> twin_recording(const ResultsReader& store,
+                                                              const StoredTest& test);
+
+/// Runs the test again to record all beliefs and intentions. Error: its result differs from the
+/// stored one.
+[[nodiscard]] Result<std::string> replay_page(const ResultsReader& store, const StoredTest& test);
+
+/// The first tick at which an actor's place or speed differs; nothing if the runs are alike, or
+/// only one of them goes on. REQUIRES: the same actors.
+[[nodiscard]] std::optional<std::size_t> parting(const Recording& left, const Recording& right);
+
+/// Two runs of one test, with the healthy AV and with a defective one, as text for a terminal: a
+/// line for each tick from the one before they part, with both runs: the AV's place (m along its
+/// way), its speed (m/s), the places of the most important actors (m across and along) and the
+/// events up to then. `name`: the defective AV's name.
+[[nodiscard]] std::string side_by_side(const Recording& healthy, const Recording& defective,
+                                       std::string_view name);
 
 }  // namespace jaywalk

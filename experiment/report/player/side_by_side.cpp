@@ -1,9 +1,9 @@
-#include "experiment/report/player/side_by_side.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "experiment/report/player/player.h"
 
 namespace jaywalk {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
-#include "experiment/report/tables/troubles_text.h"
+#include "experiment/report/tables/tables.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {

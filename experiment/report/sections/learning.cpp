@@ -8,7 +8,6 @@
 
 #include "experiment/compare/measures/measures.h"
 #include "experiment/policy/policy.h"
-#include "experiment/report/charts/axis.h"
 #include "experiment/report/charts/plot.h"
 #include "experiment/report/html.h"
 #include "experiment/report/policy_map.h"

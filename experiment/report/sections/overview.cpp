@@ -6,7 +6,7 @@
 #include "experiment/compare/measures/measures.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
-#include "experiment/report/tables/troubles_text.h"
+#include "experiment/report/tables/tables.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk::reporting {

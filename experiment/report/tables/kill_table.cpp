@@ -1,5 +1,3 @@
-#include "experiment/report/tables/kill_table.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -7,6 +5,7 @@
 
 #include "experiment/compare/kills/predictors.h"
 #include "experiment/compare/measures/statistics.h"
+#include "experiment/report/tables/tables.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -1,9 +1,8 @@
-#include "experiment/report/tables/troubles_text.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "experiment/report/tables/tables.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -1,11 +1,7 @@
-#include "experiment/report/tables/verdict_table.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/report/tables/av_table.h"
-#include "experiment/report/tables/kill_table.h"
-#include "experiment/report/tables/table.h"
+#include "experiment/report/tables/tables.h"
 
 namespace jaywalk {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/compare/kills/kills.h"
-#include "experiment/report/tables/av_table.h"
+#include "experiment/report/tables/tables.h"
 
 namespace jaywalk {
 namespace {

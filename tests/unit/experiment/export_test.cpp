@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "experiment/export/csv.h"
-#include "experiment/export/json.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/scenario/files/write_file.h"
 
 namespace jaywalk {

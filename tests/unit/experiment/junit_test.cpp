@@ -1,7 +1,7 @@
-#include "experiment/export/junit.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "experiment/export/comparison_files.h"
 
 namespace jaywalk {
 namespace {

@@ -9,7 +9,7 @@
 #include "experiment/compare/kills/kills_file.h"
 #include "experiment/compare/kills/predictors.h"
 #include "experiment/compare/measures/statistics.h"
-#include "experiment/report/tables/kill_table.h"
+#include "experiment/report/tables/tables.h"
 
 namespace jaywalk {
 namespace {

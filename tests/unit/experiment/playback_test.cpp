@@ -1,9 +1,9 @@
-#include "experiment/export/playback.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "experiment/export/openscenario/courses.h"
 
 namespace jaywalk {
 namespace {

@@ -9,8 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/charts/axis.h"
-
 namespace jaywalk::reporting {
 namespace {
 

@@ -7,10 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/charts/axis.h"
-#include "experiment/report/charts/chart.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/report/charts/plot.h"
-#include "experiment/report/tables/table.h"
+#include "experiment/report/tables/tables.h"
 
 namespace jaywalk {
 namespace {

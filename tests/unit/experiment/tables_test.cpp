@@ -1,16 +1,15 @@
 // Tables for the terminal and for Markdown.
 
+#include "experiment/report/tables/tables.h"
+
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "experiment/report/tables/av_table.h"
-#include "experiment/report/tables/kill_table.h"
-#include "experiment/report/tables/markdown.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/report/tables/situation_coverage.h"
-#include "experiment/report/tables/verdict_table.h"
 
 namespace jaywalk {
 namespace {

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/tables/troubles_text.h"
+#include "experiment/report/tables/tables.h"
 
 namespace jaywalk {
 namespace {

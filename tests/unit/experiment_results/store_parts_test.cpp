@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/export/csv.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/results/excerpt.h"
 #include "experiment/results/merge.h"
 #include "experiment/results/reader.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/export/csv.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/results/reader.h"
 #include "experiment/results/writer.h"
 #include "tests/unit/experiment_results/experiment_runs.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/export/playback.h"
 #include "tests/unit/metrics/drives.h"
 
 namespace jaywalk {

@@ -1,10 +1,9 @@
-#include "experiment/export/openscenario/opendrive.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/export/openscenario/road_plan.h"
 #include "tests/unit/export/crossings.h"
 
 namespace jaywalk {

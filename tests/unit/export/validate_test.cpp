@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/export/program.h"
+#include "experiment/export/exporter.h"
 #include "tests/helpers/folder.h"
 
 namespace jaywalk {

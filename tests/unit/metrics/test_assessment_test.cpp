@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/compare/failure_condition.h"
-#include "experiment/export/csv.h"
-#include "experiment/export/junit.h"
+#include "experiment/export/comparison_files.h"
 #include "tests/unit/metrics/drives.h"
 
 namespace jaywalk {

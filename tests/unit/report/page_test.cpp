@@ -1,9 +1,9 @@
-#include "experiment/report/page.h"
-
 #include <array>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "experiment/report/html.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -1,8 +1,7 @@
-#include "experiment/report/player/side_by_side.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiment/report/player/player.h"
 #include "tests/unit/metrics/drives.h"
 
 namespace jaywalk {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/page.h"
+#include "experiment/report/html.h"
 #include "search/suts/lane_keeping.h"
 
 namespace jaywalk::search {

@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "experiment/report/explanation_json.h"
-#include "experiment/report/player/replay_page.h"
-#include "experiment/report/player/side_by_side.h"
+#include "experiment/report/player/player.h"
 #include "experiment/test_run/plan_coverage.h"
 #include "experiment/test_run/test_run.h"
 #include "interpreter/explain/explanation.h"

@@ -4,11 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/csv.h"
-#include "experiment/export/json.h"
-#include "experiment/export/junit.h"
-#include "experiment/report/tables/kill_table.h"
-#include "experiment/report/tables/verdict_table.h"
+#include "experiment/export/comparison_files.h"
+#include "experiment/report/tables/tables.h"
 #include "experiment/results/store/assessment_spool.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/commands/command.h"

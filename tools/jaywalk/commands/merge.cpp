@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/csv.h"
-#include "experiment/export/json.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/comparison/comparison_output.h"

@@ -1,6 +1,6 @@
 // `jaywalk replay`: a stored test, played again.
 
-#include "experiment/report/player/replay_page.h"
+#include "experiment/report/player/player.h"
 #include "experiment/results/reader.h"
 #include "experiment/test_run/test_run.h"
 #include "tools/jaywalk/commands/command.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/report/player/replay_page.h"
+#include "experiment/report/player/player.h"
 #include "experiment/scenario/files/write_file.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/picture/gif.h"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/compare/kills/kills_csv.h"
-#include "experiment/report/tables/kill_table.h"
+#include "experiment/report/tables/tables.h"
 #include "interpreter/support/text.h"
 #include "search/export/exports.h"
 #include "search/kills.h"

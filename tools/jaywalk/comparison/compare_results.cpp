@@ -7,10 +7,7 @@
 
 #include "env/grid/start_cells.h"
 #include "experiment/compare/kills/kills_csv.h"
-#include "experiment/export/csv.h"
-#include "experiment/export/json.h"
-#include "experiment/export/junit.h"
-#include "experiment/report/charts/chart.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/report/tables/situation_coverage.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/comparison/judging.h"

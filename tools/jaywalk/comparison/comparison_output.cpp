@@ -6,11 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/export/csv.h"
-#include "experiment/export/json.h"
-#include "experiment/report/tables/markdown.h"
-#include "experiment/report/tables/troubles_text.h"
-#include "experiment/report/tables/verdict_table.h"
+#include "experiment/export/comparison_files.h"
+#include "experiment/report/tables/tables.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/options/option_names.h"
 

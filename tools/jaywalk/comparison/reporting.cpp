@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiment/export/exporter.h"
-#include "experiment/report/player/replay_page.h"
+#include "experiment/report/player/player.h"
 #include "search/report/page.h"
 #include "search/store/search_store.h"
 #include "tools/jaywalk/console/output_files.h"

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "experiment/export/junit.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/judge/trace_file.h"
-#include "experiment/report/tables/verdict_table.h"
+#include "experiment/report/tables/tables.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/options/input_files.h"

@@ -12,9 +12,8 @@
 #include <fmt/format.h>
 
 #include "experiment/compare/carry_over.h"
-#include "experiment/export/junit.h"
-#include "experiment/report/tables/troubles_text.h"
-#include "experiment/report/tables/verdict_table.h"
+#include "experiment/export/comparison_files.h"
+#include "experiment/report/tables/tables.h"
 #include "experiment/scenario/files/portable_names.h"
 #include "experiment/scenario/number_list.h"
 #include "experiment/test_run/plan_coverage.h"

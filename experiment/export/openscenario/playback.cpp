@@ -1,7 +1,7 @@
-#include "experiment/export/playback.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "experiment/export/openscenario/courses.h"
 
 namespace jaywalk {
 namespace {

@@ -1,5 +1,3 @@
-#include "experiment/report/charts/chart.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 
 #include "experiment/compare/measures/measures.h"
 #include "experiment/compare/published/published.h"
+#include "experiment/export/comparison_files.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk {

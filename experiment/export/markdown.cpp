@@ -1,10 +1,9 @@
-#include "experiment/report/tables/markdown.h"
-
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "experiment/compare/measures/measures.h"
+#include "experiment/export/comparison_files.h"
 
 namespace jaywalk {
 namespace {
