@@ -7,7 +7,7 @@
 
 #include "env/config/reader.h"
 #include "experiment/scenario/files/portable_names.h"
-#include "experiment/scenario/scenario_layer.h"
+#include "experiment/scenario/scenario_schema.h"
 #include "experiment/scenario/scenario_yaml.h"
 #include "interpreter/support/markup.h"
 #include "search/suts/suts.h"

@@ -1,5 +1,3 @@
-#include "experiment/learning/rewards.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -7,6 +5,7 @@
 
 #include "experiment/judge/metrics/metrics.h"
 #include "experiment/judge/situations/situations.h"
+#include "experiment/learning/episodes.h"
 
 namespace jaywalk {
 namespace {

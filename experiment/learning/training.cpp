@@ -8,7 +8,7 @@
 
 #include "experiment/compare/experiment.h"
 #include "experiment/scenario/files/portable_names.h"
-#include "experiment/scenario/files/sha256.h"
+#include "experiment/scenario/files/program_text.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/learning/rewards.h"
+#include "experiment/learning/episodes.h"
 #include "experiment/policy/policy.h"
 #include "experiment/test_run/controller_notes.h"
 #include "experiment/test_run/prepared_scenario.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "experiment/networks/root.h"
+#include "experiment/networks/product.h"
 
 namespace jaywalk::networks {
 namespace {

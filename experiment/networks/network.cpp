@@ -1,6 +1,6 @@
 #include "experiment/networks/network.h"
 
-#include "experiment/networks/root.h"
+#include "experiment/networks/product.h"
 
 namespace jaywalk::networks {
 namespace {

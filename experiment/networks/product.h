@@ -1,8 +1,10 @@
 #pragma once
 
-// Products of matrices, which is where training spends its time. Read layer.h next.
+// Products of matrices, which is where training spends its time, and square roots, alike on every
+// processor. Read layer.h next.
 
 #include <Eigen/Dense>
+#include <cmath>
 
 namespace jaywalk::networks {
 
@@ -55,6 +57,13 @@ template <class A, class B>
 void set_product(const A& a, const B& b, Eigen::MatrixXf& product) {
   product.setZero(a.rows(), b.cols());
   add_product(a, b, product);
+}
+
+/// Each number's square root, rounded as IEEE 754 says. Eigen's `sqrt()` and `rsqrt()` begin with
+/// the processor's own estimate (the instruction rsqrtps), which differs from maker to maker.
+[[nodiscard]] inline Eigen::ArrayXf roots(Eigen::ArrayXf numbers) {
+  for (float& number : numbers) number = std::sqrt(number);
+  return numbers;
 }
 
 }  // namespace jaywalk::networks

@@ -6,17 +6,13 @@ target_sources(jaywalk_experiment PRIVATE
   results/extend.cpp
   results/merge.cpp
   results/reader.cpp
-  results/store/assessment_spool.cpp
   results/store/database.cpp
   results/store/descriptor_vfs.cpp
   results/store/geometry.cpp
   results/store/geopackage.cpp
-  results/store/new_file.cpp
-  results/store/placement.cpp
   results/store/row_writer.cpp
   results/store/schema.cpp
   results/store/store_file.cpp
-  results/store/store_tables.cpp
   results/store/stored_inputs.cpp
   results/stored_description.cpp
   results/stored_rows.cpp

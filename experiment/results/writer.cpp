@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "experiment/results/extend.h"
-#include "experiment/results/store/new_file.h"
 #include "experiment/results/store/row_writer.h"
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"

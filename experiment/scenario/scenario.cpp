@@ -10,7 +10,6 @@
 #include "env/environments.h"
 #include "experiment/judge/situations/reach_file.h"
 #include "experiment/scenario/files/program_copies.h"
-#include "experiment/scenario/scenario_layer.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/scenario/scenario_yaml.h"
 #include "interpreter/support/input/missing_file.h"

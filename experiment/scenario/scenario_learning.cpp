@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "experiment/policy/learner_names.h"
-#include "experiment/scenario/scenario_layer.h"
+#include "experiment/policy/learner.h"
+#include "experiment/scenario/scenario_schema.h"
 
 namespace jaywalk {
 namespace {
@@ -31,9 +31,9 @@ class LearningReader : LayerPart {
         {"shared", choice(spec().is_shared, {{"true", true}, {"false", false}})},
         {"discount", number(spec().discount, kShare)},
         {"generation", integer(spec().generation, kGeneration)}};
-    for (const std::string_view name : learner_names()) {
-      keys.push_back({name, [this, name](const ConfigNode& value, const std::string& own) {
-                        read_settings(value, own, draft_.learner_settings[std::string(name)]);
+    for (const LearnerKind& kind : learner_kinds()) {
+      keys.push_back({kind.name, [this, &kind](const ConfigNode& value, const std::string& own) {
+                        read_settings(value, own, draft_.learner_settings[std::string(kind.name)]);
                       }});
     }
     draft_.scenario.origins[path] = node.origin;
@@ -57,8 +57,9 @@ class LearningReader : LayerPart {
 
   void read_learner(const ConfigNode& node) {
     std::vector<Choice<std::string>> choices;
-    for (const std::string_view name : learner_names())
-      choices.push_back({name, std::string(name)});
+    for (const LearnerKind& kind : learner_kinds()) {
+      choices.push_back({kind.name, std::string(kind.name)});
+    }
     if (const auto name = reader_.choice(node, std::span<const Choice<std::string>>(choices))) {
       spec().learner = *name;
     }

@@ -1,13 +1,13 @@
 #include "experiment/scenario/scenario_schema.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "experiment/scenario/number_list.h"
-#include "experiment/scenario/scenario_layer.h"
 
 namespace jaywalk {
 namespace {
@@ -18,6 +18,9 @@ constexpr IntegerRange kGenerations{0, 1'000'000'000};
 constexpr IntegerRange kLimits{0, TestLimits::kMost};
 constexpr IntegerRange kMegabytes{0, TestLimits::kMostMegabytes};
 constexpr IntegerRange kSeeds{0, INT64_MAX};
+constexpr IntegerRange kEpsg{1024, 32767};
+constexpr NumberRange kOnEarth{-1e8, 1e8};
+constexpr NumberRange kBearing{-360, 360};
 
 class LayerReader : LayerPart {
  public:
@@ -28,10 +31,7 @@ class LayerReader : LayerPart {
     read_keys(root, "",
               {
                   {"preset", [](const ConfigNode&, const std::string&) {}},  // read before
-                  {"world",
-                   [this](const ConfigNode& node, const std::string& path) {
-                     read_world(node, path, folder_, draft_, diagnostics_);
-                   }},
+                  {"world", method(&LayerReader::read_world)},
                   {"behaviours", method(&LayerReader::read_behaviours)},
                   {"assertions", method(&LayerReader::read_assertions)},
                   {"experiment", method(&LayerReader::read_experiment)},
@@ -53,6 +53,36 @@ class LayerReader : LayerPart {
     return [this, handler](const ConfigNode& node, const std::string& path) {
       (this->*handler)(node, path);
     };
+  }
+
+  // The keys that all worlds have; the world reads the others (env/world/world_section.h).
+  void read_world(const ConfigNode& node, const std::string& path) {
+    const std::array common{
+        // Read before, since the other keys depend on it.
+        ConfigKey{"environment", [](const ConfigNode&, const std::string&) {}},
+        ConfigKey{"anchor", [this](const ConfigNode& value,
+                                   const std::string& key) { read_anchor(value, key); }},
+    };
+    draft_.world->read(node, path, context_, common);
+  }
+
+  void read_anchor(const ConfigNode& node, const std::string& path) {
+    Anchor anchor = draft_.scenario.anchor.value_or(Anchor{});
+    read_keys(node, path,
+              {
+                  {"epsg", integer(anchor.epsg, kEpsg)},
+                  {"easting", number(anchor.easting_m, kOnEarth)},
+                  {"northing", number(anchor.northing_m, kOnEarth)},
+                  {"bearing", number(anchor.bearing_deg, kBearing)},
+              });
+    draft_.scenario.anchor = anchor;
+    constexpr int kDegrees = 4326;
+    if (anchor.epsg == 0) {
+      reader_.error(node.origin, "an anchor without 'epsg', the code of its reference system");
+    } else if (anchor.epsg == kDegrees) {
+      reader_.error(node.origin, "expected a reference system in metres, found one in degrees",
+                    "a UTM zone is epsg: 32601 to 32660, Great Britain's grid 27700");
+    }
   }
 
   // A list says which behaviours there are; a map changes those that have been listed.

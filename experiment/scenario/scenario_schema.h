@@ -6,10 +6,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "env/config/parameter_settings.h"
 #include "env/config/section_reader.h"
+#include "env/vehicle/section.h"
 #include "env/world/world_section.h"
 #include "experiment/scenario/scenario.h"
 
@@ -40,5 +43,24 @@ void read_layer(const ConfigNode& root, const std::string& folder, ScenarioDraft
 
 /// The name of a program's behaviour: its file name without folder and `.asl`.
 [[nodiscard]] std::string behaviour_name(const std::string& program);
+
+/// The common base of the readers of a layer's parts.
+class LayerPart : protected SectionReader {
+ protected:
+  LayerPart(const std::string& folder, ScenarioDraft& draft, Diagnostics& diagnostics)
+      : SectionReader({folder, draft.scenario.files, draft.scenario.origins, diagnostics}),
+        folder_(folder),
+        draft_(draft) {}
+
+  const std::string& folder_;
+  ScenarioDraft& draft_;
+};
+
+/// Reads the value of a key into the draft.
+using PartReader = void(const ConfigNode& node, const std::string& path, const std::string& folder,
+                        ScenarioDraft& draft, Diagnostics& diagnostics);
+
+/// The keys `learning` and `policy`.
+PartReader read_learning, read_policies;
 
 }  // namespace jaywalk

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiment/scenario/files/code_lines.h"
+#include "experiment/scenario/files/program_text.h"
 #include "experiment/scenario/scenario_yaml.h"
 #include "experiment/test_run/tested_vehicles.h"
 #include "interpreter/compile/compiler.h"

@@ -8,7 +8,7 @@
 
 #include "env/simulator/section.h"
 #include "env/simulator/simulator.h"
-#include "experiment/scenario/files/sha256.h"
+#include "experiment/scenario/files/program_text.h"
 
 namespace jaywalk {
 namespace {

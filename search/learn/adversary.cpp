@@ -1,6 +1,6 @@
 #include "search/learn/adversary.h"
 
-#include "experiment/networks/root.h"
+#include "experiment/networks/product.h"
 
 namespace jaywalk::search::learn {
 namespace {

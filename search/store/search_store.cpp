@@ -12,7 +12,6 @@
 #include "experiment/results/store/database.h"
 #include "experiment/results/store/geometry.h"
 #include "experiment/results/store/geopackage.h"
-#include "experiment/results/store/new_file.h"
 #include "experiment/results/store/store_file.h"
 #include "experiment/results/store/stored_inputs.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/scenario/scenario_layer.h"
+#include "experiment/scenario/scenario_schema.h"
 
 namespace jaywalk::search {
 namespace {

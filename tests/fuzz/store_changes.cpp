@@ -8,7 +8,7 @@
 #include <sqlite3.h>
 #include <vector>
 
-#include "experiment/scenario/files/sha256.h"
+#include "experiment/scenario/files/program_text.h"
 #include "tests/fuzz/run_case.h"
 #include "tests/fuzz/texts.h"
 

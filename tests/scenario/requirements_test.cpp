@@ -6,7 +6,7 @@
 
 #include "experiment/compare/measures/measures.h"
 #include "experiment/compare/test_assessment.h"
-#include "experiment/results/store/placement.h"
+#include "experiment/results/store/geometry.h"
 #include "scenarios.h"
 
 namespace jaywalk {

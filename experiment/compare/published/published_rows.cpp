@@ -9,7 +9,7 @@
 #include "env/environments.h"
 #include "experiment/compare/published/published.h"
 #include "experiment/compare/published/published_programs.h"
-#include "experiment/scenario/files/sha256.h"
+#include "experiment/scenario/files/program_text.h"
 #include "experiment/test_run/prepared_scenario.h"
 #include "interpreter/term/heap.h"
 

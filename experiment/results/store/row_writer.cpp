@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/store/schema.h"
+#include "experiment/results/stored_rows.h"
 
 namespace jaywalk {
 namespace {
@@ -129,6 +130,18 @@ const std::string& RowWriter::time_of(std::size_t tick) {
   if (tick >= kTimesKept) return late_time_ = moment(tick);
   while (times_.size() <= tick) times_.push_back(moment(times_.size()));
   return times_[tick];
+}
+
+AssessmentSpool::AssessmentSpool() : database_({}, Database::Mode::temporary) {
+  create_tables(database_, Placement(std::nullopt));
+  rows_.emplace(database_, description_);
+  database_.execute("BEGIN");
+}
+
+void AssessmentSpool::for_each(
+    const std::function<void(std::int64_t test_id, const std::vector<AssessmentRow>& assessments)>&
+        callback) {
+  read_all_assessments(database_, callback);
 }
 
 }  // namespace jaywalk

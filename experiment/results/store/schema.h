@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "experiment/results/store/database.h"
-#include "experiment/results/store/placement.h"
-#include "experiment/results/store/store_tables.h"
+#include "experiment/results/store/geometry.h"
+#include "experiment/results/store/geopackage.h"
 
 namespace jaywalk {
 

@@ -3,13 +3,15 @@
 // Opens a store only after it was seen to be one: a foreign or damaged file is distinguished from a
 // store before SQLite, which could change it, is let near it.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "experiment/results/description.h"
 #include "experiment/results/store/database.h"
-#include "experiment/results/store/store_tables.h"
+#include "experiment/results/store/geopackage.h"
+#include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
 
@@ -54,5 +56,10 @@ struct ResultsStore {
 /// read, or makes no sense.
 [[nodiscard]] Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened,
                                              const std::string& path);
+
+/// Creates a database of this name by what `fill` does within a transaction: whole, or not at all.
+/// No file that is there already is touched. Why that failed, if it did.
+[[nodiscard]] std::optional<Diagnostics> create_store_file(
+    const std::string& path, const std::function<void(Database& database)>& fill);
 
 }  // namespace jaywalk

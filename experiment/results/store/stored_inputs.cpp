@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/scenario/files/sha256.h"
+#include "experiment/scenario/files/program_text.h"
 
 namespace jaywalk {
 

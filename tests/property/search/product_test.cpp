@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "experiment/networks/layer.h"
-#include "experiment/networks/root.h"
 
 namespace jaywalk::networks {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/results/store/schema.h"
-#include "experiment/scenario/files/sha256.h"
+#include "experiment/scenario/files/program_text.h"
 
 namespace jaywalk {
 namespace {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/results/reader.h"
-#include "experiment/results/store/placement.h"
+#include "experiment/results/store/geometry.h"
 #include "tests/unit/experiment_results/experiment_runs.h"
 
 namespace jaywalk {

@@ -1,6 +1,6 @@
-#include "experiment/scenario/files/code_lines.h"
-
 #include <gtest/gtest.h>
+
+#include "experiment/scenario/files/program_text.h"
 
 namespace jaywalk {
 namespace {

@@ -1,11 +1,10 @@
 // What ticks and ends of tests bring their agents, as `learning.reward` says it.
 
-#include "experiment/learning/rewards.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "experiment/judge/situations/situations.h"
+#include "experiment/learning/episodes.h"
 #include "tests/unit/learning/choices.h"
 #include "tests/unit/metrics/drives.h"
 

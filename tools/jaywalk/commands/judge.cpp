@@ -6,7 +6,7 @@
 
 #include "experiment/export/comparison_files.h"
 #include "experiment/report/tables/tables.h"
-#include "experiment/results/store/assessment_spool.h"
+#include "experiment/results/store/row_writer.h"
 #include "experiment/results/writer.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/comparison/comparison_output.h"

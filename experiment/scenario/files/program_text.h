@@ -1,12 +1,18 @@
 #pragma once
 
-// The length of a program, a measure of the effort to write a behaviour (metric M6).
+// The text of a program: its digest, and its length, a measure of the effort to write a behaviour
+// (metric M6).
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
+
+/// 64 hexadecimal digits (FIPS 180-4).
+[[nodiscard]] std::string sha256(std::string_view text);
 
 /// Lines that hold more than blanks and comments.
 [[nodiscard]] std::uint64_t code_lines(const SourcePtr& program);

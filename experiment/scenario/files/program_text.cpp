@@ -1,11 +1,20 @@
-#include "experiment/scenario/files/code_lines.h"
+#include "experiment/scenario/files/program_text.h"
 
+#include <array>
+#include <cstdint>
 #include <set>
+#include <sha2.h>
 #include <string>
 
 #include "interpreter/syntax/lexer.h"
 
 namespace jaywalk {
+
+std::string sha256(std::string_view text) {
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};
+  SHA256Data(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(), digits.data());
+  return digits.data();
+}
 
 std::uint64_t code_lines(const SourcePtr& program) {
   Diagnostics ignored;  // the parser has seen the same text
