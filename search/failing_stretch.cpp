@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "env/lane/path.h"
-#include "search/fitness.h"
 #include "search/run_summary.h"
+#include "search/sut.h"
 #include "search/suts/road_space.h"
 
 namespace jaywalk::search {

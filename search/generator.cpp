@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "search/generators/generators.h"
-
 namespace jaywalk::search {
 
 std::span<const GeneratorKind> generators() {

@@ -1,7 +1,7 @@
 #pragma once
 
 // A generator proposes test inputs and learns from their results. Each has a file in generators/
-// and a row in generators.def; docs/internals/add_generator.md adds one. Read fitness.h first.
+// and a row in generators.def; docs/internals/add_generator.md adds one. Read sut.h first.
 
 #include <cstdint>
 #include <memory>
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "env/number_parameter.h"
-#include "search/fitness.h"
+#include "search/sut.h"
 
 namespace jaywalk::search {
 
@@ -92,3 +92,16 @@ template <class Draw>
 }
 
 }  // namespace jaywalk::search
+
+// Defined by each generator's file.
+namespace jaywalk::search::generator {
+
+#define JAYWALK_GENERATOR(identifier, name, summary)            \
+  namespace identifier {                                        \
+  std::span<const NumberParameter> parameters();                \
+  std::unique_ptr<Generator> make(const GeneratorSetup& setup); \
+  }
+#include "search/generators.def"
+#undef JAYWALK_GENERATOR
+
+}  // namespace jaywalk::search::generator

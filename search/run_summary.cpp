@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "search/failing_stretch.h"
-#include "search/suts/situation_measures.h"
+#include "search/sut.h"
 
 namespace jaywalk::search {
 namespace {

@@ -13,10 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "experiment/judge/situations/situations.h"
 #include "interpreter/support/source.h"
 #include "search/test_input.h"
 
 namespace jaywalk {
+
 struct Scenario;
 }
 namespace jaywalk::lane {
@@ -102,7 +104,7 @@ class SutModel {
   /// The scenario whose tests it runs; null if it runs none.
   [[nodiscard]] virtual const Scenario* scenario() const { return nullptr; }
   /// The defects of its AV that the experiment asks for, by name, and the system with one of them
-  /// (kills.h); empty and null if it has none.
+  /// (search_kills.h); empty and null if it has none.
   [[nodiscard]] virtual std::vector<std::string> defects() const { return {}; }
   [[nodiscard]] virtual std::shared_ptr<const SutModel> with_defect(std::size_t /*index*/) const {
     return nullptr;
@@ -116,5 +118,41 @@ class SutModel {
 /// The index of a measure of that name, if there is one.
 [[nodiscard]] std::optional<std::size_t> find_measure(std::span<const MeasureKind> measures,
                                                       std::string_view name);
+
+/// The fitness that a search maximises: one measure of the SUT, scaled so that 0 is harmless and 1
+/// the worst.
+struct Fitness {
+  /// Index into the SUT's measures.
+  std::size_t measure = 0;
+  /// Values of the measure whose fitness is 0 and 1; beyond them it is 0 and 1 too.
+  double harmless = 0;
+  double worst = 1;
+  /// A test fails if its fitness is at least this.
+  double fails_at = 0.95;
+
+  /// 0 if there is no result.
+  [[nodiscard]] double of(const Outcome& outcome) const;
+  [[nodiscard]] bool fails(double fitness) const { return fitness >= fails_at; }
+};
+
+/// A test that was executed.
+struct ExecutedTest {
+  TestInput input;
+  Outcome outcome;
+  double fitness = 0;
+  bool failed = false;
+};
+
+/// The names of measures that say which situations (experiment/judge/situations/situations.h) a
+/// test met: `bin_ITEM` for each item, in their order.
+[[nodiscard]] std::vector<std::string> situation_measures();
+
+/// Appends a test's measures of these: the number of the bin that it met, from 1; 0: none.
+void add_situations(const SituationBins& bins, std::vector<double>& measures);
+
+/// Reads add_situations' measures back; nothing if the SUT does not measure situations. A test
+/// without a result met none.
+[[nodiscard]] std::optional<SituationBins> situation_bins(const Outcome& outcome,
+                                                          std::span<const MeasureKind> measures);
 
 }  // namespace jaywalk::search

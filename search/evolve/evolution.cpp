@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "search/generators/sequences.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search {
 namespace {

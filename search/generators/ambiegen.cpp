@@ -14,7 +14,7 @@
 
 #include "search/evolve/nsga2.h"
 #include "search/evolve/road_elements.h"
-#include "search/generators/generators.h"
+#include "search/generator.h"
 #include "search/run_summary.h"
 
 namespace jaywalk::search::generator::ambiegen {

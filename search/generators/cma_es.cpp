@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "search/evolve/evolution.h"
-#include "search/generators/generators.h"
+#include "search/generator.h"
 
 namespace jaywalk::search::generator::cma_es {
 namespace {

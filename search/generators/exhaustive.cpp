@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "search/generators/generators.h"
+#include "search/generator.h"
 
 namespace jaywalk::search::generator::exhaustive {
 namespace {

@@ -10,7 +10,7 @@
 #include <array>
 #include <deque>
 
-#include "search/generators/generators.h"
+#include "search/generator.h"
 
 namespace jaywalk::search::generator::frenetic {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "search/evolve/evolution.h"
-#include "search/generators/generators.h"
+#include "search/generator.h"
 
 namespace jaywalk::search::generator::ga {
 namespace {

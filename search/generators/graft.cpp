@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 
-#include "search/generators/generators.h"
-#include "search/generators/sequences.h"
+#include "search/generator.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search::generator::graft {
 namespace {

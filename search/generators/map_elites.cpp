@@ -13,8 +13,8 @@
 #include <set>
 
 #include "search/evolve/evolution.h"
-#include "search/generators/generators.h"
-#include "search/suts/situation_measures.h"
+#include "search/generator.h"
+#include "search/sut.h"
 
 namespace jaywalk::search::generator::map_elites {
 namespace {

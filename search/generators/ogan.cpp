@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "search/generator.h"
 #include "search/generators/acceptance.h"
-#include "search/generators/generators.h"
 
 namespace jaywalk::search::generator::ogan {
 namespace {

@@ -6,7 +6,7 @@
 // functions") of the number of distinct failures, with the novelty of Lehman and Stanley 2011
 // ("Abandoning objectives"). What is near the road's beginning and end counts as different, too;
 // with `unlike` also what makes the known failures sparser by the tool competition's measure
-// (turns.h): a single failure that is unlike all others does that for each of them.
+// (sites.h): a single failure that is unlike all others does that for each of them.
 //
 // Roads are as short as they can be: a test that fails soon costs little virtual time.
 
@@ -14,10 +14,9 @@
 #include <array>
 #include <cmath>
 
-#include "search/generators/generators.h"
-#include "search/generators/sequences.h"
+#include "search/generator.h"
 #include "search/generators/sites.h"
-#include "search/generators/turns.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search::generator::prospect {
 namespace {

@@ -1,7 +1,7 @@
 // Independent uniform vectors (Peltomäki et al. 2022, section 3.2, "Random"), as long as it takes
 // to find a valid one.
 
-#include "search/generators/generators.h"
+#include "search/generator.h"
 
 namespace jaywalk::search::generator::random {
 namespace {

@@ -2,8 +2,8 @@
 // long as theirs, without any feedback. Where the search space has vectors alone, it draws what
 // generators that learn begin with.
 
-#include "search/generators/generators.h"
-#include "search/generators/sequences.h"
+#include "search/generator.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search::generator::random_sequences {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "env/lane/validity.h"
 #include "search/evolve/evolution.h"
-#include "search/generators/generators.h"
+#include "search/generator.h"
 #include "search/learn/autoencoder.h"
 
 namespace jaywalk::search::generator::rilast {

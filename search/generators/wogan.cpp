@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "search/generator.h"
 #include "search/generators/acceptance.h"
-#include "search/generators/generators.h"
 
 namespace jaywalk::search::generator::wogan {
 namespace {

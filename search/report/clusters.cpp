@@ -1,11 +1,10 @@
-#include "search/report/clusters.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "experiment/report/html.h"
 #include "search/failing_stretch.h"
 #include "search/report/roads.h"
+#include "search/report/search_page.h"
 
 namespace jaywalk::search {
 namespace {

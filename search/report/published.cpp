@@ -1,5 +1,3 @@
-#include "search/report/published.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "env/lane/drive.h"
 #include "experiment/report/html.h"
+#include "search/report/search_page.h"
 #include "search/suts/road_space.h"
 
 namespace jaywalk::search {

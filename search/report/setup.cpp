@@ -1,10 +1,9 @@
-#include "search/report/setup.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
+#include "search/report/search_page.h"
 
 namespace jaywalk::search {
 namespace {

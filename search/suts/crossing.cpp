@@ -13,8 +13,8 @@
 #include "experiment/policy/learning_spec.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/test_run/tested_vehicles.h"
-#include "search/suts/crossing_dimensions.h"
 #include "search/suts/crossing_run.h"
+#include "search/suts/crossing_space.h"
 #include "search/suts/crossing_starts.h"
 #include "search/suts/suts.h"
 

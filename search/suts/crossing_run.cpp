@@ -10,7 +10,7 @@
 #include "experiment/compare/kills/kills.h"
 #include "experiment/judge/metrics/metrics.h"
 #include "experiment/policy/policy.h"
-#include "search/suts/situation_measures.h"
+#include "search/sut.h"
 
 namespace jaywalk::search {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "env/config/reader.h"
 #include "env/crossing/parameters.h"
 #include "experiment/scenario/scenario.h"
 #include "search/test_input.h"
@@ -79,5 +80,11 @@ class CrossingSpace : public SearchSpace {
   CrossingStarts starts_;
   std::vector<std::size_t> distinct_;
 };
+
+/// Adds the dimensions of the map `parameters` of a SUT, which gives keys of a scenario that a
+/// search chooses values of with their ranges; replaces the range of a key that is there already.
+/// Errors go to the reader's diagnostics.
+void read_dimensions(const ConfigNode& node, const ConfigReader& reader,
+                     std::vector<CrossingDimension>& dimensions);
 
 }  // namespace jaywalk::search

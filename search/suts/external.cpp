@@ -12,7 +12,7 @@
 
 #include "env/process/numbered_process.h"
 #include "interpreter/support/text.h"
-#include "search/suts/read_road_space.h"
+#include "search/suts/road_space.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {

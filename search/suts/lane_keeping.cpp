@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "search/suts/read_road_space.h"
+#include "search/suts/road_space.h"
 #include "search/suts/suts.h"
 
 namespace jaywalk::search {

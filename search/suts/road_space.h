@@ -4,6 +4,7 @@
 // Used by every SUT that drives. Read env/lane/validity.h first.
 
 #include "env/lane/validity.h"
+#include "search/suts/suts.h"
 #include "search/test_input.h"
 
 namespace jaywalk::search {
@@ -50,5 +51,12 @@ class RoadSpace : public SearchSpace {
  private:
   RoadSpaceSettings settings_;
 };
+
+/// The keys `roads` of an experiment.
+void read_road_space(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
+                     RoadSpaceSettings& space);
+
+/// The road space in words.
+[[nodiscard]] SutSetting road_setting(const RoadSpaceSettings& space);
 
 }  // namespace jaywalk::search

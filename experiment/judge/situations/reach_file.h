@@ -1,7 +1,7 @@
 #pragma once
 
 // Which situations tests can meet at all, and walks that meet them, as `jaywalk reach --csv` writes
-// them (search/model_based/reach.h); or walks alone, as people write them. Read situations.h
+// them (search/model_based/reachable_situations.h); or walks alone, as people write them. Read situations.h
 // before.
 
 #include <string>

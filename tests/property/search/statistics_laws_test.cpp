@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "search/evolve/nsga2.h"
-#include "search/fitness.h"
 #include "search/run_summary.h"
+#include "search/sut.h"
 
 namespace jaywalk::search {
 namespace {

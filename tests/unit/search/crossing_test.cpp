@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "search/kills.h"
 #include "search/run_summary.h"
 #include "search/search_experiment.h"
-#include "search/suts/situation_measures.h"
+#include "search/search_kills.h"
+#include "search/sut.h"
 
 namespace jaywalk::search {
 namespace {

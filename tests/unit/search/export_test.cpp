@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "search/export/exports.h"
-#include "search/report/page.h"
+#include "search/report/search_page.h"
 #include "search/search_experiment.h"
 #include "tests/unit/search/toy.h"
 

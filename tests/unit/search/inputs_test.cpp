@@ -5,9 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "search/fitness.h"
-#include "search/generators/sequences.h"
-#include "search/suts/crossing_dimensions.h"
+#include "search/sut.h"
+#include "search/suts/crossing_space.h"
 #include "search/test_input.h"
 #include "tests/helpers/config_nodes.h"
 #include "tests/unit/search/toy.h"

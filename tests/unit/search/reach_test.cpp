@@ -1,13 +1,12 @@
 // What tests can meet at all, and the walks that meet it.
 
-#include "search/model_based/reach.h"
-
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "experiment/test_run/test_run.h"
+#include "search/model_based/reachable_situations.h"
 
 namespace jaywalk::search {
 namespace {

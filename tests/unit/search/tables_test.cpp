@@ -1,5 +1,3 @@
-#include "search/report/tables.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "search/report/clusters.h"
+#include "search/report/search_page.h"
+#include "search/report/search_tables.h"
 #include "tests/unit/search/toy.h"
 
 namespace jaywalk::search {

@@ -1,12 +1,12 @@
 // How roads turn around their failures.
 
-#include "search/generators/turns.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "search/generators/sites.h"
 
 namespace jaywalk::search {
 namespace {

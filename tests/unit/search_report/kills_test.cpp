@@ -1,10 +1,9 @@
 // Which defects searches kill, counted from runs made by hand.
 
-#include "search/kills.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "search/search_kills.h"
 #include "tests/unit/search/toy.h"
 
 namespace jaywalk::search {

@@ -1,11 +1,9 @@
 // The set-up on a search's page, and its commands that reproduce the results.
 
-#include "search/report/setup.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "search/report/published.h"
+#include "search/report/search_page.h"
 #include "tests/unit/search/toy.h"
 
 namespace jaywalk::search {

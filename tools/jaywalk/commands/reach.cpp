@@ -1,7 +1,5 @@
 // `jaywalk reach`: which situations tests of a scenario can meet at all, and a script for each.
 
-#include "search/model_based/reach.h"
-
 #include <algorithm>
 #include <array>
 
@@ -9,6 +7,7 @@
 
 #include "experiment/compare/experiment.h"
 #include "experiment/test_run/test_run.h"
+#include "search/model_based/reachable_situations.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"

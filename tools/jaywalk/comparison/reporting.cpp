@@ -8,7 +8,7 @@
 
 #include "experiment/export/exporter.h"
 #include "experiment/report/player/player.h"
-#include "search/report/page.h"
+#include "search/report/search_page.h"
 #include "search/store/search_store.h"
 #include "tools/jaywalk/console/output_files.h"
 

@@ -1,4 +1,4 @@
-#include "search/model_based/reach.h"
+#include "search/model_based/reachable_situations.h"
 
 #include <algorithm>
 #include <cmath>

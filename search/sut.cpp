@@ -1,10 +1,22 @@
-#include "search/suts/situation_measures.h"
+#include "search/sut.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 namespace jaywalk::search {
+
+std::optional<std::size_t> find_measure(std::span<const MeasureKind> measures,
+                                        std::string_view name) {
+  const auto found = std::ranges::find(measures, name, &MeasureKind::name);
+  if (found == measures.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - measures.begin());
+}
+
+double Fitness::of(const Outcome& outcome) const {
+  if (!outcome.executed() || measure >= outcome.measures.size()) return 0;
+  return std::clamp((outcome.measures[measure] - harmless) / (worst - harmless), 0.0, 1.0);
+}
 
 std::vector<std::string> situation_measures() {
   std::vector<std::string> names;

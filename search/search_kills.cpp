@@ -1,4 +1,4 @@
-#include "search/kills.h"
+#include "search/search_kills.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "search/report/tables.h"
+#include "search/report/search_tables.h"
 
 #include <algorithm>
 #include <cmath>

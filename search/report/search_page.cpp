@@ -1,4 +1,4 @@
-#include "search/report/page.h"
+#include "search/report/search_page.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,7 @@
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
 #include "search/failing_stretch.h"
-#include "search/report/clusters.h"
-#include "search/report/published.h"
 #include "search/report/roads.h"
-#include "search/report/setup.h"
 
 namespace jaywalk::search {
 namespace {
