@@ -5,7 +5,7 @@
 // driver perceives it for 0.4 s, begins to brake 0.75 s later, and presses the pedal so that the
 // deceleration grows at 12.65 m/s^3 up to 0.774 g, until no actor is a risk any more. The model
 // `careful-competent` drives so, and so does the imagined driver of the signal `avoidable`
-// (experiment/judge/signals/careful_driver.cpp).
+// (experiment/judge/signals/careful_drive.cpp).
 
 #include <limits>
 #include <optional>

@@ -17,7 +17,7 @@ target_sources(jaywalk_experiment PRIVATE
   judge/metrics/natural_steps.cpp
   judge/metrics/time_exposed.cpp
   judge/signals/boxes.cpp
-  judge/signals/careful_driver.cpp
+  judge/signals/careful_drive.cpp
   judge/signals/collision_course.cpp
   judge/signals/motion.cpp
   judge/signals/nearness.cpp

@@ -2,7 +2,6 @@
 target_sources(jaywalk_experiment PRIVATE
   policy/actor_critic.cpp
   policy/clipped_objective.cpp
-  policy/learner.cpp
   policy/policy.cpp
   policy/policy_file.cpp
   policy/q_table.cpp)

@@ -1,6 +1,7 @@
 #include "experiment/policy/policy.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include <fmt/format.h>
@@ -16,6 +17,12 @@ std::uint64_t seed_of(std::string_view name, std::uint64_t seed) {
   for (const char letter : name) seed = mix(seed, static_cast<unsigned char>(letter));
   return seed;
 }
+
+constexpr std::array kLearners = {
+#define JAYWALK_LEARNER(function, name, summary) LearnerKind{name, summary, learners::function},
+#include "experiment/policy/learners.def"
+#undef JAYWALK_LEARNER
+};
 
 }  // namespace
 
@@ -119,6 +126,13 @@ std::string mismatch(const Policy& policy, std::span<const LearnedPlans> plans) 
     return parts.empty() ? std::string("none") : fmt::format("{}", fmt::join(parts, "; "));
   };
   return fmt::format("the program's options are {}, the policy's {}", text(plans), text(known));
+}
+
+std::span<const LearnerKind> learner_kinds() { return kLearners; }
+
+const LearnerKind* find_learner(std::string_view name) {
+  const auto found = std::ranges::find(kLearners, name, &LearnerKind::name);
+  return found == kLearners.end() ? nullptr : &*found;
 }
 
 }  // namespace jaywalk

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/results/store/stored_inputs.h"
+#include "experiment/results/store/geopackage.h"
 #include "experiment/scenario/files/portable_names.h"
 #include "experiment/test_run/prepared_scenario.h"
 

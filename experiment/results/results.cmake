@@ -13,7 +13,6 @@ target_sources(jaywalk_experiment PRIVATE
   results/store/row_writer.cpp
   results/store/schema.cpp
   results/store/store_file.cpp
-  results/store/stored_inputs.cpp
   results/stored_description.cpp
   results/stored_rows.cpp
   results/test_record.cpp

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "env/environments.h"
-#include "experiment/judge/situations/reach_file.h"
+#include "experiment/judge/situations/situations.h"
 #include "experiment/scenario/files/program_copies.h"
 #include "experiment/scenario/scenario_schema.h"
 #include "experiment/scenario/scenario_yaml.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/judge/situations/reach_file.h"
+#include "experiment/judge/situations/situations.h"
 #include "experiment/test_run/prepared_scenario.h"
 
 namespace jaywalk::search {

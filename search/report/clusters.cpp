@@ -3,7 +3,6 @@
 
 #include "experiment/report/html.h"
 #include "search/failing_stretch.h"
-#include "search/report/roads.h"
 #include "search/report/search_page.h"
 
 namespace jaywalk::search {

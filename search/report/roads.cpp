@@ -1,5 +1,3 @@
-#include "search/report/roads.h"
-
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,6 +7,7 @@
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
 #include "search/failing_stretch.h"
+#include "search/report/search_page.h"
 
 namespace jaywalk::search {
 namespace {

@@ -10,7 +10,6 @@
 #include "experiment/report/html.h"
 #include "interpreter/support/markup.h"
 #include "search/failing_stretch.h"
-#include "search/report/roads.h"
 
 namespace jaywalk::search {
 namespace {

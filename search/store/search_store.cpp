@@ -13,7 +13,6 @@
 #include "experiment/results/store/geometry.h"
 #include "experiment/results/store/geopackage.h"
 #include "experiment/results/store/store_file.h"
-#include "experiment/results/store/stored_inputs.h"
 
 namespace jaywalk::search {
 namespace {

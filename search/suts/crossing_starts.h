@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "env/crossing/world.h"
-#include "experiment/judge/situations/reach_file.h"
+#include "experiment/judge/situations/situations.h"
 #include "search/suts/crossing_space.h"
 #include "search/suts/suts.h"
 

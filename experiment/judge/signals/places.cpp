@@ -5,7 +5,6 @@
 
 #include "env/vehicle/hazards.h"
 #include "experiment/judge/signals/boxes.h"
-#include "experiment/judge/signals/careful_driver.h"
 #include "experiment/judge/signals/signals.h"
 
 namespace jaywalk::signal {

@@ -5,8 +5,6 @@
 #include <cassert>
 #include <string>
 
-#include "experiment/judge/signals/careful_driver.h"
-
 namespace jaywalk {
 namespace {
 

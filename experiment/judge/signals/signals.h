@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "env/ground.h"
+#include "env/vehicle/sight.h"
 #include "experiment/judge/recording.h"
 
 namespace jaywalk {
@@ -65,7 +66,7 @@ class TestView {
   /// users.
   [[nodiscard]] std::span<const ActorIndex> nearest() const;
   /// The AV's states at each tick if the careful and competent driver drove it
-  /// (careful_driver.cpp); goes on after the record's end until that driver stands or has a free
+  /// (careful_drive.cpp); goes on after the record's end until that driver stands or has a free
   /// road ahead.
   [[nodiscard]] std::span<const ActorState> careful_drive() const;
 
@@ -94,5 +95,23 @@ namespace signal {
 #include "experiment/judge/signals/signals.def"
 #undef JAYWALK_SIGNAL
 }  // namespace signal
+
+/// A test as a careful and competent driver (env/vehicle/careful_driver.h) would have driven it
+/// instead of the AV, for the signal `avoidable`: the car's state at every tick of the record, and
+/// after its end until that driver stands or has a free road ahead. All others move as recorded,
+/// whatever the driver does, and after the record ends as they did last. As in the world
+/// (Ground::moves_evenly), they go evenly during a tick, or a tick's moves are made when it begins,
+/// and then the driver drives for as long as the tick lasts.
+///
+/// The driver begins as the AV does, with the ground's cruising speed. Where that is not known, it
+/// drives as the AV did until the first risk, and cruises at the speed that it has then.
+[[nodiscard]] std::vector<ActorState> careful_drive(const TestView& view);
+
+/// The strip in which a road user is a risk to the AV: its lane, or the width of its body if it
+/// drives in no lane.
+[[nodiscard]] Strip risk_strip(const TestView& view);
+
+/// A road user's state at a tick, which may be after the record's end.
+[[nodiscard]] ActorState state_beyond(const TestView& view, ActorIndex actor, std::size_t tick);
 
 }  // namespace jaywalk

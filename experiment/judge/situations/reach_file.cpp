@@ -1,5 +1,3 @@
-#include "experiment/judge/situations/reach_file.h"
-
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "experiment/judge/csv_line.h"
+#include "experiment/judge/situations/situations.h"
 
 namespace jaywalk {
 namespace {

@@ -1,4 +1,3 @@
-#include "experiment/report/charts/road.h"
 
 #include <algorithm>
 #include <limits>

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "experiment/report/charts/plot.h"
-#include "experiment/report/charts/road.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
 #include "interpreter/support/markup.h"

@@ -1,9 +1,9 @@
-#include "experiment/report/tables/situation_coverage.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "experiment/report/stored_coverage.h"
 
 namespace jaywalk {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/export/comparison_files.h"
-#include "experiment/report/tables/situation_coverage.h"
+#include "experiment/report/stored_coverage.h"
 
 namespace jaywalk {
 namespace {

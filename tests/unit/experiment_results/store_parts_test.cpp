@@ -11,10 +11,10 @@
 #include "experiment/results/excerpt.h"
 #include "experiment/results/merge.h"
 #include "experiment/results/reader.h"
+#include "experiment/results/store/geopackage.h"
 #include "experiment/results/store/row_writer.h"
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
-#include "experiment/results/store/stored_inputs.h"
 #include "experiment/results/writer.h"
 #include "tests/unit/experiment_results/experiment_runs.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "env/vehicle/careful_driver.h"
-#include "experiment/judge/signals/careful_driver.h"
+#include "experiment/judge/signals/signals.h"
 #include "tests/unit/metrics/drives.h"
 
 namespace jaywalk {

@@ -1,14 +1,13 @@
 // The file of situations that can be met, and of the walks that meet them.
 
-#include "experiment/judge/situations/reach_file.h"
-
 #include <string>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/tables/situation_coverage.h"
+#include "experiment/judge/situations/situations.h"
+#include "experiment/report/stored_coverage.h"
 
 namespace jaywalk {
 namespace {

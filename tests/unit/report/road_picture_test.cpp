@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/report/charts/road.h"
+#include "experiment/report/charts/plot.h"
 
 namespace jaywalk::reporting {
 namespace {

@@ -1,11 +1,10 @@
 // Pictures of roads, as the page's styles show them.
 
-#include "search/report/roads.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "experiment/report/html.h"
+#include "search/report/search_page.h"
 #include "search/suts/lane_keeping.h"
 
 namespace jaywalk::search {

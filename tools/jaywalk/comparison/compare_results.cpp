@@ -8,7 +8,7 @@
 #include "env/grid/start_cells.h"
 #include "experiment/compare/kills/kills_csv.h"
 #include "experiment/export/comparison_files.h"
-#include "experiment/report/tables/situation_coverage.h"
+#include "experiment/report/stored_coverage.h"
 #include "experiment/results/reader.h"
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/comparison/reporting.h"

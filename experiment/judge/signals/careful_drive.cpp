@@ -1,5 +1,3 @@
-#include "experiment/judge/signals/careful_driver.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,6 +5,7 @@
 #include "env/vehicle/careful_driver.h"
 #include "env/vehicle/sight.h"
 #include "experiment/judge/signals/boxes.h"
+#include "experiment/judge/signals/signals.h"
 
 namespace jaywalk {
 namespace {
