@@ -19,19 +19,19 @@ target_sources(jaywalk_experiment PRIVATE
   report/policy_map.cpp
   report/report.cpp
   report/report_data.cpp
-  report/sections/agents.cpp
-  report/sections/avs.cpp
-  report/sections/figures.cpp
-  report/sections/kills.cpp
-  report/sections/learning.cpp
-  report/sections/metrics.cpp
-  report/sections/overview.cpp
-  report/sections/places.cpp
-  report/sections/replays.cpp
-  report/sections/reproduce.cpp
-  report/sections/significance.cpp
-  report/sections/situations.cpp
-  report/sections/verdicts.cpp
+  report/sections/agents_section.cpp
+  report/sections/avs_section.cpp
+  report/sections/figures_section.cpp
+  report/sections/kills_section.cpp
+  report/sections/learning_section.cpp
+  report/sections/metrics_section.cpp
+  report/sections/overview_section.cpp
+  report/sections/places_section.cpp
+  report/sections/replays_section.cpp
+  report/sections/reproduce_section.cpp
+  report/sections/significance_section.cpp
+  report/sections/situations_section.cpp
+  report/sections/verdicts_section.cpp
   report/stored_coverage.cpp
   report/tables/kill_table.cpp
   report/tables/situation_coverage.cpp

@@ -1,12 +1,11 @@
 // Which behaviours differ by more than chance, and by how much. Tests of the same number start
 // alike whatever the behaviour, so successes are compared test by test.
 
-#include "experiment/compare/measures/significance.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "experiment/compare/measures/significance.h"
 #include "experiment/report/html.h"
 #include "experiment/report/report.h"
 #include "interpreter/support/markup.h"

@@ -1,11 +1,10 @@
 // Which behaviours expose which defects of the AV.
 
-#include "experiment/compare/kills/kills.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "experiment/compare/kills/kills.h"
 #include "experiment/compare/kills/predictors.h"
 #include "experiment/compare/measures/statistics.h"
 #include "experiment/report/charts/plot.h"
