@@ -72,18 +72,8 @@ class ExperimentReader {
         {"budget",
          [&](const ConfigNode& node, const std::string& path) { read_budget(node, path); }},
         {"generators", [&](const ConfigNode& node, const std::string&) { read_generators(node); }},
-        {"repetitions",
-         [&](const ConfigNode& node, const std::string&) {
-           if (const auto count = reader_.integer(node, {1, kMostRepetitions})) {
-             experiment_.plan.repetitions = static_cast<std::uint32_t>(*count);
-           }
-         }},
-        {"seed",
-         [&](const ConfigNode& node, const std::string&) {
-           if (const auto seed = reader_.integer(node, {0, INT64_MAX})) {
-             experiment_.plan.seed = static_cast<std::uint64_t>(*seed);
-           }
-         }},
+        {"repetitions", integer_into(experiment_.plan.repetitions, reader_, {1, kMostRepetitions})},
+        {"seed", integer_into(experiment_.plan.seed, reader_, {0, INT64_MAX})},
     };
     reader_.read_map(*root, "", keys);
     if (root->find("sut") == nullptr && root->kind == ConfigNode::Kind::map) {
@@ -186,16 +176,11 @@ class ExperimentReader {
 
   void read_fitness(const ConfigNode& node, const std::string& path) {
     Fitness& fitness = experiment_.plan.fitness;
-    const auto number = [&](double& target, NumberRange range) {
-      return [this, &target, range](const ConfigNode& value, const std::string&) {
-        if (const auto read = reader_.number(value, range)) target = *read;
-      };
-    };
     const std::vector<ConfigKey> keys{
         {"measure", [&](const ConfigNode& value, const std::string&) { read_measure(value); }},
-        {"harmless", number(fitness.harmless, {-1e9, 1e9})},
-        {"worst", number(fitness.worst, {-1e9, 1e9})},
-        {"fails_at", number(fitness.fails_at, {0, 1})},
+        {"harmless", number_into(fitness.harmless, reader_, {-1e9, 1e9})},
+        {"worst", number_into(fitness.worst, reader_, {-1e9, 1e9})},
+        {"fails_at", number_into(fitness.fails_at, reader_, {0, 1})},
     };
     reader_.read_map(node, path, keys);
     if (fitness.harmless == fitness.worst) {
@@ -216,24 +201,14 @@ class ExperimentReader {
 
   void read_budget(const ConfigNode& node, const std::string& path) {
     Budget& budget = experiment_.plan.budget;
-    const auto seconds = [&](double& target) {
-      return [this, &target](const ConfigNode& value, const std::string&) {
-        if (const auto read = reader_.number(value, {0, kMostSeconds})) target = *read;
-      };
-    };
-    const auto count = [&](std::uint64_t& target) {
-      return [this, &target](const ConfigNode& value, const std::string&) {
-        if (const auto read = reader_.integer(value, {0, kMostTests})) {
-          target = static_cast<std::uint64_t>(*read);
-        }
-      };
-    };
+    constexpr NumberRange kSeconds{0, kMostSeconds};
+    constexpr IntegerRange kTests{0, kMostTests};
     const std::vector<ConfigKey> keys{
-        {"tests", count(budget.tests)},
-        {"failures", count(budget.failures)},
-        {"virtual_s", seconds(budget.virtual_s)},
-        {"overhead_s", seconds(budget.overhead_s)},
-        {"generation_s", seconds(budget.generation_s)},
+        {"tests", integer_into(budget.tests, reader_, kTests)},
+        {"failures", integer_into(budget.failures, reader_, kTests)},
+        {"virtual_s", number_into(budget.virtual_s, reader_, kSeconds)},
+        {"overhead_s", number_into(budget.overhead_s, reader_, kSeconds)},
+        {"generation_s", number_into(budget.generation_s, reader_, kSeconds)},
     };
     reader_.read_map(node, path, keys);
     if (budget.tests == 0 && budget.virtual_s <= 0) {
@@ -299,14 +274,8 @@ class ExperimentReader {
            if (spec.model) check_measures(value, *spec.model);
          }},
     };
-    const std::span<const NumberParameter> parameters = spec.kind->parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      keys.push_back({parameters[i].name, [&, i](const ConfigNode& value, const std::string&) {
-                        const NumberRange range{parameters[i].least, parameters[i].most};
-                        if (const auto number = reader_.number(value, range)) {
-                          spec.values[i] = *number;
-                        }
-                      }});
+    for (ConfigKey& key : parameter_keys(spec.kind->parameters, reader_, spec.values)) {
+      keys.push_back(std::move(key));
     }
     reader_.read_map(node, "generators", keys);
   }

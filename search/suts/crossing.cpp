@@ -78,18 +78,8 @@ class CrossingReader {
          [&](const ConfigNode& value, const std::string&) {
            if (auto name = reader_.text(value, "a behaviour")) settings_.behaviour = *name;
          }},
-        {"agents",
-         [&](const ConfigNode& value, const std::string&) {
-           if (const auto count = reader_.integer(value, {1, kMostAgents})) {
-             settings_.agents = static_cast<std::uint32_t>(*count);
-           }
-         }},
-        {"seed",
-         [&](const ConfigNode& value, const std::string&) {
-           if (const auto seed = reader_.integer(value, {0, INT64_MAX})) {
-             settings_.seed = static_cast<std::uint64_t>(*seed);
-           }
-         }},
+        {"agents", integer_into(settings_.agents, reader_, {1, kMostAgents})},
+        {"seed", integer_into(settings_.seed, reader_, {0, INT64_MAX})},
         {"starts",
          [&](const ConfigNode& value, const std::string& path) { starts_.read(value, path); }},
         {"assertions",

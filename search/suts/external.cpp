@@ -161,11 +161,7 @@ std::shared_ptr<const SutModel> read(const SutSetup& setup) {
        [&](const ConfigNode& value, const std::string&) {
          settings.command = read_words(value, reader, "word");
        }},
-      {"timeout_s",
-       [&](const ConfigNode& value, const std::string&) {
-         if (const auto seconds = reader.number(value, {0.01, 86400}))
-           settings.timeout_s = *seconds;
-       }},
+      {"timeout_s", number_into(settings.timeout_s, reader, {0.01, 86400})},
       {"measures",
        [&](const ConfigNode& value, const std::string&) {
          settings.measures = read_words(value, reader, "name");

@@ -72,11 +72,8 @@ void read_vehicle(const ConfigNode& node, const std::string& path, const ConfigR
   std::vector<ConfigKey> keys;
   for (const auto& [name, field] : fields) {
     const bool may_be_negative = name == "tyre_curvature";
-    keys.push_back(
-        {name, [&, field = field, may_be_negative](const ConfigNode& value, const std::string&) {
-           const NumberRange range{may_be_negative ? -10 : 0.01, 1e6};
-           if (const auto number = reader.number(value, range)) vehicle.*field = *number;
-         }});
+    const NumberRange range{may_be_negative ? -10 : 0.01, 1e6};
+    keys.push_back({name, number_into(vehicle.*field, reader, range)});
   }
   reader.read_map(node, path, keys);
 }
@@ -113,26 +110,21 @@ std::shared_ptr<const SutModel> read(const SutSetup& setup) {
     if (controller == nullptr) return nullptr;
   }
   lane::DriveSettings drive = lane::drive_settings(*controller);
-  const auto number = [&](double& target, NumberRange range, double factor = 1) {
-    return [&target, range, factor, &reader](const ConfigNode& value, const std::string&) {
-      if (const auto read = reader.number(value, range)) target = *read * factor;
-    };
-  };
   const std::vector<ConfigKey> keys{
       {"kind", [](const ConfigNode&, const std::string&) {}},
       {"name", [](const ConfigNode&, const std::string&) {}},
       {"controller", [](const ConfigNode&, const std::string&) {}},
       {"parameters",
        [&](const ConfigNode& value, const std::string& path) {
-         read_parameters(value, path, reader, controller->parameters, drive.values);
+         reader.read_map(value, path, parameter_keys(controller->parameters, reader, drive.values));
        }},
       {"vehicle",
        [&](const ConfigNode& value, const std::string& path) {
          read_vehicle(value, path, reader, drive.vehicle);
        }},
-      {"speed_limit_kmh", number(drive.speed_limit_mps, {1, 1000}, 1 / 3.6)},
-      {"tolerance", number(drive.tolerance, {0, 1})},
-      {"time_limit_s", number(drive.most_s, {1, 3600})},
+      {"speed_limit_kmh", number_into(drive.speed_limit_mps, reader, {1, 1000}, 1 / 3.6)},
+      {"tolerance", number_into(drive.tolerance, reader, {0, 1})},
+      {"time_limit_s", number_into(drive.most_s, reader, {1, 3600})},
       {"roads", [&](const ConfigNode& value,
                     const std::string& path) { read_road_space(value, path, reader, space); }},
   };

@@ -130,27 +130,17 @@ std::vector<double> RoadSpace::unwrapped_signature(const TestInput& input) const
 
 void read_road_space(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
                      RoadSpaceSettings& space) {
-  const auto number = [&](double& target, NumberRange range) {
-    return [&target, range, &reader](const ConfigNode& value, const std::string&) {
-      if (const auto read = reader.number(value, range)) target = *read;
-    };
-  };
-  const auto count = [&](std::size_t& target, IntegerRange range) {
-    return [&target, range, &reader](const ConfigNode& value, const std::string&) {
-      if (const auto read = reader.integer(value, range)) target = static_cast<std::size_t>(*read);
-    };
-  };
   const std::vector<ConfigKey> keys{
-      {"curvatures", count(space.curvatures, {1, 100})},
-      {"step_m", number(space.step_m, {1, 100})},
-      {"most_curvature", number(space.most_curvature, {0.001, 1})},
-      {"most_difference", number(space.most_difference, {0, 1})},
-      {"sequence_step_m", number(space.sequence_step_m, {1, 100})},
-      {"sequence_length", count(space.sequence_length, {3, 200})},
-      {"sequence_spread", count(space.sequence_spread, {0, 100})},
-      {"map_m", number(space.rules.map_m, {50, 10'000})},
-      {"least_length_m", number(space.rules.least_length_m, {0, 10'000})},
-      {"least_radius_ft", number(space.rules.least_radius_ft, {0, 10'000})},
+      {"curvatures", integer_into(space.curvatures, reader, {1, 100})},
+      {"step_m", number_into(space.step_m, reader, {1, 100})},
+      {"most_curvature", number_into(space.most_curvature, reader, {0.001, 1})},
+      {"most_difference", number_into(space.most_difference, reader, {0, 1})},
+      {"sequence_step_m", number_into(space.sequence_step_m, reader, {1, 100})},
+      {"sequence_length", integer_into(space.sequence_length, reader, {3, 200})},
+      {"sequence_spread", integer_into(space.sequence_spread, reader, {0, 100})},
+      {"map_m", number_into(space.rules.map_m, reader, {50, 10'000})},
+      {"least_length_m", number_into(space.rules.least_length_m, reader, {0, 10'000})},
+      {"least_radius_ft", number_into(space.rules.least_radius_ft, reader, {0, 10'000})},
   };
   reader.read_map(node, path, keys);
   if (space.sequence_spread + 3 > space.sequence_length) {

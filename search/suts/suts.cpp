@@ -13,16 +13,21 @@ std::span<const SutKind> sut_kinds() {
   return kinds;
 }
 
-void read_parameters(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
-                     std::span<const NumberParameter> parameters, std::vector<double>& values) {
+KeyReader number_into(double& target, const ConfigReader& reader, NumberRange range,
+                      double factor) {
+  return [&target, &reader, range, factor](const ConfigNode& value, const std::string&) {
+    if (const auto read = reader.number(value, range)) target = *read * factor;
+  };
+}
+
+std::vector<ConfigKey> parameter_keys(std::span<const NumberParameter> parameters,
+                                      const ConfigReader& reader, std::vector<double>& values) {
   std::vector<ConfigKey> keys;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    keys.push_back({parameters[i].name, [&, i](const ConfigNode& value, const std::string&) {
-                      const NumberRange range{parameters[i].least, parameters[i].most};
-                      if (const auto number = reader.number(value, range)) values[i] = *number;
-                    }});
+    const NumberRange range{parameters[i].least, parameters[i].most};
+    keys.push_back({parameters[i].name, number_into(values[i], reader, range)});
   }
-  reader.read_map(node, path, keys);
+  return keys;
 }
 
 }  // namespace jaywalk::search

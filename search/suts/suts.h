@@ -3,6 +3,7 @@
 // Reads the SUT of an experiment, by the functions that each SUT's file defines for its row of the
 // table. Read env/config/reader.h and search/sut.h first.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -54,9 +55,22 @@ struct SutKind {
 
 [[nodiscard]] std::span<const SutKind> sut_kinds();
 
-/// Numbers by name into `values`, which are in the order of `parameters`.
-void read_parameters(const ConfigNode& node, const std::string& path, const ConfigReader& reader,
-                     std::span<const NumberParameter> parameters, std::vector<double>& values);
+/// Reads the value of a key.
+using KeyReader = std::function<void(const ConfigNode& value, const std::string& path)>;
+
+/// Read, check, store; a number times `factor`.
+[[nodiscard]] KeyReader number_into(double& target, const ConfigReader& reader, NumberRange range,
+                                    double factor = 1);
+template <class T>
+[[nodiscard]] KeyReader integer_into(T& target, const ConfigReader& reader, IntegerRange range) {
+  return [&target, &reader, range](const ConfigNode& value, const std::string&) {
+    if (const auto read = reader.integer(value, range)) target = static_cast<T>(*read);
+  };
+}
+/// Keys for numbers by name into `values`, which are in the order of `parameters`.
+[[nodiscard]] std::vector<ConfigKey> parameter_keys(std::span<const NumberParameter> parameters,
+                                                    const ConfigReader& reader,
+                                                    std::vector<double>& values);
 
 namespace sut {
 #define JAYWALK_SUT(identifier, name, summary)                 \

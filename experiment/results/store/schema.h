@@ -17,9 +17,6 @@ namespace jaywalk {
 /// Changes with the tables. A store of another version is refused.
 inline constexpr std::int64_t kStoreVersion = 3;
 
-/// The moment of tick 0 in the column `time`, the same for every test.
-inline constexpr std::string_view kTimeOfTick0 = "2000-01-01T00:00:00.000Z";
-
 /// Rows that belong to a test are numbered test_id * 2^24 + n, so that their order is the plan's,
 /// whatever the order in which they were written.
 inline constexpr int kRowBits = 24;
@@ -40,7 +37,8 @@ void create_tables(Database& database, const Placement& placement);
 /// Stores with these tables, and no others.
 [[nodiscard]] StoreKind results_store();
 
-/// `2000-01-01T00:00:12.500Z`: the moment `seconds` after tick 0.
+/// `2000-01-01T00:00:12.500Z`: the moment `seconds` after tick 0, in the column `time`. Tick 0 is
+/// the same for every test.
 [[nodiscard]] std::string time_text(double seconds);
 
 /// Records the extent of each layer's rows.

@@ -33,10 +33,10 @@ TEST(Sha256, IsThatOfTheStandard) {
 }
 
 TEST(TimeText, CountsFromTheMomentOfTick0) {
-  EXPECT_EQ(time_text(0), kTimeOfTick0);
+  EXPECT_EQ(time_text(0), "2000-01-01T00:00:00.000Z");
   EXPECT_EQ(time_text(12.5), "2000-01-01T00:00:12.500Z");
   EXPECT_EQ(time_text(86400 * 60), "2000-03-01T00:00:00.000Z");
-  EXPECT_EQ(time_text(1e300).size(), kTimeOfTick0.size());
+  EXPECT_EQ(time_text(1e300).size(), time_text(0).size());
 }
 
 }  // namespace
