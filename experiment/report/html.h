@@ -3,6 +3,7 @@
 // Self-contained pages, and their building blocks: numbers, tables, the styles of series.
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,9 @@ enum class Align { left, right };
 class Table {
  public:
   void column(std::string_view title, Align align = Align::right);
+  void columns(std::initializer_list<std::string_view> titles, Align align = Align::right) {
+    for (const std::string_view title : titles) column(title, align);
+  }
   void row(std::vector<std::string> cells);
   /// A row over the whole width.
   void heading(std::string_view text);

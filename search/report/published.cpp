@@ -71,7 +71,7 @@ std::string published_table(const SearchExperiment& experiment) {
   }
   reporting::Table table;
   table.column("", reporting::Align::left);
-  for (const std::string_view name : {"Random", "WOGAN", "Frenetic"}) table.column(name);
+  table.columns({"Random", "WOGAN", "Frenetic"});
   for (const PublishedRow& row : kPublishedRows) {
     table.row({std::string(row.quantity), std::string(row.random), std::string(row.wogan),
                std::string(row.frenetic)});

@@ -45,11 +45,8 @@ std::string section::agents(const ReportData& data) {
   const std::vector<BehaviourTroubles> behaviours = troubles_of(data.comparison);
   if (behaviours.empty()) return {};
   Table table;
-  table.column("agents");
-  table.column("times");
-  for (const char* title : {"error", "place", "formula", "message", "goals"}) {
-    table.column(title, Align::left);
-  }
+  table.columns({"agents", "times"});
+  table.columns({"error", "place", "formula", "message", "goals"}, Align::left);
   for (const BehaviourTroubles& each : behaviours) add_causes(table, each);
   return paragraph(
              "Agents of all tests together, each counted once in every test. An intention is "

@@ -23,9 +23,7 @@ std::string share_cell(std::uint64_t part, const AvCell& cell) {
 }
 
 void add_columns(Table& table, bool judged) {
-  table.column("tests");
-  table.column("accuracy %");
-  table.column("collisions %");
+  table.columns({"tests", "accuracy %", "collisions %"});
   if (judged) table.column("avoidable %");
   if (judged) table.column("unavoidable %");
   table.column("mean impact, m/s");
@@ -54,28 +52,16 @@ std::string rank_table(const AvRanking& ranking) {
   return table.html();
 }
 
-/// Behaviours by models, one share in each cell.
-std::string matrix(const AvRanking& ranking, std::uint64_t AvCell::*part) {
+/// Behaviours by models, one value in each cell.
+template <class Text>
+std::string matrix(const AvRanking& ranking, Text text) {
   Table table;
   table.column("behaviour", Align::left);
   table.column("agents");
   for (const std::string& av : ranking.avs) table.column(escaped(av));
   for (const AvRow& row : ranking.rows) {
     std::vector<std::string> cells{escaped(row.behaviour), std::to_string(row.agents)};
-    for (const AvCell& cell : row.cells) cells.push_back(share_cell(cell.*part, cell));
-    table.row(std::move(cells));
-  }
-  return table.html();
-}
-
-std::string impact_table(const AvRanking& ranking) {
-  Table table;
-  table.column("behaviour", Align::left);
-  table.column("agents");
-  for (const std::string& av : ranking.avs) table.column(escaped(av));
-  for (const AvRow& row : ranking.rows) {
-    std::vector<std::string> cells{escaped(row.behaviour), std::to_string(row.agents)};
-    for (const AvCell& cell : row.cells) cells.push_back(decimal(cell.mean_impact_mps(), 2));
+    for (const AvCell& cell : row.cells) cells.push_back(text(cell));
     table.row(std::move(cells));
   }
   return table.html();
@@ -86,21 +72,23 @@ std::string impact_table(const AvRanking& ranking) {
 std::string section::avs(const ReportData& data) {
   const AvRanking& ranking = data.comparison.avs;
   if (ranking.empty()) return {};
+  const auto shares = [&](std::uint64_t AvCell::*part) {
+    return matrix(ranking, [&](const AvCell& cell) { return share_cell(cell.*part, cell); });
+  };
   std::string text =
       paragraph(
           "Every test was run with each model: the same behaviours, start cells and seeds. The "
           "ranking is by the share of tests with an avoidable collision, which a careful and "
           "competent driver would not have had, then of collisions, then by their mean impact. "
           "The other sections’ measures are of the first model.") +
-      rank_table(ranking) + "<h3>Accuracy, % of the tests</h3>\n" +
-      matrix(ranking, &AvCell::successes) + "<h3>Collisions, % of the tests</h3>\n" +
-      matrix(ranking, &AvCell::collisions);
+      rank_table(ranking) + "<h3>Accuracy, % of the tests</h3>\n" + shares(&AvCell::successes) +
+      "<h3>Collisions, % of the tests</h3>\n" + shares(&AvCell::collisions);
   if (ranking.judged) {
-    text +=
-        "<h3>Avoidable collisions, % of the tests</h3>\n" + matrix(ranking, &AvCell::avoidable) +
-        "<h3>Unavoidable collisions, % of the tests</h3>\n" + matrix(ranking, &AvCell::unavoidable);
+    text += "<h3>Avoidable collisions, % of the tests</h3>\n" + shares(&AvCell::avoidable) +
+            "<h3>Unavoidable collisions, % of the tests</h3>\n" + shares(&AvCell::unavoidable);
   }
-  return text + "<h3>Mean impact speed of the collisions, m/s</h3>\n" + impact_table(ranking);
+  return text + "<h3>Mean impact speed of the collisions, m/s</h3>\n" +
+         matrix(ranking, [](const AvCell& cell) { return decimal(cell.mean_impact_mps(), 2); });
 }
 
 }  // namespace jaywalk::reporting

@@ -51,10 +51,8 @@ std::string matrix_table(const KillMatrix& matrix) {
 std::string summary_table(const Comparison& comparison) {
   Table table;
   table.column("behaviour (agents)", Align::left);
-  for (const char* title : {"accuracy, %", "score", "kills", "kill %", "defects killed",
-                            "first kill", "healthy to blame"}) {
-    table.column(title);
-  }
+  table.columns({"accuracy, %", "score", "kills", "kill %", "defects killed", "first kill",
+                 "healthy to blame"});
   for (const KillRow& row : comparison.kills.rows) {
     const Summary* summary =
         row.kills_alone ? nullptr : find_summary(comparison, row.behaviour, row.agents);
@@ -130,8 +128,7 @@ std::string predictor_table(const Comparison& comparison) {
   Table table;
   table.column("agents");
   table.column("measure", Align::left);
-  table.column("behaviours");
-  table.column("rank correlation");
+  table.columns({"behaviours", "rank correlation"});
   for (const Predictor& each : all) {
     table.row({std::to_string(each.agents), escaped(each.measure->name),
                std::to_string(each.behaviours), decimal(each.rank_correlation, 2)});

@@ -43,8 +43,8 @@ std::vector<LearnedBehaviour> learned_behaviours(const ReportData& data) {
 
 std::string origins(const std::vector<LearnedBehaviour>& learned) {
   Table table;
-  for (const char* title : {"behaviour", "learner", "scenario"}) table.column(title, Align::left);
-  for (const char* title : {"agents", "seed", "tests", "discount"}) table.column(title);
+  table.columns({"behaviour", "learner", "scenario"}, Align::left);
+  table.columns({"agents", "seed", "tests", "discount"});
   for (const LearnedBehaviour& each : learned) {
     const PolicyOrigin& origin = each.policy->origin();
     table.row({escaped(each.name), escaped(origin.spec.learner), escaped(origin.scenario),
@@ -194,8 +194,7 @@ std::string compared_behaviours(const ReportData& data,
                                 const std::vector<LearnedBehaviour>& learned) {
   constexpr std::array kMeasures = {"accuracy", "score"};
   Table table;
-  table.column("behaviour", Align::left);
-  table.column("learned", Align::left);
+  table.columns({"behaviour", "learned"}, Align::left);
   table.column("agents");
   for (const char* name : kMeasures) table.column(name);
   for (const std::string& behaviour : behaviours_of(data.comparison)) {

@@ -44,10 +44,8 @@ std::vector<BoxGroup> groups_of(const Comparison& comparison, std::size_t metric
 
 std::string metric_numbers(const Comparison& comparison, std::size_t metric) {
   Table table;
-  for (const char* title : {"agents", "tests", "mean", "least", "lower quartile", "median",
-                            "upper quartile", "greatest"}) {
-    table.column(title);
-  }
+  table.columns({"agents", "tests", "mean", "least", "lower quartile", "median", "upper quartile",
+                 "greatest"});
   const std::string* behaviour = nullptr;
   for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
     const Summary& summary = comparison.summaries[row];

@@ -75,13 +75,10 @@ std::string with_agents(const std::optional<Best>& best, int decimals) {
 std::string best_table(const Comparison& comparison) {
   Table table;
   table.column("behaviour", Align::left);
-  table.column("lines of code");
-  table.column("best accuracy, %");
-  table.column("best score");
+  table.columns({"lines of code", "best accuracy, %", "best score"});
   const bool normalised = is_shown(comparison.published, *find_measure("combined_normalised"));
   if (normalised) table.column("best combined_normalised");
-  table.column("fewest ticks to test");
-  table.column("least CPU time, µs");
+  table.columns({"fewest ticks to test", "least CPU time, µs"});
   for (const std::string& behaviour : behaviours_of(comparison)) {
     const Summary* any = nullptr;
     for (const Summary& summary : comparison.summaries) {

@@ -129,10 +129,8 @@ std::string overview(const ReportData& data, const std::vector<BehaviourPair>& p
 
 std::string all_numbers(const std::vector<BehaviourPair>& pairs, const std::vector<Row>& rows) {
   Table table;
-  for (const char* title : {"agents", "accuracy, points", "95 % interval", "first only",
-                            "second only", "p", "ticks: A₁₂", "p", "score: g", "p"}) {
-    table.column(title);
-  }
+  table.columns({"agents", "accuracy, points", "95 % interval", "first only", "second only", "p",
+                 "ticks: A₁₂", "p", "score: g", "p"});
   std::size_t last = pairs.size();
   for (const Row& row : rows) {
     if (row.pair != last) {

@@ -51,7 +51,7 @@ std::string growth_of(const std::vector<SituationRow>& rows,
 
 std::string totals(const std::vector<SituationRow>& rows) {
   Table table;
-  for (const char* title : {"agents", "tests", "bins covered", "of", "%"}) table.column(title);
+  table.columns({"agents", "tests", "bins covered", "of", "%"});
   const std::string* behaviour = nullptr;
   for (const SituationRow& row : rows) {
     if (behaviour == nullptr || *behaviour != row.behaviour) table.heading(row.behaviour);

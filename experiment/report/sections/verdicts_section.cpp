@@ -64,10 +64,8 @@ std::string caption(const ReportData& data, const std::string& id) {
 
 std::string verdict_numbers(const Comparison& comparison, std::size_t assertion) {
   Table table;
-  for (const char* title : {"agents", "exercised, %", "pass", "fail", "unavoidable", "vacuous",
-                            "robustness: least", "median", "greatest"}) {
-    table.column(title);
-  }
+  table.columns({"agents", "exercised, %", "pass", "fail", "unavoidable", "vacuous",
+                 "robustness: least", "median", "greatest"});
   const std::string* behaviour = nullptr;
   for (std::size_t row = 0; row < comparison.assessments.size(); ++row) {
     const Summary& summary = comparison.summaries[row];
@@ -101,10 +99,7 @@ std::string violations(const ReportData& data) {
   if (data.violations.empty()) return {};
   Table table;
   table.column("behaviour", Align::left);
-  table.column("agents");
-  table.column("test");
-  table.column("robustness");
-  table.column("violated at tick");
+  table.columns({"agents", "test", "robustness", "violated at tick"});
   table.column("witness", Align::left);
   const std::string* last = nullptr;
   for (const Violation& violation : data.violations) {
