@@ -1,6 +1,5 @@
 # Small neural networks. Included by CMakeLists.txt above.
 target_sources(jaywalk_experiment PRIVATE
-  networks/layer.cpp
   networks/network.cpp
   networks/product.cpp)
 # Each product and each sum must be rounded by itself, on every machine.

@@ -1,7 +1,7 @@
 #pragma once
 
 // Products of matrices, which is where training spends its time, and square roots, alike on every
-// processor. Read layer.h next.
+// processor. Read network.h next.
 
 #include <Eigen/Dense>
 #include <cmath>

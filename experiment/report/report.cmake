@@ -18,7 +18,6 @@ target_sources(jaywalk_experiment PRIVATE
   report/player/side_by_side.cpp
   report/policy_map.cpp
   report/report.cpp
-  report/report_data.cpp
   report/sections/agents_section.cpp
   report/sections/avs_section.cpp
   report/sections/figures_section.cpp

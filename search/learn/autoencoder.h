@@ -3,7 +3,7 @@
 // A variational autoencoder (Kingma and Welling 2014, "Auto-encoding variational Bayes", arXiv
 // 1312.6114) with the layers of RILaST: inputs - 128 - 64 - mean and logarithm of the variance of
 // the latent variables - 64 - 128 - inputs, rectified linear units, tanh at the end. Read
-// experiment/networks/layer.h first.
+// experiment/networks/network.h first.
 
 #include <array>
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiment/networks/layer.h"
+#include "experiment/networks/network.h"
 
 namespace jaywalk::networks {
 namespace {
