@@ -8,9 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "search/random.h"
+#include "experiment/networks/random.h"
 
 namespace jaywalk::search {
+
+using networks::mix_name;
+using networks::Random;
 
 /// How the numbers of a test input are meant.
 enum class Form {

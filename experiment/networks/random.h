@@ -3,7 +3,10 @@
 // A source of random numbers of its own, for a search or a learner. One seed gives the same numbers
 // on every machine.
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,5 +38,20 @@ class Random {
  private:
   SplitMix64 source_;
 };
+
+/// A seed for something with a name (FNV-1a), so that it does not depend on what else there is.
+[[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t seed, std::string_view name) {
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char c : name) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  }
+  return mix(seed, hash);
+}
+
+/// From the standard normal distribution (Box and Muller 1958).
+[[nodiscard]] inline double standard_normal(Random& random) {
+  const double radius = std::sqrt(-2 * std::log(1 - random.uniform(0, 1)));
+  return radius * std::cos(2 * std::numbers::pi * random.uniform(0, 1));
+}
 
 }  // namespace jaywalk::networks

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "search/random.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "env/lane/road.h"
-#include "search/random.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search {
 

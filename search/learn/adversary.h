@@ -5,7 +5,7 @@
 // movable: the optimisers point into them. Read network.h first.
 
 #include "experiment/networks/network.h"
-#include "search/random.h"
+#include "experiment/networks/random.h"
 
 namespace jaywalk::search::learn {
 
@@ -16,6 +16,7 @@ using networks::Matrix;
 using networks::Network;
 using networks::NetworkShape;
 using networks::noise;
+using networks::Random;
 using networks::Vector;
 
 enum class Pass { training, generating };

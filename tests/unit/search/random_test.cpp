@@ -1,5 +1,3 @@
-#include "search/random.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,6 +5,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "search/test_input.h"
 
 namespace jaywalk::search {
 namespace {

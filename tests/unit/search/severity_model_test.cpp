@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "search/random.h"
+#include "search/test_input.h"
 
 namespace jaywalk::search::learn {
 namespace {
