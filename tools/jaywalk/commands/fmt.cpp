@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario/files/write_file.h"
-#include "interpreter/support/line_diff.h"
 #include "interpreter/syntax/format/formatter.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/input_files.h"
@@ -20,14 +19,11 @@ namespace {
 
 enum class Found { same, different, wrong };
 
-struct Mode {
-  bool check = false;
-  bool diff = false;
-};
+enum class Mode { write, check };
 
 constexpr std::array<std::string_view, 1> kEndings{".asl"};
 
-Found format_file(const std::string& path, const Mode& mode, Console& console) {
+Found format_file(const std::string& path, Mode mode, Console& console) {
   const bool is_input = path == kStandardInput;
   auto source = read_source(is_input ? "/dev/stdin" : path);
   if (!source) {
@@ -41,18 +37,16 @@ Found format_file(const std::string& path, const Mode& mode, Console& console) {
   }
   const std::string_view before = source.value()->text();
   const std::string& after = formatted.value();
-  const bool writes = !mode.check && !mode.diff;
-  if (is_input && writes) {
+  if (is_input && mode == Mode::write) {
     console.print(after);
     return Found::same;
   }
   if (before == after) return Found::same;
-  if (mode.diff) console.print(line_diff(before, after, path, path + " (formatted)"));
-  if (mode.check && !mode.diff) console.print(::fmt::format("{}\n", path));
-  if (!writes) return Found::different;
-  if (const auto problem = write_file(path, after)) {
-    console.error(*problem);
-    return Found::wrong;
+  if (mode == Mode::write) {
+    if (const auto problem = write_file(path, after)) {
+      console.error(*problem);
+      return Found::wrong;
+    }
   }
   console.print(::fmt::format("{}\n", path));
   return Found::different;
@@ -69,11 +63,10 @@ CommandHelp help() {
               "if it fits, others get a line for each formula. A file with mistakes is left as\n"
               "it is.\n",
           .options = {{option::kCheck, "",
-                       "write nothing; name the files that would change,\nand exit with 1"},
-                      {option::kDiff, "", "write nothing; show what would change"}},
+                       "write nothing; name the files that would change,\nand exit with 1"}},
           .examples =
               "  jaywalk fmt agent.asl\n"
-              "  jaywalk fmt agents --check --diff\n"
+              "  jaywalk fmt agents --check\n"
               "  jaywalk fmt - <agent.asl\n"};
 }
 
@@ -82,7 +75,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     console.error("expected at least one file", "jaywalk fmt --help shows how to write it");
     return ExitCode::usage;
   }
-  const Mode mode{.check = arguments.has(option::kCheck), .diff = arguments.has(option::kDiff)};
+  const Mode mode = arguments.has(option::kCheck) ? Mode::check : Mode::write;
   std::vector<std::string> files;
   bool any_wrong = !expand_folders(arguments.operands(), kEndings, console, files);
   bool any_different = false;
@@ -102,7 +95,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     any_different = any_different || found == Found::different;
   }
   if (any_wrong) return ExitCode::usage;
-  return mode.check && any_different ? ExitCode::failed : ExitCode::success;
+  return mode == Mode::check && any_different ? ExitCode::failed : ExitCode::success;
 }
 
 }  // namespace jaywalk::command::fmt_

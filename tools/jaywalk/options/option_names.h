@@ -25,7 +25,6 @@ inline constexpr OptionName kCsv{"csv"};
 inline constexpr OptionName kDefect{"defect"};
 inline constexpr OptionName kDefects{"defects"};
 inline constexpr OptionName kDialect{"dialect"};
-inline constexpr OptionName kDiff{"diff"};
 inline constexpr OptionName kDumpCode{"dump-code"};
 inline constexpr OptionName kExport{"export"};
 inline constexpr OptionName kFailOn{"fail-on"};
