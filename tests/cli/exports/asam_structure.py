@@ -1,7 +1,7 @@
 """check(path): what the schemas of OpenSCENARIO XML 1.0 to 1.3 and of OpenDRIVE 1.6 and 1.7 demand of
 the elements that Jaywalk writes: which children, in which order and how many, which attributes, which
 words. Written after the published schemas, which cannot be distributed; whoever has them runs
-`jaywalk export --validate DIR` in addition.
+`xmllint --noout --schema` in addition.
 
     asam_structure.py FILE...            checks files
     asam_structure.py --breaking FILE... checks itself: whatever breaks such a file is noticed

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "experiment/export/exporter.h"
-#include "experiment/export/openscenario/validate.h"
 #include "interpreter/support/text.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/option_names.h"
@@ -99,11 +98,7 @@ ExitCode run(const Exporter& exporter, const ResultsReader& store, ScenarioDiale
   console.note(fmt::format("{} exported", counted(request.tests.size(), "test")));
   if (!files.value().note.empty()) console.note(files.value().note);
   for (const std::string& file : files.value().files) console.print(file + '\n');
-  Diagnostics invalid;
-  if (const auto schemas = arguments.text(option::kValidate))
-    validate(files.value().files, *schemas, invalid);
-  console.report(invalid);
-  return invalid.has_errors() ? ExitCode::failed : ExitCode::success;
+  return ExitCode::success;
 }
 
 }  // namespace
@@ -125,9 +120,6 @@ CommandHelp help() {
                   {option::kTest, "N", "the tests of this number alone"},
                   {option::kAll, "", "all tests"},
                   {option::kDialect, "NAME", "of openscenario: standard (default) or carla"},
-                  {option::kValidate, "DIR",
-                   "check the files against ASAM's .xsd files in DIR, each against\n"
-                   "the schema of its own version, by xmllint"},
                   {option::kConnection, "TEXT",
                    "of postgis: the database, as ogr2ogr wants it, with or without\n"
                    "PG: before it"},
