@@ -8,12 +8,16 @@
 // origin is the left corner of the world at its beginning. Headings are counted
 // counter-clockwise from x: the AV's is pi / 2.
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace jaywalk {
+
+/// Standard gravity in m/s^2 (ISO 80000-3), for everything that drives, brakes and is measured.
+inline constexpr double kGravityMps2 = 9.80665;
 
 enum class ActorKind { vehicle, pedestrian, cyclist, signal };
 
@@ -66,5 +70,29 @@ struct Point {
 
 /// The smallest distance between two boxes in metres; 0 if they touch or overlap.
 [[nodiscard]] double distance_m(std::span<const Point> first, std::span<const Point> second);
+
+/// Along the axes, in metres: boxes of road users, obstacles, crosswalks.
+struct Rectangle {
+  double left = 0;
+  double right = 0;
+  double near = 0;
+  double far = 0;
+
+  [[nodiscard]] bool overlaps(const Rectangle& other) const {
+    return left < other.right && other.left < right && near < other.far && other.near < far;
+  }
+  /// Its left and near sides belong to it, the others to its neighbours.
+  [[nodiscard]] bool contains(Point point) const {
+    return left <= point.x_m && point.x_m < right && near <= point.y_m && point.y_m < far;
+  }
+  [[nodiscard]] Point middle() const { return {(left + right) / 2, (near + far) / 2}; }
+};
+
+/// The smallest around the points. REQUIRES: at least one.
+[[nodiscard]] inline Rectangle surrounding(std::span<const Point> points) {
+  const auto across = std::ranges::minmax(points, {}, &Point::x_m);
+  const auto along = std::ranges::minmax(points, {}, &Point::y_m);
+  return {across.min.x_m, across.max.x_m, along.min.y_m, along.max.y_m};
+}
 
 }  // namespace jaywalk

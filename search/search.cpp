@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "env/process/child_wait.h"
+#include "env/process/guarded_child.h"
 #include "interpreter/support/start_threads.h"
 
 namespace jaywalk::search {

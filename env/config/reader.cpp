@@ -5,6 +5,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -77,6 +78,21 @@ std::optional<double> speed_with_unit(std::string_view text) {
 }
 
 }  // namespace
+
+const ConfigNode* ConfigNode::find(std::string_view key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const ConfigEntry& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : &found->value;
+}
+
+void report(Diagnostics& diagnostics, const ValueOrigin& origin, std::string message,
+            std::string hint) {
+  if (origin.where.source) {
+    diagnostics.error(origin.where, std::move(message), std::move(hint));
+  } else {
+    diagnostics.error(origin.option, std::move(message), std::move(hint));
+  }
+}
 
 std::optional<double> parse_number(std::string_view text) {
   const std::optional<double> value = parse_whole<double>(text);

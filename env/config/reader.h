@@ -1,7 +1,8 @@
 #pragma once
 
-// Typed values out of a scenario's nodes: each function reports what it found and what it expected.
-// Read node.h first.
+// The parsed values of a scenario or another YAML file of settings, each with the place where it
+// was written (experiment/scenario/scenario_yaml.h makes them), and typed values out of them: each
+// function reports what it found and what it expected.
 
 #include <array>
 #include <functional>
@@ -11,10 +12,41 @@
 #include <string_view>
 #include <vector>
 
-#include "env/config/node.h"
 #include "env/grid/grid.h"
+#include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
+
+/// Where a value was given: a place in a file, or an option (`--set world.length=80`).
+struct ValueOrigin {
+  SourceSpan where;
+  std::string option;
+};
+
+struct ConfigEntry;
+
+/// A scalar, a list or a map as it was written; aliases are resolved.
+struct ConfigNode {
+  enum class Kind { null, scalar, list, map };
+
+  Kind kind = Kind::null;
+  std::string text;  // of a scalar
+  ValueOrigin origin;
+  std::vector<ConfigNode> items;     // of a list
+  std::vector<ConfigEntry> entries;  // of a map, in the order of the file
+
+  /// The value of a key of a map, or null.
+  [[nodiscard]] const ConfigNode* find(std::string_view key) const;
+};
+
+struct ConfigEntry {
+  std::string key;
+  ValueOrigin origin;
+  ConfigNode value;
+};
+
+void report(Diagnostics& diagnostics, const ValueOrigin& origin, std::string message,
+            std::string hint = {});
 
 struct NumberRange {
   double least = 0;
@@ -93,5 +125,22 @@ class ConfigReader {
 /// A number if the whole text is one.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
+
+// Ranges of numbers that several keys of a scenario share: generous, but small enough that products
+// of them do not overflow.
+inline constexpr IntegerRange kCells{1, 100'000};
+inline constexpr IntegerRange kCellsFromAnywhere{-100'000, 100'000};
+inline constexpr IntegerRange kRows{0, 999};
+/// In the unit of its key, cells or metres a second.
+inline constexpr NumberRange kSpeed{0.01, 10'000};
+/// In seconds.
+inline constexpr NumberRange kWindow{0, 3600};
+
+/// An error in a section of a scenario: values that do not fit together.
+struct ParameterProblem {
+  /// The parameter as scenarios spell it, `world.av.rows`.
+  std::string path;
+  std::string message;
+};
 
 }  // namespace jaywalk

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "env/crossing/crossing_ground.h"
+#include "env/crossing/layout.h"
 
 namespace jaywalk {
 

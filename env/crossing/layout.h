@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "env/crossing/parameters.h"
-#include "env/rectangle.h"
-#include "env/world/ground_plan.h"
+#include "env/ground.h"
+#include "env/scene.h"
 
 namespace jaywalk {
 
@@ -53,5 +53,14 @@ class Layout {
 
 /// The surface that a letter of a map stands for; nothing for an unknown letter.
 [[nodiscard]] std::optional<Surface> find_surface(char letter);
+
+struct CrossingParameters;
+
+/// The bands of the crossing world, as far as its road goes; of a map the stretches of its rows,
+/// and its AV's lane over them. REQUIRES: parameters without problems().
+[[nodiscard]] Ground ground(const CrossingParameters& parameters);
+
+/// The obstacles of the crossing world, in their order.
+[[nodiscard]] std::vector<Rectangle> obstacles(const CrossingParameters& parameters);
 
 }  // namespace jaywalk

@@ -8,7 +8,7 @@
 
 #include "env/crossing/road_user.h"
 #include "env/crossing/spawn.h"
-#include "env/vehicle/section.h"
+#include "env/vehicle/vehicle_section.h"
 
 namespace jaywalk {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "env/config/parameter_problem.h"
+#include "env/config/reader.h"
 #include "env/grid/grid.h"
 #include "env/scene.h"
 #include "env/simulator/parameters.h"
@@ -40,7 +40,7 @@ struct AvParameters {
   VehicleParameters vehicle;
   /// How a custom controller would drive if it were healthy; not needed where the vehicle's defects
   /// say what to leave out. Sensors and period are those of `vehicle`
-  /// (env/vehicle/section.h).
+  /// (env/vehicle/vehicle_section.h).
   std::optional<VehicleParameters> twin;
   /// The cell of the leading edge before the first tick; may lie before the grid.
   int start = 0;

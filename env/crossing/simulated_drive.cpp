@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "env/crossing/av.h"
-#include "env/crossing/crossing_ground.h"
+#include "env/crossing/layout.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk {

@@ -2,16 +2,14 @@
 target_sources(jaywalk_env PRIVATE
   crossing/av.cpp
   crossing/crossing.cpp
-  crossing/crossing_ground.cpp
   crossing/layout.cpp
   crossing/parameters.cpp
   crossing/perceive.cpp
   crossing/road_user.cpp
   crossing/section/actors_section.cpp
-  crossing/section/av_section.cpp
-  crossing/section/presets.cpp
+  crossing/section/crossing_presets.cpp
   crossing/section/road_section.cpp
-  crossing/section/section.cpp
+  crossing/section/crossing_section.cpp
   crossing/simulated_drive.cpp
   crossing/spawn.cpp
   crossing/vocabulary.cpp

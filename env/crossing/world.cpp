@@ -4,14 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "env/crossing/crossing_ground.h"
 #include "env/crossing/layout.h"
-#include "env/crossing/section/presets.h"
-#include "env/crossing/section/section.h"
+#include "env/crossing/section/crossing_section.h"
 #include "env/crossing/spawn.h"
 #include "env/crossing/vocabulary.h"
 #include "env/environments.h"
-#include "env/vehicle/section.h"
+#include "env/vehicle/vehicle_section.h"
 
 namespace jaywalk {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "env/gravity.h"
+#include "env/scene.h"
 
 namespace jaywalk::lane {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "env/config/parameter_problem.h"
+#include "env/config/reader.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {

@@ -1,7 +1,5 @@
 # The motorway. Included by CMakeLists.txt above.
 target_sources(jaywalk_env PRIVATE
   motorway/motorway.cpp
-  motorway/parameters.cpp
-  motorway/section.cpp
-  motorway/vocabulary.cpp
+  motorway/motorway_section.cpp
   motorway/world.cpp)

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "env/vehicle/section.h"
+#include "env/vehicle/vehicle_section.h"
 #include "interpreter/support/random.h"
 
 namespace jaywalk {

@@ -15,7 +15,7 @@
 
 #include <fmt/format.h>
 
-#include "env/process/child_wait.h"
+#include "env/process/guarded_child.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -37,7 +37,7 @@ class LineProcess {
   LineProcess(const LineProcess&) = delete;
   LineProcess& operator=(const LineProcess&) = delete;
 
-  /// Sends a line and waits for the answer, until the program is asked to end (child_wait.h).
+  /// Sends a line and waits for the answer, until the program is asked to end (guarded_child.h).
   /// Output that is unread before the line is sent answers nothing: it is an error, since all
   /// answers after it would belong to other questions. After an error the process is gone; the next
   /// question starts it anew.

@@ -1,6 +1,7 @@
 #include "env/process/numbered_process.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -121,5 +122,12 @@ std::string NumberedProcess::refuse(std::string_view why) {
   repeats_ = false;
   return fmt::format("line {} of its output, '{}': {}", line, shortened(last_, kMostQuoted), why);
 }
+
+double tidy(double value) {
+  constexpr double kDigits = 1e9;
+  return std::round(value * kDigits) / kDigits + 0.0;
+}
+
+nlohmann::json tidy_pair(double first, double second) { return {tidy(first), tidy(second)}; }
 
 }  // namespace jaywalk

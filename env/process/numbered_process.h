@@ -79,4 +79,11 @@ class NumberedProcess {
   bool repeats_ = false;  // it repeated a number, and has to from then on
 };
 
+/// A number as it is written for other programs: rounded to nine digits after the point, as the
+/// rest is noise of the arithmetic; -0 becomes 0.
+[[nodiscard]] double tidy(double value);
+
+/// A list of both.
+[[nodiscard]] nlohmann::json tidy_pair(double first, double second);
+
 }  // namespace jaywalk

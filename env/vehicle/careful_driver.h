@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "env/gravity.h"
+#include "env/scene.h"
 #include "env/vehicle/hazards.h"
 #include "env/vehicle/vehicle.h"
 

@@ -9,9 +9,15 @@
 
 #include <fmt/format.h>
 
-#include "env/vehicle/defects/makers.h"
-
 namespace jaywalk {
+
+// Each row's function, which is in the file of its family.
+#define JAYWALK_DEFECT(name, family, unit, function, summary, source, ...)              \
+  std::unique_ptr<VehicleController> function(std::unique_ptr<VehicleController> inner, \
+                                              double severity);
+#include "env/vehicle/defects.def"
+#undef JAYWALK_DEFECT
+
 namespace {
 
 namespace severities_of {

@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "env/process/tidy.h"
+#include "env/process/numbered_process.h"
 #include "env/vehicle/controller_processes.h"
-#include "env/vehicle/models.h"
+#include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
 namespace {

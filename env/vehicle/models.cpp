@@ -1,10 +1,9 @@
-#include "env/vehicle/models.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "env/vehicle/careful_driver.h"
 #include "env/vehicle/hazards.h"
+#include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "env/rectangle.h"
+#include "env/scene.h"
 #include "env/vehicle/vehicle.h"
 
 namespace jaywalk {

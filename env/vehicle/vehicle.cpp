@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "env/vehicle/defects.h"
-#include "env/vehicle/models.h"
 
 namespace jaywalk {
 

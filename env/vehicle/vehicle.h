@@ -15,7 +15,6 @@
 #include <string_view>
 #include <vector>
 
-#include "env/gravity.h"
 #include "env/scene.h"
 
 namespace jaywalk {
@@ -195,6 +194,11 @@ struct VehicleModel {
   std::string_view summary;
   std::unique_ptr<VehicleController> (*make)(const VehicleParameters&);
 };
+
+#define JAYWALK_VEHICLE_MODEL(name, function, summary) \
+  [[nodiscard]] std::unique_ptr<VehicleController> function(const VehicleParameters& parameters);
+#include "env/vehicle/models.def"
+#undef JAYWALK_VEHICLE_MODEL
 
 [[nodiscard]] std::span<const VehicleModel> vehicle_models();
 /// Null if there is none of that name.

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "env/process/tidy.h"
+#include "env/process/numbered_process.h"
 
 namespace jaywalk {
 namespace {

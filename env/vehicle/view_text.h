@@ -19,7 +19,7 @@ using ViewFields = std::vector<std::string>;
 [[nodiscard]] ViewFields all_view_fields();
 
 /// Without a line break. `step`: the number of the question, which every text has; numbers are tidy
-/// (env/process/tidy.h).
+/// (env/process/numbered_process.h).
 [[nodiscard]] std::string view_text(const VehicleView& view, std::uint64_t test, std::size_t step,
                                     const ViewFields& fields = {});
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "env/simulator/simulator.h"
+#include "env/world/world_spec.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {
@@ -27,5 +29,16 @@ std::string World::describe_result() const {
   return fmt::format("precondition met in tick {} by {}, score {:.2f}", of.ticks,
                      fmt::join(names, ", "), of.score());
 }
+
+std::string WorldSpec::agent_name(std::uint32_t number) const { return fmt::format("p{}", number); }
+
+const SimulatorParameters& WorldSpec::simulator() const {
+  static const SimulatorParameters kNone;
+  return kNone;
+}
+
+std::optional<SimulatedSite> WorldSpec::site() const { return std::nullopt; }
+
+std::vector<std::string> WorldSpec::command() const { return vehicle().command; }
 
 }  // namespace jaywalk

@@ -15,7 +15,6 @@
 #include "env/ground.h"
 #include "env/simulator/parameters.h"
 #include "env/vehicle/vehicle.h"
-#include "env/world/ground_plan.h"
 #include "env/world/world.h"
 #include "interpreter/term/symbol.h"
 

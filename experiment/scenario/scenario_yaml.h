@@ -1,12 +1,12 @@
 #pragma once
 
 // YAML as scenarios use it: values with the places where they were written. The library that
-// parses it is seen by scenario_yaml.cpp alone. Read env/config/node.h first.
+// parses it is seen by scenario_yaml.cpp alone. Read env/config/reader.h first.
 
 #include <optional>
 #include <string>
 
-#include "env/config/node.h"
+#include "env/config/reader.h"
 #include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "env/simulator/section.h"
 #include "env/simulator/simulator.h"
+#include "env/simulator/simulator_section.h"
 #include "experiment/scenario/files/program_text.h"
 
 namespace jaywalk {

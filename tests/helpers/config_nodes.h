@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "env/config/node.h"
+#include "env/config/reader.h"
 
 namespace jaywalk::test {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "env/world/ground_plan.h"
+#include "env/ground.h"
 #include "experiment/judge/recording.h"
 #include "tools/picture/canvas.h"
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "env/config/parameter_settings.h"
-#include "env/config/ranges.h"
+#include "env/config/reader.h"
 #include "env/crossing/crossing.h"
-#include "env/crossing/section/draft.h"
+#include "env/crossing/section/crossing_section.h"
 
 namespace jaywalk {
 namespace {

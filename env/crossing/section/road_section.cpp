@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "env/config/ranges.h"
+#include "env/config/reader.h"
 #include "env/crossing/layout.h"
-#include "env/crossing/section/draft.h"
+#include "env/crossing/section/crossing_section.h"
 
 namespace jaywalk {
 namespace {

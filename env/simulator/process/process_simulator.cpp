@@ -12,8 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "env/process/numbered_process.h"
-#include "env/simulator/process/answers.h"
-#include "env/simulator/process/messages.h"
+#include "env/simulator/process/simulator_messages.h"
 #include "env/simulator/simulators.h"
 
 namespace jaywalk {

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "env/simulator/simulator.h"
-#include "env/simulator/sumo/memory_file.h"
-#include "env/simulator/sumo/road_frame.h"
 #include "env/simulator/sumo/sumo_network.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "env/simulator/sumo/sumo_settings.h"

@@ -5,13 +5,34 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "env/process/guarded_child.h"
-#include "env/simulator/sumo/memory_file.h"
 #include "env/simulator/sumo/traci_client.h"
 
 namespace jaywalk {
+
+/// A file without a name, in memory, which SUMO reads and writes. It disappears with our process.
+class MemoryFile {
+ public:
+  MemoryFile();
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  /// A path by which our child processes can open it.
+  [[nodiscard]] std::string path() const;
+  /// Replaces the content; false if there is not enough memory.
+  [[nodiscard]] bool write(std::string_view text);
+  /// The content, at most the last `most` bytes.
+  [[nodiscard]] std::string read(std::size_t most) const;
+
+ private:
+  int descriptor_;
+};
 
 class SumoProcess {
  public:

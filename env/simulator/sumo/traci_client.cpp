@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "env/process/child_wait.h"
+#include "env/process/guarded_child.h"
 
 namespace jaywalk {
 namespace {

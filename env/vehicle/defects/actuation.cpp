@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "env/gravity.h"
+#include "env/scene.h"
 #include "env/vehicle/defects/defective.h"
-#include "env/vehicle/defects/makers.h"
 
 namespace jaywalk {
 namespace {

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "env/vehicle/defects/defective.h"
-#include "env/vehicle/defects/makers.h"
 
 namespace jaywalk {
 namespace {

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "env/vehicle/defects/defective.h"
-#include "env/vehicle/defects/makers.h"
 
 namespace jaywalk {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "env/world/ground_plan.h"
+#include "env/ground.h"
 #include "experiment/judge/recording.h"
 #include "experiment/results/reader.h"
 #include "interpreter/agent/surroundings/observer.h"

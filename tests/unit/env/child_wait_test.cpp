@@ -1,9 +1,9 @@
-#include "env/process/child_wait.h"
-
 #include <array>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+
+#include "env/process/guarded_child.h"
 
 namespace jaywalk {
 namespace {

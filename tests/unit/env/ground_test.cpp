@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "env/crossing/crossing_ground.h"
+#include "env/crossing/layout.h"
 #include "env/crossing/parameters.h"
 
 namespace jaywalk {

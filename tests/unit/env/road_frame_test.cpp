@@ -1,9 +1,9 @@
-#include "env/simulator/sumo/road_frame.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "env/simulator/sumo/sumo_network.h"
 
 namespace jaywalk {
 namespace {

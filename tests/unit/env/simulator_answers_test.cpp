@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "env/simulator/process/answers.h"
-#include "env/simulator/process/message_reader.h"
+#include "env/simulator/process/simulator_messages.h"
 
 namespace jaywalk {
 namespace {

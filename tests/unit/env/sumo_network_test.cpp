@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include "env/simulator/simulators.h"
-#include "env/simulator/sumo/road_frame.h"
 #include "env/simulator/sumo/sumo_map.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "tests/unit/env/sumo_street.h"

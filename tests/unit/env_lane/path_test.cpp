@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "env/lane/controllers/speed_plan.h"
+#include "env/lane/controllers/path_follower.h"
 
 namespace jaywalk::lane {
 namespace {

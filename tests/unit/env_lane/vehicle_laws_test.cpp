@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "env/gravity.h"
 #include "env/lane/out_of_bounds.h"
 #include "env/lane/vehicle.h"
+#include "env/scene.h"
 #include "interpreter/support/random.h"
 
 namespace jaywalk::lane {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "env/gravity.h"
 #include "env/lane/out_of_bounds.h"
+#include "env/scene.h"
 
 namespace jaywalk::lane {
 namespace {

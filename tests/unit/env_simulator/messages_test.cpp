@@ -1,15 +1,14 @@
 // Messages to a custom simulator, and files in memory for simulators that read files.
 
-#include "env/simulator/process/messages.h"
-
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "env/process/tidy.h"
-#include "env/simulator/sumo/memory_file.h"
+#include "env/process/numbered_process.h"
+#include "env/simulator/process/simulator_messages.h"
+#include "env/simulator/sumo/sumo_process.h"
 #include "tests/unit/env/sumo_street.h"
 
 namespace jaywalk {

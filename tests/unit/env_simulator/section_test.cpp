@@ -1,9 +1,8 @@
-#include "env/simulator/section.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "env/simulator/simulator.h"
+#include "env/simulator/simulator_section.h"
 
 namespace jaywalk {
 namespace {

@@ -1,9 +1,9 @@
-#include "env/vehicle/known_drives.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "env/vehicle/controller_processes.h"
 
 namespace jaywalk {
 namespace {

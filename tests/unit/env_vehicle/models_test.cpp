@@ -1,13 +1,12 @@
 // Single decisions of the models of vehicles, worked out by hand.
 
-#include "env/vehicle/models.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "env/vehicle/careful_driver.h"
+#include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
 namespace {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "env/crossing/world.h"
-#include "env/vehicle/section.h"
+#include "env/vehicle/vehicle_section.h"
 #include "parse.h"
 
 namespace jaywalk {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "env/gravity.h"
+#include "env/scene.h"
 #include "experiment/judge/metrics/metrics.h"
 #include "experiment/judge/signals/signals.h"
 #include "tests/unit/metrics/drives.h"

@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "env/process/child_wait.h"
+#include "env/process/guarded_child.h"
 #include "tools/jaywalk/console/console.h"
 
 namespace jaywalk {

@@ -1,22 +1,51 @@
-// The key `world` of a scenario in the crossing. Separate files read the ground (road_section.cpp),
-// the actors (actors_section.cpp) and the AV (av_section.cpp).
+// The key `world` of a scenario in the crossing. Separate files read the ground (road_section.cpp)
+// and the actors (actors_section.cpp).
 
-#include "env/crossing/section/section.h"
+#include "env/crossing/section/crossing_section.h"
 
 #include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "env/config/ranges.h"
-#include "env/crossing/section/draft.h"
+#include "env/config/reader.h"
 #include "env/crossing/simulated_drive.h"
 #include "env/crossing/world.h"
-#include "env/simulator/section.h"
-#include "env/vehicle/section.h"
+#include "env/simulator/simulator_section.h"
+#include "env/vehicle/vehicle_section.h"
 
 namespace jaywalk {
 namespace {
+
+class AvReader : VehicleSection {
+ public:
+  AvReader(const SectionContext& context, CrossingDraft& draft)
+      : VehicleSection(context), draft_(draft) {}
+
+  void read_av(const ConfigNode& node, const std::string& path) {
+    AvParameters& av = draft_.world.av;
+    if (node.find("speed") != nullptr && node.find("speed_mps") != nullptr) {
+      reader_.error(node.origin, "give either 'speed' or 'speed_mps'");
+    }
+    std::vector<ConfigKey> keys{
+        {"length", integer(av.length, kCells)},
+        {"rows", interval(av.rows, kRows)},
+        {"start", integer(av.start, kCellsFromAnywhere)},
+        {"stopping_distance", integer(av.stopping_distance, {0, kCells.most})},
+        {"carry_over", choice<bool>(av.carry_over, {{"true", true}, {"false", false}})},
+    };
+    add_keys(av.vehicle, av.twin, keys);
+    keys.push_back({"speed", [&](const ConfigNode& value, const std::string& key) {
+                      speed(av.speed, kSpeed, "speed_mps")(value, key);
+                      draft_.speed_mps.reset();
+                    }});
+    keys.push_back({"speed_mps", speed(draft_.speed_mps, kSpeed, "speed_mps")});
+    read_keys(node, path, keys);
+  }
+
+ private:
+  CrossingDraft& draft_;
+};
 
 // Ranges of the keys: generous, but small enough that products of them do not overflow.
 constexpr NumberRange kMoney{0, 1e9};
@@ -268,6 +297,11 @@ class CrossingSection final : public WorldSection {
 };
 
 }  // namespace
+
+void read_av(const ConfigNode& node, const std::string& path, const SectionContext& context,
+             CrossingDraft& draft) {
+  AvReader(context, draft).read_av(node, path);
+}
 
 std::unique_ptr<WorldSection> crossing_section() { return std::make_unique<CrossingSection>(); }
 

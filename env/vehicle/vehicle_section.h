@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "env/config/parameter_problem.h"
+#include "env/config/reader.h"
 #include "env/config/section_reader.h"
 #include "env/simulator/parameters.h"
 #include "env/vehicle/vehicle.h"

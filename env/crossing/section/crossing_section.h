@@ -5,11 +5,13 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "env/config/section_reader.h"
 #include "env/crossing/parameters.h"
+#include "env/environments.h"
 #include "env/grid/start_cells.h"
 #include "env/world/world_section.h"
 
@@ -45,5 +47,9 @@ using CrossingPartReader = void(const ConfigNode& node, const std::string& path,
 
 /// The keys that are read in files of their own.
 CrossingPartReader read_bands, read_map, read_crosswalks, read_obstacles, read_actors, read_av;
+
+[[nodiscard]] std::unique_ptr<WorldSection> crossing_section();
+
+[[nodiscard]] std::span<const Preset> crossing_presets();
 
 }  // namespace jaywalk

@@ -1,6 +1,6 @@
-#include "env/crossing/section/presets.h"
-
 #include <array>
+
+#include "env/crossing/section/crossing_section.h"
 
 namespace jaywalk {
 namespace {

@@ -1,4 +1,4 @@
-#include "env/simulator/section.h"
+#include "env/simulator/simulator_section.h"
 
 #include <algorithm>
 #include <array>
