@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "experiment/results/extend.h"
+#include "experiment/results/reader.h"
 #include "experiment/results/store/row_writer.h"
 #include "experiment/results/store/schema.h"
 #include "experiment/results/store/store_file.h"
@@ -269,5 +270,29 @@ std::uint64_t ResultsWriter::had() const { return impl_->had(); }
 void ResultsWriter::add(TestRecord record) { impl_->add(std::move(record)); }
 std::optional<std::string> ResultsWriter::failure() const { return impl_->failure(); }
 std::optional<std::string> ResultsWriter::finish() { return impl_->close(); }
+
+Result<std::unique_ptr<ResultsWriter>> open_store(const StoreOptions& options,
+                                                  ExperimentDescription description) {
+  description.shard = options.shard;
+  description.level = options.level.value_or(StoreLevel::found);
+  if (!options.resume) return ResultsWriter::create(options.path, description);
+  std::error_code error;
+  if (!options.level && std::filesystem::exists(options.path, error)) {
+    const auto there = ResultsReader::open(options.path);
+    if (!there) return there.diagnostics();
+    description.level = there.value()->description().level;
+  }
+  return ResultsWriter::resume(options.path, description,
+                               options.retry_errors ? ResultsWriter::ErroredTests::taken_out
+                                                    : ResultsWriter::ErroredTests::kept);
+}
+
+Diagnostics unwritten_store(const std::string& path, std::string_view why) {
+  Diagnostics diagnostics;
+  diagnostics.error(
+      std::string(), fmt::format("cannot write '{}': {}", path, why),
+      "the tests written before are kept; the same command with --resume runs the others");
+  return diagnostics;
+}
 
 }  // namespace jaywalk

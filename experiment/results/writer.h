@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "experiment/results/description.h"
 #include "experiment/results/test_record.h"
@@ -56,6 +57,26 @@ class ResultsWriter {
   explicit ResultsWriter(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// Where the tests of an experiment are kept, and which of them.
+struct StoreOptions {
+  std::string path;
+  /// Empty: that of the store that is continued, or `found`.
+  std::optional<StoreLevel> level;
+  Shard shard;
+  /// Continues the store if it is there; otherwise there must be none.
+  bool resume = false;
+  /// Of a continued store: tests that ended errored are run again.
+  bool retry_errors = false;
+};
+
+/// A new store of the experiment, or the one to continue; level and shard are those of the options.
+/// Errors: as create() and resume().
+[[nodiscard]] Result<std::unique_ptr<ResultsWriter>> open_store(const StoreOptions& options,
+                                                                ExperimentDescription description);
+
+/// The error about a store that could not be written, for that reason.
+[[nodiscard]] Diagnostics unwritten_store(const std::string& path, std::string_view why);
 
 /// Replaces the assessments that a store has of its tests, for `judge --write`.
 class AssessmentWriter {

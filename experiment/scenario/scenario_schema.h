@@ -12,7 +12,7 @@
 
 #include "env/config/parameter_settings.h"
 #include "env/config/section_reader.h"
-#include "env/vehicle/section.h"
+#include "env/vehicle/vehicle_section.h"
 #include "env/world/world_section.h"
 #include "experiment/scenario/scenario.h"
 

@@ -140,8 +140,12 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   std::unique_ptr<ResultsWriter> store;
   if (request->store) {
     const PromptEnd end(interrupt);
-    store = open_store(*request->store, request->description, console);
-    if (!store) return ExitCode::usage;
+    auto opened = open_store(*request->store, request->description);
+    if (!opened) {
+      console.report(opened.diagnostics());
+      return ExitCode::usage;
+    }
+    store = std::move(opened).value();
   }
 
   ProgressLine line(console);

@@ -1,13 +1,9 @@
 #include "tools/jaywalk/options/store_options.h"
 
-#include <filesystem>
 #include <limits>
-#include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "experiment/results/reader.h"
 #include "tools/jaywalk/options/option_names.h"
 
 namespace jaywalk {
@@ -51,37 +47,13 @@ std::optional<StoreOptions> read_store_options(const Arguments& arguments,
   return std::nullopt;
 }
 
-std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
-                                          ExperimentDescription description, Console& console) {
-  description.shard = options.shard;
-  description.level = options.level.value_or(StoreLevel::found);
-  std::error_code error;
-  if (options.resume && !options.level && std::filesystem::exists(options.path, error)) {
-    auto there = ResultsReader::open(options.path);
-    if (!there) {
-      console.report(there.diagnostics());
-      return nullptr;
-    }
-    description.level = there.value()->description().level;
-  }
-  const auto errored = options.retry_errors ? ResultsWriter::ErroredTests::taken_out
-                                            : ResultsWriter::ErroredTests::kept;
-  auto store = options.resume ? ResultsWriter::resume(options.path, description, errored)
-                              : ResultsWriter::create(options.path, description);
-  if (store) return std::move(store).value();
-  console.report(store.diagnostics());
-  return nullptr;
-}
-
 bool is_kept(const std::optional<std::string>& failure, const std::string& path, Console& console) {
-  if (!failure) {
-    if (!path.empty()) console.wrote(path);
-    return true;
+  if (failure) {
+    console.report(unwritten_store(path, *failure));
+  } else if (!path.empty()) {
+    console.wrote(path);
   }
-  console.error(
-      fmt::format("cannot write '{}': {}", path, *failure),
-      "the tests written before are kept; the same command with --resume runs the others");
-  return false;
+  return !failure;
 }
 
 }  // namespace jaywalk

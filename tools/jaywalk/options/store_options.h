@@ -1,10 +1,8 @@
 #pragma once
 
-// `--store` and what belongs to it: where tests are kept, which of them, and how a store is opened
-// for a run.
+// `--store` and what belongs to it: where tests are kept, and which of them.
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -32,23 +30,9 @@ inline constexpr std::array kStoreOptions = {
                "`jaywalk merge` puts the parts together"},
 };
 
-struct StoreOptions {
-  std::string path;
-  /// Empty: that of the store that is continued, or `found`.
-  std::optional<StoreLevel> level;
-  Shard shard;
-  bool resume = false;
-  bool retry_errors = false;
-};
-
 /// The options of --store; nothing without it. Adds errors.
 [[nodiscard]] std::optional<StoreOptions> read_store_options(const Arguments& arguments,
                                                              Diagnostics& diagnostics);
-
-/// A new store, or the one to continue; null after reporting why there is none.
-[[nodiscard]] std::unique_ptr<ResultsWriter> open_store(const StoreOptions& options,
-                                                        ExperimentDescription description,
-                                                        Console& console);
 
 /// Whether a store has all that it was given; false after reporting why not.
 [[nodiscard]] bool is_kept(const std::optional<std::string>& failure, const std::string& path,

@@ -135,7 +135,10 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
   description.behaviours.resize(1);
   description.first_test = request.setup.test;
   names = description.names;
-  return open_store({.path = path, .level = StoreLevel::all}, std::move(description), console);
+  auto store = open_store({.path = path, .level = StoreLevel::all}, std::move(description));
+  if (store) return std::move(store).value();
+  console.report(store.diagnostics());
+  return nullptr;
 }
 
 TestResult result_of(const TestRun& run) {
