@@ -30,11 +30,8 @@ target_sources(jaywalk_experiment PRIVATE
   compare/kills/kills_file.cpp
   compare/kills/predictors.cpp
   compare/kills/team.cpp
-  compare/measures/accuracy.cpp
   compare/measures/distribution.cpp
-  compare/measures/effort.cpp
   compare/measures/measures.cpp
-  compare/measures/score.cpp
   compare/measures/significance.cpp
   compare/measures/statistics.cpp
   compare/per_test.cpp

@@ -19,7 +19,7 @@ foreach(layer env experiment search)
   file(GLOB_RECURSE headers RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${layer}/*.h)
   list(APPEND pending ${headers})
 endforeach()
-list(FILTER pending EXCLUDE REGEX "/(scenario_reader|scenario_schema|scenario_yaml|trimmed|mean_estimate)\\.h$")
+list(FILTER pending EXCLUDE REGEX "/(scenario_reader|scenario_schema|scenario_yaml|trimmed)\\.h$")
 list(FILTER pending EXCLUDE REGEX "^search/(evolve|generators|learn|model_based|store|suts)/")
 list(FILTER pending EXCLUDE REGEX "^experiment/networks/(layer|network|product|root)\\.h$")
 
