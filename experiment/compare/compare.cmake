@@ -20,6 +20,7 @@ configure_file(compare/published/published_programs.h.in
 target_sources(jaywalk_experiment PRIVATE
   compare/avs/av_ranking.cpp
   compare/carry_over.cpp
+  compare/comparison.cpp
   compare/csv_fields.cpp
   compare/experiment.cpp
   compare/feedback.cpp

@@ -39,4 +39,9 @@ struct Comparison {
   bool complete = true;
 };
 
+/// Sets the assessments of the comparison's summaries from the table. `behaviours` are those of the
+/// table's plan.
+void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
+                     const std::vector<std::string>& behaviours, Comparison& comparison);
+
 }  // namespace jaywalk

@@ -55,6 +55,10 @@ struct ExperimentPlan {
   /// In the order of vehicles, then behaviours, then numbers of agents. REQUIRES: a test of the
   /// plan.
   [[nodiscard]] std::size_t cell_of(const TestKey& test) const;
+  /// Its number in that order, from 0. REQUIRES: a test of the plan.
+  [[nodiscard]] std::uint64_t place_of(const TestKey& test) const {
+    return cell_of(test) * tests + test.number;
+  }
 };
 
 struct Progress {

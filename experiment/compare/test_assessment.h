@@ -28,6 +28,11 @@ struct Criteria {
   std::vector<SourcePtr> files;
 };
 
+/// Whether there is anything to evaluate.
+[[nodiscard]] inline bool asks(const Criteria& criteria) {
+  return criteria.metrics || !criteria.assertions.empty();
+}
+
 [[nodiscard]] std::vector<std::string> ids_of(const Criteria& criteria);
 
 struct TestAssessment {

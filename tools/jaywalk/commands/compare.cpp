@@ -1,5 +1,8 @@
 // `jaywalk compare`: behaviours x numbers of agents x seeded tests, in parallel.
 
+#include <functional>
+#include <optional>
+
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/comparison/compare_results.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
@@ -11,6 +14,9 @@
 #include "tools/jaywalk/options/include_path.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/options/store_options.h"
+#include "tools/jaywalk/run/test_trace.h"
+#include "tools/jaywalk/run/trace_output.h"
 
 namespace jaywalk::command::compare {
 
@@ -91,36 +97,52 @@ CommandHelp help() {
 
 namespace {
 
-/// The results of the tests that were run.
-struct Findings {
-  const Collected& collected;
-  const ExperimentOutcome& outcome;
-  const Comparison& comparison;
-  const reporting::FactsTable& facts;
-};
+/// Runs a test with those that listen to it; `file` may be null.
+TestRun run_listened(const Request& request, TraceFile* file, const TestKey& test,
+                     const TestSetup& setup, TestOptions& options,
+                     const std::function<TestRun()>& run) {
+  const ExperimentPlan& plan = request.comparison.plan;
+  std::optional<PlanCoverage::Borrowed> counting;
+  Observers observers;
+  if (request.coverage != nullptr) observers.add(*counting.emplace(*request.coverage).get());
+  std::optional<TestTrace> trace;
+  if (file != nullptr) {
+    observers.add(trace.emplace());
+    options.observe = [&](const World& world, const Mas& mas) { trace->tick(world, mas); };
+    trace->begin(plan.behaviours[test.behaviour], setup);
+  }
+  options.observer = observers.get();
+  TestRun result = run();
+  if (trace && !result.interrupted) {
+    trace->end(result);
+    file->add(plan.place_of(test), trace->lines());
+  }
+  return result;
+}
 
 /// Prints the results, writes the files asked for and evaluates --fail-on.
-ExitCode conclude(const Request& request, const Arguments& arguments, const Findings& findings,
+ExitCode conclude(const Request& request, const Arguments& arguments,
+                  const ComparisonResults& results, const reporting::FactsTable& facts,
                   Console& console) {
-  const auto& [collected, outcome, comparison, facts] = findings;
-  bool written = write_files(arguments, request, collected, comparison, facts, console);
+  const Comparison& comparison = results.comparison;
+  const OutputOptions& output = request.options.output;
+  bool written = write_files(arguments, request, results, facts, console);
   if (request.coverage != nullptr) {
-    const std::string subject = coverage_subject(request.description, {});
+    const std::string subject = coverage_subject(results.description, {});
     written = write_coverage(arguments, request.coverage->total(), subject, console) && written;
   }
-  show_comparison(arguments, comparison, console);
-  if (arguments.has(option::kSituations)) {
-    console.print((prints_table(arguments) ? "\n" : "") +
-                  situations_of(request, comparison, collected.situations));
+  show_comparison(output, comparison, console);
+  if (request.options.situations) {
+    console.print((output.shown ? "\n" : "") + situations_of(request, results));
   }
-  for (const std::string& note : collected.notes.texts()) console.note(note);
+  for (const std::string& note : results.notes) console.note(note);
   if (!comparison.complete) {
-    console.note(interruption(request, outcome, comparison));
+    console.note(interruption(request, results));
     return ExitCode::interrupted;
   }
   const bool all_have = have_results(comparison, console);
-  const bool failed = report_failures(request.conditions, comparison, console);
-  if (fails_strictly(arguments, comparison, console) || failed || !written || !all_have) {
+  const bool failed = report_failures(request.options.conditions, comparison, console);
+  if (fails_strictly(output, comparison, console) || failed || !written || !all_have) {
     return ExitCode::failed;
   }
   return ExitCode::success;
@@ -130,53 +152,52 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Find
 
 ExitCode execute(const Arguments& arguments, Console& console) {
   const auto request = read_request(arguments, console);
-  if (!request) return ExitCode::usage;
-  if (!can_be_run(*request, console)) return ExitCode::usage;
+  if (!request || !can_be_run(*request, console)) return ExitCode::usage;
 
-  Collected collected(*request);
-  if (!add_earlier_tests(*request, collected, console)) return ExitCode::usage;
-  // From here on an interrupt keeps all finished tests in the store.
-  const InterruptGuard interrupt;
-  std::unique_ptr<ResultsWriter> store;
-  if (request->store) {
-    const PromptEnd end(interrupt);
-    auto opened = open_store(*request->store, request->description);
-    if (!opened) {
-      console.report(opened.diagnostics());
-      return ExitCode::usage;
-    }
-    store = std::move(opened).value();
-  }
-
-  ProgressLine line(console);
-  const Selection selection(*request, store.get());
-  reporting::FactsTable facts(request->plan);
+  const ExperimentPlan& plan = request->comparison.plan;
+  const std::optional<StoreOptions>& store = request->comparison.store;
+  reporting::FactsTable facts(plan);
   std::optional<TraceFile> trace;
-  if (!open_trace(arguments, trace, console)) return ExitCode::usage;
-  const Listeners listeners{.collected = collected,
-                            .store = store.get(),
-                            .facts = wants_page(arguments) && !store ? &facts : nullptr,
-                            .trace = trace ? &*trace : nullptr,
-                            .interrupted = [&] { return interrupt.interrupted(); }};
-  ExperimentOutcome outcome =
-      run_selection(*request, selection, listeners, [&](const Progress& now) {
-        line.show(now);
-        return interrupt.interrupted() ? Proceed::no : Proceed::yes;
-      });
-  line.clear();
-  const bool traced = finish_trace(arguments, trace, console);
-  const bool kept = !store || is_kept(store->finish(), request->store->path, console);
-  if (outcome.failed_test && !interrupt.interrupted()) {
-    console.report(outcome.failure);
-    return ExitCode::failed;
+  // While tests run, an interrupt keeps all finished ones in the store; before and after, nothing
+  // polls for it.
+  const InterruptGuard interrupt;
+  std::optional<PromptEnd> end(std::in_place, interrupt);
+  std::optional<ProgressLine> line;
+  bool traced = false;
+  ComparisonHooks hooks;
+  hooks.opened = [&] {
+    end.reset();
+    if (!open_trace(arguments, trace, console)) return Proceed::no;
+    line.emplace(console);
+    return Proceed::yes;
+  };
+  hooks.progress = [&](const Progress& now) { line->show(now); };
+  hooks.closed = [&](const std::optional<std::string>& unwritten) {
+    line->clear();
+    traced = finish_trace(arguments, trace, console);
+    if (store && !unwritten) console.wrote(store->path);
+    if (!interrupt.interrupted()) end.emplace(interrupt);
+  };
+  hooks.interrupted = [&] { return interrupt.interrupted(); };
+  hooks.around = [&](const TestKey& test, const TestSetup& setup, TestOptions& options,
+                     const std::function<TestRun()>& run) {
+    return run_listened(*request, trace ? &*trace : nullptr, test, setup, options, run);
+  };
+  hooks.skipped = [&](const TestKey& test) {
+    if (trace) trace->add(plan.place_of(test), {});
+  };
+  if (request->options.wants_page() && !store) {
+    hooks.measured = [&](const TestKey& test, const TestResult& result,
+                         const Recording& recording) { facts.add(test, result, recording); };
   }
-  if (!kept || !traced) return ExitCode::failed;
-
-  std::optional<PromptEnd> end;  // the long work from here on does not poll for interrupts
-  if (!interrupt.interrupted()) end.emplace(interrupt);
-  const std::optional<Comparison> comparison = comparison_of(*request, collected, outcome, console);
-  if (!comparison) return ExitCode::failed;
-  return conclude(*request, arguments, {collected, outcome, *comparison, facts}, console);
+  auto results = run_comparison(request->comparison, hooks);
+  if (!results) {
+    console.report(results.diagnostics());
+    return line ? ExitCode::failed : ExitCode::usage;
+  }
+  if (!traced) return ExitCode::failed;
+  add_kills(request->other_kills, results.value().comparison.kills);
+  return conclude(*request, arguments, results.value(), facts, console);
 }
 
 }  // namespace jaywalk::command::compare

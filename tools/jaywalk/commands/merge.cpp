@@ -20,7 +20,8 @@ namespace jaywalk::command::merge {
 namespace {
 
 /// The summary of the store, shown and written as `compare` does.
-ExitCode show(const std::string& path, const Arguments& arguments, Console& console) {
+ExitCode show(const std::string& path, const Arguments& arguments, const OutputOptions& output,
+              Console& console) {
   auto store = ResultsReader::open(path);
   if (!store) {
     console.report(store.diagnostics());
@@ -36,7 +37,7 @@ ExitCode show(const std::string& path, const Arguments& arguments, Console& cons
       OutputFile{option::kJson, [&] { return to_json(comparison.value()); }},
   };
   const bool written = write_outputs(arguments, outputs, console);
-  show_comparison(arguments, comparison.value(), console);
+  show_comparison(output, comparison.value(), console);
   // Rows that lack tests, which was said, may be finished later.
   const bool all_have =
       comparison.value().summaries.empty() || have_results(comparison.value(), console);
@@ -72,7 +73,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
     return ExitCode::usage;
   }
   Diagnostics wrong;
-  check_format(arguments, wrong);
+  const OutputOptions output = read_output_options(arguments, wrong);
   const auto parts = input_files(std::span(arguments.operands()).subspan(1), kStores, wrong);
   if (wrong.has_errors()) {
     console.report(wrong);
@@ -92,7 +93,7 @@ ExitCode execute(const Arguments& arguments, Console& console) {
                              outcome.value().planned - outcome.value().tests,
                              outcome.value().planned, path));
   }
-  return show(path, arguments, console);
+  return show(path, arguments, output, console);
 }
 
 }  // namespace jaywalk::command::merge

@@ -2,56 +2,63 @@
 
 // The command line of `compare`, read and checked.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "experiment/compare/experiment.h"
 #include "experiment/compare/failure_condition.h"
 #include "experiment/compare/kills/kills_file.h"
-#include "experiment/compare/test_assessment.h"
-#include "experiment/results/writer.h"
+#include "experiment/run/comparison_request.h"
 #include "experiment/test_run/plan_coverage.h"
+#include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/options/arguments.h"
-#include "tools/jaywalk/options/store_options.h"
 
 namespace jaywalk::command::compare {
 
-/// The checked request of a command line.
-struct Request {
-  std::shared_ptr<const PreparedScenario> prepared;
+/// The options that can be read without the scenario, so that all their errors are reported at
+/// once. Empty: the scenario's own.
+struct CompareOptions {
+  std::vector<std::string> behaviours;
+  std::optional<std::vector<std::uint32_t>> agents;
+  std::optional<std::uint64_t> tests;
+  std::optional<std::uint64_t> seed;
+  unsigned threads = 1;
   /// The settings of the scenario (`key=value`) that come from options which limit tests.
   std::vector<std::string> limits;
-  std::uint64_t seed = 0;
-  ExperimentPlan plan;
-  /// The experiment as a store and a report keep it.
-  ExperimentDescription description;
   std::vector<FailureCondition> conditions;
   std::optional<StoreOptions> store;
-  Criteria criteria;
-  Ground ground;
-  /// The simulator that moves the vehicles, with its version (simulator_version.h).
-  std::string simulator;
+  OutputOptions output;
+  /// The page (.html) or picture (.svg).
+  std::optional<std::string> report;
+  /// Files of kills from elsewhere.
+  std::vector<std::string> kills;
+  /// Given options that have no effect without defects.
+  std::vector<OptionName> about_defects;
+  bool coverage = false;
+  bool situations = false;
+  bool per_test = false;
+  bool starts = false;
+
+  [[nodiscard]] bool wants_page() const { return report && !report->ends_with(".svg"); }
+};
+
+/// The checked request of a command line.
+struct Request {
+  CompareOptions options;
+  ComparisonRequest comparison;
   /// Null unless coverage is asked for.
   std::unique_ptr<PlanCoverage> coverage;
-  bool situations = false;
-  /// Given options that have no effect, since they need defects and there are none.
-  std::vector<OptionName> pointless;
   /// Kills from other files, shown beside those of this comparison.
   std::vector<KillLine> other_kills;
-  /// Whether a row for each test is written.
-  bool per_test = false;
-  /// Whether the cells where agents start are written.
-  bool writes_starts = false;
 };
 
 /// Nothing after reporting errors.
 [[nodiscard]] std::optional<Request> read_request(const Arguments& arguments, Console& console);
 
-/// Whether the request can be carried out; false after reporting why not: it is too large, or some
-/// test cannot be run (there are no start cells for it, say).
+/// Whether the request can be carried out; false after reporting why not.
 [[nodiscard]] bool can_be_run(const Request& request, Console& console);
 
 }  // namespace jaywalk::command::compare

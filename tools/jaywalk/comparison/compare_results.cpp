@@ -10,7 +10,6 @@
 #include "experiment/export/comparison_files.h"
 #include "experiment/report/stored_coverage.h"
 #include "experiment/results/reader.h"
-#include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/comparison/reporting.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/options/option_names.h"
@@ -18,101 +17,47 @@
 namespace jaywalk::command::compare {
 namespace {
 
-/// Summed up from the store, which may have had tests before; nothing after reporting why not.
-std::optional<Comparison> stored_comparison(const Request& request, Console& console) {
-  const std::string& path = request.store->path;
-  auto store = ResultsReader::open(path);
-  if (!store) {
-    console.report(store.diagnostics());
-    return std::nullopt;
-  }
-  auto comparison = store.value()->comparison();
-  if (comparison) return std::move(comparison).value();
-  console.report(comparison.diagnostics());
-  return std::nullopt;
-}
-
-Comparison make_comparison(const Request& request, ExperimentOutcome& outcome) {
-  Comparison comparison{.scenario = request.description.scenario,
-                        .seed = request.seed,
-                        .tests = request.plan.tests,
-                        .summaries = std::move(outcome.summaries),
-                        .published = published_rows(*request.prepared),
-                        .complete = outcome.complete()};
-  for (Summary& summary : comparison.summaries) {
-    const auto behaviour = std::ranges::find(request.prepared->behaviours(), summary.behaviour,
-                                             &PreparedBehaviour::name);
-    summary.code_lines = behaviour->code_lines;
-  }
-  return comparison;
-}
-
 /// The start cells of all tests of the largest number of agents.
-std::string start_cells_csv(const Request& request) {
+std::string start_cells_csv(const ComparisonRequest& request) {
   const std::uint32_t agents = *std::ranges::max_element(request.plan.agents);
   return print_start_cells(
       start_cells(request.prepared->scenario(), agents, request.seed, request.plan.tests));
 }
 
 /// The single tests, of the store if there is one; false after reporting why not.
-bool write_per_test_csv(const Request& request, const Collected& collected, const TextSink& sink,
-                        Console& console) {
-  if (collected.per_test != nullptr) {
-    sink(collected.per_test->csv());
+bool write_per_test_csv(const Request& request, const ComparisonResults& results,
+                        const TextSink& sink, Console& console) {
+  if (results.per_test != nullptr) {
+    sink(results.per_test->csv());
     return true;
   }
-  const auto store = ResultsReader::open(request.store->path);
+  const auto store = ResultsReader::open(request.comparison.store->path);
   const auto failure =
       store.ok() ? write_per_test_table(*store.value(), sink) : store.diagnostics();
   if (failure) console.report(*failure);
   return !failure;
 }
 
-std::optional<std::string> report_of(const Arguments& arguments, const Request& request,
-                                     const Comparison& comparison,
+std::optional<std::string> report_of(const Request& request, const ComparisonResults& results,
                                      const reporting::FactsTable& facts, Console& console) {
-  if (!wants_page(arguments)) return render_svg(comparison);
-  if (request.store) {
-    return stored_report(request.store->path, *arguments.text(option::kReport), ReplayPages::none,
+  if (!request.options.wants_page()) return render_svg(results.comparison);
+  if (request.comparison.store) {
+    return stored_report(request.comparison.store->path, *request.options.report, ReplayPages::none,
                          Commands::refused, console, request.other_kills);
   }
-  return unstored_report({.comparison = comparison,
-                          .description = request.description,
-                          .prepared = request.prepared,
-                          .criteria = request.criteria,
+  return unstored_report({.comparison = results.comparison,
+                          .description = results.description,
+                          .prepared = request.comparison.prepared,
+                          .criteria = request.comparison.criteria,
                           .facts = facts});
 }
 
 }  // namespace
 
-std::optional<Comparison> comparison_of(const Request& request, const Collected& collected,
-                                        ExperimentOutcome& outcome, Console& console) {
-  if (request.store) {
-    auto stored = stored_comparison(request, console);
-    if (stored) add_kills(request.other_kills, stored->kills);
-    return stored;
-  }
-  Comparison comparison = make_comparison(request, outcome);
-  add_assessments(request.criteria, collected.assessments, request.plan.behaviours, comparison);
-  comparison.kills = collected.kills.matrix();
-  add_kills(request.other_kills, comparison.kills);
-  comparison.avs = collected.avs.ranking(asks(request.criteria));
-  for (const Summary& summary : comparison.summaries) {
-    const auto behaviour = std::ranges::find(request.plan.behaviours, summary.behaviour);
-    comparison.troubles.push_back(collected.troubles.troubles(
-        static_cast<std::size_t>(behaviour - request.plan.behaviours.begin()), summary.agents));
-  }
-  return comparison;
-}
-
-bool wants_page(const Arguments& arguments) {
-  const auto report = arguments.text(option::kReport);
-  return report && !report->ends_with(".svg");
-}
-
-bool write_files(const Arguments& arguments, const Request& request, const Collected& collected,
-                 const Comparison& comparison, const reporting::FactsTable& facts,
+bool write_files(const Arguments& arguments, const Request& request,
+                 const ComparisonResults& results, const reporting::FactsTable& facts,
                  Console& console) {
+  const Comparison& comparison = results.comparison;
   const std::array files = {
       OutputFile{option::kCsv, [&] { return to_csv(comparison); }},
       OutputFile{option::kKills, [&] { return to_kills_csv(comparison.kills); }},
@@ -120,38 +65,33 @@ bool write_files(const Arguments& arguments, const Request& request, const Colle
                  .text = nullptr,
                  .pieces =
                      [&](const TextSink& sink) {
-                       return write_per_test_csv(request, collected, sink, console);
+                       return write_per_test_csv(request, results, sink, console);
                      }},
       OutputFile{option::kJson, [&] { return to_json(comparison); }},
       OutputFile{option::kJunit, [&] { return to_junit(comparison); }},
-      OutputFile{option::kStarts, [&] { return start_cells_csv(request); }},
-      OutputFile{option::kReport,
-                 [&] { return report_of(arguments, request, comparison, facts, console); }},
+      OutputFile{option::kStarts, [&] { return start_cells_csv(request.comparison); }},
+      OutputFile{option::kReport, [&] { return report_of(request, results, facts, console); }},
   };
   return write_outputs(arguments, files, console);
 }
 
-std::string situations_of(const Request& request, const Comparison& comparison,
-                          const SituationTable& table) {
+std::string situations_of(const Request& request, const ComparisonResults& results) {
   std::vector<SituationRow> rows;
-  const ReachableBins& reachable = request.prepared->scenario().experiment.reachable;
-  for (const Summary& summary : comparison.summaries) {
-    const auto place = std::ranges::find(request.plan.behaviours, summary.behaviour);
-    const auto behaviour = static_cast<std::size_t>(place - request.plan.behaviours.begin());
-    rows.push_back({summary.behaviour, summary.agents,
-                    table.coverage(behaviour, summary.agents, request.plan.tests),
+  const ReachableBins& reachable = request.comparison.prepared->scenario().experiment.reachable;
+  for (std::size_t row = 0; row < results.situations.size(); ++row) {
+    const Summary& summary = results.comparison.summaries[row];
+    rows.push_back({summary.behaviour, summary.agents, results.situations[row],
                     reachable_with(reachable, summary.agents)});
   }
   return situation_text(rows);
 }
 
-std::string interruption(const Request& request, const ExperimentOutcome& outcome,
-                         const Comparison& comparison) {
+std::string interruption(const Request& request, const ComparisonResults& results) {
   std::string text = fmt::format(
       "interrupted after {} of {} tests; the rows shown and written are finished, {} of {}.\n",
-      outcome.progress.done, outcome.progress.total, comparison.summaries.size(),
-      request.plan.behaviours.size() * request.plan.agents.size());
-  if (!request.store) {
+      results.progress.done, results.progress.total, results.comparison.summaries.size(),
+      request.comparison.plan.rows());
+  if (!request.comparison.store) {
     return text +
            "To get the others, run the same command again (--behaviours and --agents leave out "
            "rows).";
@@ -159,7 +99,7 @@ std::string interruption(const Request& request, const ExperimentOutcome& outcom
   return text + fmt::format(
                     "All finished tests are in '{}'; the same command with --resume runs "
                     "the others.",
-                    request.store->path);
+                    request.comparison.store->path);
 }
 
 }  // namespace jaywalk::command::compare

@@ -14,13 +14,6 @@
 namespace jaywalk {
 namespace {
 
-enum class Format { table, csv, json, markdown };
-
-Format read_format(const Arguments& arguments, Diagnostics& diagnostics) {
-  static const std::array<std::string, 4> kFormats = {"table", "csv", "json", "markdown"};
-  return static_cast<Format>(arguments.choice(option::kFormat, kFormats, diagnostics));
-}
-
 std::string in_format(Format format, const Comparison& comparison) {
   switch (format) {
     case Format::table:
@@ -78,18 +71,18 @@ std::vector<RowWithoutResult> rows_without_result(const Comparison& comparison) 
 
 }  // namespace
 
-void check_format(const Arguments& arguments, Diagnostics& diagnostics) {
-  (void)read_format(arguments, diagnostics);
+OutputOptions read_output_options(const Arguments& arguments, Diagnostics& diagnostics) {
+  static const std::array<std::string, 4> kFormats = {"table", "csv", "json", "markdown"};
+  return {.format = static_cast<Format>(arguments.choice(option::kFormat, kFormats, diagnostics)),
+          .shown = prints_table(arguments),
+          .strict = arguments.has(option::kStrict)};
 }
 
-void show_comparison(const Arguments& arguments, const Comparison& comparison, Console& console) {
-  Diagnostics ignored;  // were reported before
-  const Format format = read_format(arguments, ignored);
-  const bool shown = prints_table(arguments);
-  if (shown) console.print(in_format(format, comparison));
+void show_comparison(const OutputOptions& options, const Comparison& comparison, Console& console) {
+  if (options.shown) console.print(in_format(options.format, comparison));
   const std::string troubles = render_troubles(troubles_of(comparison));
   if (troubles.empty()) return;
-  if (shown && format == Format::table) {
+  if (options.shown && options.format == Format::table) {
     console.print('\n' + troubles);
   } else {
     console.flush();
@@ -113,8 +106,8 @@ bool have_results(const Comparison& comparison, Console& console) {
   return rows.empty() && !comparison.summaries.empty();
 }
 
-bool fails_strictly(const Arguments& arguments, const Comparison& comparison, Console& console) {
-  if (!arguments.has(option::kStrict) || !is_troubled(troubles_of(comparison))) return false;
+bool fails_strictly(const OutputOptions& options, const Comparison& comparison, Console& console) {
+  if (!options.strict || !is_troubled(troubles_of(comparison))) return false;
   console.error("--strict: agents dropped intentions or never acted, or tests ended errored");
   return true;
 }

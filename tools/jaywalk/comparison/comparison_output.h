@@ -18,20 +18,29 @@ inline constexpr OptionSpec kFormatOption{
 inline constexpr OptionSpec kStrictOption{
     option::kStrict, "", "exit with 1 if agents dropped intentions or never acted"};
 
-/// Adds an error for an unknown format.
-void check_format(const Arguments& arguments, Diagnostics& diagnostics);
+enum class Format { table, csv, json, markdown };
 
-/// Prints it: in the format asked for, or as tables, or not at all with --quiet and where another
-/// option takes standard output. What went wrong with agents goes to standard error where there are
-/// no tables.
-void show_comparison(const Arguments& arguments, const Comparison& comparison, Console& console);
+struct OutputOptions {
+  Format format = Format::table;
+  /// Not with --quiet, nor where another option takes standard output.
+  bool shown = true;
+  bool strict = false;
+};
+
+/// Adds an error for an unknown format.
+[[nodiscard]] OutputOptions read_output_options(const Arguments& arguments,
+                                                Diagnostics& diagnostics);
+
+/// Prints it: in the format asked for, or as tables, or not at all. What went wrong with agents
+/// goes to standard error where there are no tables.
+void show_comparison(const OutputOptions& options, const Comparison& comparison, Console& console);
 
 /// Warns of tests that ended errored. False after reporting rows of which no test has a result (of
 /// a model or a defect of the AV, too), or that there are no rows at all.
 [[nodiscard]] bool have_results(const Comparison& comparison, Console& console);
 
 /// Says so if --strict objects to what happened to the agents.
-[[nodiscard]] bool fails_strictly(const Arguments& arguments, const Comparison& comparison,
+[[nodiscard]] bool fails_strictly(const OutputOptions& options, const Comparison& comparison,
                                   Console& console);
 
 }  // namespace jaywalk

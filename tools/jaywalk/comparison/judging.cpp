@@ -1,6 +1,5 @@
 #include "tools/jaywalk/comparison/judging.h"
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -77,21 +76,6 @@ bool report_failures(const std::vector<FailureCondition>& conditions, const Comp
     }
   }
   return any;
-}
-
-void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
-                     const std::vector<std::string>& behaviours, Comparison& comparison) {
-  comparison.assertions.clear();
-  comparison.assessments.clear();
-  if (!asks(criteria)) return;
-  for (const Assertion& assertion : criteria.assertions) {
-    comparison.assertions.push_back(assertion.id);
-  }
-  for (const Summary& summary : comparison.summaries) {
-    const auto behaviour = std::ranges::find(behaviours, summary.behaviour) - behaviours.begin();
-    comparison.assessments.push_back(
-        assessments.summary(static_cast<std::size_t>(behaviour), summary.agents));
-  }
 }
 
 }  // namespace jaywalk

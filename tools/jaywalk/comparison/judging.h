@@ -34,10 +34,6 @@ inline constexpr std::array kJudgingOptions = {
                                                     const std::vector<Assertion>& otherwise,
                                                     Console& console);
 
-[[nodiscard]] inline bool asks(const Criteria& criteria) {
-  return criteria.metrics || !criteria.assertions.empty();
-}
-
 /// The conditions of --fail-on; adds errors. Conditions about assertions can be checked only once
 /// the assertions are known: check_conditions() reports errors in them.
 [[nodiscard]] std::vector<FailureCondition> read_conditions(const Arguments& arguments,
@@ -48,10 +44,5 @@ inline constexpr std::array kJudgingOptions = {
 /// Says which rows meet a condition; whether any does.
 [[nodiscard]] bool report_failures(const std::vector<FailureCondition>& conditions,
                                    const Comparison& comparison, Console& console);
-
-/// Sets the assessments of the comparison's summaries from the table. `behaviours` are those of the
-/// table's plan.
-void add_assessments(const Criteria& criteria, const AssessmentTable& assessments,
-                     const std::vector<std::string>& behaviours, Comparison& comparison);
 
 }  // namespace jaywalk

@@ -188,8 +188,9 @@ ExitCode conclude(const Request& request, const Arguments& arguments, const Test
   if (troubles.ends_with('\n')) troubles.pop_back();
   if (!troubles.empty()) console.note(troubles);
   const bool failed = report_failures(request.conditions, comparison, console);
-  return fails_strictly(arguments, comparison, console) || failed ? ExitCode::failed
-                                                                  : ExitCode::success;
+  const OutputOptions output{.strict = arguments.has(option::kStrict)};
+  return fails_strictly(output, comparison, console) || failed ? ExitCode::failed
+                                                               : ExitCode::success;
 }
 
 /// The one test, with everything that listens to it while it runs.
