@@ -9,7 +9,7 @@
 
 #include "tests/helpers/folder.h"
 #include "tools/jaywalk/options/include_path.h"
-#include "tools/jaywalk/programs/program_files.h"
+#include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/run/trace_output.h"
 
 namespace jaywalk {

@@ -1,11 +1,11 @@
 // Messages between an editor and the language server, as bytes.
 
-#include "tools/jaywalk/lsp/lsp_frames.h"
-
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 namespace {

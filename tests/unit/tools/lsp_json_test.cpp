@@ -1,6 +1,6 @@
-#include "tools/jaywalk/lsp/lsp_json.h"
-
 #include <gtest/gtest.h>
+
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 namespace {

@@ -1,10 +1,8 @@
-#include "tools/jaywalk/lsp/lsp_text.h"
-
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "tools/jaywalk/lsp/lsp_frames.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 namespace {

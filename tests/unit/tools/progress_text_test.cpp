@@ -1,6 +1,6 @@
-#include "tools/jaywalk/console/progress_text.h"
-
 #include <gtest/gtest.h>
+
+#include "tools/jaywalk/console/progress_line.h"
 
 namespace jaywalk {
 namespace {

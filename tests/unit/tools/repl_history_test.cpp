@@ -1,13 +1,13 @@
 // Where the REPL keeps what was typed.
 
-#include "tools/jaywalk/repl/repl_history.h"
-
 #include <cstdlib>
 #include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+
+#include "tools/jaywalk/repl/line_editor.h"
 
 namespace jaywalk {
 namespace {

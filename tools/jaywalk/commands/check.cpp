@@ -29,7 +29,6 @@
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/programs/program_check.h"
-#include "tools/jaywalk/programs/program_files.h"
 #include "tools/jaywalk/programs/vocabulary.h"
 
 namespace jaywalk::command::check {

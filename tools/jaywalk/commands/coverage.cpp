@@ -13,10 +13,10 @@
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
 #include "tools/jaywalk/console/progress_line.h"
+#include "tools/jaywalk/options/arguments.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
-#include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::coverage {
 namespace {

@@ -12,7 +12,6 @@
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
-#include "tools/jaywalk/programs/program_files.h"
 
 namespace jaywalk::command::fmt_ {
 namespace {

@@ -17,7 +17,7 @@
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
-#include "tools/jaywalk/run/judge_trace.h"
+#include "tools/jaywalk/run/run_files.h"
 
 namespace jaywalk::command::judge {
 namespace {

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "tools/jaywalk/commands/command.h"
-#include "tools/jaywalk/lsp/lsp_frames.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 #include "tools/jaywalk/lsp/lsp_server.h"
 #include "tools/jaywalk/options/include_path.h"
 #include "tools/jaywalk/options/option_names.h"

@@ -13,8 +13,7 @@
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
-#include "tools/jaywalk/run/run_program.h"
-#include "tools/jaywalk/run/run_scenario.h"
+#include "tools/jaywalk/run/run_files.h"
 
 namespace jaywalk::command::run {
 namespace {

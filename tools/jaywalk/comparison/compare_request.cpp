@@ -11,12 +11,12 @@
 #include "experiment/test_run/test_run.h"
 #include "experiment/test_run/tested_vehicles.h"
 #include "tools/jaywalk/comparison/judging.h"
+#include "tools/jaywalk/options/arguments.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/store_options.h"
-#include "tools/jaywalk/options/usual_options.h"
 
 namespace jaywalk::command::compare {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "interpreter/support/text.h"
 #include "interpreter/syntax/format/formatter.h"
-#include "tools/jaywalk/lsp/lsp_json.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 namespace {

@@ -5,8 +5,7 @@
 #include <span>
 
 #include "tools/jaywalk/lsp/lsp_document.h"
-#include "tools/jaywalk/lsp/lsp_json.h"
-#include "tools/jaywalk/lsp/lsp_text.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 

@@ -12,7 +12,7 @@
 #include "interpreter/check/check.h"
 #include "interpreter/check/index/lsp_names.h"
 #include "interpreter/support/diagnostics.h"
-#include "tools/jaywalk/lsp/lsp_text.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 

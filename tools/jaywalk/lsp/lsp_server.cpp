@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/jaywalk/lsp/lsp_answers.h"
-#include "tools/jaywalk/lsp/lsp_json.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 
 namespace jaywalk::lsp {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tools/jaywalk/lsp/lsp_document.h"
-#include "tools/jaywalk/lsp/lsp_json.h"
+#include "tools/jaywalk/lsp/lsp_protocol.h"
 #include "tools/jaywalk/lsp/lsp_workspace.h"
 
 namespace jaywalk::lsp {

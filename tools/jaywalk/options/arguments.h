@@ -13,9 +13,24 @@
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
-#include "tools/jaywalk/options/option_name.h"
 
 namespace jaywalk {
+
+/// The name of an option.
+class OptionName {
+ public:
+  /// `text`: without dashes; must outlive this (a literal).
+  explicit constexpr OptionName(std::string_view text) : text_(text) {}
+
+  [[nodiscard]] constexpr std::string_view text() const { return text_; }
+  /// The name as the user writes it and as messages show it: `--seed`.
+  [[nodiscard]] std::string dashed() const { return "--" + std::string(text_); }
+
+  friend bool operator==(const OptionName&, const OptionName&) = default;
+
+ private:
+  std::string_view text_;
+};
 
 /// Whether a command writes to the place that an option names: a file, or a folder that it makes.
 enum class Written { no, file, folder };
@@ -70,5 +85,11 @@ class Arguments {
 /// errors.
 [[nodiscard]] Result<Arguments> parse_arguments(std::span<const std::string> words,
                                                 std::span<const OptionSpec> options);
+
+/// All values of an option, each a list separated by commas, as one list.
+[[nodiscard]] std::vector<std::string> listed(const Arguments& arguments, OptionName option);
+
+/// --threads: as many as cores unless it is given, and never more than make sense.
+[[nodiscard]] unsigned read_threads(const Arguments& arguments, Diagnostics& diagnostics);
 
 }  // namespace jaywalk

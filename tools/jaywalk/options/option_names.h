@@ -3,7 +3,7 @@
 // The name of every option of the command line, each once: commands declare, read and report
 // options by these constants. A text is no OptionName, so that a misspelt one does not compile.
 
-#include "tools/jaywalk/options/option_name.h"
+#include "tools/jaywalk/options/arguments.h"
 
 namespace jaywalk::option {
 

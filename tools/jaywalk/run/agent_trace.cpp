@@ -1,5 +1,8 @@
 #include "tools/jaywalk/run/agent_trace.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "interpreter/agent/agent.h"
@@ -29,6 +32,8 @@ bool is_percept(Value literal, const SymbolTable& symbols) {
   }
   return false;
 }
+
+constexpr std::size_t kMostKept = std::size_t{1} << 16U;
 
 }  // namespace
 
@@ -109,6 +114,73 @@ void AgentTrace::write(const Action& action, const std::string& agent) {
             {"outcome", action.failed ? "failed" : "done"}};
   if (action.failed) said["reason"] = action.reason;
   append(said);
+}
+
+void ProgramTrace::begin(std::string_view program, std::size_t agents, std::uint64_t seed) {
+  append({{"kind", "run"}, {"program", program}, {"agents", agents}, {"seed", seed}});
+}
+
+std::uint64_t ProgramTrace::now(Agent& agent) {
+  if (agent.number() >= cycles_.size()) cycles_.resize(agent.number() + 1);
+  const std::uint64_t cycle = agent.cycles();
+  std::uint64_t& last = cycles_[agent.number()];
+  if (std::exchange(last, cycle) == cycle) return cycle;
+  if (lines_.size() >= kMostKept) hand_over();
+  append({{"kind", "cycle"},
+          {"cycle", cycle},
+          {"agent", agent.name()},
+          {"time_s", agent.host().now_ms() / 1000}});
+  return cycle;
+}
+
+void ProgramTrace::hand_over() { file_.add(parts_++, std::exchange(lines_, {})); }
+
+void ProgramTrace::end(std::string_view how, std::string_view why, double time_s, int exit_code) {
+  for (const auto& [agent, action] : actions_) write(action, agent);
+  actions_.clear();
+  Line line{{"kind", "end"}, {"ended", how}, {"time_s", time_s}, {"exit_code", exit_code}};
+  if (!why.empty()) line["reason"] = why;
+  append(line);
+  hand_over();
+}
+
+void TestTrace::begin(std::string_view behaviour, const TestSetup& setup) {
+  append({{"kind", "test"},
+          {"behaviour", behaviour},
+          {"agents", setup.agents},
+          {"test", setup.test},
+          {"seed", setup.seed}});
+}
+
+void TestTrace::tick(const World& world, const Mas& mas) {
+  const auto ticks = static_cast<std::uint64_t>(world.ticks());
+  // Agents perceive a failed action one tick later: outcomes before this tick are known by now.
+  for (auto it = actions_.begin(); it != actions_.end();) {
+    if (it->second.when >= ticks && !world.finished()) {
+      ++it;
+      continue;
+    }
+    // After the last tick agents perceive nothing more; ask the world whether their actions failed.
+    for (std::size_t i = 0; it->second.when >= ticks && i < mas.agent_count(); ++i) {
+      if (mas.agent_name(static_cast<AgentId>(i)) != it->first) continue;
+      it->second.failed = it->second.failed || world.last_action_failed(i);
+    }
+    write(it->second, it->first);
+    it = actions_.erase(it);
+  }
+  append({{"kind", "tick"}, {"tick", world.ticks()}, {"time_s", world.ticks() * world.tick_s()}});
+  tick_ = ticks + 1;
+}
+
+void TestTrace::end(const TestRun& result) {
+  Line line{{"kind", "end"},
+            {"completed", result.completed},
+            {"met_precondition", result.outcome.success},
+            {"ticks", result.outcome.ticks},
+            {"score", result.outcome.score()},
+            {"collisions", result.outcome.collisions.size()}};
+  if (!result.completed) line["reason"] = result.message;
+  append(line);
 }
 
 }  // namespace jaywalk

@@ -1,5 +1,3 @@
-#include "tools/jaywalk/run/judge_trace.h"
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +12,7 @@
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
+#include "tools/jaywalk/run/run_files.h"
 
 namespace jaywalk {
 namespace {

@@ -1,5 +1,3 @@
-#include "tools/jaywalk/run/run_program.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -23,7 +21,8 @@
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
-#include "tools/jaywalk/run/program_trace.h"
+#include "tools/jaywalk/run/agent_trace.h"
+#include "tools/jaywalk/run/run_files.h"
 
 namespace jaywalk {
 namespace {

@@ -1,5 +1,3 @@
-#include "tools/jaywalk/run/run_scenario.h"
-
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -30,7 +28,8 @@
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/store_options.h"
-#include "tools/jaywalk/run/test_trace.h"
+#include "tools/jaywalk/run/agent_trace.h"
+#include "tools/jaywalk/run/run_files.h"
 #include "tools/jaywalk/run/trace_output.h"
 
 namespace jaywalk {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Running agents that live in no world: one program, or the agents of a Jason project.
+// What `run` and `judge` do with each kind of file.
 
 #include <string>
 
@@ -15,5 +15,13 @@ namespace jaywalk {
 /// The agents of a `.mas2j` file.
 [[nodiscard]] ExitCode run_project_file(const std::string& path, const Arguments& arguments,
                                         Console& console);
+
+/// One test of a scenario, perhaps drawn as it happens.
+[[nodiscard]] ExitCode run_scenario_file(const std::string& path, const Arguments& arguments,
+                                         Console& console);
+
+/// `jaywalk judge --trace`: assertions and metrics over a drive from elsewhere.
+[[nodiscard]] ExitCode judge_trace(const std::string& path, const Arguments& arguments,
+                                   Console& console);
 
 }  // namespace jaywalk
